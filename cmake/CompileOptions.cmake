@@ -1,0 +1,13 @@
+# asperity_options: the warnings and code generation that every target of the project shares.
+add_library(asperity_options INTERFACE)
+target_compile_options(asperity_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  # GCC 12 calls its own AVX-512 intrinsics uninitialised (GCC bug 105593).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+  -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${ASPERITY_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<BOOL:${ASPERITY_NATIVE}>:-march=native>)
+if(ASPERITY_SANITIZE)
+  target_compile_options(asperity_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(asperity_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,13 @@
+# Everything Asperity stands on, by the names that Debian 12 and upstream both ship.
+find_package(Threads REQUIRED)
+find_package(GSL 2.7 REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(SUNDIALS 6.4 REQUIRED CONFIG COMPONENTS kinsol nvecserial sunlinsolspgmr)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3>=3.3.10)  # its Debian package has no CMake config
+pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf>=4.9)
+find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)

@@ -1,0 +1,60 @@
+/// What stands where in Asperity's datasets: the grid, fields on it, volumes below it, and what a run achieved.
+///
+/// The grid is the coordinate variables x and y with the attributes length (the size of the domain), periodic, unit
+/// and units, as contact.engineering reads them; depth is the coordinate z, positive downwards. A field is
+/// name(x, y), a volume name(z, x, y). All numbers are SI; a reader's other units of length are converted.
+///
+/// Masked points: a variable `mask(x, y)`, non-zero where the height is missing. Every reader here refuses to
+/// invent a value for them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/dataset.hpp"
+#include "grid/field.hpp"
+
+namespace asperity {
+
+/// The grid of a dataset. Throws DataError when x or y is missing, has no size, or is not evenly spaced.
+Grid grid_of(const Dataset& dataset);
+/// Writes x and y; replaces a former grid and whatever stood on it.
+void set_grid(Dataset& dataset, const Grid& grid);
+
+/// name(x, y) in SI. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not finite,
+/// or a mask hides some of its points.
+Field field_of(const Dataset& dataset, std::string_view name);
+
+struct Meaning {
+  std::string_view units;      ///< SI, as UDUNITS writes it: "m", "Pa", "1"
+  std::string_view long_name;  ///< in words
+};
+
+/// Writes name(x, y) with units, long_name and actual_range; the grid must be set.
+void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning);
+/// A field of small integers, such as the contact state, with the meaning of each value.
+void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
+               std::string_view long_name, std::string_view flag_meanings);
+
+/// The depths [m] of a dataset with z; throws DataError when there are none.
+std::vector<double> depths_of(const Dataset& dataset);
+void set_depths(Dataset& dataset, const std::vector<double>& depths);
+/// Writes name(z, x, y); `values` is [depth][x][y], nz·nx·ny of them.
+void set_volume(Dataset& dataset, std::string_view name, std::vector<double> values, Meaning meaning);
+
+/// A field over lags or kernel indices: writes name(row, column) with coordinates row(row) and column(column), each
+/// first, first + step, …, in `unit` ("m", or "1" for samples).
+struct Axis {
+  std::string_view name;
+  double first = 0, step = 1;
+  std::string_view unit = "1";
+};
+void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column, Meaning meaning);
+/// A variable of any two dimensions as a field; throws DataError when it is missing or holds a number not finite.
+Field table_of(const Dataset& dataset, std::string_view name);
+
+/// Puts `line` in front of the global attribute `history`.
+void add_history(Dataset& dataset, std::string_view line);
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+/// What can be wrong with a request, in the user's words.
+///
+/// Both kinds carry the name of what is wrong, so that a tool can say "--load: ..." or "heights: ..." in one
+/// line; the text gives the value and the bound that it breaks.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+
+/// A parameter outside its bounds. `name` is spelled as on the command line: words joined by hyphens.
+class ParameterError : public std::invalid_argument {
+ public:
+  ParameterError(std::string parameter, const std::string& message)
+      : std::invalid_argument(message), name(std::move(parameter)) {}
+  std::string name;
+};
+
+/// Data that cannot be used: a dataset, a variable or a field of it. `name` is the variable's.
+class DataError : public std::runtime_error {
+ public:
+  DataError(std::string variable, const std::string& message)
+      : std::runtime_error(message), name(std::move(variable)) {}
+  std::string name;
+};
+
+}  // namespace asperity

@@ -1,0 +1,50 @@
+/// Fields on a rectangular grid of cells.
+///
+/// x is the first index i, y the second index j, and j runs fastest in memory. Points are cell-centred,
+///     x_i = (i + ½) Δx - Lx/2,   y_j = (j + ½) Δy - Ly/2,
+/// so that the origin is the middle of the domain Lx × Ly = nx Δx × ny Δy.
+///
+/// Symbols   nx, ny  number of cells     Δx, Δy  spacing [m]     Lx, Ly  size of the domain [m]
+#pragma once
+
+#include <Eigen/Core>
+
+namespace asperity {
+
+using Index = Eigen::Index;
+
+/// A quantity per cell, nx × ny, row-major (y fastest).
+using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Shape {
+  Index nx = 0, ny = 0;
+
+  Index cells() const { return nx * ny; }
+  bool operator==(const Shape&) const = default;
+};
+
+inline Shape shape_of(const Field& f) { return {f.rows(), f.cols()}; }
+
+/// A domain cut into cells.
+struct Grid {
+  Shape shape;
+  double dx = 0, dy = 0;  ///< spacing [m]
+  bool periodic = false;  ///< the domain repeats itself in x and in y
+
+  double x(Index i) const { return (static_cast<double>(i) + 0.5) * dx - 0.5 * size_x(); }
+  double y(Index j) const { return (static_cast<double>(j) + 0.5) * dy - 0.5 * size_y(); }
+  double size_x() const { return static_cast<double>(shape.nx) * dx; }
+  double size_y() const { return static_cast<double>(shape.ny) * dy; }
+  double cell_area() const { return dx * dy; }
+};
+
+/// f(x, y) sampled at the cell centres.
+template <class Function>
+Field sample(const Grid& grid, Function f) {
+  Field out(grid.shape.nx, grid.shape.ny);
+  for (Index i = 0; i < grid.shape.nx; ++i)
+    for (Index j = 0; j < grid.shape.ny; ++j) out(i, j) = f(grid.x(i), grid.y(j));
+  return out;
+}
+
+}  // namespace asperity

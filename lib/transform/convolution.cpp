@@ -1,0 +1,67 @@
+#include "transform/convolution.hpp"
+
+#include <algorithm>
+
+#include "grid/parallel.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index width = PrunedTransform::width;
+
+// Below this many cells a thread costs more than it saves.
+constexpr Index cells_worth_a_thread = 128 * 128;
+
+int useful_threads(Shape field, int threads) { return field.cells() < cells_worth_a_thread ? 1 : threads; }
+
+}  // namespace
+
+Shape padded_torus(Shape field) { return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)}; }
+
+Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel) {
+  const EvenTransform2D transform(torus);
+  const Shape quarter = transform.quarter();
+  Field symbol(quarter.nx, quarter.ny);
+  for (Index i = 0; i < quarter.nx; ++i)
+    for (Index j = 0; j < quarter.ny; ++j) symbol(i, j) = kernel(i, j);
+  AlignedVector<double> data(symbol.data(), symbol.data() + symbol.size());
+  transform.apply(data.data());
+  std::copy(data.begin(), data.end(), symbol.data());
+  return symbol;
+}
+
+EvenConvolution::EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads)
+    : transform_(field, torus), half_(transform_.half_spectrum()), threads_(useful_threads(field, threads)) {
+  const Index rows = torus.nx / 2 + 1;
+  symbol_.resize(static_cast<std::size_t>(transform_.blocks() * rows * width));
+  const double scale = 1.0 / static_cast<double>(torus.cells());
+  for (Index k = 0; k < transform_.columns(); ++k)
+    for (Index i = 0; i < rows; ++i)
+      symbol_[static_cast<std::size_t>(((k / width) * rows + i) * width + k % width)] = scale * symbol(i, k);
+}
+
+void EvenConvolution::multiply(Index b, Complex* block) const {
+  const Index nx = transform_.torus().nx, rows = nx / 2 + 1;
+  const double* symbol = symbol_.data() + b * rows * width;
+  for (Index i = 0; i < nx; ++i) {
+    const double* s = symbol + std::min(i, nx - i) * width;
+    Complex* x = block + i * width;
+    for (Index q = 0; q < width; ++q) x[q] *= s[q];
+  }
+}
+
+void EvenConvolution::apply(const Field& in, Field& out) {
+  transform_.forward_rows(in, half_, threads_);
+  parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
+    AlignedVector<Complex> block(static_cast<std::size_t>(transform_.block_size()));
+    for (Index b = begin; b < end; ++b) {
+      transform_.forward_block(half_, b, block.data());
+      multiply(b, block.data());
+      transform_.inverse_block(block.data(), b, half_);
+    }
+  });
+  out.resize(shape().nx, shape().ny);
+  transform_.inverse_rows(half_, out, threads_);
+}
+
+}  // namespace asperity

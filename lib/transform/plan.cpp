@@ -1,0 +1,118 @@
+#include "transform/plan.hpp"
+
+#include <fftw3.h>
+
+#include <mutex>
+#include <stdexcept>
+
+namespace asperity {
+namespace {
+
+// FFTW's planner keeps global state; executing a plan does not.
+std::mutex planner;
+
+fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
+
+// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, and an aligned one may be
+// executed on any other aligned array.
+template <class Make>
+detail::PlanPointer make_plan(std::size_t doubles, Make make) {
+  AlignedVector<double> scratch(doubles);
+  const std::lock_guard lock(planner);
+  const fftw_plan plan = make(scratch.data());
+  if (plan == nullptr) throw std::runtime_error("FFTW could not make a plan");
+  return detail::PlanPointer(reinterpret_cast<detail::FftwPlan*>(plan));
+}
+
+fftw_plan get(const detail::PlanPointer& p) { return reinterpret_cast<fftw_plan>(p.get()); }
+
+std::size_t size(Index n) { return static_cast<std::size_t>(n); }
+
+// The next multiple of eight doubles, so that a second array behind the first is aligned too.
+std::size_t aligned(Index n) { return (size(n) + 7) / 8 * 8; }
+
+}  // namespace
+
+void detail::DestroyPlan::operator()(FftwPlan* plan) const {
+  const std::lock_guard lock(planner);
+  fftw_destroy_plan(reinterpret_cast<fftw_plan>(plan));
+}
+
+Index fast_length(Index n, Index multiple) {
+  auto smooth = [](Index k) {
+    for (Index p : {2, 3, 5})
+      while (k % p == 0) k /= p;
+    return k == 1;
+  };
+  Index k = std::max<Index>(n, 1);
+  k += (multiple - k % multiple) % multiple;
+  while (!smooth(k)) k += multiple;
+  return k;
+}
+
+RealTransform::RealTransform(Index n) : n_(n) {
+  const int points = static_cast<int>(n);
+  const std::size_t doubles = aligned(n + 2);
+  forward_ = make_plan(2 * doubles, [&](double* a) {
+    return fftw_plan_dft_r2c_1d(points, a, reinterpret_cast<fftw_complex*>(a + doubles), FFTW_ESTIMATE);
+  });
+  inverse_ = make_plan(2 * doubles, [&](double* a) {
+    return fftw_plan_dft_c2r_1d(points, reinterpret_cast<fftw_complex*>(a + doubles), a, FFTW_ESTIMATE);
+  });
+}
+
+void RealTransform::forward(const double* in, Complex* out) const {
+  fftw_execute_dft_r2c(get(forward_), const_cast<double*>(in), raw(out));
+}
+
+void RealTransform::inverse(Complex* in, double* out) const {
+  fftw_execute_dft_c2r(get(inverse_), raw(in), out);
+}
+
+InterleavedTransform::InterleavedTransform(Index n, Index width) : n_(n), width_(width) {
+  const int points = static_cast<int>(n), sequences = static_cast<int>(width);
+  auto plan = [&](int sign) {
+    return make_plan(2 * size(n * width), [&](double* a) {
+      auto* c = reinterpret_cast<fftw_complex*>(a);
+      return fftw_plan_many_dft(1, &points, sequences, c, nullptr, sequences, 1, c, nullptr, sequences, 1, sign,
+                                FFTW_ESTIMATE);
+    });
+  };
+  forward_ = plan(FFTW_FORWARD);
+  inverse_ = plan(FFTW_BACKWARD);
+}
+
+void InterleavedTransform::forward(Complex* data) const { fftw_execute_dft(get(forward_), raw(data), raw(data)); }
+void InterleavedTransform::inverse(Complex* data) const { fftw_execute_dft(get(inverse_), raw(data), raw(data)); }
+
+RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
+  const int nx = static_cast<int>(shape.nx), ny = static_cast<int>(shape.ny);
+  const std::size_t offset = aligned(shape.cells()), doubles = offset + 2 * size(spectrum_size());
+  forward_ = make_plan(doubles, [&](double* a) {
+    return fftw_plan_dft_r2c_2d(nx, ny, a, reinterpret_cast<fftw_complex*>(a + offset),
+                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  });
+  inverse_ = make_plan(doubles, [&](double* a) {
+    return fftw_plan_dft_c2r_2d(nx, ny, reinterpret_cast<fftw_complex*>(a + offset), a, FFTW_ESTIMATE);
+  });
+}
+
+void RealTransform2D::forward(const double* in, Complex* out) const {
+  fftw_execute_dft_r2c(get(forward_), const_cast<double*>(in), raw(out));
+}
+
+void RealTransform2D::inverse(Complex* in, double* out) const {
+  fftw_execute_dft_c2r(get(inverse_), raw(in), out);
+}
+
+EvenTransform2D::EvenTransform2D(Shape torus) : torus_(torus) {
+  const Shape q = quarter();
+  const int nx = static_cast<int>(q.nx), ny = static_cast<int>(q.ny);
+  plan_ = make_plan(size(q.cells()), [&](double* a) {
+    return fftw_plan_r2r_2d(nx, ny, a, a, FFTW_REDFT00, FFTW_REDFT00, FFTW_ESTIMATE);
+  });
+}
+
+void EvenTransform2D::apply(double* quarter) const { fftw_execute_r2r(get(plan_), quarter, quarter); }
+
+}  // namespace asperity

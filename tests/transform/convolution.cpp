@@ -1,0 +1,68 @@
+#include "transform/convolution.hpp"
+
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+double kernel(Index i, Index j) { return 1.0 / (1.0 + static_cast<double>(i) + 2.0 * static_cast<double>(j * j)); }
+
+Field direct(const Field& in) {
+  Field out = Field::Zero(in.rows(), in.cols());
+  for (Index i = 0; i < in.rows(); ++i)
+    for (Index j = 0; j < in.cols(); ++j)
+      for (Index k = 0; k < in.rows(); ++k)
+        for (Index l = 0; l < in.cols(); ++l) out(i, j) += kernel(std::abs(i - k), std::abs(j - l)) * in(k, l);
+  return out;
+}
+
+EvenConvolution convolution(Shape field, Shape torus, int threads = 1) {
+  return EvenConvolution(field, torus, even_symbol(torus, kernel), threads);
+}
+
+}  // namespace
+
+// Each output is a sum of n·m products below max|K| max|in| = 1; the transforms add ε log2(P) of Σ|in|.
+TEST_CASE("a padded convolution equals the direct sum for every shape", "[convolution][exact]") {
+  for (Shape shape : {Shape{1, 1}, Shape{1, 7}, Shape{8, 1}, Shape{5, 3}, Shape{16, 16}, Shape{13, 21}, Shape{3, 40}}) {
+    const Field in = random_field(shape, 1);
+    Field out;
+    convolution(shape, padded_torus(shape)).apply(in, out);
+    CAPTURE(shape.nx, shape.ny);
+    const double bound = epsilon * 8 * (1 + in.abs().sum());
+    CHECK((out - direct(in)).abs().maxCoeff() <= bound);
+  }
+}
+
+TEST_CASE("a circular convolution commutes with a shift", "[convolution][law]") {
+  const Shape shape{12, 20};
+  auto circular = convolution(shape, shape);
+  auto shift = [&](const Field& f) {
+    return Field(Field::NullaryExpr(shape.nx, shape.ny, [&](Index i, Index j) { return f((i + 5) % 12, (j + 3) % 20); }));
+  };
+  const Field in = random_field(shape, 2);
+  Field out, shifted;
+  circular.apply(in, out);
+  circular.apply(shift(in), shifted);
+  CHECK((shift(out) - shifted).abs().maxCoeff() <= epsilon * 8 * in.abs().sum());
+}
+
+TEST_CASE("a convolution does not depend on the number of threads, to the last bit", "[convolution][law]") {
+  const Shape shape{150, 130};
+  const Field in = random_field(shape, 3);
+  Field one, three;
+  convolution(shape, padded_torus(shape), 1).apply(in, one);
+  convolution(shape, padded_torus(shape), 3).apply(in, three);
+  CHECK((one == three).all());
+}
+
+TEST_CASE("a fast length has no prime factor above five and none between is skipped", "[transform][exact]") {
+  CHECK(fast_length(1) == 1);
+  CHECK(fast_length(7) == 8);
+  CHECK(fast_length(31) == 32);
+  CHECK(fast_length(241) == 243);
+  CHECK(fast_length(241, 2) == 250);
+  CHECK(fast_length(255, 4) == 256);
+}

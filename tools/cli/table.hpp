@@ -1,0 +1,52 @@
+/// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
+///
+/// Numbers are printed in the shortest form that reads back to the same double, in the C locale.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace asperity::cli {
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double value);
+
+using Cell = std::variant<std::string, double>;
+
+struct Column {
+  std::string name;
+  std::string unit;  ///< "" for words, "1" for pure numbers
+};
+
+/// Rows under named columns with units.
+struct Table {
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;
+
+  std::string tsv() const;      ///< "# name [unit]\t…" and one line a row
+  std::string aligned() const;  ///< for eyes
+  /// {"columns": {"name": {"unit": …, "values": […]}}}
+  std::string json() const;
+};
+
+/// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …, "standard_error": …}}.
+struct Quantities {
+  struct Row {
+    std::string name;
+    double value;
+    std::string unit;
+    double standard_error;  ///< not finite: none is known
+    std::string meaning;
+  };
+  std::vector<Row> rows;
+
+  Table table() const;
+  std::string json() const;
+};
+
+/// How a table goes out: `json` as asked, else aligned if stdout is the destination and a terminal, else TSV.
+template <class T>
+std::string render(const T& table, bool json, bool terminal);
+
+}  // namespace asperity::cli

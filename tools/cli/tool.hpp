@@ -1,0 +1,121 @@
+/// A tool of the chain: a filter that reads a dataset, works, and writes a dataset or a table.
+///
+///     int main(int argc, char** argv) {
+///       cli::Tool tool("asperity-flatten", "Subtracts the mean plane");
+///       tool.input();
+///       tool.output();
+///       double level = 0;
+///       tool.quantity("--level", level, "m", "Height of the plane left behind", "Plane");
+///       return tool.run(argc, argv, [&] {
+///         Dataset data = tool.read();
+///         ...
+///         tool.write(data);
+///         return cli::done;
+///       });
+///     }
+///
+/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, the environment and history
+/// are the same for every tool and live here. An option's value comes from the command line, else the environment
+/// variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file, else its default.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/quantity.hpp"
+#include "dataset/dataset.hpp"
+
+namespace asperity::cli {
+
+/// Exit codes.
+enum Exit : int { done = 0, runtime_error = 1, usage_error = 2, not_converged = 3, bad_data = 4 };
+
+/// A wrong command line that only the whole of it shows; prints "TOOL: --OPTION: message" and exits with 2.
+/// (ParameterError of the library is answered the same way, DataError with exit code 4.)
+using UsageError = ParameterError;
+
+class Tool {
+ public:
+  /// `accuracy` is the last paragraph of --help, `example` a command line that works as it stands.
+  Tool(std::string name, std::string description);
+  void example(std::string command) { example_ = std::move(command); }
+  void accuracy(std::string text) { accuracy_ = std::move(text); }
+
+  CLI::App& app() { return app_; }
+
+  // Options. Each returns CLI11's option, for further restrictions. `group` is the heading in --help. The present
+  // value of the variable is the default and is shown in --help.
+  CLI::Option* flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
+  CLI::Option* integer(const std::string& name, int& value, int least, const std::string& text,
+                       const std::string& group);
+  CLI::Option* number(const std::string& name, double& value, const std::string& text, const std::string& group);
+  CLI::Option* text(const std::string& name, std::string& value, const std::string& what, const std::string& text,
+                    const std::string& group);
+  CLI::Option* choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
+                      const std::string& text, const std::string& group);
+  /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
+  CLI::Option* quantity(const std::string& name, double& value, const std::string& unit, const std::string& text,
+                        const std::string& group);
+  /// "A,B", or one value for both.
+  CLI::Option* quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
+                          const std::string& text, const std::string& group);
+  /// "17px,4px", "0.4mm", or one value for both: lengths that may count samples.
+  CLI::Option* lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
+                       const std::string& group);
+  /// "AxB", both at least `least`.
+  CLI::Option* counts(const std::string& name, Shape& value, Index least, const std::string& text,
+                      const std::string& group);
+
+  // Options that several tools have.
+  void input();    ///< positional INPUT, "-" unless given
+  void output();   ///< -o, --output
+  void report();   ///< --report FILE.json: the attributes that begin with the tool's prefix
+  void table();    ///< --json
+  void threads();  ///< --threads N
+  void seed();     ///< --seed N
+
+  bool given(const std::string& option) const { return app_.count(option) > 0; }
+  const std::string& name() const { return name_; }
+  const std::string& input_name() const { return input_; }
+  const std::string& output_name() const { return output_; }
+  int thread_count() const;             ///< resolved: at least 1
+  std::uint64_t seed_value();           ///< from --seed, else from entropy, the same at each call
+  bool json() const { return json_; }
+  bool quiet() const { return quiet_; }
+  bool verbose() const { return verbose_; }
+
+  /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a code.
+  int run(int argc, char** argv, const std::function<int()>& body);
+
+  // Inside the body.
+  Dataset read() const;                                  ///< the dataset named by INPUT
+  static Dataset read(const std::string& name);          ///< "-" is stdin
+  void write(Dataset& dataset);                          ///< to --output, after history, source and --report
+  void write(Dataset& dataset, const std::string& name); ///< to another file
+  void write_text(const std::string& text) const;        ///< to --output, every byte checked
+  /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it.
+  void warn(const std::string& text) const;
+  void note(const std::string& text) const;
+  void detail(const std::string& text) const;  ///< with --verbose only
+
+ private:
+  void add_environment(std::vector<std::string>& arguments) const;
+  void write_report(const Dataset& dataset) const;
+  std::string footer() const;
+
+  CLI::App app_;
+  std::string name_, example_, accuracy_, command_line_;
+  std::string input_ = "-", output_ = "-", report_;
+  int threads_ = 0;
+  std::int64_t seed_ = -1;
+  std::optional<std::uint64_t> drawn_seed_;
+  bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false;
+};
+
+}  // namespace asperity::cli
