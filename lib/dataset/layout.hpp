@@ -1,8 +1,10 @@
-/// What stands where in Asperity's datasets: the grid, fields on it, volumes below it, and what a run achieved.
+/// What stands where in Asperity's datasets: the grid, fields on it, volumes below it, and what a run
+/// achieved.
 ///
-/// The grid is the coordinate variables x and y with the attributes length (the size of the domain), periodic, unit
-/// and units, as contact.engineering reads them; depth is the coordinate z, positive downwards. A field is
-/// name(x, y), a volume name(z, x, y). All numbers are SI; a reader's other units of length are converted.
+/// The grid is the coordinate variables x and y with the attributes length (the size of the domain),
+/// periodic, unit and units, as contact.engineering reads them; depth is the coordinate z, positive
+/// downwards. A field is name(x, y), a volume name(z, x, y). All numbers are SI; a reader's other units of
+/// length are converted.
 ///
 /// Masked points: a variable `mask(x, y)`, non-zero where the height is missing. Every reader here refuses to
 /// invent a value for them.
@@ -22,8 +24,8 @@ Grid grid_of(const Dataset& dataset);
 /// Writes x and y; replaces a former grid and whatever stood on it.
 void set_grid(Dataset& dataset, const Grid& grid);
 
-/// name(x, y) in SI. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not finite,
-/// or a mask hides some of its points.
+/// name(x, y) in SI. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not
+/// finite, or a mask hides some of its points.
 Field field_of(const Dataset& dataset, std::string_view name);
 
 struct Meaning {
@@ -43,15 +45,18 @@ void set_depths(Dataset& dataset, const std::vector<double>& depths);
 /// Writes name(z, x, y); `values` is [depth][x][y], nz·nx·ny of them.
 void set_volume(Dataset& dataset, std::string_view name, std::vector<double> values, Meaning meaning);
 
-/// A field over lags or kernel indices: writes name(row, column) with coordinates row(row) and column(column), each
-/// first, first + step, …, in `unit` ("m", or "1" for samples).
+/// A field over lags or kernel indices: writes name(row, column) with coordinates row(row) and
+/// column(column), each first, first + step, …, in `unit` ("m", or "1" for samples).
 struct Axis {
   std::string_view name;
   double first = 0, step = 1;
   std::string_view unit = "1";
+  std::string_view meaning = "index";
 };
-void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column, Meaning meaning);
-/// A variable of any two dimensions as a field; throws DataError when it is missing or holds a number not finite.
+void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
+               Meaning meaning);
+/// A variable of any two dimensions as a field; throws DataError when it is missing or holds a number not
+/// finite.
 Field table_of(const Dataset& dataset, std::string_view name);
 
 /// Puts `line` in front of the global attribute `history`.

@@ -1,7 +1,8 @@
 /// Datasets as NetCDF, the only door to that library.
 ///
-/// Written is CDF-2 (64-bit offset), which amends through pipes and opens in every reader, or CDF-5 when a variable
-/// other than the last exceeds 4 GiB or a type needs it. Read is every format that the installed library knows.
+/// Written is CDF-2 (64-bit offset), which amends through pipes and opens in every reader, or CDF-5 when a
+/// variable other than the last exceeds 4 GiB or a type needs it. Read is every format that the installed
+/// library knows.
 ///
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.
 #pragma once
@@ -15,7 +16,8 @@ namespace asperity {
 /// Whether bytes begin as a NetCDF file does.
 bool looks_like_netcdf(const std::string& bytes);
 
-/// Throws DataError ("dataset") when the bytes are no NetCDF, are cut short, or hold a type that CDF-5 cannot.
+/// Throws DataError ("dataset") when the bytes are no NetCDF, are cut short, or hold a type that CDF-5
+/// cannot.
 Dataset decode_netcdf(const std::string& bytes);
 
 std::string encode_netcdf(const Dataset& dataset);

@@ -18,8 +18,8 @@ inline int resolve_threads(int requested) {
   return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Calls run(begin, end, worker) on contiguous runs that cover [0, count); worker < threads tells buffers apart.
-/// Costs about 30 µs a thread: call it on pieces that take longer. Rethrows the first exception.
+/// Calls run(begin, end, worker) on contiguous runs that cover [0, count); worker < threads tells buffers
+/// apart. Costs about 30 µs a thread: call it on pieces that take longer. Rethrows the first exception.
 template <class Run>
 void parallel_ranges(Index count, int threads, Run run) {
   const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));

@@ -16,7 +16,9 @@ int useful_threads(Shape field, int threads) { return field.cells() < cells_wort
 
 }  // namespace
 
-Shape padded_torus(Shape field) { return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)}; }
+Shape padded_torus(Shape field) {
+  return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)};
+}
 
 Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel) {
   const EvenTransform2D transform(torus);

@@ -2,11 +2,12 @@
 ///
 ///     out(i,j) = Σ_{i',j'} K(|i-i'|, |j-j'|) in(i',j'),                                          (1)
 ///
-/// linear on an nx × ny field by padding to a torus Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1, or circular when the torus
-/// is the field itself. K's spectrum, the symbol, is real and even: a quarter of it is stored.
+/// linear on an nx × ny field by padding to a torus Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1, or circular when the
+/// torus is the field itself. K's spectrum, the symbol, is real and even: a quarter of it is stored.
 ///
 /// Accuracy  ε log2(Px Py) of max|K| Σ|in|, round-off only.
-/// Cost      one pruned transform there and back (transform/pruned.hpp); the plans and the symbol are made once.
+/// Cost      one pruned transform there and back (transform/pruned.hpp); the plans and the symbol are made
+/// once.
 #pragma once
 
 #include <functional>
@@ -19,8 +20,8 @@ namespace asperity {
 /// The smallest fast torus on which the convolution of an nx × ny field does not wrap around.
 Shape padded_torus(Shape field);
 
-/// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is asked for 0 ≤ i ≤ Px/2, 0 ≤ j ≤ Py/2.
-/// Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
+/// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is asked for 0 ≤ i ≤ Px/2, 0 ≤ j ≤
+/// Py/2. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
 Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel);
 
 class EvenConvolution {

@@ -1,9 +1,9 @@
 #include "transform/plan.hpp"
 
-#include <fftw3.h>
-
 #include <mutex>
 #include <stdexcept>
+
+#include <fftw3.h>
 
 namespace asperity {
 namespace {
@@ -74,16 +74,20 @@ InterleavedTransform::InterleavedTransform(Index n, Index width) : n_(n), width_
   auto plan = [&](int sign) {
     return make_plan(2 * size(n * width), [&](double* a) {
       auto* c = reinterpret_cast<fftw_complex*>(a);
-      return fftw_plan_many_dft(1, &points, sequences, c, nullptr, sequences, 1, c, nullptr, sequences, 1, sign,
-                                FFTW_ESTIMATE);
+      return fftw_plan_many_dft(1, &points, sequences, c, nullptr, sequences, 1, c, nullptr, sequences, 1,
+                                sign, FFTW_ESTIMATE);
     });
   };
   forward_ = plan(FFTW_FORWARD);
   inverse_ = plan(FFTW_BACKWARD);
 }
 
-void InterleavedTransform::forward(Complex* data) const { fftw_execute_dft(get(forward_), raw(data), raw(data)); }
-void InterleavedTransform::inverse(Complex* data) const { fftw_execute_dft(get(inverse_), raw(data), raw(data)); }
+void InterleavedTransform::forward(Complex* data) const {
+  fftw_execute_dft(get(forward_), raw(data), raw(data));
+}
+void InterleavedTransform::inverse(Complex* data) const {
+  fftw_execute_dft(get(inverse_), raw(data), raw(data));
+}
 
 RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
   const int nx = static_cast<int>(shape.nx), ny = static_cast<int>(shape.ny);

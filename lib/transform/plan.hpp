@@ -4,10 +4,11 @@
 /// inverse multiplies by the number of points. All plans are estimated, never measured: their results do not
 /// depend on the machine's load, and a one-dimensional plan gains nothing from measuring.
 ///
-/// A plan is immutable and may be executed by several threads at once on different data. Data must be aligned as
-/// AlignedVector aligns it, unless said otherwise.
+/// A plan is immutable and may be executed by several threads at once on different data. Data must be aligned
+/// as AlignedVector aligns it, unless said otherwise.
 ///
-/// Cost: about 5/2 N log2 N operations for N real points; making a plan takes microseconds to a few milliseconds.
+/// Cost: about 5/2 N log2 N operations for N real points; making a plan takes microseconds to a few
+/// milliseconds.
 ///
 /// M. Frigo, S. G. Johnson, The design and implementation of FFTW3, Proc. IEEE 93 (2005) 216-231.
 #pragma once
@@ -98,9 +99,9 @@ class RealTransform2D {
   detail::PlanPointer forward_, inverse_;
 };
 
-/// The spectrum of a field that is even in both indices on the torus Px × Py, from its quarter and as a quarter:
-/// the discrete cosine transform of the first kind (FFTW's REDFT00) on (Px/2+1) × (Py/2+1) points, in place, its
-/// own inverse up to the factor Px Py. A fourth of the data of a real transform.
+/// The spectrum of a field that is even in both indices on the torus Px × Py, from its quarter and as a
+/// quarter: the discrete cosine transform of the first kind (FFTW's REDFT00) on (Px/2+1) × (Py/2+1) points,
+/// in place, its own inverse up to the factor Px Py. A fourth of the data of a real transform.
 class EvenTransform2D {
  public:
   /// The torus has even sides, at least 2.

@@ -14,7 +14,9 @@ std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 PrunedTransform::PrunedTransform(Shape field, Shape torus)
     : field_(field), torus_(torus), rows_(torus.ny), columns_(torus.nx, width) {}
 
-HalfSpectrum PrunedTransform::half_spectrum() const { return HalfSpectrum(size(blocks() * field_.nx * width)); }
+HalfSpectrum PrunedTransform::half_spectrum() const {
+  return HalfSpectrum(size(blocks() * field_.nx * width));
+}
 
 void PrunedTransform::forward_rows(const Field& in, HalfSpectrum& half, int threads) const {
   parallel_ranges(field_.nx, threads, [&](Index begin, Index end, int) {

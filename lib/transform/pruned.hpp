@@ -1,9 +1,10 @@
 /// The transform of a field padded with zeros, without touching the zeros.
 ///
-/// A linear convolution of an nx × ny field pads it to Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1. Three quarters of the
-/// padded field are zeros, and three quarters of the result are thrown away. Here the rows that hold data are
-/// transformed in y, alone; the columns of the half spectrum follow in blocks of eight that stay in the cache while
-/// they are transformed in x, multiplied and transformed back; only nx rows are kept and return from y.
+/// A linear convolution of an nx × ny field pads it to Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1. Three quarters of
+/// the padded field are zeros, and three quarters of the result are thrown away. Here the rows that hold data
+/// are transformed in y, alone; the columns of the half spectrum follow in blocks of eight that stay in the
+/// cache while they are transformed in x, multiplied and transformed back; only nx rows are kept and return
+/// from y.
 ///
 ///     rows → half spectrum → (per block: load, forward, multiply, inverse, store) → half spectrum → rows
 ///

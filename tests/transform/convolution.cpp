@@ -7,14 +7,17 @@ using namespace asperity::test;
 
 namespace {
 
-double kernel(Index i, Index j) { return 1.0 / (1.0 + static_cast<double>(i) + 2.0 * static_cast<double>(j * j)); }
+double kernel(Index i, Index j) {
+  return 1.0 / (1.0 + static_cast<double>(i) + 2.0 * static_cast<double>(j * j));
+}
 
 Field direct(const Field& in) {
   Field out = Field::Zero(in.rows(), in.cols());
   for (Index i = 0; i < in.rows(); ++i)
     for (Index j = 0; j < in.cols(); ++j)
       for (Index k = 0; k < in.rows(); ++k)
-        for (Index l = 0; l < in.cols(); ++l) out(i, j) += kernel(std::abs(i - k), std::abs(j - l)) * in(k, l);
+        for (Index l = 0; l < in.cols(); ++l)
+          out(i, j) += kernel(std::abs(i - k), std::abs(j - l)) * in(k, l);
   return out;
 }
 
@@ -26,7 +29,8 @@ EvenConvolution convolution(Shape field, Shape torus, int threads = 1) {
 
 // Each output is a sum of n·m products below max|K| max|in| = 1; the transforms add ε log2(P) of Σ|in|.
 TEST_CASE("a padded convolution equals the direct sum for every shape", "[convolution][exact]") {
-  for (Shape shape : {Shape{1, 1}, Shape{1, 7}, Shape{8, 1}, Shape{5, 3}, Shape{16, 16}, Shape{13, 21}, Shape{3, 40}}) {
+  for (Shape shape :
+       {Shape{1, 1}, Shape{1, 7}, Shape{8, 1}, Shape{5, 3}, Shape{16, 16}, Shape{13, 21}, Shape{3, 40}}) {
     const Field in = random_field(shape, 1);
     Field out;
     convolution(shape, padded_torus(shape)).apply(in, out);
@@ -40,7 +44,8 @@ TEST_CASE("a circular convolution commutes with a shift", "[convolution][law]") 
   const Shape shape{12, 20};
   auto circular = convolution(shape, shape);
   auto shift = [&](const Field& f) {
-    return Field(Field::NullaryExpr(shape.nx, shape.ny, [&](Index i, Index j) { return f((i + 5) % 12, (j + 3) % 20); }));
+    return Field(Field::NullaryExpr(shape.nx, shape.ny,
+                                    [&](Index i, Index j) { return f((i + 5) % 12, (j + 3) % 20); }));
   };
   const Field in = random_field(shape, 2);
   Field out, shifted;

@@ -1,6 +1,7 @@
 /// Quantities as they are typed: a number and a unit, "0.4um", "208GPa", "5000N", "17px".
 ///
-/// UDUNITS-2 knows the units (dataset/units.hpp). A bare number is refused where a dimension is needed; `px` counts samples.
+/// UDUNITS-2 knows the units (dataset/units.hpp). A bare number is refused where a dimension is needed; `px`
+/// counts samples.
 #pragma once
 
 #include <array>
@@ -22,13 +23,14 @@ struct SampledLength {
   double in_samples(double spacing) const { return samples ? value : value / spacing; }
 };
 
-/// The value in the SI unit `unit` of a text such as "0.4um"; throws ParameterError(option, …) with a hint when the
-/// unit is missing, unknown or of another dimension, or the number cannot be read or is not finite. "inf" needs no
-/// unit.
+/// The value in the SI unit `unit` of a text such as "0.4um"; throws ParameterError(option, …) with a hint
+/// when the unit is missing, unknown or of another dimension, or the number cannot be read or is not finite.
+/// "inf" needs no unit.
 double parse_quantity(const std::string& option, const std::string& text, const std::string& unit);
 SampledLength parse_length(const std::string& option, const std::string& text);
 /// "A,B" or "A".
-std::array<double, 2> parse_quantities(const std::string& option, const std::string& text, const std::string& unit);
+std::array<double, 2> parse_quantities(const std::string& option, const std::string& text,
+                                       const std::string& unit);
 std::array<SampledLength, 2> parse_lengths(const std::string& option, const std::string& text);
 /// "AxB".
 Shape parse_counts(const std::string& option, const std::string& text, Index least);

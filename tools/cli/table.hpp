@@ -30,7 +30,8 @@ struct Table {
   std::string json() const;
 };
 
-/// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …, "standard_error": …}}.
+/// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …,
+/// "standard_error": …}}.
 struct Quantities {
   struct Row {
     std::string name;

@@ -14,12 +14,11 @@
 ///       });
 ///     }
 ///
-/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, the environment and history
-/// are the same for every tool and live here. An option's value comes from the command line, else the environment
-/// variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file, else its default.
+/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, the environment and
+/// history are the same for every tool and live here. An option's value comes from the command line, else the
+/// environment variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file, else
+/// its default.
 #pragma once
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cstdint>
@@ -27,6 +26,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <CLI/CLI.hpp>
 
 #include "cli/quantity.hpp"
 #include "dataset/dataset.hpp"
@@ -49,19 +50,20 @@ class Tool {
 
   CLI::App& app() { return app_; }
 
-  // Options. Each returns CLI11's option, for further restrictions. `group` is the heading in --help. The present
-  // value of the variable is the default and is shown in --help.
+  // Options. Each returns CLI11's option, for further restrictions. `group` is the heading in --help. The
+  // present value of the variable is the default and is shown in --help.
   CLI::Option* flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
   CLI::Option* integer(const std::string& name, int& value, int least, const std::string& text,
                        const std::string& group);
-  CLI::Option* number(const std::string& name, double& value, const std::string& text, const std::string& group);
-  CLI::Option* text(const std::string& name, std::string& value, const std::string& what, const std::string& text,
-                    const std::string& group);
+  CLI::Option* number(const std::string& name, double& value, const std::string& text,
+                      const std::string& group);
+  CLI::Option* text(const std::string& name, std::string& value, const std::string& what,
+                    const std::string& text, const std::string& group);
   CLI::Option* choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
                       const std::string& text, const std::string& group);
   /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
-  CLI::Option* quantity(const std::string& name, double& value, const std::string& unit, const std::string& text,
-                        const std::string& group);
+  CLI::Option* quantity(const std::string& name, double& value, const std::string& unit,
+                        const std::string& text, const std::string& group);
   /// "A,B", or one value for both.
   CLI::Option* quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
                           const std::string& text, const std::string& group);
@@ -84,21 +86,22 @@ class Tool {
   const std::string& name() const { return name_; }
   const std::string& input_name() const { return input_; }
   const std::string& output_name() const { return output_; }
-  int thread_count() const;             ///< resolved: at least 1
-  std::uint64_t seed_value();           ///< from --seed, else from entropy, the same at each call
+  int thread_count() const;    ///< resolved: at least 1
+  std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
   bool json() const { return json_; }
   bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
 
-  /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a code.
+  /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a
+  /// code.
   int run(int argc, char** argv, const std::function<int()>& body);
 
   // Inside the body.
-  Dataset read() const;                                  ///< the dataset named by INPUT
-  static Dataset read(const std::string& name);          ///< "-" is stdin
-  void write(Dataset& dataset);                          ///< to --output, after history, source and --report
-  void write(Dataset& dataset, const std::string& name); ///< to another file
-  void write_text(const std::string& text) const;        ///< to --output, every byte checked
+  Dataset read() const;                                   ///< the dataset named by INPUT
+  static Dataset read(const std::string& name);           ///< "-" is stdin
+  void write(Dataset& dataset);                           ///< to --output, after history, source and --report
+  void write(Dataset& dataset, const std::string& name);  ///< to another file
+  void write_text(const std::string& text) const;         ///< to --output, every byte checked
   /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it.
   void warn(const std::string& text) const;
   void note(const std::string& text) const;

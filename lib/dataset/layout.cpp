@@ -1,0 +1,200 @@
+#include "dataset/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/units.hpp"
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// The unit of a variable or coordinate: contact.engineering says `unit`, CF says `units`.
+std::string unit_of(const Variable& variable) {
+  const std::string unit = variable.attributes.text("units");
+  return unit.empty() ? variable.attributes.text("unit") : unit;
+}
+
+double factor_to_metres(const Variable& variable) {
+  const std::string unit = unit_of(variable);
+  if (unit.empty()) throw DataError(variable.name, "it has no unit");
+  try {
+    return unit_factor(unit, "m");
+  } catch (const std::invalid_argument& e) {
+    throw DataError(variable.name, e.what());
+  }
+}
+
+struct AxisExtent {
+  double spacing;
+  bool periodic;
+};
+
+// The spacing of a coordinate from its `length`, else from its values; either must agree with the other.
+AxisExtent extent_of(const Variable& axis) {
+  const auto n = static_cast<double>(count(axis.values));
+  if (n < 1) throw DataError(axis.name, "it has no points");
+  const double factor = factor_to_metres(axis), length = axis.attributes.number("length", NAN);
+  const std::vector<double> values = numbers(axis.values);
+  const double step = values.size() > 1 ? (values.back() - values.front()) / (n - 1) : length;
+  if (!std::isfinite(step) || step == 0)
+    throw DataError(axis.name, "it has no size: give it the attribute length");
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(std::abs(values[i] - values[i - 1] - step) <= 1e-3 * std::abs(step)))
+      throw DataError(axis.name, "its points are not evenly spaced");
+  const double spacing = std::isfinite(length) ? length / n : std::abs(step);
+  if (!(spacing > 0)) throw DataError(axis.name, "its length " + std::to_string(length) + " is not positive");
+  return {spacing * factor, axis.attributes.number("periodic", 0) != 0};
+}
+
+void set_actual_range(Variable& variable, const double* first, std::size_t n) {
+  if (n == 0) return;
+  const auto [low, high] = std::minmax_element(first, first + n);
+  variable.attributes.set_values("actual_range", Values(std::vector<double>{*low, *high}));
+}
+
+Variable make(std::string_view name, Names dimensions, std::vector<double> values, Meaning meaning) {
+  Variable out{std::string(name), std::move(dimensions), {}, {}};
+  out.attributes.set("long_name", meaning.long_name);
+  out.attributes.set("units", meaning.units);
+  set_actual_range(out, values.data(), values.size());
+  out.values = std::move(values);
+  return out;
+}
+
+Variable coordinate(std::string_view name, std::vector<double> values, std::string_view unit,
+                    std::string_view words) {
+  return make(name, {std::string(name)}, std::move(values), {unit, words});
+}
+
+std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()}; }
+
+// The variable's two dimensions as a field, every number finite.
+Field finite_matrix(const Dataset& dataset, const Variable& variable, double factor) {
+  const std::vector<double> values = numbers(variable.values);
+  const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
+  Field out = Eigen::Map<const Field>(values.data(), rows, columns) * factor;
+  for (Index i = 0; i < rows; ++i)
+    for (Index j = 0; j < columns; ++j)
+      if (!std::isfinite(out(i, j)))
+        throw DataError(variable.name, "the value at point (" + std::to_string(i) + ", " + std::to_string(j) +
+                                           ") is " + (std::isnan(out(i, j)) ? "not a number" : "infinite"));
+  return out;
+}
+
+void refuse_masked_points(const Dataset& dataset, std::string_view name) {
+  const Variable* mask = dataset.find("mask");
+  if (!mask) return;
+  const std::vector<double> values = numbers(mask->values);
+  const auto hidden = std::ranges::count_if(values, [](double v) { return v != 0; });
+  if (hidden > 0)
+    throw DataError(std::string(name),
+                    std::to_string(hidden) + " of its points are masked and none is made up for them");
+}
+
+}  // namespace
+
+Grid grid_of(const Dataset& dataset) {
+  const AxisExtent x = extent_of(dataset.at("x")), y = extent_of(dataset.at("y"));
+  if (x.periodic != y.periodic)
+    throw DataError("y", "periodic in one direction alone is not a surface that these tools know");
+  return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic};
+}
+
+void set_grid(Dataset& dataset, const Grid& grid) {
+  auto set_axis = [&](std::string_view name, Index n, double spacing, auto position) {
+    dataset.set_dimension(name, n);
+    std::vector<double> points;
+    for (Index i = 0; i < n; ++i) points.push_back(position(i));
+    Variable axis =
+        coordinate(name, std::move(points), "m", std::string("position along ") + std::string(name));
+    axis.attributes.set("unit", "m");
+    axis.attributes.set("axis", name == "x" ? "X" : "Y");
+    axis.attributes.set("length", spacing * static_cast<double>(n));
+    axis.attributes.set("periodic", grid.periodic ? 1 : 0);
+    dataset.put(std::move(axis));
+  };
+  set_axis("x", grid.shape.nx, grid.dx, [&](Index i) { return grid.x(i); });
+  set_axis("y", grid.shape.ny, grid.dy, [&](Index j) { return grid.y(j); });
+}
+
+Field field_of(const Dataset& dataset, std::string_view name) {
+  const Variable& variable = dataset.at(name);
+  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
+  refuse_masked_points(dataset, name);
+  const bool length = variable.name == "heights";
+  return finite_matrix(dataset, variable, length ? factor_to_metres(variable) : 1.0);
+}
+
+void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
+  Variable variable = make(name, {"x", "y"}, flat(values), meaning);
+  if (name == "heights") variable.attributes.set("unit", meaning.units);
+  dataset.put(std::move(variable));
+}
+
+void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
+               std::string_view long_name, std::string_view flag_meanings) {
+  Variable variable{std::string(name), {"x", "y"}, values, {}};
+  const auto flags = std::ranges::count(flag_meanings, ' ') + 1;
+  std::vector<std::int8_t> list;
+  for (std::int8_t f = 0; f < flags; ++f) list.push_back(f);
+  const auto [low, high] = std::ranges::minmax_element(values);
+  variable.attributes.set("long_name", long_name);
+  variable.attributes.set("units", "1");
+  variable.attributes.set_values("flag_values", Values(list));
+  variable.attributes.set("flag_meanings", flag_meanings);
+  if (!values.empty())
+    variable.attributes.set_values("actual_range", Values(std::vector<std::int8_t>{*low, *high}));
+  dataset.put(std::move(variable));
+}
+
+std::vector<double> depths_of(const Dataset& dataset) {
+  const Variable& z = dataset.at("z");
+  const double factor = factor_to_metres(z);
+  std::vector<double> depths = numbers(z.values);
+  for (double& d : depths) d *= factor;
+  return depths;
+}
+
+void set_depths(Dataset& dataset, const std::vector<double>& depths) {
+  dataset.set_dimension("z", static_cast<Index>(depths.size()));
+  Variable z = coordinate("z", depths, "m", "depth below the surface");
+  z.attributes.set("unit", "m");
+  z.attributes.set("axis", "Z");
+  z.attributes.set("positive", "down");
+  z.attributes.set("length", *std::ranges::max_element(depths));
+  z.attributes.set("periodic", 0);
+  dataset.put(std::move(z));
+}
+
+void set_volume(Dataset& dataset, std::string_view name, std::vector<double> values, Meaning meaning) {
+  dataset.put(make(name, {"z", "x", "y"}, std::move(values), meaning));
+}
+
+void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
+               Meaning meaning) {
+  auto set_axis = [&](const Axis& axis, Index n) {
+    dataset.set_dimension(axis.name, n);
+    std::vector<double> points;
+    for (Index i = 0; i < n; ++i) points.push_back(axis.first + static_cast<double>(i) * axis.step);
+    dataset.put(coordinate(axis.name, std::move(points), axis.unit, axis.meaning));
+  };
+  set_axis(row, values.rows());
+  set_axis(column, values.cols());
+  dataset.put(make(name, {std::string(row.name), std::string(column.name)}, flat(values), meaning));
+}
+
+Field table_of(const Dataset& dataset, std::string_view name) {
+  const Variable& variable = dataset.at(name);
+  if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
+  return finite_matrix(dataset, variable, 1.0);
+}
+
+void add_history(Dataset& dataset, std::string_view line) {
+  const std::string former = dataset.attributes.text("history");
+  dataset.attributes.set("history", std::string(line) + (former.empty() ? "" : "\n") + former);
+}
+
+}  // namespace asperity

@@ -1,0 +1,316 @@
+#include "dataset/netcdf.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <type_traits>
+
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
+
+void check(int status, const std::string& what) {
+  if (status != NC_NOERR) refuse(what + ": " + nc_strerror(status));
+}
+
+// An open dataset, closed without a word when an exception passes.
+class Handle {
+ public:
+  Handle() = default;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (open) nc_abort(id);
+  }
+  int id = -1;
+  bool open = false;
+};
+
+// ---- types ----
+
+template <class T>
+constexpr nc_type external_type() {
+  if constexpr (std::is_same_v<T, char>) return NC_CHAR;
+  if constexpr (std::is_same_v<T, std::int8_t>) return NC_BYTE;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return NC_UBYTE;
+  if constexpr (std::is_same_v<T, std::int16_t>) return NC_SHORT;
+  if constexpr (std::is_same_v<T, std::uint16_t>) return NC_USHORT;
+  if constexpr (std::is_same_v<T, std::int32_t>) return NC_INT;
+  if constexpr (std::is_same_v<T, std::uint32_t>) return NC_UINT;
+  if constexpr (std::is_same_v<T, std::int64_t>) return NC_INT64;
+  if constexpr (std::is_same_v<T, std::uint64_t>) return NC_UINT64;
+  if constexpr (std::is_same_v<T, float>) return NC_FLOAT;
+  if constexpr (std::is_same_v<T, double>) return NC_DOUBLE;
+}
+
+nc_type type_of(const Values& values) {
+  return std::visit([]<class V>(const V&) { return external_type<typename V::value_type>(); }, values);
+}
+
+std::size_t bytes_of(const Values& values) {
+  return std::visit([]<class V>(const V& v) { return v.size() * sizeof(typename V::value_type); }, values);
+}
+
+// Room for n elements of an external type.
+Values allocate(nc_type type, std::size_t n, const std::string& name) {
+  switch (type) {
+    case NC_CHAR:
+      return std::string(n, '\0');
+    case NC_BYTE:
+      return std::vector<std::int8_t>(n);
+    case NC_UBYTE:
+      return std::vector<std::uint8_t>(n);
+    case NC_SHORT:
+      return std::vector<std::int16_t>(n);
+    case NC_USHORT:
+      return std::vector<std::uint16_t>(n);
+    case NC_INT:
+      return std::vector<std::int32_t>(n);
+    case NC_UINT:
+      return std::vector<std::uint32_t>(n);
+    case NC_INT64:
+      return std::vector<std::int64_t>(n);
+    case NC_UINT64:
+      return std::vector<std::uint64_t>(n);
+    case NC_FLOAT:
+      return std::vector<float>(n);
+    case NC_DOUBLE:
+      return std::vector<double>(n);
+    default:
+      refuse(name + " is of a type that only NetCDF-4 has");
+  }
+}
+
+void* data(Values& values) {
+  return std::visit([](auto& v) { return static_cast<void*>(v.data()); }, values);
+}
+const void* data(const Values& values) {
+  return std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, values);
+}
+
+// ---- reading ----
+
+std::string attribute_name(int file, int variable, int index) {
+  char name[NC_MAX_NAME + 1] = {};
+  check(nc_inq_attname(file, variable, index, name), "attribute");
+  return name;
+}
+
+// NetCDF-4 alone has attributes of type string; one of them is plain text elsewhere.
+Values read_string_attribute(int file, int variable, const std::string& name, std::size_t n) {
+  if (n != 1) refuse(name + " is a list of strings, which only NetCDF-4 has");
+  char* text = nullptr;
+  check(nc_get_att_string(file, variable, name.c_str(), &text), name);
+  std::string copy = text ? text : "";
+  nc_free_string(1, &text);
+  return copy;
+}
+
+Attributes read_attributes(int file, int variable, int number) {
+  Attributes out;
+  for (int a = 0; a < number; ++a) {
+    const std::string name = attribute_name(file, variable, a);
+    nc_type type = 0;
+    std::size_t n = 0;
+    check(nc_inq_att(file, variable, name.c_str(), &type, &n), name);
+    if (type == NC_STRING) {
+      out.set_values(name, read_string_attribute(file, variable, name, n));
+      continue;
+    }
+    Values values = allocate(type, n, name);
+    if (n > 0) check(nc_get_att(file, variable, name.c_str(), data(values)), name);
+    out.set_values(name, std::move(values));
+  }
+  return out;
+}
+
+std::vector<Dimension> read_dimensions(int file, int number) {
+  std::vector<Dimension> out;
+  for (int d = 0; d < number; ++d) {
+    char name[NC_MAX_NAME + 1] = {};
+    std::size_t length = 0;
+    check(nc_inq_dim(file, d, name, &length), "dimension");
+    out.push_back({name, static_cast<Index>(length)});
+  }
+  return out;
+}
+
+// Name, type, dimensions and attributes; the values stay in the file.
+struct Header {
+  Variable variable;
+  nc_type type = 0;
+  std::size_t elements = 1, bytes = 0;
+};
+
+Header read_header(int file, int id, const std::vector<Dimension>& dimensions) {
+  Header out;
+  char name[NC_MAX_NAME + 1] = {};
+  int rank = 0, attributes = 0;
+  int dims[NC_MAX_VAR_DIMS] = {};
+  check(nc_inq_var(file, id, name, &out.type, &rank, dims, &attributes), "variable");
+  out.variable.name = name;
+  for (int d = 0; d < rank; ++d) {
+    const Dimension& dimension = dimensions.at(static_cast<std::size_t>(dims[d]));
+    const auto length = static_cast<std::size_t>(dimension.length);
+    out.variable.dimensions.push_back(dimension.name);
+    if (length > 0 && out.elements > SIZE_MAX / 16 / length)
+      refuse(out.variable.name + " claims an impossible size");
+    out.elements *= length;
+  }
+  std::size_t size = 0;
+  check(nc_inq_type(file, out.type, nullptr, &size), out.variable.name);
+  out.bytes = out.elements * size;
+  out.variable.attributes = read_attributes(file, id, attributes);
+  return out;
+}
+
+bool classic(int file) {
+  int format = 0;
+  check(nc_inq_format(file, &format), "format");
+  return format == NC_FORMAT_CLASSIC || format == NC_FORMAT_64BIT_OFFSET || format == NC_FORMAT_CDF5;
+}
+
+// A classic file holds its values as they are: fewer bytes than values is a file cut short, and a header that
+// lies about its sizes must not make us allocate them.
+void refuse_if_cut_short(const std::vector<Header>& headers, std::size_t bytes) {
+  std::size_t needed = 0;
+  for (const Header& h : headers) {
+    needed += h.bytes;
+    if (h.bytes > bytes || needed > bytes)
+      refuse(h.variable.name + " ends beyond the " + std::to_string(bytes) +
+             " bytes that there are: it is cut short");
+  }
+}
+
+void refuse_groups(int file) {
+  int groups = 0;
+  if (nc_inq_grps(file, &groups, nullptr) == NC_NOERR && groups > 0)
+    refuse("it has groups, which only NetCDF-4 has");
+}
+
+// ---- writing ----
+
+bool needs_cdf5_type(const Values& values) {
+  switch (type_of(values)) {
+    case NC_UBYTE:
+    case NC_USHORT:
+    case NC_UINT:
+    case NC_INT64:
+    case NC_UINT64:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool needs_cdf5(const Dataset& dataset) {
+  auto any = [](const Attributes& attributes) {
+    return std::ranges::any_of(attributes, [](const Attribute& a) { return needs_cdf5_type(a.values); });
+  };
+  constexpr std::size_t cdf2_limit = 0xFFFFFFFFu - 3;
+  for (std::size_t v = 0; v < dataset.variables.size(); ++v) {
+    const Variable& variable = dataset.variables[v];
+    const bool last = v + 1 == dataset.variables.size();
+    if (needs_cdf5_type(variable.values) || any(variable.attributes)) return true;
+    if (!last && bytes_of(variable.values) > cdf2_limit) return true;
+  }
+  return any(dataset.attributes);
+}
+
+void write_attributes(int file, int variable, const Attributes& attributes) {
+  for (const auto& [name, values] : attributes) {
+    const void* p = data(values);
+    check(nc_put_att(file, variable, name.c_str(), type_of(values), count(values), p), name);
+  }
+}
+
+int define(int file, const Dataset& dataset, const Variable& variable) {
+  std::vector<int> dims;
+  std::size_t elements = 1;
+  for (const std::string& name : variable.dimensions) {
+    dims.emplace_back();
+    check(nc_inq_dimid(file, name.c_str(), &dims.back()), variable.name + ", dimension " + name);
+    elements *= static_cast<std::size_t>(dataset.length(name));
+  }
+  if (elements != count(variable.values))
+    throw std::logic_error(variable.name + " has " + std::to_string(count(variable.values)) + " values for " +
+                           std::to_string(elements) + " places");
+  int id = -1;
+  check(nc_def_var(file, variable.name.c_str(), type_of(variable.values), static_cast<int>(dims.size()),
+                   dims.data(), &id),
+        variable.name);
+  write_attributes(file, id, variable.attributes);
+  return id;
+}
+
+}  // namespace
+
+bool looks_like_netcdf(const std::string& bytes) {
+  return bytes.starts_with("CDF\001") || bytes.starts_with("CDF\002") || bytes.starts_with("CDF\005") ||
+         bytes.starts_with("\x89HDF\r\n\x1a\n");
+}
+
+Dataset decode_netcdf(const std::string& bytes) {
+  if (bytes.empty()) refuse("it is empty");
+  if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
+  Handle file;
+  check(nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id),
+        "it cannot be read");
+  file.open = true;
+  refuse_groups(file.id);
+  int dimensions = 0, variables = 0, attributes = 0;
+  check(nc_inq(file.id, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
+
+  Dataset out;
+  out.dimensions = read_dimensions(file.id, dimensions);
+  out.attributes = read_attributes(file.id, NC_GLOBAL, attributes);
+  std::vector<Header> headers;
+  for (int v = 0; v < variables; ++v) headers.push_back(read_header(file.id, v, out.dimensions));
+  if (classic(file.id)) refuse_if_cut_short(headers, bytes.size());
+  for (int v = 0; v < variables; ++v) {
+    Header& header = headers[static_cast<std::size_t>(v)];
+    header.variable.values = allocate(header.type, header.elements, header.variable.name);
+    if (header.elements > 0)
+      check(nc_get_var(file.id, v, data(header.variable.values)), header.variable.name + " cannot be read");
+    out.variables.push_back(std::move(header.variable));
+  }
+  return out;
+}
+
+std::string encode_netcdf(const Dataset& dataset) {
+  Handle file;
+  check(nc_create_mem("dataset", needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET, 0, &file.id),
+        "create");
+  file.open = true;
+  check(nc_set_fill(file.id, NC_NOFILL, nullptr), "fill");
+  for (const Dimension& d : dataset.dimensions) {
+    int id = -1;
+    check(nc_def_dim(file.id, d.name.c_str(), static_cast<std::size_t>(d.length), &id),
+          "dimension " + d.name);
+  }
+  std::vector<int> ids;
+  for (const Variable& v : dataset.variables) ids.push_back(define(file.id, dataset, v));
+  write_attributes(file.id, NC_GLOBAL, dataset.attributes);
+  check(nc_enddef(file.id), "header");
+  for (std::size_t v = 0; v < ids.size(); ++v)
+    if (count(dataset.variables[v].values) > 0)
+      check(nc_put_var(file.id, ids[v], data(dataset.variables[v].values)), dataset.variables[v].name);
+  NC_memio memory{};
+  file.open = false;
+  check(nc_close_memio(file.id, &memory), "close");
+  const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
+  return std::string(static_cast<const char*>(memory.memory), memory.size);
+}
+
+std::string netcdf_version() {
+  const std::string version = nc_inq_libvers();
+  return "NetCDF " + version.substr(0, version.find(' '));
+}
+
+}  // namespace asperity
