@@ -1,6 +1,7 @@
 #include "dataset/netcdf.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <memory>
 #include <type_traits>
@@ -176,6 +177,10 @@ bool classic(int file) {
   return format == NC_FORMAT_CLASSIC || format == NC_FORMAT_64BIT_OFFSET || format == NC_FORMAT_CDF5;
 }
 
+[[noreturn]] void refuse_cut_short(const std::string& name, std::size_t bytes) {
+  refuse(name + " ends beyond the " + std::to_string(bytes) + " bytes that there are: the file is cut short");
+}
+
 // A classic file holds its values as they are: fewer bytes than values is a file cut short, and a header that
 // lies about its sizes must not make us allocate them.
 void refuse_if_cut_short(const std::vector<Header>& headers, std::size_t bytes) {
@@ -186,6 +191,13 @@ void refuse_if_cut_short(const std::vector<Header>& headers, std::size_t bytes) 
       refuse(h.variable.name + " ends beyond the " + std::to_string(bytes) +
              " bytes that there are: it is cut short");
   }
+}
+
+// In memory the library answers EPERM where a variable reaches beyond the last byte.
+void read_values(int file, int id, Variable& variable, std::size_t bytes) {
+  const int status = nc_get_var(file, id, data(variable.values));
+  if (status == EPERM) refuse_cut_short(variable.name, bytes);
+  check(status, variable.name + " cannot be read");
 }
 
 void refuse_groups(int file) {
@@ -276,8 +288,7 @@ Dataset decode_netcdf(const std::string& bytes) {
   for (int v = 0; v < variables; ++v) {
     Header& header = headers[static_cast<std::size_t>(v)];
     header.variable.values = allocate(header.type, header.elements, header.variable.name);
-    if (header.elements > 0)
-      check(nc_get_var(file.id, v, data(header.variable.values)), header.variable.name + " cannot be read");
+    if (header.elements > 0) read_values(file.id, v, header.variable, bytes.size());
     out.variables.push_back(std::move(header.variable));
   }
   return out;

@@ -50,6 +50,12 @@ Index fast_length(Index n, Index multiple) {
   return k;
 }
 
+std::string transform_version() {
+  const std::string version = fftw_version;  // "fftw-3.3.10-sse2-avx"
+  const auto begin = version.find('-') + 1;
+  return "FFTW " + version.substr(begin, version.find('-', begin) - begin);
+}
+
 RealTransform::RealTransform(Index n) : n_(n) {
   const int points = static_cast<int>(n);
   const std::size_t doubles = aligned(n + 2);

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "grid/field.hpp"
@@ -44,6 +45,9 @@ using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
 /// The least number ≥ n that has no prime factor above 5 and is a multiple of `multiple`: a fast length.
 Index fast_length(Index n, Index multiple = 1);
+
+/// The library behind the transforms and its version.
+std::string transform_version();
 
 namespace detail {
 struct FftwPlan;

@@ -32,7 +32,12 @@ SampledLength parse_length(const std::string& option, const std::string& text);
 std::array<double, 2> parse_quantities(const std::string& option, const std::string& text,
                                        const std::string& unit);
 std::array<SampledLength, 2> parse_lengths(const std::string& option, const std::string& text);
+/// Two pure numbers.
+std::array<double, 2> parse_numbers(const std::string& option, const std::string& text);
 /// "AxB".
 Shape parse_counts(const std::string& option, const std::string& text, Index least);
+
+/// "3mm" for (0.003, "m"): the value with the prefix that suits it, to nine digits.
+std::string format_quantity(double value, const std::string& unit);
 
 }  // namespace asperity::cli

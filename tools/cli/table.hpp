@@ -46,8 +46,8 @@ struct Quantities {
   std::string json() const;
 };
 
-/// How a table goes out: `json` as asked, else aligned if stdout is the destination and a terminal, else TSV.
-template <class T>
-std::string render(const T& table, bool json, bool terminal);
+/// How a table goes out: one JSON object as asked, else aligned on a terminal, else TSV.
+std::string render(const Table& table, bool json, bool terminal);
+std::string render(const Quantities& quantities, bool json, bool terminal);
 
 }  // namespace asperity::cli

@@ -57,6 +57,9 @@ class Tool {
                        const std::string& group);
   CLI::Option* number(const std::string& name, double& value, const std::string& text,
                       const std::string& group);
+  /// "A,B", or one value for both: pure numbers.
+  CLI::Option* numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
+                            const std::string& group);
   CLI::Option* text(const std::string& name, std::string& value, const std::string& what,
                     const std::string& text, const std::string& group);
   CLI::Option* choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
@@ -74,13 +77,13 @@ class Tool {
   CLI::Option* counts(const std::string& name, Shape& value, Index least, const std::string& text,
                       const std::string& group);
 
-  // Options that several tools have.
-  void input();    ///< positional INPUT, "-" unless given
-  void output();   ///< -o, --output
-  void report();   ///< --report FILE.json: the attributes that begin with the tool's prefix
-  void table();    ///< --json
-  void threads();  ///< --threads N
-  void seed();     ///< --seed N
+  // What the tool has of the options that several tools share.
+  void input();                              ///< positional INPUT, "-" unless given
+  void output() { writes_dataset_ = true; }  ///< -o, --output of a dataset
+  void table() { writes_table_ = true; }     ///< -o, --output of a table, --json
+  void report() { reports_ = true; }         ///< --report FILE.json: attributes with the tool's prefix
+  void threads() { threaded_ = true; }       ///< --threads N
+  void seed() { seeded_ = true; }            ///< --seed N
 
   bool given(const std::string& option) const { return app_.count(option) > 0; }
   const std::string& name() const { return name_; }
@@ -101,23 +104,32 @@ class Tool {
   static Dataset read(const std::string& name);           ///< "-" is stdin
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
-  void write_text(const std::string& text) const;         ///< to --output, every byte checked
+  bool output_is_terminal() const;
+  void write_text(const std::string& text) const;  ///< to --output, every byte checked
   /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it.
   void warn(const std::string& text) const;
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
 
  private:
+  CLI::Option* parsed(const std::string& name, const std::string& kind, const std::string& text,
+                      const std::string& group, const std::string& shown,
+                      std::function<void(const std::string&)> parse);
+  void add_common();
+  void add_seed();
+  void parse(int argc, char** argv);
   void add_environment(std::vector<std::string>& arguments) const;
   void write_report(const Dataset& dataset) const;
   std::string footer() const;
+  int fail(Exit code, const std::string& message) const;
 
   CLI::App app_;
   std::string name_, example_, accuracy_, command_line_;
   std::string input_ = "-", output_ = "-", report_;
   int threads_ = 0;
-  std::int64_t seed_ = -1;
-  std::optional<std::uint64_t> drawn_seed_;
+  std::optional<std::uint64_t> seed_;
+  bool takes_input_ = false, writes_dataset_ = false, writes_table_ = false, reports_ = false,
+       threaded_ = false, seeded_ = false;
   bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false;
 };
 

@@ -1,0 +1,122 @@
+#include "cli/quantity.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include "dataset/units.hpp"
+
+namespace asperity::cli {
+namespace {
+
+struct NumberAndUnit {
+  double number;
+  std::string unit;
+};
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& why) {
+  throw ParameterError(option, "'" + text + "' " + why);
+}
+
+NumberAndUnit split(const std::string& option, const std::string& text) {
+  double number = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc::result_out_of_range) refuse(option, text, "is beyond the range of a double");
+  if (error != std::errc() || std::isnan(number)) refuse(option, text, "does not begin with a number");
+  const std::string_view unit(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
+  const auto first = unit.find_first_not_of(' ');
+  return {number, first == unit.npos ? std::string() : std::string(unit.substr(first))};
+}
+
+// Units as one would type them for a quantity of this dimension.
+std::string examples(const std::string& unit) {
+  if (unit == "m") return "mm or um";
+  if (unit == "Pa") return "GPa or MPa";
+  if (unit == "N") return "N or kN";
+  return unit;
+}
+
+template <class T, class Parse>
+std::array<T, 2> pair_of(const std::string& option, const std::string& text, Parse parse) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos) {
+    const T both = parse(text);
+    return {both, both};
+  }
+  if (text.find(',', comma + 1) != std::string::npos) refuse(option, text, "has more than two values");
+  return {parse(text.substr(0, comma)), parse(text.substr(comma + 1))};
+}
+
+}  // namespace
+
+double parse_quantity(const std::string& option, const std::string& text, const std::string& unit) {
+  const auto [number, given] = split(option, text);
+  if (std::isinf(number) && given.empty()) return number;
+  if (given.empty()) refuse(option, text, "has no unit: append one, such as " + examples(unit));
+  try {
+    return number * unit_factor(given, unit);
+  } catch (const std::invalid_argument& e) {
+    refuse(option, text, "cannot be read: " + std::string(e.what()));
+  }
+}
+
+SampledLength parse_length(const std::string& option, const std::string& text) {
+  const auto [number, given] = split(option, text);
+  if (given == "px") return {number, true};
+  if (given.empty()) refuse(option, text, "has no unit: append px for samples, or mm, um, ...");
+  return {parse_quantity(option, text, "m"), false};
+}
+
+std::array<double, 2> parse_quantities(const std::string& option, const std::string& text,
+                                       const std::string& unit) {
+  return pair_of<double>(option, text, [&](const std::string& t) { return parse_quantity(option, t, unit); });
+}
+
+std::array<SampledLength, 2> parse_lengths(const std::string& option, const std::string& text) {
+  return pair_of<SampledLength>(option, text, [&](const std::string& t) { return parse_length(option, t); });
+}
+
+std::array<double, 2> parse_numbers(const std::string& option, const std::string& text) {
+  return pair_of<double>(option, text, [&](const std::string& t) {
+    const auto [number, unit] = split(option, t);
+    if (!unit.empty()) refuse(option, text, "is a pure number and takes no unit");
+    return number;
+  });
+}
+
+Shape parse_counts(const std::string& option, const std::string& text, Index least) {
+  auto read = [&](const char* begin, const char* end, Index& value) {
+    const auto [rest, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || rest != end) refuse(option, text, "is not of the form AxB, such as 128x128");
+    constexpr Index most = 1 << 20;
+    if (value < least || value > most)
+      refuse(option, text, "must lie between " + std::to_string(least) + " and " + std::to_string(most));
+  };
+  const auto cross = text.find('x');
+  if (cross == std::string::npos) refuse(option, text, "is not of the form AxB, such as 128x128");
+  Shape out;
+  read(text.data(), text.data() + cross, out.nx);
+  read(text.data() + cross + 1, text.data() + text.size(), out.ny);
+  return out;
+}
+
+std::string format_quantity(double value, const std::string& unit) {
+  constexpr struct {
+    double factor;
+    const char* prefix;
+  } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
+  char digits[32] = {};
+  auto print = [&](double v) {
+    return std::string(digits,
+                       std::to_chars(digits, digits + sizeof digits, v, std::chars_format::general, 9).ptr);
+  };
+  if (unit == "1" || value == 0 || !std::isfinite(value)) return print(value);
+  const auto* p = std::ranges::find_if(prefixes, [&](const auto& q) { return std::abs(value) >= q.factor; });
+  if (p == std::end(prefixes)) return print(value) + unit;
+  return print(value / p->factor) + p->prefix + unit;
+}
+
+}  // namespace asperity::cli

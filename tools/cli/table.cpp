@@ -1,0 +1,120 @@
+#include "cli/table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace asperity::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Cell& cell) {
+  if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+  return shortest(std::get<double>(cell));
+}
+
+// For eyes: six digits are enough.
+std::string short_text_of(const Cell& cell) {
+  const auto* number = std::get_if<double>(&cell);
+  if (!number) return text_of(cell);
+  char digits[32] = {};
+  return {digits, std::to_chars(digits, digits + sizeof digits, *number, std::chars_format::general, 6).ptr};
+}
+
+std::string heading(const Column& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+}
+
+// JSON has no infinities: what is not finite is null.
+Json json_of(const Cell& cell) {
+  if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+  const double number = std::get<double>(cell);
+  return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
+// Columns on a terminal, where a µ takes one place and two bytes.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+  char digits[32] = {};
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+std::string Table::tsv() const {
+  std::string out = "# ";
+  for (std::size_t c = 0; c < columns.size(); ++c) out += (c ? "\t" : "") + heading(columns[c]);
+  out += '\n';
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) out += (c ? "\t" : "") + text_of(row[c]);
+    out += '\n';
+  }
+  return out;
+}
+
+std::string Table::aligned() const {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Column& column : columns) lines[0].push_back(heading(column));
+  for (const auto& row : rows) {
+    lines.emplace_back();
+    for (const Cell& cell : row) lines.back().push_back(short_text_of(cell));
+  }
+  std::vector<std::size_t> widths(columns.size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], width(line[c]));
+  std::string out;
+  for (const auto& line : lines) {
+    for (std::size_t c = 0; c < line.size(); ++c) {
+      const std::string padding(widths[c] - width(line[c]), ' ');
+      const bool words = c == 0 || columns[c].unit.empty();
+      out += (c ? "  " : "") + (words ? line[c] + (c + 1 < line.size() ? padding : "") : padding + line[c]);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+std::string Table::json() const {
+  Json object = Json::object();
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    Json values = Json::array();
+    for (const auto& row : rows) values.push_back(json_of(row[c]));
+    object[columns[c].name] = {{"unit", columns[c].unit}, {"values", std::move(values)}};
+  }
+  return object.dump(2) + "\n";
+}
+
+Table Quantities::table() const {
+  Table out{{{"quantity", ""}, {"value", "SI"}, {"standard_error", "SI"}, {"unit", ""}, {"meaning", ""}}, {}};
+  for (const Row& row : rows)
+    out.rows.push_back({row.name, row.value, row.standard_error, row.unit, row.meaning});
+  return out;
+}
+
+std::string Quantities::json() const {
+  Json object = Json::object();
+  for (const Row& row : rows) {
+    Json entry{{"value", json_of(row.value)}, {"unit", row.unit}};
+    if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
+    entry["meaning"] = row.meaning;
+    object[row.name] = std::move(entry);
+  }
+  return object.dump(2) + "\n";
+}
+
+std::string render(const Table& table, bool json, bool terminal) {
+  return json ? table.json() : terminal ? table.aligned() : table.tsv();
+}
+
+std::string render(const Quantities& quantities, bool json, bool terminal) {
+  return json ? quantities.json() : render(quantities.table(), false, terminal);
+}
+
+}  // namespace asperity::cli
