@@ -1,0 +1,138 @@
+#include "dataset/layout.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "dataset/netcdf.hpp"
+#include "dataset/units.hpp"
+#include "grid/error.hpp"
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const Grid grid{{6, 4}, 0.5e-6, 2e-6, false};
+
+Dataset with_heights(const Field& heights) {
+  Dataset out;
+  set_grid(out, grid);
+  set_field(out, "heights", heights, {"m", "surface height"});
+  return out;
+}
+
+std::string file(const std::string& name) {
+  std::ifstream in(ASPERITY_TEST_DATA "/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a grid and a field come back through the bytes to the last bit", "[layout][exact]") {
+  const Field heights = random_field(grid.shape, 1);
+  const Dataset back = decode_netcdf(encode_netcdf(with_heights(heights)));
+  CHECK((field_of(back, "heights") == heights).all());
+  CHECK(grid_of(back).shape == grid.shape);
+  CHECK(relative_error(grid_of(back).dx, grid.dx) <= epsilon);
+  CHECK(relative_error(grid_of(back).dy, grid.dy) <= epsilon);
+  CHECK_FALSE(grid_of(back).periodic);
+}
+
+// The file says: 5 nm × 10 nm, 5 × 10 points, heights in nm; the first row falls from 9.
+TEST_CASE("a file of contact.engineering is read in metres", "[layout][exact]") {
+  const Dataset data = decode_netcdf(file("contact-engineering-5x10.nc"));
+  const Grid g = grid_of(data);
+  CHECK(g.shape == Shape{5, 10});
+  CHECK(relative_error(g.size_x(), 5e-9) <= 4 * epsilon);
+  CHECK(relative_error(g.size_y(), 10e-9) <= 4 * epsilon);
+  CHECK(relative_error(field_of(data, "heights")(0, 0), 9e-9) <= 4 * epsilon);
+}
+
+TEST_CASE("x and y carry what contact.engineering and CF ask for", "[layout][contract]") {
+  const Dataset data = with_heights(random_field(grid.shape, 2));
+  for (const char* axis : {"x", "y"}) {
+    const Attributes& a = data.at(axis).attributes;
+    CHECK(a.text("unit") == "m");
+    CHECK(a.text("units") == "m");
+    CHECK(a.number("periodic", -1) == 0);
+  }
+  CHECK(data.at("x").attributes.number("length", 0) == grid.size_x());
+  CHECK(data.at("x").attributes.text("axis") == "X");
+  CHECK(data.at("heights").attributes.text("unit") == "m");
+}
+
+TEST_CASE("actual_range is the least and the largest height", "[layout][exact]") {
+  const Field heights = random_field(grid.shape, 3);
+  const std::vector<double> range =
+      numbers(*with_heights(heights).at("heights").attributes.find("actual_range"));
+  CHECK(range == std::vector<double>{heights.minCoeff(), heights.maxCoeff()});
+}
+
+TEST_CASE("a new grid of another shape drops what stood on the old one, and nothing else",
+          "[layout][contract]") {
+  Dataset data = with_heights(random_field(grid.shape, 4));
+  set_table(data, "kernel", Field::Ones(3, 3), {"k"}, {"l"}, {"1", "kernel"});
+  set_grid(data, {{8, 4}, 1e-6, 1e-6, true});
+  CHECK_FALSE(data.has("heights"));
+  CHECK(data.has("kernel"));
+  CHECK(grid_of(data).periodic);
+}
+
+TEST_CASE("a height that is not finite is refused by its place", "[layout][contract]") {
+  for (double bad : {std::nan(""), HUGE_VAL}) {
+    Field heights = random_field(grid.shape, 5);
+    heights(2, 3) = bad;
+    CHECK_THROWS_WITH(field_of(with_heights(heights), "heights"), ContainsSubstring("(2, 3)"));
+  }
+}
+
+TEST_CASE("masked points are refused and an empty mask is not", "[layout][contract]") {
+  Dataset data = with_heights(random_field(grid.shape, 6));
+  std::vector<std::int8_t> mask(24, 0);
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  CHECK_NOTHROW(field_of(data, "heights"));
+  mask[5] = 1;
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  CHECK_THROWS_AS(field_of(data, "heights"), DataError);
+}
+
+TEST_CASE("points that are not evenly spaced, or have no unit, are refused", "[layout][contract]") {
+  Dataset data = with_heights(random_field(grid.shape, 7));
+  std::get<std::vector<double>>(data.find("x")->values)[2] += 0.1e-6;
+  CHECK_THROWS_AS(grid_of(data), DataError);
+  data = with_heights(random_field(grid.shape, 7));
+  data.find("y")->attributes.erase("unit");
+  data.find("y")->attributes.erase("units");
+  CHECK_THROWS_AS(grid_of(data), DataError);
+}
+
+TEST_CASE("history has the newest line first", "[layout][contract]") {
+  Dataset data;
+  add_history(data, "first");
+  add_history(data, "second");
+  CHECK(data.attributes.text("history") == "second\nfirst");
+}
+
+TEST_CASE("depths and volumes come back in their order", "[layout][exact]") {
+  Dataset data = with_heights(random_field(grid.shape, 8));
+  const std::vector<double> depths{0, 1e-6, 4e-6};
+  set_depths(data, depths);
+  std::vector<double> values(3 * 24);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
+  set_volume(data, "von_mises", values, {"Pa", "von Mises stress"});
+  const Dataset back = decode_netcdf(encode_netcdf(data));
+  CHECK(depths_of(back) == depths);
+  CHECK(numbers(back.at("von_mises").values) == values);
+  CHECK(back.at("von_mises").dimensions == std::vector<std::string>{"z", "x", "y"});
+  CHECK(back.at("z").attributes.text("positive") == "down");
+}
+
+TEST_CASE("units convert by their definition and refuse another dimension", "[units][exact]") {
+  CHECK(relative_error(unit_factor("um", "m"), 1e-6) <= epsilon);
+  CHECK(relative_error(unit_factor("µm", "m"), 1e-6) <= epsilon);
+  CHECK(relative_error(unit_factor("GPa", "Pa"), 1e9) <= epsilon);
+  CHECK(relative_error(unit_factor("inch", "m"), 0.0254) <= epsilon);
+  CHECK_THROWS_AS(unit_factor("N", "m"), std::invalid_argument);
+  CHECK_THROWS_AS(unit_factor("smoot-ish", "m"), std::invalid_argument);
+}

@@ -1,0 +1,102 @@
+#include "dataset/netcdf.hpp"
+
+#include <limits>
+
+#include "grid/error.hpp"
+#include "support.hpp"
+
+using namespace asperity;
+
+namespace {
+
+template <class T>
+std::vector<T> extremes() {
+  return {std::numeric_limits<T>::lowest(), T{0}, std::numeric_limits<T>::max()};
+}
+
+// Every type that a classic file can hold, `wide` those of CDF-5 too.
+Dataset of_every_type(bool wide) {
+  Dataset out;
+  out.dimensions = {{"n", 3}, {"letters", 5}};
+  auto add = [&](std::string name, Values values) {
+    out.variables.push_back({std::move(name), {"n"}, std::move(values), {}});
+    out.variables.back().attributes.set_values("same", out.variables.back().values);
+  };
+  add("int8", extremes<std::int8_t>());
+  add("int16", extremes<std::int16_t>());
+  add("int32", extremes<std::int32_t>());
+  add("float32", extremes<float>());
+  add("float64", extremes<double>());
+  if (wide) {
+    add("uint8", extremes<std::uint8_t>());
+    add("uint16", extremes<std::uint16_t>());
+    add("uint32", extremes<std::uint32_t>());
+    add("int64", extremes<std::int64_t>());
+    add("uint64", extremes<std::uint64_t>());
+  }
+  out.variables.push_back({"words", {"letters"}, std::string("rough"), {}});
+  out.variables.push_back({"scalar", {}, std::vector<double>{1.5}, {}});
+  out.attributes.set("text", "µ and more");
+  return out;
+}
+
+bool same(const Attributes& a, const Attributes& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Attribute& x, const Attribute& y) {
+    return x.name == y.name && x.values == y.values;
+  });
+}
+
+bool same(const Dataset& a, const Dataset& b) {
+  auto equal = [](const Variable& x, const Variable& y) {
+    return x.name == y.name && x.dimensions == y.dimensions && x.values == y.values &&
+           same(x.attributes, y.attributes);
+  };
+  return a.dimensions.size() == b.dimensions.size() && same(a.attributes, b.attributes) &&
+         std::equal(a.variables.begin(), a.variables.end(), b.variables.begin(), b.variables.end(), equal);
+}
+
+}  // namespace
+
+TEST_CASE("a dataset of every classic type comes back from its bytes as it was, as CDF-2",
+          "[netcdf][exact]") {
+  const std::string bytes = encode_netcdf(of_every_type(false));
+  CHECK(bytes.starts_with("CDF\002"));
+  CHECK(same(decode_netcdf(bytes), of_every_type(false)));
+}
+
+TEST_CASE("types that CDF-2 lacks come back from CDF-5", "[netcdf][exact]") {
+  const std::string bytes = encode_netcdf(of_every_type(true));
+  CHECK(bytes.starts_with("CDF\005"));
+  CHECK(same(decode_netcdf(bytes), of_every_type(true)));
+}
+
+TEST_CASE("encoding what was decoded gives the same bytes", "[netcdf][law]") {
+  const std::string bytes = encode_netcdf(of_every_type(false));
+  CHECK(encode_netcdf(decode_netcdf(bytes)) == bytes);
+}
+
+// The last variable is a double, so that there is no padding behind it: every shorter file misses data.
+TEST_CASE("a dataset cut short anywhere is refused", "[netcdf][contract]") {
+  const std::string bytes = encode_netcdf(of_every_type(false));
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    CAPTURE(n, bytes.size());
+    CHECK_THROWS_AS(decode_netcdf(bytes.substr(0, n)), DataError);
+  }
+}
+
+TEST_CASE("a header that claims more values than the file has bytes is refused before they are allocated",
+          "[netcdf][contract]") {
+  Dataset small;
+  small.dimensions = {{"n", 7}};
+  small.variables.push_back({"v", {"n"}, std::vector<double>(7), {}});
+  std::string bytes = encode_netcdf(small);
+  const auto length = bytes.find(std::string("n\0\0\0\0\0\0\7", 8)) + 4;
+  REQUIRE(length < bytes.size());
+  bytes[length] = '\x7f';
+  CHECK_THROWS_AS(decode_netcdf(bytes), DataError);
+}
+
+TEST_CASE("bytes that are no NetCDF are refused", "[netcdf][contract]") {
+  for (const char* text : {"", "CDF", "hello, surface", "\x89HDF\r\n\x1a\n"})
+    CHECK_THROWS_AS(decode_netcdf(text), DataError);
+}

@@ -1,0 +1,62 @@
+#include "cli/quantity.hpp"
+
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::cli;
+using namespace asperity::test;
+
+// One product, and the factor itself is rounded once: two units in the last place.
+TEST_CASE("a quantity is its number times its unit", "[quantity][exact]") {
+  CHECK(relative_error(parse_quantity("rq", "0.4um", "m"), 0.4e-6) <= 2 * epsilon);
+  CHECK(relative_error(parse_quantity("rq", "0.4 µm", "m"), 0.4e-6) <= 2 * epsilon);
+  CHECK(relative_error(parse_quantity("young", "208GPa", "Pa"), 208e9) <= 2 * epsilon);
+  CHECK(parse_quantity("load", "5000N", "N") == 5000);
+  CHECK(parse_quantity("load", "-1e3N", "N") == -1000);
+  CHECK(std::isinf(parse_quantity("radius", "inf", "m")));
+}
+
+TEST_CASE("a quantity without its unit, of another dimension, or without a number is refused",
+          "[quantity][contract]") {
+  for (const char* text : {"50", "50N", "mm", "", "50 mm mm", "1e999mm", "nan", "50px", "5,0mm"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(parse_quantity("radius", text, "m"), ParameterError);
+  }
+}
+
+TEST_CASE("a bare number is answered with the units that it may have meant", "[quantity][contract]") {
+  CHECK_THROWS_WITH(parse_quantity("radius", "50", "m"), ContainsSubstring("mm"));
+  CHECK_THROWS_WITH(parse_length("length", "17"), ContainsSubstring("px"));
+}
+
+TEST_CASE("one value stands for both, two for one each, three for nothing", "[quantity][contract]") {
+  CHECK(parse_quantities("size", "3m", "m") == std::array<double, 2>{3, 3});
+  CHECK(parse_quantities("size", "3m,2m", "m") == std::array<double, 2>{3, 2});
+  CHECK_THROWS_AS(parse_quantities("size", "3m,2m,1m", "m"), ParameterError);
+  CHECK_THROWS_AS(parse_quantities("size", "3m,", "m"), ParameterError);
+}
+
+TEST_CASE("a length in samples and in metres agree by the spacing", "[quantity][exact]") {
+  const auto lengths = parse_lengths("length", "17px,0.5mm");
+  CHECK(lengths[0].samples);
+  CHECK(lengths[0].metres(2e-3) == 34e-3);
+  CHECK_FALSE(lengths[1].samples);
+  CHECK(relative_error(lengths[1].in_samples(1e-4), 5) <= 2 * epsilon);
+}
+
+TEST_CASE("counts are two whole numbers within bounds", "[quantity][contract]") {
+  CHECK(parse_counts("shape", "128x64", 1) == Shape{128, 64});
+  for (const char* text : {"128", "0x5", "-3x5", "5x", "x5", "5x5x5", "1.5x2", "99999999x1", "5 x 5"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(parse_counts("shape", text, 1), ParameterError);
+  }
+}
+
+TEST_CASE("a quantity is shown with the prefix that suits it", "[quantity][exact]") {
+  CHECK(format_quantity(0.003, "m") == "3mm");
+  CHECK(format_quantity(208e9, "Pa") == "208GPa");
+  CHECK(format_quantity(4e-7, "m") == "400nm");
+  CHECK(format_quantity(-5000, "N") == "-5kN");
+  CHECK(format_quantity(0, "m") == "0");
+  CHECK(format_quantity(0.3, "1") == "0.3");
+}
