@@ -1,0 +1,25 @@
+/// Datasets in the scratch folder of the shell, and what one counts in its answers.
+#pragma once
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "dataset/netcdf.hpp"
+#include "tools/shell.hpp"
+
+namespace asperity::test {
+
+inline Dataset read_dataset(const std::string& name) {
+  std::ifstream in(scratch(name), std::ios::binary);
+  return decode_netcdf({std::istreambuf_iterator<char>(in), {}});
+}
+
+inline void write_dataset(const Dataset& data, const std::string& name) {
+  std::ofstream(scratch(name), std::ios::binary) << encode_netcdf(data);
+}
+
+inline auto lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+}  // namespace asperity::test
