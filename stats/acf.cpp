@@ -1,0 +1,84 @@
+#include "stats/acf.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "grid/error.hpp"
+#include "grid/parallel.hpp"
+#include "stats/form.hpp"
+#include "transform/pruned.hpp"
+
+namespace asperity {
+namespace {
+
+// Room for the longest lag beside the field: nothing wraps onto a lag asked for.
+Shape torus_for(const Grid& grid, Shape max_lag) {
+  if (grid.periodic) return grid.shape;
+  return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
+}
+
+void to_power(Complex* block, Index n) {
+  for (Index k = 0; k < n; ++k) block[k] = std::norm(block[k]);
+}
+
+// The half spectrum, in y, of C(p, ·) for every row p.
+HalfSpectrum correlate(const PrunedTransform& transform, const Field& d, int threads) {
+  HalfSpectrum half = transform.half_spectrum();
+  transform.forward_rows(d, half, threads);
+  parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
+    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size()));
+    for (Index b = begin; b < end; ++b) {
+      transform.forward_block(half, b, block.data());
+      to_power(block.data(), transform.block_size());
+      transform.inverse_block(block.data(), b, half);
+    }
+  });
+  return half;
+}
+
+// (1) times the torus' cells. Negative lags stand at the end of a row.
+Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag) {
+  const Index period = transform.torus().ny, columns = transform.blocks() * PrunedTransform::width;
+  Field sums(max_lag.nx + 1, 2 * max_lag.ny + 1);
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(columns));
+  AlignedVector<double> row(static_cast<std::size_t>(period));
+  for (Index p = 0; p <= max_lag.nx; ++p) {
+    transform.inverse_row(half, p, spectrum.data(), row.data());
+    std::copy_n(row.begin(), max_lag.ny + 1, &sums(p, max_lag.ny));
+    std::copy_n(row.end() - max_lag.ny, max_lag.ny, &sums(p, 0));
+  }
+  return sums;
+}
+
+void divide_by_pairs(Field& sums, const Grid& grid, Shape max_lag) {
+  for (Index p = 0; p <= max_lag.nx; ++p)
+    for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) sums(p, max_lag.ny + q) /= overlap(grid, p, q);
+}
+
+}  // namespace
+
+void AcfParameters::check(const Grid& grid) const {
+  const Shape most = grid.periodic ? default_max_lag(grid) : Shape{grid.shape.nx - 1, grid.shape.ny - 1};
+  auto within = [](Index lag, Index bound) { return lag >= 0 && lag <= bound; };
+  if (within(max_lag.nx, most.nx) && within(max_lag.ny, most.ny)) return;
+  auto text = [](Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); };
+  throw ParameterError("max-lag",
+                       "value " + text(max_lag) + " is outside 0x0 to " + text(most) +
+                           (grid.periodic ? ", half the period" : ", the longest lags of the field"));
+}
+
+Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.ny / 2}; }
+
+LagField autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {
+  parameters.check(grid);
+  const Shape max_lag = parameters.max_lag;
+  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
+  const Field d = parameters.level ? Field(z - *parameters.level) : without_form(z);
+  Field sums = half_plane(transform, correlate(transform, d, parameters.threads), max_lag);
+  sums /= static_cast<double>(transform.torus().cells()) * static_cast<double>(z.size());
+  if (!grid.periodic && !parameters.biased) divide_by_pairs(sums, grid, max_lag);
+  return LagField(std::move(sums));
+}
+
+}  // namespace asperity

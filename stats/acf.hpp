@@ -1,0 +1,41 @@
+/// The autocorrelation of a measured surface, at every lag up to (P, Q), by the fast Fourier transform.
+///
+/// With heights d = z - level,
+///     C(p,q) = Σ d(i,j) d(i+p, j+q)                                                                (1)
+/// over all pairs of points (Wiener and Khinchin: the inverse transform of |d^|²). The estimate is
+///     R(p,q) = C(p,q) / ((nx - |p|)(ny - |q|)),      unbiased, the default,                        (2)
+///     R(p,q) = C(p,q) / (nx ny),                     biased: positive definite, smaller far out,   (3)
+/// and on a periodic grid, where every point has a partner at every lag, C(p,q)/(nx ny), both at once.
+///
+/// Symbols   z  heights [m]      R  autocorrelation [m²], R(0,0) = Rq²      p, q  lags [samples]
+/// Accuracy  Round-off ε log2(N) Σd²/N. As an estimate, (2) is unbiased when the level is known; the field's
+///           own mean in its place lowers every lag by about Var[z̄] = σ² Σρ / N (stats/effective_size.hpp).
+/// Cost      one pruned transform there and back, padded only as far as the lags asked for.
+///
+/// N. Wiener, Generalized harmonic analysis, Acta Math. 55 (1930) 117-258.
+/// G. M. Jenkins, D. G. Watts, Spectral analysis and its applications, Holden-Day (1968), ch. 5.
+#pragma once
+
+#include <optional>
+
+#include "grid/field.hpp"
+#include "stats/lag_field.hpp"
+
+namespace asperity {
+
+struct AcfParameters {
+  Shape max_lag = {};   ///< P, Q [samples]; at most the field less one point, half of it when periodic
+  bool biased = false;  ///< (3) in place of (2)
+  std::optional<double> level = {};  ///< known mean height [m]; otherwise the field's mean
+  int threads = 1;
+
+  /// Throws ParameterError("max-lag", …).
+  void check(const Grid& grid) const;
+};
+
+/// Half the field in either direction: beyond, few independent pairs are left.
+Shape default_max_lag(const Grid& grid);
+
+LagField autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters);
+
+}  // namespace asperity

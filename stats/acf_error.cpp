@@ -1,0 +1,46 @@
+#include "stats/acf_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+AcfError::AcfError(const LagField& correlation, const Grid& grid)
+    : rho_(correlation.normalised()), grid_(grid) {
+  for (Index p = -rho_.max_p(); p <= rho_.max_p(); ++p)
+    for (Index q = -rho_.max_q(); q <= rho_.max_q(); ++q)
+      if (const double rho = rho_(p, q); rho != 0) support_.push_back({p, q, rho});
+}
+
+double AcfError::pairs(Index p, Index q) const {
+  return overlap(grid_, p, q) * static_cast<double>(grid_.shape.cells());
+}
+
+double AcfError::weight(Index p, Index q, Index k, Index l) const {
+  if (grid_.periodic) return 1;
+  auto share = [](Index n, Index distance) {
+    return std::max(0.0, 1 - static_cast<double>(std::abs(distance)) / static_cast<double>(n));
+  };
+  return share(grid_.shape.nx - std::abs(p), k) * share(grid_.shape.ny - std::abs(q), l);
+}
+
+// The second product of (1) is summed over m = k + h, where ρ(m) ≠ 0.
+double AcfError::absolute(Index p, Index q) const {
+  double sum = 0;
+  for (const auto& [k, l, rho] : support_)
+    sum += weight(p, q, k, l) * rho * rho + weight(p, q, k - p, l - q) * rho * rho_(k - 2 * p, l - 2 * q);
+  return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
+}
+
+double AcfError::normalised(Index p, Index q) const {
+  const double at_lag = rho_(p, q);
+  double sum = 0;
+  for (const auto& [k, l, rho] : support_) {
+    const double shifted = rho_(k - 2 * p, l - 2 * q), beside = rho_(k + p, l + q);
+    sum += weight(p, q, k, l) * rho * ((1 + 2 * at_lag * at_lag) * rho - 4 * at_lag * beside) +
+           weight(p, q, k - p, l - q) * rho * shifted;
+  }
+  return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
+}
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+/// Standard errors of an estimated autocorrelation.
+///
+/// For a Gaussian field of variance σ² and correlation ρ with known mean, the unbiased estimate at lag h,
+/// over n_h pairs, has exactly
+///     Var[R(h)] = σ⁴/n_h Σ_k w_h(k) [ρ(k)² + ρ(k+h) ρ(k-h)],                                       (1)
+/// w_h(k) the share of the pairs that have another one at distance k (Bartlett); and to first order
+///     Var[R(h)/R(0)] = 1/n_h Σ_k w_h(k) [ρ(k)² + ρ(k+h)ρ(k-h) + 2ρ(h)²ρ(k)² - 4ρ(h)ρ(k)ρ(k+h)],     (2)
+/// zero at h = 0. The errors of neighbouring lags are strongly correlated: an estimate that strays does so
+/// over a whole stretch of lags. The biased estimate's error is overlap(h) times as large.
+///
+/// Accuracy  (1) for a known ρ; the sample mean in place of the known one changes it by O(1/n²). From an
+///           estimate use its significant_lags (stats/effective_size.hpp).
+/// Cost      per lag the number of lags at which ρ is not zero.
+///
+/// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
+#pragma once
+
+#include <vector>
+
+#include "grid/field.hpp"
+#include "stats/lag_field.hpp"
+
+namespace asperity {
+
+class AcfError {
+ public:
+  AcfError(const LagField& correlation, const Grid& grid);
+
+  /// √(1)/σ², the relative standard error of R(p,q) as a share of R(0,0).
+  double absolute(Index p, Index q) const;
+  /// √(2), the standard error of ρ(p,q) = R(p,q)/R(0,0).
+  double normalised(Index p, Index q) const;
+
+ private:
+  struct Lag {
+    Index p, q;
+    double rho;
+  };
+  /// The weight of distance (k,l) among the pairs at lag (p,q).
+  double weight(Index p, Index q, Index k, Index l) const;
+  double pairs(Index p, Index q) const;
+
+  LagField rho_;
+  Grid grid_;
+  std::vector<Lag> support_;  ///< the whole plane's lags where ρ ≠ 0
+};
+
+}  // namespace asperity

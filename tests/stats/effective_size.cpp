@@ -1,0 +1,127 @@
+#include "stats/effective_size.hpp"
+
+#include "fields.hpp"
+#include "stats/acf.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// The spread of the moments over an ensemble of moving averages, and what was predicted for them.
+struct Ensemble {
+  Spread mean, ra, rq, rsk, rku;
+
+  void add(const Moments& m) { mean.add(m.mean), ra.add(m.ra), rq.add(m.rq), rsk.add(m.rsk), rku.add(m.rku); }
+};
+
+// Σ_{|p|<a} (1 - |p|/a)², the square of a triangle of base 2a.
+double squared_triangle(double a) { return (2 * a * a + 1) / (3 * a); }
+
+}  // namespace
+
+TEST_CASE("N independent heights are worth N points for every moment", "[effective-size][exact]") {
+  const EffectiveSize size(triangular_correlation({1, 1}), grid(32, 20));
+  for (int k : {1, 2, 3, 4, EffectiveSize::powers}) CHECK(size.effective(k) == 640);
+}
+
+// Sums of 7 × 9 terms, each rounded.
+TEST_CASE("a moving average over a x b points is worth N/(ab) points for the mean, N/(T(a)T(b)) for Rq",
+          "[effective-size][exact]") {
+  const EffectiveSize size(triangular_correlation({4, 5}), grid(64, 64, true));
+  CHECK(relative_error(size.effective(1), 4096.0 / 20) <= 64 * epsilon);
+  CHECK(relative_error(size.effective(2), 4096.0 / (squared_triangle(4) * squared_triangle(5))) <=
+        64 * epsilon);
+}
+
+// Σ cos² over a period is half its points, so S_2 = N/2, and Σ cos = 0.
+TEST_CASE("a periodic sine is worth two points for Rq however many samples it has", "[effective-size][law]") {
+  for (Index n : {16, 64, 256}) {
+    const Grid g = grid(n, 8, true);
+    const LagField acf = autocorrelation(sine(g.shape, 1e-6, 2), g, {.max_lag = default_max_lag(g)});
+    CHECK(relative_error(EffectiveSize(acf, g).effective(2), 2) <= 100 * epsilon * static_cast<double>(n));
+  }
+}
+
+TEST_CASE("Var of the mean equals the double sum of the correlation over all pairs of points",
+          "[effective-size][exact]") {
+  const LagField rho = triangular_correlation({5, 3});
+  const Grid g = grid(9, 7);
+  double sum = 0;
+  for (Index i = 0; i < 9; ++i)
+    for (Index j = 0; j < 7; ++j)
+      for (Index k = 0; k < 9; ++k)
+        for (Index l = 0; l < 7; ++l) sum += rho(k - i, l - j);
+  CHECK(relative_error(EffectiveSize(rho, g).sum(1) / 63, sum / (63 * 63)) <= 100 * epsilon);
+}
+
+// E|x| = √(2/π), E x² = 1.
+TEST_CASE("Ra of N independent Gaussian heights has the variance (1 - 2/pi)/N", "[effective-size][exact]") {
+  const EffectiveSize size(triangular_correlation({1, 1}), grid(10, 10));
+  const MomentErrors errors = standard_errors({.rq = 1}, size);
+  CHECK(relative_error(errors.ra * errors.ra, (1 - 2 / std::numbers::pi) / 100) <= 1e-13);
+  CHECK(relative_error(errors.rku, std::sqrt(0.24)) <= 4 * epsilon);
+}
+
+// E|xy| = (2/π)(√(1-ρ²) + ρ asin ρ) for a Gaussian pair: the closed form of the series behind Ra's error. The
+// series ends at ρ⁵¹²; what it lacks of weight, O(512^{-3/2}), is counted with too large a sum.
+TEST_CASE("Ra's standard error from the Hermite series is that of the closed form",
+          "[effective-size][exact]") {
+  const LagField rho = triangular_correlation({6, 4});
+  const Grid g = grid(50, 30, true);
+  double sum = 0;
+  for_each_lag(rho, g, [&](Index p, Index q, double weight) {
+    const double r = rho(p, q);
+    sum += weight * 2 / std::numbers::pi * (std::sqrt(1 - r * r) + r * std::asin(r) - 1);
+  });
+  CHECK(relative_error(standard_errors({.rq = 1}, EffectiveSize(rho, g)).ra, std::sqrt(sum / 1500)) <= 1e-6);
+}
+
+// 1000 fields: the spread of a spread is 1/√2000 = 2.2 % for Gaussian numbers; four of them, and 3 % for the
+// terms of second order, S/N ≈ 20/3000 with factors of a few for the fourth moment, whose own distribution is
+// skewed.
+TEST_CASE("the standard errors of the moments are the spread over an ensemble of correlated fields",
+          "[effective-size][statistics]") {
+  const Shape window{5, 4};
+  const Grid g = grid(64, 48);
+  Ensemble seen;
+  for (unsigned seed = 0; seed < 1000; ++seed) seen.add(moments(moving_average(g.shape, window, seed)));
+  const MomentErrors predicted = standard_errors({.rq = 1}, EffectiveSize(triangular_correlation(window), g));
+  CHECK(seen.mean.deviation() == Approx(predicted.mean).epsilon(0.12));
+  CHECK(seen.ra.deviation() == Approx(predicted.ra).epsilon(0.12));
+  CHECK(seen.rq.deviation() == Approx(predicted.rq).epsilon(0.12));
+  CHECK(seen.rsk.deviation() == Approx(predicted.rsk).epsilon(0.12));
+  CHECK(seen.rku.deviation() == Approx(predicted.rku).epsilon(0.12));
+}
+
+// Admitted by chance are 0.27 % of the lags, each with ρ² of about 10/N: S_2 grows by 3 % at most.
+TEST_CASE("the estimated correlation of white noise leaves N_eff within 6 % of N",
+          "[effective-size][statistics]") {
+  const Grid g = grid(96, 80);
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const LagField acf = autocorrelation(white_noise(g.shape, seed), g, {.max_lag = default_max_lag(g)});
+    const EffectiveSize size = EffectiveSize::of_estimate(acf, g);
+    CHECK(std::abs(size.effective(2) / 7680 - 1) <= 0.06);
+    CHECK(std::abs(size.effective(4) / 7680 - 1) <= 0.01);
+  }
+}
+
+// Without the choice of lags, noise alone would add lags/N ≈ 1 times S_2 and the errors would be √2 too
+// large; the admitted noise adds 3 % to S_2, the tail below 3√(S_2/N) = 0.12 takes as much away. S_1's window
+// of four times the lags has a noise of some √(2·4·80/7680) = 30 % a field, 3 % over 100 of them.
+TEST_CASE("standard errors from the estimated ACF are on average those from the known one",
+          "[effective-size][statistics]") {
+  const Shape window{5, 4};
+  const Grid g = grid(96, 80);
+  const MomentErrors known = standard_errors({.rq = 1}, EffectiveSize(triangular_correlation(window), g));
+  Spread mean, rq, rku;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const Field z = moving_average(g.shape, window, seed);
+    const LagField acf = autocorrelation(z, g, {.max_lag = default_max_lag(g)});
+    const MomentErrors errors = standard_errors({.rq = 1}, EffectiveSize::of_estimate(acf, g));
+    mean.add(errors.mean), rq.add(errors.rq), rku.add(errors.rku);
+  }
+  CHECK(mean.mean() == Approx(known.mean).epsilon(0.10));
+  CHECK(rq.mean() == Approx(known.rq).epsilon(0.05));
+  CHECK(rku.mean() == Approx(known.rku).epsilon(0.05));
+}

@@ -1,0 +1,114 @@
+#include "stats/moments.hpp"
+
+#include <gsl/gsl_statistics_double.h>
+
+#include "fields.hpp"
+#include "grid/error.hpp"
+#include "stats/form.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// Of sums of n numbers, added row by row, each rounded.
+double round_off(const Field& z) { return 4 * epsilon * static_cast<double>(z.rows() + z.cols()); }
+
+void check_shape_equal(const Moments& m, const Moments& other, double scale, double tolerance) {
+  CHECK(relative_error(m.ra, scale * other.ra) <= tolerance);
+  CHECK(relative_error(m.rq, scale * other.rq) <= tolerance);
+  CHECK(relative_error(m.rp, scale * other.rp) <= tolerance);
+  CHECK(relative_error(m.rv, scale * other.rv) <= tolerance);
+  CHECK(std::abs(m.rsk - other.rsk) <= tolerance);
+  CHECK(std::abs(m.rku - other.rku) <= 3 * tolerance);
+}
+
+}  // namespace
+
+// The means of sin², sin³ and sin⁴ over whole periods are exact from five points a period on; with 2·odd
+// points a period the crests fall on cell centres.
+TEST_CASE("a sine of amplitude A has Rq = A/sqrt(2), Rsk = 0, Rku = 3/2, Rp = Rv = A", "[moments][exact]") {
+  const double A = 3e-6;
+  for (int points : {6, 10, 30}) {
+    const Field z = sine({4 * points, 7}, A, 4);
+    const Moments m = moments(z);
+    CAPTURE(points);
+    CHECK(std::abs(m.mean) <= A * round_off(z));
+    CHECK(relative_error(m.rq, A / std::numbers::sqrt2) <= round_off(z));
+    CHECK(std::abs(m.rsk) <= round_off(z));
+    CHECK(relative_error(m.rku, 1.5) <= round_off(z));
+    CHECK(relative_error(m.rp, A) <= round_off(z));
+    CHECK(relative_error(m.rz(), 2 * A) <= round_off(z));
+  }
+}
+
+// The midpoint sum of sin over half a period of M points is 1/(M sin(π/2M)) = (2/π)(1 + (π/2M)²/6 + …).
+TEST_CASE("Ra of a sine converges to 2A/pi at order 2 with constant pi^2/6 in 1/points", "[moments][order]") {
+  const double exact = 2 / std::numbers::pi;
+  auto error = [&](int points) { return moments(sine({points, 3}, 1, 1)).ra / exact - 1; };
+  for (int points : {32, 64, 128}) {
+    CHECK(observed_order(error(points), error(2 * points)) == Approx(2).margin(0.01));
+    CHECK(error(points) * points * points == Approx(std::pow(std::numbers::pi, 2) / 6).epsilon(0.01));
+  }
+}
+
+TEST_CASE("moments of a z + b: lengths scale with |a|, Rsk with its sign, Rku not at all", "[moments][law]") {
+  const Field z = random_field({40, 31}, 5).cube();
+  const Moments plain = moments(z), up = moments(2.5e-6 * z + 1e-6), down = moments(-2.5e-6 * z);
+  check_shape_equal(up, plain, 2.5e-6, round_off(z));
+  CHECK(std::abs(down.rsk + plain.rsk) <= round_off(z));
+  CHECK(relative_error(down.rp, 2.5e-6 * plain.rv) <= round_off(z));
+  CHECK(std::abs(up.mean - (2.5e-6 * plain.mean + 1e-6)) <= 2.5e-6 * round_off(z));
+}
+
+// Heights that are multiples of 2⁻⁵⁰ m ≈ 1e-15 m remain exact on top of 1 m: the data are the same, any
+// difference is the method's. Sums of raw powers would leave no digit of 1 nm² beside 1 m².
+TEST_CASE("roughness of 1 nm on an offset of 1 m keeps ten digits in every moment", "[moments][exact]") {
+  const double unit = std::ldexp(1.0, -50);
+  const Field z = (random_field({64, 50}, 6) * (1e-9 / unit)).round() * unit;
+  const Field high = z + 1.0;
+  REQUIRE((high - 1.0 == z).all());
+  check_shape_equal(moments(high), moments(z), 1, 1e-10);
+}
+
+TEST_CASE("moments do not change when the surface is turned over an axis or transposed", "[moments][law]") {
+  const Field z = random_field({33, 20}, 7);
+  const Moments m = moments(z);
+  for (const Field& turned :
+       {Field(z.colwise().reverse()), Field(z.rowwise().reverse()), Field(z.transpose())})
+    check_shape_equal(moments(turned), m, 1, round_off(z));
+}
+
+TEST_CASE("moments are those of GSL's recurrences about the same mean and rms height", "[moments][exact]") {
+  const Field z = random_field({41, 57}, 8).exp();
+  const auto n = static_cast<std::size_t>(z.size());
+  const Moments m = moments(z);
+  const double gsl_mean = gsl_stats_mean(z.data(), 1, n);
+  const double gsl_rq = std::sqrt(gsl_stats_variance_with_fixed_mean(z.data(), 1, n, gsl_mean));
+  CHECK(relative_error(m.mean, gsl_mean) <= round_off(z));
+  CHECK(relative_error(m.ra, gsl_stats_absdev_m(z.data(), 1, n, gsl_mean)) <= round_off(z));
+  CHECK(relative_error(m.rq, gsl_rq) <= round_off(z));
+  CHECK(relative_error(m.rsk, gsl_stats_skew_m_sd(z.data(), 1, n, gsl_mean, gsl_rq)) <= 10 * round_off(z));
+  CHECK(relative_error(m.rku, 3 + gsl_stats_kurtosis_m_sd(z.data(), 1, n, gsl_mean, gsl_rq)) <= round_off(z));
+}
+
+TEST_CASE("a field of equal heights is refused by the name of its variable", "[moments][contract]") {
+  try {
+    moments(Field::Constant(8, 8, 0.3), "pressure");
+    FAIL("not refused");
+  } catch (const DataError& error) {
+    CHECK(error.name == "pressure");
+  }
+}
+
+// The plane's values reach 1; what is left of them after the projection is their rounding.
+TEST_CASE("removing the plane takes any plane away and leaves nothing for a second removal", "[form][law]") {
+  const Field z = random_field({24, 37}, 9);
+  const Field tilted = z + Field::NullaryExpr(24, 37, [](Index i, Index j) {
+                         return 0.3 - 0.02 * static_cast<double>(i) + 0.01 * static_cast<double>(j);
+                       });
+  const Field flat = without_form(z, Form::plane);
+  CHECK((without_form(tilted, Form::plane) - flat).abs().maxCoeff() <= round_off(z));
+  CHECK((without_form(flat, Form::plane) - flat).abs().maxCoeff() <= round_off(z));
+  CHECK(moments(flat).rq <= moments(z).rq);
+}
