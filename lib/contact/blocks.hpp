@@ -1,0 +1,59 @@
+/// Passes over the cells of fields, in blocks that stay in the cache.
+///
+/// A step of the solver reads the same cells for several sums and updates. Block by block they are read from
+/// memory once; blocks are dealt to threads, and the sums of the blocks are added in their order, so that a
+/// result never depends on the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "grid/field.hpp"
+#include "grid/parallel.hpp"
+
+namespace asperity {
+
+struct Block {
+  Index begin = 0, size = 0;
+
+  auto of(const Field& f) const { return Eigen::Map<const Eigen::ArrayXd>(f.data() + begin, size); }
+  auto of(Field& f) const { return Eigen::Map<Eigen::ArrayXd>(f.data() + begin, size); }
+};
+
+/// Blocks of `cells` cells; how many depends on nothing else.
+class Blocks {
+ public:
+  Blocks(Index cells, int threads) : cells_(cells), threads_(cells < worth_a_thread ? 1 : threads) {}
+
+  Index cells() const { return cells_; }
+
+  /// visit(block) returns the block's part; the parts are added by +=, in order.
+  template <class Visit>
+  auto sum(Visit visit) const {
+    using Part = decltype(visit(Block{}));
+    std::vector<Part> parts(static_cast<std::size_t>((cells_ + length - 1) / length));
+    parallel_ranges(static_cast<Index>(parts.size()), threads_, [&](Index begin, Index end, int) {
+      for (Index k = begin; k < end; ++k)
+        parts[static_cast<std::size_t>(k)] = visit(Block{k * length, std::min(length, cells_ - k * length)});
+    });
+    for (std::size_t k = 1; k < parts.size(); ++k) parts.front() += parts[k];
+    return parts.front();
+  }
+
+  /// visit(block), nothing summed.
+  template <class Visit>
+  void each(Visit visit) const {
+    sum([&](Block block) {
+      visit(block);
+      return 0;
+    });
+  }
+
+ private:
+  static constexpr Index length = 1024, worth_a_thread = 1 << 18;
+
+  Index cells_;
+  int threads_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,169 @@
+#include "contact/guarded.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/projection.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double sufficient_decrease = 1e-4;  // Armijo's fraction
+constexpr double face_reduction = 0.25;       // of |r| before violations are looked for
+constexpr int face_steps = 200;
+constexpr int updates_before_refresh = 50;
+constexpr double round_off_floor = 1e-11;  // of ε, where gains end
+
+}  // namespace
+
+GuardedGradients::GuardedGradients(ElasticOperator& influence, const ContactProblem& problem, Limits limits)
+    : influence_(influence), problem_(problem), limits_(limits), face_gradients_(influence_, problem) {}
+
+ContactStop GuardedGradients::solve(Field start, bool near, const Observer& observe) {
+  p_ = std::move(start);
+  if (!clip_and_rescale(problem_, p_)) project_onto_load(problem_, p_);
+  refresh();
+  halved_from_ = best_ = infinity;
+  if (!near) begin_gradient_steps(3);
+  while (!finished()) {
+    if (observe) observe(residual_, influence_);
+    if (gradient_steps_left_ > 0)
+      gradient_step();
+    else if (stalled())
+      begin_gradient_steps(6);
+    else
+      face_step();
+  }
+  if (observe) observe(residual_, influence_);
+  return stop_;
+}
+
+// g = h + K p, the load restored to round-off first.
+void GuardedGradients::refresh() {
+  clip_and_rescale(problem_, p_);
+  influence_.apply(p_, g_);
+  g_ += problem_.h;
+  updates_ = 0;
+}
+
+bool GuardedGradients::finished() {
+  if (updates_ >= updates_before_refresh) refresh();
+  residual_ = contact_residual(problem_, p_, g_);
+  if (residual_.epsilon <= limits_.tolerance && updates_ > 0 && limits_.confirm) {
+    refresh();
+    residual_ = contact_residual(problem_, p_, g_);
+  }
+  if (residual_.epsilon <= limits_.tolerance) {
+    stop_ = ContactStop::converged;
+    return true;
+  }
+  rounds_without_gain_ = residual_.epsilon < best_ ? 0 : rounds_without_gain_ + 1;
+  best_ = std::min(best_, residual_.epsilon);
+  if (best_ < round_off_floor && rounds_without_gain_ > 10) {
+    stop_ = ContactStop::round_off;
+    return true;
+  }
+  stop_ = ContactStop::convolution_limit;
+  return influence_.convolutions >= limits_.convolutions;
+}
+
+bool GuardedGradients::stalled() {
+  if (residual_.epsilon < halved_from_ / 2) {
+    halved_from_ = residual_.epsilon;
+    rounds_without_half_ = 0;
+  } else if (++rounds_without_half_ >= 4) {
+    halved_from_ = residual_.epsilon;
+    rounds_without_half_ = 0;
+    return true;
+  }
+  return false;
+}
+
+void GuardedGradients::begin_gradient_steps(int count) {
+  gradient_steps_left_ = count;
+  gradient_steps_ = 0;
+  alpha_ = 0.5 / problem_.self_influence;
+}
+
+void GuardedGradients::gradient_step() {
+  --gradient_steps_left_;
+  d_ = p_ - alpha_ * (g_ - residual_.approach);
+  project_onto_load(problem_, d_);
+  d_ -= p_;
+  const Eigen::Array2d along = look_along_direction();
+  const double slope = along[0], curvature = along[1];
+  if (!(curvature > 0 && slope < 0)) {
+    gradient_steps_left_ = 0;
+    return;
+  }
+  move(std::min(1.0, -slope / curvature));
+  // Barzilai's and Borwein's two steps in turn.
+  const bool long_step = ++gradient_steps_ % 2 == 1;
+  alpha_ = long_step ? d_.square().sum() / curvature : curvature / q_.square().sum();
+}
+
+void GuardedGradients::face_step() {
+  const Face face(problem_, p_, g_, residual_.approach);
+  if (face.cells < 2) return begin_gradient_steps(3);
+  minimise_on(face);
+  if (face_gradients_.steps() == 0)
+    begin_gradient_steps(5);
+  else if (face_gradients_.out_of_bounds())
+    guarded_step();
+  else
+    take_minimum();
+}
+
+void GuardedGradients::minimise_on(const Face& face) {
+  face_gradients_.begin(face, p_, g_);
+  const double goal = 0.3 * limits_.tolerance * residual_.range;
+  double reference = face_gradients_.norm();
+  while (face_gradients_.steps() < face_steps && face_gradients_.step() && face_gradients_.largest() > goal) {
+    if (face_gradients_.norm() > face_reduction * reference) continue;
+    if (face_gradients_.out_of_bounds() || face_gradients_.face_too_small()) break;
+    reference = face_gradients_.norm();
+  }
+}
+
+void GuardedGradients::take_minimum() {
+  p_ = face_gradients_.pressure();
+  g_ = face_gradients_.gap();
+  updates_ += face_gradients_.steps();
+}
+
+void GuardedGradients::guarded_step() {
+  d_ = face_gradients_.pressure();
+  if (!clip_and_rescale(problem_, d_)) return begin_gradient_steps(6);
+  Field candidate = d_;
+  d_ -= p_;
+  const Eigen::Array2d along = look_along_direction();
+  const double slope = along[0], curvature = along[1];
+  if (slope < 0 && slope + curvature / 2 <= sufficient_decrease * slope) {
+    p_ = std::move(candidate);
+    g_ += q_;
+    ++updates_;
+    return;
+  }
+  if (slope < 0 && curvature > 0) move(std::min(1.0, -slope / curvature));
+  begin_gradient_steps(6);
+}
+
+Eigen::Array2d GuardedGradients::look_along_direction() {
+  influence_.apply(d_, q_);
+  return problem_.blocks().sum([&](Block b) {
+    const auto d = b.of(d_);
+    return Eigen::Array2d(((b.of(g_) - residual_.approach) * d).sum(), (d * b.of(q_)).sum());
+  });
+}
+
+void GuardedGradients::move(double lambda) {
+  problem_.blocks().each([&](Block b) {
+    b.of(p_) = (b.of(p_) + lambda * b.of(d_)).max(0.0).min(problem_.cap);
+    b.of(g_) += lambda * b.of(q_);
+  });
+  ++updates_;
+}
+
+}  // namespace asperity

@@ -1,0 +1,95 @@
+#include "contact/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// What one pass over p and g collects.
+struct Extent {
+  double free_gap = 0;                            // Σ g over the free cells
+  double lowest_open = infinity;                  // min g over p = 0
+  double highest_limited = -infinity;             // max g over p = c
+  double lowest = infinity, highest = -infinity;  // of u
+  double max_pressure = 0;
+  Index free = 0, at_limit = 0;
+
+  void add(const ContactProblem& problem, double p, double g, double u) {
+    if (problem.is_free(p)) {
+      free_gap += g;
+      ++free;
+    } else if (p <= 0) {
+      lowest_open = std::min(lowest_open, g);
+    } else {
+      highest_limited = std::max(highest_limited, g);
+      ++at_limit;
+    }
+    lowest = std::min(lowest, u);
+    highest = std::max(highest, u);
+    max_pressure = std::max(max_pressure, p);
+  }
+
+  void operator+=(const Extent& other) {
+    free_gap += other.free_gap;
+    lowest_open = std::min(lowest_open, other.lowest_open);
+    highest_limited = std::max(highest_limited, other.highest_limited);
+    lowest = std::min(lowest, other.lowest);
+    highest = std::max(highest, other.highest);
+    max_pressure = std::max(max_pressure, other.max_pressure);
+    free += other.free;
+    at_limit += other.at_limit;
+  }
+
+  double approach() const {
+    if (free > 0) return free_gap / static_cast<double>(free);
+    if (at_limit == 0) return lowest_open;
+    return std::isfinite(lowest_open) ? (highest_limited + lowest_open) / 2 : highest_limited;
+  }
+};
+
+Extent extent(const ContactProblem& problem, const Field& p, const Field& g) {
+  return problem.blocks().sum([&](Block block) {
+    const auto pb = block.of(p), gb = block.of(g), hb = block.of(problem.h);
+    Extent part;
+    for (Index i = 0; i < block.size; ++i) part.add(problem, pb[i], gb[i], gb[i] - hb[i]);
+    return part;
+  });
+}
+
+struct Largest {
+  double value = 0;
+  void operator+=(Largest other) { value = std::max(value, other.value); }
+};
+
+// max|w| of (3).
+double largest_violation(const ContactProblem& problem, const Field& p, const Field& g, double approach) {
+  const double k = problem.self_influence, limit = std::isinf(problem.cap) ? infinity : k * problem.cap;
+  const auto largest = problem.blocks().sum([&](Block block) {
+    const auto kp = k * block.of(p);
+    return Largest{(kp - (kp - block.of(g) + approach).max(0.0).min(limit)).abs().maxCoeff()};
+  });
+  return largest.value;
+}
+
+}  // namespace
+
+ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g) {
+  const Extent found = extent(problem, p, g);
+  ContactResidual out;
+  out.approach = found.approach();
+  out.range = found.highest - found.lowest;
+  out.max_pressure = found.max_pressure;
+  out.free = found.free;
+  out.at_limit = found.at_limit;
+  const double w = largest_violation(problem, p, g, out.approach);
+  // A surface that stays flat has no range to compare with; what round-off leaves of w is no violation.
+  const double round_off =
+      8 * std::numeric_limits<double>::epsilon() * problem.self_influence * out.max_pressure;
+  out.epsilon = w <= round_off ? 0 : w / out.range;
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+/// The contact problem on cells, and one number that says how well it is solved.
+///
+/// Wanted is a pressure p on n cells with
+///     0 ≤ p ≤ c,   Σp = S,                                                                      (1)
+///     g - δ ≥ 0 where p = 0,   = 0 where 0 < p < c,   ≤ 0 where p = c,   g = h + K p.           (2)
+/// These are the conditions of the least energy ½ p·Kp + h·p under (1), with the approach δ as the multiplier
+/// of the load. Where p = c the bodies overlap by δ - g: the plastic flattening. c = ∞ is elastic contact.
+///
+/// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of [max g
+/// over p = c, min g over p = 0], or the one that exists. With k = K₀₀,
+///     w = k p - clip(k p - (g - δ), 0, k c)                                                     (3)
+/// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c as far as a cell's own
+/// pressure can mend it, and 0 in the solution alone. The residual is
+///     ε = max|w| / (max u - min u),   u = K p.                                                  (4)
+/// It does not depend on units or on the datum of h. ε = 1e-6 leaves 1e-9…3e-5 of the greatest pressure and
+/// at most three cells of the contact area; ε = 1e-8 1e-10…2e-7 and none. Round-off sets a floor of
+/// 5e-14…5e-12.
+///
+/// Symbols   p pressure [Pa]   c limit pressure [Pa]   S load over cell area [Pa]   h undeformed gap [m]
+///           g gap but for the approach [m]   δ approach [m]   K elastic operator [m/Pa]
+#pragma once
+
+#include <limits>
+
+#include "contact/blocks.hpp"
+#include "grid/field.hpp"
+
+namespace asperity {
+
+struct ContactProblem {
+  Field h;                                               ///< undeformed gap [m]
+  double sum = 0;                                        ///< S [Pa]
+  double cap = std::numeric_limits<double>::infinity();  ///< c [Pa]
+  double self_influence = 0;                             ///< K₀₀ [m/Pa]
+  int threads = 1;
+
+  Blocks blocks() const { return {h.size(), threads}; }
+  bool is_free(double p) const { return p > 0 && p < cap; }
+};
+
+struct ContactResidual {
+  double epsilon = 0;       ///< ε of (4)
+  double approach = 0;      ///< δ [m]
+  double range = 0;         ///< max u - min u [m]
+  double max_pressure = 0;  ///< [Pa]
+  Index free = 0;           ///< cells with 0 < p < c
+  Index at_limit = 0;       ///< cells with p = c
+
+  Index contact() const { return free + at_limit; }
+};
+
+/// (4), δ and what comes with them, for g = h + K p.
+ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g);
+
+}  // namespace asperity

@@ -1,0 +1,72 @@
+#include "contact/projection.hpp"
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr double load_round_off = 1e-15;
+constexpr double saturation = 1e-12;  // a load this close to n c leaves no cell free
+
+void clip(const ContactProblem& problem, Field& p, double shift) {
+  problem.blocks().each([&](Block block) { block.of(p) = (block.of(p) + shift).max(0.0).min(problem.cap); });
+}
+
+// Σ of the free cells, of those at the limit, and the number of free cells, were p shifted and clipped.
+Eigen::Array3d shares(const ContactProblem& problem, const Field& p, double shift) {
+  return problem.blocks().sum([&](Block block) {
+    Eigen::Array3d part = Eigen::Array3d::Zero();
+    for (double x : block.of(p)) {
+      const double v = x + shift;
+      if (problem.is_free(v))
+        part += Eigen::Array3d(v, 0, 1);
+      else if (v > 0)
+        part[1] += problem.cap;
+    }
+    return part;
+  });
+}
+
+double shift_to_load(const ContactProblem& problem, const Field& p) {
+  const double mean = problem.sum / static_cast<double>(p.size());
+  double low = -p.maxCoeff(), high = mean - p.minCoeff(), shift = std::min(0.0, high);
+  for (int i = 0; i < 200; ++i) {
+    if (!(shift > low && shift < high)) shift = (low + high) / 2;
+    const Eigen::Array3d share = shares(problem, p, shift);
+    const double excess = share[0] + share[1] - problem.sum, free_cells = share[2];
+    (excess > 0 ? high : low) = shift;
+    if (std::abs(excess) <= load_round_off * problem.sum || high - low <= load_round_off * std::abs(high))
+      break;
+    shift = free_cells > 0 ? shift - excess / free_cells : low;  // low: bisect
+  }
+  return shift;
+}
+
+}  // namespace
+
+void project_onto_load(const ContactProblem& problem, Field& p) {
+  clip(problem, p, shift_to_load(problem, p));
+}
+
+bool clip_and_rescale(const ContactProblem& problem, Field& p) {
+  if (problem.sum >= (1 - saturation) * problem.cap * static_cast<double>(p.size())) {
+    p.setConstant(problem.cap);
+    return true;
+  }
+  clip(problem, p, 0);
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Array3d share = shares(problem, p, 0);
+    const double wanted = problem.sum - share[1];
+    if (std::abs(share[0] - wanted) <= load_round_off * problem.sum) return true;
+    if (!(share[0] > 0 && wanted > 0)) return false;
+    const double factor = wanted / share[0];
+    if (factor == 1) return true;
+    problem.blocks().each([&](Block block) {
+      auto cells = block.of(p);
+      cells = (cells < problem.cap).select((cells * factor).min(problem.cap), cells);
+    });
+  }
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,177 @@
+#include "contact/solver.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "contact/guarded.hpp"
+#include "contact/influence.hpp"
+#include "contact/nested.hpp"
+#include "contact/problem.hpp"
+#include "grid/error.hpp"
+#include "grid/stopwatch.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double coarse_tolerance = 1e-3;
+constexpr double load_round_off = 1e-12;
+constexpr Index cells_to_be_trusted = 50;
+
+ContactProblem make_problem(const Grid& grid, const Field& gap, const ElasticOperator& influence,
+                            const ContactParameters& parameters) {
+  if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
+    throw DataError("heights", "the field, the grid and the operator differ in shape");
+  if (!gap.isFinite().all()) throw DataError("heights", "holds values that are not finite");
+  const double largest = parameters.limit_pressure * grid.size_x() * grid.size_y();
+  if (parameters.load > largest * (1 + load_round_off))
+    throw ParameterError("load",
+                         fmt::format("{} N is more than the limit pressure carries on the whole domain, {} N",
+                                     parameters.load, largest));
+  return {gap, parameters.load / grid.cell_area(), parameters.limit_pressure, influence.self_influence(),
+          parameters.threads};
+}
+
+// One grid of the nested start, the finest first.
+struct Level {
+  ElasticOperator* influence;
+  ContactProblem problem;
+  std::unique_ptr<ElasticOperator> owned;
+};
+
+std::vector<Level> make_levels(ElasticOperator& influence, ContactProblem problem, bool nested) {
+  std::vector<Level> levels;
+  levels.push_back({&influence, std::move(problem), nullptr});
+  while (nested && can_coarsen(levels.back().influence->shape())) {
+    auto coarse = levels.back().influence->coarsened();
+    levels.push_back({coarse.get(), coarsened(levels.back().problem), nullptr});
+    levels.back().owned = std::move(coarse);
+  }
+  return levels;
+}
+
+GuardedGradients::Observer observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
+  if (!parameters.progress) return {};
+  const double cell = grid.size_x() * grid.size_y() / static_cast<double>(shape.cells());
+  return [&parameters, shape, cell](const ContactResidual& residual, const CountedOperator& work) {
+    parameters.progress({shape, residual.epsilon, static_cast<double>(residual.contact()) * cell,
+                         residual.max_pressure, work.convolutions});
+  };
+}
+
+void add_work(Contact& contact, const CountedOperator& work, Index finest_cells) {
+  const double share = static_cast<double>(work.shape().cells()) / static_cast<double>(finest_cells);
+  contact.convolutions += share * work.convolutions;
+  contact.preconditionings += share * work.preconditionings;
+}
+
+std::string describe(ContactStop stop, const ContactParameters& parameters) {
+  switch (stop) {
+    case ContactStop::converged:
+      return "converged";
+    case ContactStop::round_off:
+      return "round-off allows no smaller residual";
+    case ContactStop::convolution_limit:
+      break;
+  }
+  return fmt::format("the limit of {} convolutions is reached", parameters.max_convolutions);
+}
+
+void keep(Contact& contact, const Grid& grid, const ContactProblem& problem, const GuardedGradients& solved) {
+  const ContactResidual& residual = solved.residual();
+  contact.pressure = solved.pressure();
+  contact.displacement = solved.gap() - problem.h;
+  contact.gap = solved.gap() - residual.approach;
+  contact.state.resize(static_cast<std::size_t>(grid.shape.cells()));
+  std::transform(contact.pressure.data(), contact.pressure.data() + contact.pressure.size(),
+                 contact.state.begin(), [&](double p) {
+                   return p <= 0 ? Contact::open : problem.is_free(p) ? Contact::elastic : Contact::at_limit;
+                 });
+  contact.approach = residual.approach;
+  contact.max_pressure = residual.max_pressure;
+  contact.residual = residual.epsilon;
+  contact.area = static_cast<double>(residual.contact()) * grid.cell_area();
+  contact.plastic_area = static_cast<double>(residual.at_limit) * grid.cell_area();
+  contact.load_error = std::abs(contact.pressure.sum() / problem.sum - 1);
+}
+
+bool touches_edge(const Field& p) {
+  return (p.row(0) > 0).any() || (p.row(p.rows() - 1) > 0).any() || (p.col(0) > 0).any() ||
+         (p.col(p.cols() - 1) > 0).any();
+}
+
+void add_warnings(Contact& contact, const Grid& grid) {
+  const Index cells = (contact.pressure > 0).count();
+  if (cells < cells_to_be_trusted)
+    contact.warnings.push_back(
+        fmt::format("the contact has {} cells, fewer than {}: refine the grid", cells, cells_to_be_trusted));
+  if (!grid.periodic && touches_edge(contact.pressure))
+    contact.warnings.push_back("the contact touches the edge of the domain: enlarge it");
+}
+
+// From the coarsest grid to the finest, each starting from the solution before it.
+void solve_levels(Contact& contact, const Grid& grid, const std::vector<Level>& levels,
+                  const ContactParameters& parameters) {
+  const Shape coarsest = levels.back().influence->shape();
+  Field start = Field::Constant(coarsest.nx, coarsest.ny,
+                                levels.back().problem.sum / static_cast<double>(coarsest.cells()));
+  for (std::size_t k = levels.size(); k-- > 0;) {
+    const Level& level = levels[k];
+    const bool finest = k == 0, near = k + 1 < levels.size();
+    GuardedGradients::Limits limits{parameters.tolerance, parameters.max_convolutions, true};
+    if (!finest) limits = {std::max(coarse_tolerance, parameters.tolerance), 400, false};
+    GuardedGradients gradients(*level.influence, level.problem, limits);
+    const ContactStop stop =
+        gradients.solve(std::move(start), near, observer(grid, level.influence->shape(), parameters));
+    add_work(contact, gradients.work(), grid.shape.cells());
+    if (!finest) {
+      start = prolonged(gradients.pressure(), grid.periodic);
+      continue;
+    }
+    contact.converged = stop == ContactStop::converged;
+    contact.reason = describe(stop, parameters);
+    keep(contact, grid, level.problem, gradients);
+  }
+}
+
+}  // namespace
+
+void ContactParameters::check() const {
+  if (!(load > 0 && std::isfinite(load)))
+    throw ParameterError("load", fmt::format("{} N is not above 0", load));
+  if (!(limit_pressure > 0))
+    throw ParameterError("limit-pressure", fmt::format("{} Pa is not above 0", limit_pressure));
+  if (!(tolerance > 0 && tolerance < 1))
+    throw ParameterError("tolerance", fmt::format("{} is not between 0 and 1", tolerance));
+  if (max_convolutions < 1)
+    throw ParameterError("max-convolutions", fmt::format("{} is less than 1", max_convolutions));
+}
+
+Contact solve_contact(const Grid& grid, const Field& undeformed_gap, double composite_modulus,
+                      const ContactParameters& parameters) {
+  const Stopwatch setup;
+  const auto influence = make_influence(grid, composite_modulus, parameters.threads);
+  const double seconds = setup.seconds();
+  Contact contact = solve_contact(grid, undeformed_gap, *influence, parameters);
+  contact.setup_seconds += seconds;
+  return contact;
+}
+
+Contact solve_contact(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+                      const ContactParameters& parameters) {
+  parameters.check();
+  Contact contact;
+  const Stopwatch setup;
+  const std::vector<Level> levels = make_levels(
+      influence, make_problem(grid, undeformed_gap, influence, parameters), parameters.nested_start);
+  contact.levels = static_cast<int>(levels.size());
+  contact.setup_seconds = setup.seconds();
+
+  const Stopwatch solution;
+  solve_levels(contact, grid, levels, parameters);
+  contact.seconds = solution.seconds();
+  add_warnings(contact, grid);
+  return contact;
+}
+
+}  // namespace asperity

@@ -1,0 +1,56 @@
+/// The scenes of the contact tests.
+#pragma once
+
+#include <numbers>
+
+#include "contact/bodies.hpp"
+#include "contact/hertz.hpp"
+#include "contact/influence.hpp"
+#include "contact/solver.hpp"
+#include "support.hpp"
+
+namespace asperity::test {
+
+inline constexpr double pi = std::numbers::pi;
+
+/// Two steel spheres: p₀ = 2724.3224 MPa, a = 0.9361090 mm, δ = 35.052006 µm under 5000 N.
+inline const Bodies spheres{.radius = {50e-3, 50e-3}};
+inline constexpr double load = 5000;
+inline const double modulus = spheres.composite_modulus();
+
+inline Grid square(Index n, double side = 3e-3) {
+  return {{n, n}, side / static_cast<double>(n), side / static_cast<double>(n)};
+}
+
+/// Forty random waves of 1 to 16 periods a side, amplitudes falling as 1/k; unit rms, periodic.
+inline Field random_waves(Shape shape, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::uniform_int_distribution<int> periods(-16, 16);
+  std::uniform_real_distribution<double> phase(0, 2 * pi);
+  Field z = Field::Zero(shape.nx, shape.ny);
+  for (int wave = 0; wave < 40; ++wave) {
+    const double kx = periods(generator), ky = periods(generator), phi = phase(generator);
+    for (Index i = 0; i < shape.nx; ++i)
+      for (Index j = 0; j < shape.ny; ++j)
+        z(i, j) += std::cos(2 * pi *
+                                (kx * static_cast<double>(i) / static_cast<double>(shape.nx) +
+                                 ky * static_cast<double>(j) / static_cast<double>(shape.ny)) +
+                            phi) /
+                   (1 + std::hypot(kx, ky));
+  }
+  z -= z.mean();
+  return z / std::sqrt(z.square().mean());
+}
+
+inline Contact press(const Grid& grid, const Field& gap, ContactParameters parameters = {}) {
+  if (parameters.load == 0) parameters.load = load;
+  parameters.tolerance = std::min(parameters.tolerance, 1e-8);
+  return solve_contact(grid, gap, modulus, parameters);
+}
+
+/// The spheres with 0.4 µm of roughness, whose highest peaks meet about three times Hertz's pressure.
+inline Field rough_gap(const Grid& grid, unsigned seed = 7) {
+  return undeformed_gap(grid, spheres) - 0.4e-6 * random_waves(grid.shape, seed);
+}
+
+}  // namespace asperity::test
