@@ -6,14 +6,13 @@
 /// that masks F and subtracts the mean over F, a step is
 ///     z = P_F M r,   β = max(0, z·(r - r_old) / (z·r)_old),   d = z + β d,                      (2)
 ///     q = K d,   a = r·d / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
-/// Σp stays as it is, and δ is never an unknown. β is Polak's and Ribière's: M need not be constant, nor K
-/// exact.
+/// Σp stays as it is, and δ is never an unknown. β is Polak's and Ribière's: M need not be linear.
 ///
 /// Cost: one application of K, one of M, and four passes over the cells a step.
 ///
 /// I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level
 /// multi-summation and conjugate gradient techniques, Wear 231 (1999) 206-219; E. A. H. Vollebregt, The
-/// bound- constrained conjugate gradient method for non-negative matrices, J. Optim. Theory Appl. 162 (2014)
+/// bound-constrained conjugate gradient method for non-negative matrices, J. Optim. Theory Appl. 162 (2014)
 /// 931-953.
 #pragma once
 
