@@ -15,8 +15,7 @@
 /// gradients go on, and once it has fallen to a quarter they stop at the first violation.
 ///
 /// Accuracy  ε is confirmed with a fresh g = h + K p before it is reported.
-/// Cost      the applications of K, one a step; of M, one a conjugate gradient step; a few passes over the
-/// cells.
+/// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells.
 ///
 /// E. G. Birgin, J. M. Martínez, M. Raydan, Nonmonotone spectral projected gradient methods on convex sets,
 /// SIAM J. Optim. 10 (2000) 1196-1211; J. J. Moré, G. Toraldo, On the solution of large quadratic programming

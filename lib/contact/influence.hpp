@@ -1,31 +1,27 @@
 /// Displacement of an elastic half-space under cells of uniform pressure.
 ///
-/// A unit pressure on the rectangle |x| ≤ a, |y| ≤ b of a half-space lifts the surface at (x, y) by Love's
-/// [1]
-///     u = [G(x+a; y,b) - G(x-a; y,b) + G(y+b; x,a) - G(y-b; x,a)] / (πE*),                        (1)
+/// A unit pressure on the rectangle |x| ≤ a, |y| ≤ b displaces the surface at (x, y) by Love's [1]
+///     u = [G(x+a; y,b) - G(x-a; y,b) + G(y+b; x,a) - G(y-b; x,a)] / (πE*),                   (1)
 ///     G(w; y,b) = w [asinh((y+b)/|w|) - asinh((y-b)/|w|)],
-/// so that a grid of cells deflects by the convolution
-///     u(i,j) = Σ_{i',j'} K(i-i', j-j') p(i',j'),   K(i,j) = (1) at (iΔx, jΔy).                    (2)
-/// (2) is computed by transforms on a padded torus, without wrap-around [2]. On a periodic surface
-///     u^(q) = 2 p^(q) / (E* |q|),   u^(0) = 0                                                     (3)
-/// instead, the sinusoidal solution of the half-space: nothing is padded, and u has zero mean.
+/// so that a grid of cells is displaced by the convolution
+///     u(i,j) = Σ_{i',j'} K(i-i', j-j') p(i',j'),   K(i,j) = (1) at (iΔx, jΔy),               (2)
+/// computed by transforms on a padded torus, without wrap-around [2]. On a periodic surface it is
+///     u^(q) = 2 p^(q) / (E* |q|),   u^(0) = 0                                                (3)
+/// instead, the half-space's answer to waves: nothing is padded, and u has zero mean.
 ///
-/// The preconditioner inverts K's transform on the torus of the field itself, where K is taken between
-/// nearest images: M^ = 1/K^. It is (3) inverted where the surface is periodic. Less than a third of (2)'s
-/// cost.
+/// The preconditioner inverts K's transform on the torus of the field itself, M^ = 1/K^, where K is taken
+/// between nearest images; on a periodic surface it is (3) inverted. It costs a third of (2) or less.
 ///
-/// Symbols   u displacement into the body [m]   p pressure [Pa]   E* composite modulus [Pa]   q wave vector
-/// [1/m] Accuracy  (1): 1e-12 relative for |i|, |j| ≤ 4000, 4e-12 at 16 000. The textbook form loses ε
-/// (r/Δx)². Beyond 20
-///           cells Gauss's rule over the rectangle replaces (1): 1e-15.
-/// Cost      set-up: one even transform, 30 ns a coefficient. Apply: transform/convolution.hpp.
+/// Symbols   u displacement into the body [m]     p pressure [Pa]     E* composite modulus [Pa]
+///           q wave vector [1/m]                  a, b half sides [m]
+/// Accuracy  (1): 1e-12 relative up to 16 000 cells away, where the textbook form has lost ε (r/Δx)². Beyond
+///           20 cells Gauss's rule over the rectangle takes its place: 1e-15.
+/// Cost      set-up: one even transform and 30 ns a coefficient. Apply: transform/convolution.hpp.
 ///
-/// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary, Phil.
-/// Trans.
-///     R. Soc. A 228 (1929) 377-420.
+/// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary,
+///     Phil. Trans. R. Soc. A 228 (1929) 377-420.
 /// [2] S. Liu, Q. Wang, G. Liu, A versatile method of discrete convolution and FFT (DC-FFT) for contact
-/// analyses,
-///     Wear 243 (2000) 101-111.
+///     analyses, Wear 243 (2000) 101-111.
 #pragma once
 
 #include <memory>

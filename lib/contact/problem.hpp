@@ -1,20 +1,20 @@
 /// The contact problem on cells, and one number that says how well it is solved.
 ///
 /// Wanted is a pressure p on n cells with
-///     0 ≤ p ≤ c,   Σp = S,                                                                      (1)
-///     g - δ ≥ 0 where p = 0,   = 0 where 0 < p < c,   ≤ 0 where p = c,   g = h + K p.           (2)
-/// These are the conditions of the least energy ½ p·Kp + h·p under (1), with the approach δ as the multiplier
-/// of the load. Where p = c the bodies overlap by δ - g: the plastic flattening. c = ∞ is elastic contact.
+///     0 ≤ p ≤ c,   Σp = S,                                                                   (1)
+///     g - δ ≥ 0 where p = 0,   = 0 where 0 < p < c,   ≤ 0 where p = c,   g = h + K p.        (2)
+/// These are the conditions of the least energy ½ p·Kp + h·p under (1); the approach δ is the multiplier of
+/// the load. Where p = c the bodies overlap by δ - g, the plastic flattening. c = ∞ is elastic contact.
 ///
-/// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of [max g
-/// over p = c, min g over p = 0], or the one that exists. With k = K₀₀,
-///     w = k p - clip(k p - (g - δ), 0, k c)                                                     (3)
-/// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c as far as a cell's own
-/// pressure can mend it, and 0 in the solution alone. The residual is
-///     ε = max|w| / (max u - min u),   u = K p.                                                  (4)
-/// It does not depend on units or on the datum of h. ε = 1e-6 leaves 1e-9…3e-5 of the greatest pressure and
-/// at most three cells of the contact area; ε = 1e-8 1e-10…2e-7 and none. Round-off sets a floor of
-/// 5e-14…5e-12.
+/// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of max g
+/// over p = c and min g over p = 0, or the one that exists. With k = K₀₀,
+///     w = k p - clip(k p - (g - δ), 0, k c)                                                  (3)
+/// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c, as far as a cell's own
+/// pressure can mend it, and 0 everywhere in the solution alone. The residual is
+///     ε = max|w| / (max u - min u),   u = K p.                                               (4)
+/// It does not depend on units or on the datum of h. ε = 1e-6 leaves the greatest pressure an error of
+/// 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves 1e-10…2e-7 and none.
+/// Round-off sets a floor of 5e-14…5e-12.
 ///
 /// Symbols   p pressure [Pa]   c limit pressure [Pa]   S load over cell area [Pa]   h undeformed gap [m]
 ///           g gap but for the approach [m]   δ approach [m]   K elastic operator [m/Pa]

@@ -7,13 +7,13 @@
 ///     0 ≤ p ≤ p_Y,   Σ p ΔxΔy = Q,   gap = h + K p - δ,
 /// with gap ≥ 0 where p = 0 (open), gap = 0 where 0 < p < p_Y (elastic), gap ≤ 0 where p = p_Y (flattened
 /// plastically by -gap), and K of contact/influence.hpp. contact/problem.hpp states the residual ε,
-/// contact/guarded.hpp the iteration. It starts from the solutions of coarser grids (2 × 2 averages down to 32
-/// cells a side), each to ε = 1e-3.
+/// contact/guarded.hpp the iteration. It starts from the solutions of coarser grids (2 × 2 averages down
+/// to 32 cells a side), each to ε = 1e-3.
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa], about 3 σ_Y   Q load [N]   δ approach [m]
-///           h undeformed gap [m]   Δx, Δy cell [m]
-/// Accuracy  bounds exact, load to 1e-12, ε as asked for and confirmed. The cells themselves: Hertz's greatest
-///           pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)², a the contact radius.
+///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
+/// Accuracy  bounds exact, load to 1e-12, ε as asked for and confirmed. What the cells leave: Hertz's
+///           greatest pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)².
 /// Cost      10…25 convolutions for smooth bodies at ε = 1e-8, 25…150 for rough ones.
 #pragma once
 
