@@ -1,0 +1,235 @@
+#include "acf/newton_krylov.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.hpp>
+#include <sundials/sundials_version.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+
+#include "grid/stopwatch.hpp"
+
+namespace asperity {
+namespace {
+
+struct FreeVector {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct FreeSolver {
+  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+};
+struct FreeKinsol {
+  void operator()(void* memory) const { KINFree(&memory); }
+};
+using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, FreeVector>;
+using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, FreeSolver>;
+using Kinsol = std::unique_ptr<void, FreeKinsol>;
+
+void check(int flag, const char* call) {
+  if (flag < 0) throw std::runtime_error(std::string(call) + " failed with " + std::to_string(flag));
+}
+
+template <class Pointer>
+Pointer made(Pointer pointer, const char* call) {
+  if (!pointer) throw std::runtime_error(std::string(call) + " failed");
+  return pointer;
+}
+
+std::span<double> values(N_Vector v) {
+  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
+}
+
+// Refusals of ever shorter steps after which the iteration ends. KINSOL itself gives up at the fifth.
+constexpr int most_refusals = 4;
+
+// What the C callbacks share: the system, the iterate of the present step, and what ends the iteration.
+//
+// KINSOL announces on stderr that an iteration has failed, and what would silence it differs from version to
+// version. An iteration that has used up its means is therefore ended in peace: its next residual is zero,
+// KINSOL takes itself for converged, and the last true iterate is put back.
+class Callbacks {
+ public:
+  Callbacks(const NonlinearSystem& system, const NewtonOptions& options)
+      : system_(system), options_(options) {}
+
+  int residual(std::span<const double> u, std::span<double> f) {
+    if (!stopped() && !system_.residual(u, f)) {
+      if (++refusals_ < most_refusals) return 1;  // a recoverable error, in KINSOL's convention
+      stop("every shorter step leaves the domain of the equations");
+    }
+    refusals_ = 0;
+    if (stopped()) std::fill(f.begin(), f.end(), 0.0);
+    return 0;
+  }
+  int linearize(std::span<const double> u) {
+    iterate_.assign(u.begin(), u.end());
+    if (steps_ == options_.max_steps) stop("not solved in " + std::to_string(steps_) + " Newton steps");
+    if (products_ >= options_.max_products)
+      stop("not solved with " + std::to_string(products_) + " Jacobian products");
+    if (stopped()) return 0;
+    ++steps_;
+    system_.linearize(u);
+    return 0;
+  }
+  int precondition(std::span<double> v) {
+    if (stopped()) return 0;
+    ++preconditionings_;
+    system_.precondition(v);
+    return 0;
+  }
+  int jacobian(std::span<const double> v, std::span<double> out) {
+    if (stopped()) return std::copy(v.begin(), v.end(), out.begin()), 0;
+    ++products_;
+    system_.jacobian(v, out);
+    return 0;
+  }
+
+  template <class Work>
+  static int guarded(void* data, Work work) {
+    auto& self = *static_cast<Callbacks*>(data);
+    try {
+      return work(self);
+    } catch (...) {
+      self.failure_ = std::current_exception();
+      self.stop("exception");
+      return work(self);
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+  bool stopped() const { return !reason_.empty(); }
+  const std::string& reason() const { return reason_; }
+  const std::vector<double>& iterate() const { return iterate_; }
+  const std::vector<double>& scale() const { return system_.scale; }
+  void count(NewtonResult& result) const {
+    result.steps = steps_;
+    result.jacobian_products = products_;
+    result.preconditionings = preconditionings_;
+  }
+
+ private:
+  void stop(std::string reason) {
+    if (!stopped()) reason_ = std::move(reason);
+  }
+
+  const NonlinearSystem& system_;
+  const NewtonOptions& options_;
+  std::vector<double> iterate_;
+  int refusals_ = 0, steps_ = 0, products_ = 0, preconditionings_ = 0;
+  std::string reason_;
+  std::exception_ptr failure_;
+};
+
+int residual(N_Vector u, N_Vector f, void* data) {
+  return Callbacks::guarded(data, [&](Callbacks& c) { return c.residual(values(u), values(f)); });
+}
+
+int linearize(N_Vector u, N_Vector, N_Vector, N_Vector, void* data) {
+  return Callbacks::guarded(data, [&](Callbacks& c) { return c.linearize(values(u)); });
+}
+
+int precondition(N_Vector, N_Vector, N_Vector, N_Vector, N_Vector v, void* data) {
+  return Callbacks::guarded(data, [&](Callbacks& c) { return c.precondition(values(v)); });
+}
+
+template <class Boolean>  // booleantype in SUNDIALS 6, sunbooleantype in 7
+int jacobian(N_Vector v, N_Vector out, N_Vector, Boolean*, void* data) {
+  return Callbacks::guarded(data, [&](Callbacks& c) { return c.jacobian(values(v), values(out)); });
+}
+
+std::string flag_name(int flag) {
+  const std::unique_ptr<char, decltype(&std::free)> name(KINGetReturnFlagName(flag), &std::free);
+  return name ? name.get() : std::to_string(flag);
+}
+
+// KINSOL with its context, vectors and linear solver, destroyed in the reverse order.
+class Iteration {
+ public:
+  Iteration(std::span<double> u, Callbacks& callbacks, const NewtonOptions& options)
+      : callbacks_(callbacks),
+        u_(made(Vector(N_VMake_Serial(length(u), u.data(), context_)), "N_VMake_Serial")),
+        scale_(
+            made(Vector(N_VMake_Serial(length(u), const_cast<double*>(callbacks.scale().data()), context_)),
+                 "N_VMake_Serial")),
+        gmres_(
+            made(LinearSolver(SUNLinSol_SPGMR(u_.get(), SUN_PREC_RIGHT, options.krylov_dimension, context_)),
+                 "SUNLinSol_SPGMR")),
+        kinsol_(made(Kinsol(KINCreate(context_)), "KINCreate")) {
+    check(SUNLinSol_SPGMRSetMaxRestarts(gmres_.get(), options.restarts), "SUNLinSol_SPGMRSetMaxRestarts");
+    check(KINInit(memory(), residual, u_.get()), "KINInit");
+    // Before the linear solver is set, which copies it.
+    check(KINSetUserData(memory(), &callbacks_), "KINSetUserData");
+    set_tolerances(options);
+    set_linear_solver(options);
+  }
+
+  int run() {
+    const int flag = KINSol(memory(), u_.get(), KIN_LINESEARCH, scale_.get(), scale_.get());
+    callbacks_.rethrow();
+    for (int misuse : {KIN_MEM_NULL, KIN_ILL_INPUT, KIN_NO_MALLOC, KIN_MEM_FAIL, KIN_LINIT_FAIL})
+      if (flag == misuse) check(flag, "KINSol");
+    return flag;
+  }
+
+  long residuals() {
+    long count = 0;
+    check(KINGetNumFuncEvals(memory(), &count), "KINGetNumFuncEvals");
+    return count;
+  }
+
+ private:
+  static sunindextype length(std::span<const double> u) { return static_cast<sunindextype>(u.size()); }
+  void* memory() { return kinsol_.get(); }
+
+  void set_tolerances(const NewtonOptions& options) {
+    check(KINSetFuncNormTol(memory(), options.tolerance), "KINSetFuncNormTol");
+    check(KINSetScaledStepTol(memory(), options.step_tolerance), "KINSetScaledStepTol");
+    check(KINSetNumMaxIters(memory(), options.max_steps + 2), "KINSetNumMaxIters");  // Callbacks count
+  }
+
+  void set_linear_solver(const NewtonOptions& options) {
+    check(KINSetLinearSolver(memory(), gmres_.get(), nullptr), "KINSetLinearSolver");
+    check(KINSetJacTimesVecFn(memory(), jacobian), "KINSetJacTimesVecFn");
+    check(KINSetPreconditioner(memory(), linearize, precondition), "KINSetPreconditioner");
+    // A preconditioner for every step: keeping one for ten, the default, nearly doubles the products.
+    check(KINSetMaxSetupCalls(memory(), 1), "KINSetMaxSetupCalls");
+    check(KINSetEtaForm(memory(), KIN_ETACONSTANT), "KINSetEtaForm");
+    check(KINSetEtaConstValue(memory(), options.forcing), "KINSetEtaConstValue");
+  }
+
+  Callbacks& callbacks_;
+  sundials::Context context_;
+  Vector u_, scale_;
+  LinearSolver gmres_;
+  Kinsol kinsol_;
+};
+
+}  // namespace
+
+NewtonResult solve_newton_krylov(const NonlinearSystem& system, std::span<double> u,
+                                 const NewtonOptions& options) {
+  const Stopwatch watch;
+  Callbacks callbacks(system, options);
+  Iteration iteration(u, callbacks, options);
+  const int flag = iteration.run();
+  if (callbacks.stopped() && !callbacks.iterate().empty())
+    std::copy(callbacks.iterate().begin(), callbacks.iterate().end(), u.begin());
+  NewtonResult result;
+  callbacks.count(result);
+  result.residuals = iteration.residuals();
+  result.converged = !callbacks.stopped() && (flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK);
+  result.reason = result.converged ? "solved" : callbacks.stopped() ? callbacks.reason() : flag_name(flag);
+  result.seconds = watch.seconds();
+  return result;
+}
+
+std::string sundials_version() { return std::string("SUNDIALS ") + SUNDIALS_VERSION; }
+
+}  // namespace asperity
