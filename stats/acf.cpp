@@ -70,7 +70,7 @@ void AcfParameters::check(const Grid& grid) const {
 
 Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.ny / 2}; }
 
-LagField autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {
+LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {
   parameters.check(grid);
   const Shape max_lag = parameters.max_lag;
   const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));

@@ -36,6 +36,6 @@ struct AcfParameters {
 /// Half the field in either direction: beyond, few independent pairs are left.
 Shape default_max_lag(const Grid& grid);
 
-LagField autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters);
+LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters);
 
 }  // namespace asperity

@@ -24,7 +24,7 @@ double direct(const Field& d, bool periodic, Index p, Index q, bool biased) {
 }
 
 double greatest_difference(const Field& z, const Grid& g, const AcfParameters& parameters) {
-  const LagField acf = autocorrelation(z, g, parameters);
+  const LagField acf = estimate_autocorrelation(z, g, parameters);
   const Field d = z - parameters.level.value_or(z.mean());
   double worst = 0;
   for (Index p = -acf.max_p(); p <= acf.max_p(); ++p)
@@ -57,7 +57,7 @@ TEST_CASE("the ACF by FFT equals the direct sum over pairs at every lag", "[acf]
 TEST_CASE("a periodic sine of amplitude A has the ACF A^2/2 cos(q lag)", "[acf][exact]") {
   const double A = 2e-6;
   const Field z = sine({48, 16}, A, 3);
-  const LagField acf = autocorrelation(z, grid(48, 16, true), {.max_lag = {24, 8}});
+  const LagField acf = estimate_autocorrelation(z, grid(48, 16, true), {.max_lag = {24, 8}});
   for (Index p = 0; p <= 24; ++p)
     for (Index q = -8; q <= 8; ++q) {
       const double exact = A * A / 2 * std::cos(2 * std::numbers::pi * 3 * static_cast<double>(p) / 48);
@@ -68,9 +68,9 @@ TEST_CASE("a periodic sine of amplitude A has the ACF A^2/2 cos(q lag)", "[acf][
 TEST_CASE("turning the surface over x mirrors q, transposing it exchanges p and q", "[acf][law]") {
   const Field z = moving_average({30, 22}, {3, 2}, 12) + random_field({30, 22}, 13);
   const double bound = 12 * epsilon * z.square().sum();
-  const LagField acf = autocorrelation(z, grid(30, 22), {.max_lag = {9, 9}});
-  const LagField flipped = autocorrelation(z.colwise().reverse(), grid(30, 22), {.max_lag = {9, 9}});
-  const LagField transposed = autocorrelation(z.transpose(), grid(22, 30), {.max_lag = {9, 9}});
+  const LagField acf = estimate_autocorrelation(z, grid(30, 22), {.max_lag = {9, 9}});
+  const LagField flipped = estimate_autocorrelation(z.colwise().reverse(), grid(30, 22), {.max_lag = {9, 9}});
+  const LagField transposed = estimate_autocorrelation(z.transpose(), grid(22, 30), {.max_lag = {9, 9}});
   for (Index p = -9; p <= 9; ++p)
     for (Index q = -9; q <= 9; ++q) {
       CHECK(std::abs(flipped(p, q) - acf(p, -q)) <= bound);
@@ -80,7 +80,7 @@ TEST_CASE("turning the surface over x mirrors q, transposing it exchanges p and 
 
 TEST_CASE("the ACF at lag zero is Rq squared and bounds the biased ACF at every lag", "[acf][law]") {
   const Field z = moving_average({40, 40}, {4, 4}, 14);
-  const LagField acf = autocorrelation(z, grid(40, 40), {.max_lag = {39, 39}, .biased = true});
+  const LagField acf = estimate_autocorrelation(z, grid(40, 40), {.max_lag = {39, 39}, .biased = true});
   const double variance = (z - z.mean()).square().mean();
   CHECK(relative_error(acf(0, 0), variance) <= 40 * epsilon);
   CHECK(acf.half_plane().abs().maxCoeff() <= acf(0, 0));
@@ -89,17 +89,17 @@ TEST_CASE("the ACF at lag zero is Rq squared and bounds the biased ACF at every 
 TEST_CASE("the ACF does not depend on the number of threads, to the last bit", "[acf][law]") {
   const Field z = random_field({70, 90}, 15);
   auto of = [&](int threads) {
-    return autocorrelation(z, grid(70, 90), {.max_lag = {30, 30}, .threads = threads}).half_plane();
+    return estimate_autocorrelation(z, grid(70, 90), {.max_lag = {30, 30}, .threads = threads}).half_plane();
   };
   CHECK((of(1) == of(3)).all());
 }
 
 TEST_CASE("lags beyond the field, or beyond half a period, are refused as --max-lag", "[acf][contract]") {
   const Field z = random_field({16, 16}, 16);
-  CHECK_THROWS_AS(autocorrelation(z, grid(16, 16), {.max_lag = {16, 3}}), ParameterError);
-  CHECK_THROWS_AS(autocorrelation(z, grid(16, 16), {.max_lag = {3, -1}}), ParameterError);
-  CHECK_THROWS_AS(autocorrelation(z, grid(16, 16, true), {.max_lag = {9, 3}}), ParameterError);
-  CHECK_NOTHROW(autocorrelation(z, grid(16, 16), {.max_lag = {15, 15}}));
+  CHECK_THROWS_AS(estimate_autocorrelation(z, grid(16, 16), {.max_lag = {16, 3}}), ParameterError);
+  CHECK_THROWS_AS(estimate_autocorrelation(z, grid(16, 16), {.max_lag = {3, -1}}), ParameterError);
+  CHECK_THROWS_AS(estimate_autocorrelation(z, grid(16, 16, true), {.max_lag = {9, 3}}), ParameterError);
+  CHECK_NOTHROW(estimate_autocorrelation(z, grid(16, 16), {.max_lag = {15, 15}}));
 }
 
 // λ of exp(-0.31 p) at level t is ln(1/t)/0.31; rounding of two logarithms.
@@ -154,7 +154,7 @@ TEST_CASE("over an ensemble the ACF estimate is unbiased and as wide as Bartlett
   std::vector<Spread> absolute(7 * 13), normalised(7 * 13);
   for (unsigned seed = 0; seed < 400; ++seed) {
     const LagField acf =
-        autocorrelation(moving_average(g.shape, window, seed), g, {.max_lag = {6, 6}, .level = 0.0});
+        estimate_autocorrelation(moving_average(g.shape, window, seed), g, {.max_lag = {6, 6}, .level = 0.0});
     for (Index p = 0; p <= 6; ++p)
       for (Index q = -6; q <= 6; ++q) {
         const auto k = static_cast<std::size_t>(13 * p + 6 + q);

@@ -38,7 +38,7 @@ TEST_CASE("a moving average over a x b points is worth N/(ab) points for the mea
 TEST_CASE("a periodic sine is worth two points for Rq however many samples it has", "[effective-size][law]") {
   for (Index n : {16, 64, 256}) {
     const Grid g = grid(n, 8, true);
-    const LagField acf = autocorrelation(sine(g.shape, 1e-6, 2), g, {.max_lag = default_max_lag(g)});
+    const LagField acf = estimate_autocorrelation(sine(g.shape, 1e-6, 2), g, {.max_lag = default_max_lag(g)});
     CHECK(relative_error(EffectiveSize(acf, g).effective(2), 2) <= 100 * epsilon * static_cast<double>(n));
   }
 }
@@ -99,7 +99,7 @@ TEST_CASE("the estimated correlation of white noise leaves N_eff within 6 % of N
           "[effective-size][statistics]") {
   const Grid g = grid(96, 80);
   for (unsigned seed = 0; seed < 10; ++seed) {
-    const LagField acf = autocorrelation(white_noise(g.shape, seed), g, {.max_lag = default_max_lag(g)});
+    const LagField acf = estimate_autocorrelation(white_noise(g.shape, seed), g, {.max_lag = default_max_lag(g)});
     const EffectiveSize size = EffectiveSize::of_estimate(acf, g);
     CHECK(std::abs(size.effective(2) / 7680 - 1) <= 0.06);
     CHECK(std::abs(size.effective(4) / 7680 - 1) <= 0.01);
@@ -117,7 +117,7 @@ TEST_CASE("standard errors from the estimated ACF are on average those from the 
   Spread mean, rq, rku;
   for (unsigned seed = 0; seed < 100; ++seed) {
     const Field z = moving_average(g.shape, window, seed);
-    const LagField acf = autocorrelation(z, g, {.max_lag = default_max_lag(g)});
+    const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
     const MomentErrors errors = standard_errors({.rq = 1}, EffectiveSize::of_estimate(acf, g));
     mean.add(errors.mean), rq.add(errors.rq), rku.add(errors.rku);
   }
