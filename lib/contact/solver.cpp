@@ -25,9 +25,9 @@ ContactProblem make_problem(const Grid& grid, const Field& gap, const ElasticOpe
   if (!gap.isFinite().all()) throw DataError("heights", "holds values that are not finite");
   const double largest = parameters.limit_pressure * grid.size_x() * grid.size_y();
   if (parameters.load > largest * (1 + load_round_off))
-    throw ParameterError("load",
-                         fmt::format("{} N is more than the limit pressure carries on the whole domain, {} N",
-                                     parameters.load, largest));
+    throw ParameterError(
+        "load", fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N",
+                            parameters.load, largest));
   return {gap, parameters.load / grid.cell_area(), parameters.limit_pressure, influence.self_influence(),
           parameters.threads};
 }
