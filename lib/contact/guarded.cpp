@@ -118,7 +118,7 @@ void GuardedGradients::face_step() {
 
 void GuardedGradients::minimise_on(const Face& face) {
   face_gradients_.begin(face, p_, g_);
-  const double goal = 0.3 * limits_.tolerance * residual_.range;
+  const double goal = 0.3 * limits_.tolerance * residual_.scale;
   double reference = face_gradients_.norm();
   while (face_gradients_.steps() < face_steps && face_gradients_.step() && face_gradients_.largest() > goal) {
     if (face_gradients_.norm() > face_reduction * reference) continue;

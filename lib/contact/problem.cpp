@@ -80,15 +80,13 @@ ContactResidual contact_residual(const ContactProblem& problem, const Field& p, 
   const Extent found = extent(problem, p, g);
   ContactResidual out;
   out.approach = found.approach();
-  out.range = found.highest - found.lowest;
+  out.scale = std::max(found.highest - found.lowest,
+                       problem.self_influence * problem.sum / static_cast<double>(p.size()));
   out.max_pressure = found.max_pressure;
   out.free = found.free;
   out.at_limit = found.at_limit;
   const double w = largest_violation(problem, p, g, out.approach);
-  // A surface that stays flat has no range to compare with; what round-off leaves of w is no violation.
-  const double round_off =
-      8 * std::numeric_limits<double>::epsilon() * problem.self_influence * out.max_pressure;
-  out.epsilon = w <= round_off ? 0 : w / out.range;
+  out.epsilon = w > 0 ? w / out.scale : 0;
   return out;
 }
 

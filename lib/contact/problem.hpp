@@ -11,10 +11,11 @@
 ///     w = k p - clip(k p - (g - δ), 0, k c)                                                  (3)
 /// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c, as far as a cell's own
 /// pressure can mend it, and 0 everywhere in the solution alone. The residual is
-///     ε = max|w| / (max u - min u),   u = K p.                                               (4)
-/// It does not depend on units or on the datum of h. ε = 1e-6 leaves the greatest pressure an error of
-/// 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves 1e-10…2e-7 and none.
-/// Round-off sets a floor of 5e-14…5e-12.
+///     ε = max|w| / max(max u - min u, k S/n),   u = K p.                                     (4)
+/// k S/n, a cell's displacement under the mean pressure, counts only where surfaces are so flat and contact is
+/// so full that u hardly varies. ε does not depend on units or on the datum of h. ε = 1e-6 leaves the greatest
+/// pressure an error of 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves
+/// 1e-10…2e-7 and none. Round-off sets a floor of 5e-14…5e-12.
 ///
 /// Symbols   p pressure [Pa]   c limit pressure [Pa]   S load over cell area [Pa]   h undeformed gap [m]
 ///           g gap but for the approach [m]   δ approach [m]   K elastic operator [m/Pa]
@@ -41,7 +42,7 @@ struct ContactProblem {
 struct ContactResidual {
   double epsilon = 0;       ///< ε of (4)
   double approach = 0;      ///< δ [m]
-  double range = 0;         ///< max u - min u [m]
+  double scale = 0;         ///< the denominator of (4) [m]
   double max_pressure = 0;  ///< [Pa]
   Index free = 0;           ///< cells with 0 < p < c
   Index at_limit = 0;       ///< cells with p = c

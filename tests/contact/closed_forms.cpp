@@ -78,6 +78,23 @@ TEST_CASE("a rigid flat punch sinks in by Q/(2aE*) as far as cells make a circle
   CHECK(relative_error(contact.approach, load / (2 * a * modulus)) <= 0.2 * grid.dx / a);
 }
 
+// A uniform displacement of a square is the potential of a charged square plate, whose capacity is 0.36678962 s (side s,
+// Gaussian units): δ = Q/(π 0.36678962 s E*). The edges are singular: order 1 in the number of cells a side.
+TEST_CASE("flats that touch on the whole domain form a square punch, at order 1", "[punch][order]") {
+  double coarse = 1;
+  for (Index n : {32, 64}) {
+    const Grid grid = square(n);
+    const Contact contact = press(grid, Field::Zero(n, n));
+    const double exact = load / (pi * 0.36678962 * grid.size_x() * modulus);
+    const double error = relative_error(contact.approach, exact);
+    CAPTURE(n, error, coarse);
+    CHECK(contact.displacement.maxCoeff() - contact.displacement.minCoeff() <= 1e-8 * contact.approach);
+    CHECK(error <= 0.4 / static_cast<double>(n));
+    if (n > 32) CHECK(observed_order(coarse, error) == Approx(1).margin(0.1));
+    coarse = error;
+  }
+}
+
 namespace {
 
 // Westergaard's wavy surface h = D (1 - cos 2πx/L), p* = π E* D/L, on n × 4 cells of one period.
