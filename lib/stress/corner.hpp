@@ -1,0 +1,32 @@
+/// The corner functions (2), (3) of stress/influence.hpp, given r, T and A.
+///
+/// Two sources share them: one exact for every argument, one compiled for vector units under looser rules of
+/// arithmetic. Internal linkage keeps their copies apart; include this header nowhere else.
+#pragma once
+
+#include <cmath>
+
+namespace asperity::corner {
+
+/// 0/0 stands for the limit 0 at the surface.
+static inline double quotient(double a, double b) { return b == 0 ? 0 : a / b; }
+
+static inline double F(double X, double Y, double z, double r) { return quotient(z * X * Y, r * (X * X + z * z)); }
+static inline double G(double X, double Y, double z, double r) { return quotient(z * z * Y, r * (X * X + z * z)); }
+
+static inline double xx(double X, double Y, double z, double r, double T, double A, double nu) {
+  return -2 * nu * T + F(X, Y, z, r) - (1 - 2 * nu) * A;
+}
+static inline double yy(double X, double Y, double z, double r, double T, double A, double nu) {
+  return -2 * nu * T + F(Y, X, z, r) - (1 - 2 * nu) * (T - A);
+}
+static inline double zz(double X, double Y, double z, double r, double T) {
+  return -T - F(X, Y, z, r) - F(Y, X, z, r);
+}
+static inline double xy(double z, double r, double nu) {
+  return -quotient(z, r) - (1 - 2 * nu) * std::log(r + z);
+}
+static inline double xz(double X, double Y, double z, double r) { return G(X, Y, z, r); }
+static inline double yz(double X, double Y, double z, double r) { return G(Y, X, z, r); }
+
+}  // namespace asperity::corner

@@ -1,0 +1,90 @@
+/// Stress below a loaded surface, layer by layer.
+///
+/// In the layer at depth z each component is a convolution of the surface pressure with that component's influence,
+///     σ_c(x_i, y_j, z) = Σ_{i',j'} K_c(i-i', j-j'; z) p(i',j'),                                       (1)
+/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). The pressure is transformed
+/// once. Then, for a layer:
+///     influence of the layer → per block of eight columns: symbol, product with p^, transform back in x
+///                            → per row: transform back in y, six components of one row hand over while hot.
+/// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von Mises
+/// stress of a volume needs the memory of a layer.
+///
+/// Symbols   σ  stress, positive in tension [Pa]     p  pressure, constant in each cell [Pa]     z  depth, ≥ 0 [m]
+/// Scope     any grid, Δx ≠ Δy; periodic ones by (3) of stress/layer_influence.hpp. Linear elastic half-space.
+/// Accuracy  of (1): round-off, 1e-14 max p. Of (1) as a model of a smooth pressure p(x, y): (h²/24) ∇²p in effect,
+///           order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface the steps of
+///           the pressure show below its edges: see accurate_depth.
+/// Cost      per layer and component about one padded complex transform of half the torus; six components of
+///           128 × 128 cells take about 2 ms. Memory per thread: 15 N doubles per component, N = nx ny.
+///
+/// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "grid/field.hpp"
+#include "stress/component.hpp"
+#include "stress/layer_influence.hpp"
+#include "transform/pruned.hpp"
+
+namespace asperity {
+
+/// One row of a layer: for each component that was asked its ny values, else a null pointer.
+using StressRow = std::array<const double*, 6>;
+
+class StressSolver {
+ public:
+  /// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, DataError("pressure") unless the pressure fits the grid and
+  /// is finite.
+  StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1);
+
+  const Grid& grid() const { return grid_; }
+  const Field& pressure() const { return pressure_; }
+  int threads() const { return threads_; }
+
+  /// What one thread needs to compute layers; may be used again for any depth and components.
+  class Workspace {
+   public:
+    explicit Workspace(const StressSolver& solver);
+
+   private:
+    friend class StressSolver;
+    std::unique_ptr<LayerInfluence> influence_;
+    AlignedVector<double> symbol_;
+    AlignedVector<Complex> block_, row_spectrum_;
+    std::array<HalfSpectrum, 6> half_;
+    std::array<AlignedVector<double>, 6> row_;
+  };
+
+  /// The layer at depth z, row after row: row(i, values). Throws ParameterError("depth") unless 0 ≤ z < ∞.
+  template <class RowSink>
+  void layer(double z, stress::Set asked, Workspace& work, RowSink row) const {
+    transform_layer(z, asked, work);
+    for (Index i = 0; i < grid_.shape.nx; ++i) row(i, inverse_row(i, asked, work));
+  }
+
+  /// Many layers on all threads: row(layer, i, values) is called from several threads at once, for one layer from
+  /// one thread and in order. The values do not depend on the number of threads.
+  using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
+  void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row) const;
+
+ private:
+  void transform_layer(double z, stress::Set asked, Workspace& work) const;
+  void multiply(stress::Component c, Index b, const double* symbol, Complex* product) const;
+  StressRow inverse_row(Index i, stress::Set asked, Workspace& work) const;
+
+  Grid grid_;
+  Field pressure_;
+  double poisson_;
+  int threads_;
+  PrunedTransform transform_;
+  AlignedVector<Complex> pressure_spectrum_;  ///< [block][kx][8], divided by Px Py
+};
+
+/// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz contact
+/// (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell). Above it, cells nearer
+/// than this to an edge of the pressure may be off by up to 8 %; others keep to 1 %.
+double accurate_depth(const Grid& grid);
+
+}  // namespace asperity

@@ -1,0 +1,147 @@
+#include "stress/maximum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "grid/parallel.hpp"
+#include "stress/von_mises.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double ratio = 1.5;        // between depths of the scan
+constexpr double shallowest = 0.25;  // of a cell
+constexpr double close = 0.005;      // in ln z: near enough for the last parabola to be read off
+constexpr int most_steps = 6;
+
+struct Parabola {
+  double vertex = 0, value = 0;
+};
+
+// Through (a, fa), (b, fb), (c, fc), where fb is the largest; a point at b when they are level.
+Parabola parabola(double a, double fa, double b, double fb, double c, double fc) {
+  const double left = (fb - fa) / (b - a), right = (fc - fb) / (c - b), bend = (right - left) / (c - a);
+  if (!(bend < 0)) return {b, fb};
+  const double slope = left + bend * (b - a), step = -0.5 * slope / bend;
+  return {b + step, fb + 0.5 * slope * step};
+}
+
+// The largest value of a layer, in x and y between the cell centres.
+struct Peak {
+  double value = 0, x = 0, y = 0;
+};
+
+Peak peak_of(const Field& f, const Grid& grid) {
+  Index i, j;
+  const double top = f.maxCoeff(&i, &j);
+  Peak peak{top, grid.x(i), grid.y(j)};
+  if (i > 0 && i + 1 < f.rows()) {
+    const Parabola p = parabola(-1, f(i - 1, j), 0, top, 1, f(i + 1, j));
+    peak.x += p.vertex * grid.dx, peak.value += p.value - top;
+  }
+  if (j > 0 && j + 1 < f.cols()) {
+    const Parabola p = parabola(-1, f(i, j - 1), 0, top, 1, f(i, j + 1));
+    peak.y += p.vertex * grid.dy, peak.value += p.value - top;
+  }
+  return peak;
+}
+
+// A layer looked at: its depth as ln z, and its peak.
+struct Sample {
+  double log_depth = 0;
+  Peak peak;
+};
+
+class Probe {
+ public:
+  explicit Probe(const StressSolver& solver)
+      : solver_(solver), work_(solver), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
+
+  Sample at(double log_depth) {
+    solver_.layer(std::exp(log_depth), stress::all, work_, [&](Index i, const StressRow& row) {
+      von_mises(row, von_mises_.cols(), von_mises_.row(i).data());
+    });
+    return {log_depth, peak_of(von_mises_, solver_.grid())};
+  }
+
+ private:
+  const StressSolver& solver_;
+  StressSolver::Workspace work_;
+  Field von_mises_;
+};
+
+// Half the longer side of the rectangle around the loaded cells.
+double loaded_radius(const Grid& grid, const Field& pressure) {
+  Index first_i = grid.shape.nx, last_i = -1, first_j = grid.shape.ny, last_j = -1;
+  for (Index i = 0; i < grid.shape.nx; ++i)
+    for (Index j = 0; j < grid.shape.ny; ++j) {
+      if (pressure(i, j) == 0) continue;
+      first_i = std::min(first_i, i), last_i = std::max(last_i, i);
+      first_j = std::min(first_j, j), last_j = std::max(last_j, j);
+    }
+  return 0.5 * std::max(static_cast<double>(last_i - first_i + 1) * grid.dx,
+                        static_cast<double>(last_j - first_j + 1) * grid.dy);
+}
+
+std::vector<double> scan_depths(const Grid& grid, const Field& pressure) {
+  const double first = std::log(shallowest * std::min(grid.dx, grid.dy)), step = std::log(ratio);
+  const double deepest = std::log(loaded_radius(grid, pressure));
+  std::vector<double> log_depths;
+  for (int k = 0; k < 3 || log_depths.back() < deepest; ++k) log_depths.push_back(first + k * step);
+  return log_depths;
+}
+
+std::vector<Sample> scan(const StressSolver& solver) {
+  const std::vector<double> log_depths = scan_depths(solver.grid(), solver.pressure());
+  std::vector<Sample> samples(log_depths.size());
+  parallel_ranges(static_cast<Index>(samples.size()), solver.threads(), [&](Index begin, Index end, int) {
+    Probe probe(solver);
+    for (auto l = static_cast<std::size_t>(begin); l < static_cast<std::size_t>(end); ++l)
+      samples[l] = probe.at(log_depths[l]);
+  });
+  return samples;
+}
+
+Parabola through(const Sample& a, const Sample& b, const Sample& c) {
+  return parabola(a.log_depth, a.peak.value, b.log_depth, b.peak.value, c.log_depth, c.peak.value);
+}
+
+// The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one unprobed.
+Sample refine(Sample a, Sample b, Sample c, Probe& probe, Index& layers) {
+  for (int step = 0; step < most_steps; ++step) {
+    const Parabola guess = through(a, b, c);
+    if (std::abs(guess.vertex - b.log_depth) < close) return {guess.vertex, {guess.value, b.peak.x, b.peak.y}};
+    const Sample next = probe.at(guess.vertex);
+    ++layers;
+    const bool deeper = guess.vertex > b.log_depth;
+    if (next.peak.value > b.peak.value) {
+      (deeper ? a : c) = b;
+      b = next;
+    } else {
+      (deeper ? c : a) = next;
+    }
+  }
+  return b;
+}
+
+}  // namespace
+
+StressMaximum maximum_von_mises(const StressSolver& solver) {
+  if ((solver.pressure() == 0).all()) return {};
+  const std::vector<Sample> s = scan(solver);
+  auto layers = static_cast<Index>(s.size());
+  Sample best = *std::max_element(s.begin(), s.end(),
+                                  [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
+  Probe probe(solver);
+  for (std::size_t k = 1; k + 1 < s.size(); ++k) {
+    if (s[k].peak.value < s[k - 1].peak.value || s[k].peak.value < s[k + 1].peak.value) continue;
+    const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;
+    if (s[k].peak.value + 2 * rise < best.peak.value) continue;
+    const Sample refined = refine(s[k - 1], s[k], s[k + 1], probe, layers);
+    if (refined.peak.value > best.peak.value) best = refined;
+  }
+  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), layers};
+}
+
+}  // namespace asperity
