@@ -22,8 +22,8 @@ using Tensor = std::array<double, 6>;
 using Set = std::bitset<6>;
 inline const Set all = Set().set();
 
-/// Under a pressure that is even in x and in y, a component is even too, or odd: a shear component changes sign
-/// with each axis in its name, z apart.
+/// Under a pressure that is even in x and in y, a component is even too, or odd: a shear component changes
+/// sign with each axis in its name, z apart.
 constexpr bool odd_in_x(Component c) { return c == xy || c == xz; }
 constexpr bool odd_in_y(Component c) { return c == xy || c == yz; }
 

@@ -11,8 +11,12 @@ namespace asperity::corner {
 /// 0/0 stands for the limit 0 at the surface.
 static inline double quotient(double a, double b) { return b == 0 ? 0 : a / b; }
 
-static inline double F(double X, double Y, double z, double r) { return quotient(z * X * Y, r * (X * X + z * z)); }
-static inline double G(double X, double Y, double z, double r) { return quotient(z * z * Y, r * (X * X + z * z)); }
+static inline double F(double X, double Y, double z, double r) {
+  return quotient(z * X * Y, r * (X * X + z * z));
+}
+static inline double G(double X, double Y, double z, double r) {
+  return quotient(z * z * Y, r * (X * X + z * z));
+}
 
 static inline double xx(double X, double Y, double z, double r, double T, double A, double nu) {
   return -2 * nu * T + F(X, Y, z, r) - (1 - 2 * nu) * A;

@@ -1,4 +1,5 @@
-// Compiled with finite-math-only arithmetic where that gives vectors: keep shared inline code out of this file.
+// Compiled with finite-math-only arithmetic where that gives vectors: keep shared inline code out of this
+// file.
 #include "stress/corner_tile.hpp"
 
 #include <cmath>
@@ -21,7 +22,8 @@ inline void each_lane(double* out, Function f) {
 
 }  // namespace
 
-void corner_tile(double first, double height, std::ptrdiff_t rows, double depth, double nu, double* const out[6]) {
+void corner_tile(double first, double height, std::ptrdiff_t rows, double depth, double nu,
+                 double* const out[6]) {
   const bool in_plane = out[xx] != nullptr || out[yy] != nullptr, normal = in_plane || out[zz] != nullptr;
   const double z = depth > 1e-30 ? depth : 1e-30;
   alignas(64) Lanes X, r, T, A;

@@ -8,7 +8,10 @@
 ///     σθθ = -(1-2ν)/3 Q - w [2ν + u(1-ν)/(1+u) - (1+ν) √u α].
 /// On the surface inside the contact w = √(1-r²) and d = 1/w².
 ///
-/// Accuracy  2e-14, checked against quadrature.
+/// The load on the rectangle from the centre to (x, y), both in [-1, 1], is, with w² = max(0, 1 - x² - y²),
+///     ⅓ [xyw + ½x(3-x²) atan2(y,w) + ½y(3-y²) atan2(x,w) - atan2(xy,w)].                              (2)
+///
+/// Accuracy  2e-14 of (1), 1e-15 of (2).
 ///
 /// [1] M. T. Huber, Zur Theorie der Berührung fester elastischer Körper, Ann. Physik 319 (1904) 153-163.
 #pragma once
@@ -21,8 +24,7 @@ namespace asperity {
 /// (1) in Cartesian components at (x, y, z), z ≥ 0.
 stress::Tensor hertz_stress(double x, double y, double z, double poisson);
 
-/// The mean of √(1-r²) over each cell: the pressure of a grid that carries the contact's load exactly. Closed form
-/// in y, Gauss-Legendre in x between the edges of the contact: 1e-9 in cells that the edge cuts, 1e-15 elsewhere.
+/// The mean of √(1-r²) over each cell, from (2): a pressure that carries the contact's load exactly.
 Field hertz_pressure(const Grid& grid);
 
 }  // namespace asperity

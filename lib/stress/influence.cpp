@@ -14,8 +14,9 @@ stress::Tensor corner_functions(double X, double Y, double z, double nu) {
   const double r = std::sqrt(X * X + Y * Y + z * z), XY = X * Y;
   const double T = XY == 0 ? 0 : std::atan2(XY, z * r);
   const double A = XY == 0 ? 0 : std::atan2(XY * (X * X + Y * Y) / (r + z), X * X * r + z * Y * Y);
-  return {corner::xx(X, Y, z, r, T, A, nu), corner::yy(X, Y, z, r, T, A, nu), corner::zz(X, Y, z, r, T),
-          corner::xy(z, r, nu),             corner::xz(X, Y, z, r),           corner::yz(X, Y, z, r)};
+  return {corner::xx(X, Y, z, r, T, A, nu), corner::yy(X, Y, z, r, T, A, nu),
+          corner::zz(X, Y, z, r, T),        corner::xy(z, r, nu),
+          corner::xz(X, Y, z, r),           corner::yz(X, Y, z, r)};
 }
 
 }  // namespace
@@ -46,7 +47,8 @@ stress::Tensor point_load_stress(double x, double y, double z, double poisson) {
   return s;
 }
 
-stress::Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z, double poisson) {
+stress::Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z,
+                         double poisson) {
   stress::Tensor sum{};
   for (Index i = 0; i < grid.shape.nx; ++i)
     for (Index j = 0; j < grid.shape.ny; ++j) {

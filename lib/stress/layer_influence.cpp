@@ -20,7 +20,8 @@ std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 Index blocks_of(Index n) { return (n + width - 1) / width; }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
-// x[i] ← x[i] - x[i-1], where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an even one.
+// x[i] ← x[i] - x[i-1], where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an even
+// one.
 void difference(Parity kernel, double* x, Index rows) {
   for (Index i = rows - 1; i > 0; --i)
     for (Index q = 0; q < width; ++q) x[i * width + q] -= x[(i - 1) * width + q];
@@ -28,11 +29,16 @@ void difference(Parity kernel, double* x, Index rows) {
   for (Index q = 0; q < width; ++q) x[q] *= first;
 }
 
-// First along y, eight rows i at a time, as the corners are evaluated; along x when a block of columns is asked for.
+// First along y, eight rows i at a time, as the corners are evaluated; along x when a block of columns is
+// asked for.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
   HalfSpaceInfluence(const Grid& grid, Shape torus, double poisson)
-      : grid_(grid), poisson_(poisson), along_x_(torus.nx), along_y_(torus.ny), blocks_(blocks_of(torus.ny / 2 + 1)) {}
+      : grid_(grid),
+        poisson_(poisson),
+        along_x_(torus.nx),
+        along_y_(torus.ny),
+        blocks_(blocks_of(torus.ny / 2 + 1)) {}
 
   void descend(double z, stress::Set asked) override {
     for (Component c : stress::components) {
@@ -57,7 +63,8 @@ class HalfSpaceInfluence : public LayerInfluence {
   void evaluate_corners(Index i, double z) {
     double* out[6];
     for (Component c : stress::components) out[c] = tile_[c].empty() ? nullptr : tile_[c].data();
-    corner_tile(static_cast<double>(i) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z / grid_.dx, poisson_, out);
+    corner_tile(static_cast<double>(i) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z / grid_.dx, poisson_,
+                out);
   }
 
   void transform_along_y(Component c, Index first_row) {
@@ -100,12 +107,18 @@ class PeriodicInfluence : public LayerInfluence {
     const double qy = 2 * std::numbers::pi * static_cast<double>(ky) / grid_.size_y();
     const double q = std::hypot(qx, qy), e = std::exp(-q * z_), bend = ((1 - 2 * poisson_) / q - z_) / q;
     switch (c) {
-      case stress::xx: return -(2 * poisson_ + qx * qx * bend) * e;
-      case stress::yy: return -(2 * poisson_ + qy * qy * bend) * e;
-      case stress::zz: return -(1 + q * z_) * e;
-      case stress::xy: return qx * qy * bend * e;
-      case stress::xz: return -qx * z_ * e;
-      case stress::yz: return -qy * z_ * e;
+      case stress::xx:
+        return -(2 * poisson_ + qx * qx * bend) * e;
+      case stress::yy:
+        return -(2 * poisson_ + qy * qy * bend) * e;
+      case stress::zz:
+        return -(1 + q * z_) * e;
+      case stress::xy:
+        return qx * qy * bend * e;
+      case stress::xz:
+        return -qx * z_ * e;
+      case stress::yz:
+        return -qy * z_ * e;
     }
     return 0;
   }

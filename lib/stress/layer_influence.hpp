@@ -1,7 +1,7 @@
 /// How a layer at depth z answers to the surface pressure, mode by mode.
 ///
-/// In a layer every stress component is a convolution of the pressure with a kernel that is even or odd in each
-/// direction, so its spectrum is a real symbol S times a power of -i:
+/// In a layer every stress component is a convolution of the pressure with a kernel that is even or odd in
+/// each direction, so its spectrum is a real symbol S times a power of -i:
 ///     σ^(kx,ky) = (-i)^m S(kx,ky) p^(kx,ky),   m = [odd in x] + [odd in y]  (stress/component.hpp).      (1)
 ///
 /// Free half-space, loaded on a bounded domain: the kernel is the stress below a loaded cell,
@@ -14,8 +14,10 @@
 /// Exact for a pressure that is a trigonometric polynomial. Its mean p̄ acts on a body held laterally:
 /// σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄.
 ///
-/// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of the pressure
-/// Cost      (2): nx ny corners and, per component, half the complex transforms of the kernel; (3): one exp a mode.
+/// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of the
+///           pressure
+/// Cost      (2): nx ny corners and, per component, half the complex transforms of the kernel; (3): one exp a
+///           mode.
 ///
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 13.
 #pragma once
@@ -35,8 +37,8 @@ class LayerInfluence {
   virtual ~LayerInfluence() = default;
   /// Goes to depth z [m] for the components asked.
   virtual void descend(double z, stress::Set asked) = 0;
-  /// S of component c for the columns 8b … 8b+7: symbol[kx][8], 0 ≤ kx ≤ Px/2. `symbol` is aligned and has room for
-  /// Px rows.
+  /// S of component c for the columns 8b … 8b+7: symbol[kx][8], 0 ≤ kx ≤ Px/2. `symbol` is aligned and has
+  /// room for Px rows.
   virtual void symbol(stress::Component c, Index b, double* symbol) = 0;
 };
 

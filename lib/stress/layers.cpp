@@ -49,7 +49,8 @@ StressSolver::Workspace::Workspace(const StressSolver& solver)
       block_(size(solver.transform_.block_size())),
       row_spectrum_(size(solver.transform_.blocks() * width)) {}
 
-void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row) const {
+void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
+                          const LayerRowSink& row) const {
   parallel_ranges(static_cast<Index>(depths.size()), threads_, [&](Index begin, Index end, int) {
     Workspace work(*this);
     for (Index l = begin; l < end; ++l)
@@ -58,7 +59,8 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, 
 }
 
 void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work) const {
-  if (!(z >= 0 && std::isfinite(z))) throw ParameterError("depth", std::to_string(z) + " m is not a depth: 0 or more");
+  if (!(z >= 0 && std::isfinite(z)))
+    throw ParameterError("depth", std::to_string(z) + " m is not a depth: 0 or more");
   work.influence_->descend(z, asked);
   for (Component c : stress::components)
     if (asked[c] && work.half_[c].empty()) work.half_[c] = transform_.half_spectrum();

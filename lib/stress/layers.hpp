@@ -1,19 +1,22 @@
 /// Stress below a loaded surface, layer by layer.
 ///
-/// In the layer at depth z each component is a convolution of the surface pressure with that component's influence,
+/// In the layer at depth z each component is a convolution of the surface pressure with that component's
+/// influence,
 ///     σ_c(x_i, y_j, z) = Σ_{i',j'} K_c(i-i', j-j'; z) p(i',j'),                                       (1)
-/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). The pressure is transformed
-/// once. Then, for a layer:
+/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). The pressure is
+/// transformed once. Then, for a layer:
 ///     influence of the layer → per block of eight columns: symbol, product with p^, transform back in x
 ///                            → per row: transform back in y, six components of one row hand over while hot.
-/// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von Mises
-/// stress of a volume needs the memory of a layer.
+/// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von
+/// Mises stress of a volume needs the memory of a layer.
 ///
-/// Symbols   σ  stress, positive in tension [Pa]     p  pressure, constant in each cell [Pa]     z  depth, ≥ 0 [m]
-/// Scope     any grid, Δx ≠ Δy; periodic ones by (3) of stress/layer_influence.hpp. Linear elastic half-space.
-/// Accuracy  of (1): round-off, 1e-14 max p. Of (1) as a model of a smooth pressure p(x, y): (h²/24) ∇²p in effect,
-///           order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface the steps of
-///           the pressure show below its edges: see accurate_depth.
+/// Symbols   σ  stress, positive in tension [Pa]     p  pressure, constant in each cell [Pa]     z  depth, ≥
+///           0 [m]
+/// Scope     any grid, Δx ≠ Δy; periodic ones by (3) of stress/layer_influence.hpp. Linear elastic
+///           half-space.
+/// Accuracy  of (1): round-off, 1e-14 max p. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p in
+///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
+///           the steps of the pressure show below its edges: see accurate_depth.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
 ///           128 × 128 cells take about 2 ms. Memory per thread: 15 N doubles per component, N = nx ny.
 ///
@@ -35,8 +38,8 @@ using StressRow = std::array<const double*, 6>;
 
 class StressSolver {
  public:
-  /// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, DataError("pressure") unless the pressure fits the grid and
-  /// is finite.
+  /// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, DataError("pressure") unless the pressure fits the
+  /// grid and is finite.
   StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1);
 
   const Grid& grid() const { return grid_; }
@@ -64,8 +67,8 @@ class StressSolver {
     for (Index i = 0; i < grid_.shape.nx; ++i) row(i, inverse_row(i, asked, work));
   }
 
-  /// Many layers on all threads: row(layer, i, values) is called from several threads at once, for one layer from
-  /// one thread and in order. The values do not depend on the number of threads.
+  /// Many layers on all threads: row(layer, i, values) is called from several threads at once, for one layer
+  /// from one thread and in order. The values do not depend on the number of threads.
   using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
   void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row) const;
 
@@ -82,9 +85,9 @@ class StressSolver {
   AlignedVector<Complex> pressure_spectrum_;  ///< [block][kx][8], divided by Px Py
 };
 
-/// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz contact
-/// (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell). Above it, cells nearer
-/// than this to an edge of the pressure may be off by up to 8 %; others keep to 1 %.
+/// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz
+/// contact (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell). Above
+/// it, cells nearer than this to an edge of the pressure may be off by up to 8 %; others keep to 1 %.
 double accurate_depth(const Grid& grid);
 
 }  // namespace asperity

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double ratio = 1.5;        // between depths of the scan
 constexpr double shallowest = 0.25;  // of a cell
-constexpr double close = 0.005;      // in ln z: near enough for the last parabola to be read off
+constexpr double close = 0.01;       // in ln z: a vertex so near is not worth a layer
+constexpr double beside = 0.04;      // in ln z: a point that narrows the bracket instead
+constexpr double narrow = 0.012;  // product of the sides of a bracket, in ln z, that a parabola is read off
 constexpr int most_steps = 6;
 
 struct Parabola {
@@ -107,22 +109,28 @@ Parabola through(const Sample& a, const Sample& b, const Sample& c) {
   return parabola(a.log_depth, a.peak.value, b.log_depth, b.peak.value, c.log_depth, c.peak.value);
 }
 
-// The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one unprobed.
+// Where to look next in a bracket whose highest point is b: at the parabola's vertex, or beside b on the
+// longer side when that is b itself.
+double next_depth(const Sample& a, const Sample& b, const Sample& c, double vertex) {
+  if (std::abs(vertex - b.log_depth) >= close) return vertex;
+  return c.log_depth - b.log_depth > b.log_depth - a.log_depth ? b.log_depth + beside : b.log_depth - beside;
+}
+
+// The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
+// unprobed. A parabola's vertex is off by the product of the bracket's sides times m'''/6m'': hence the test.
 Sample refine(Sample a, Sample b, Sample c, Probe& probe, Index& layers) {
+  Parabola top = through(a, b, c);
   for (int step = 0; step < most_steps; ++step) {
-    const Parabola guess = through(a, b, c);
-    if (std::abs(guess.vertex - b.log_depth) < close) return {guess.vertex, {guess.value, b.peak.x, b.peak.y}};
-    const Sample next = probe.at(guess.vertex);
+    const double sides = (b.log_depth - a.log_depth) * (c.log_depth - b.log_depth);
+    if (sides < narrow && std::abs(top.vertex - b.log_depth) < beside) break;
+    const Sample next = probe.at(next_depth(a, b, c, top.vertex));
     ++layers;
-    const bool deeper = guess.vertex > b.log_depth;
-    if (next.peak.value > b.peak.value) {
-      (deeper ? a : c) = b;
-      b = next;
-    } else {
-      (deeper ? c : a) = next;
-    }
+    const bool deeper = next.log_depth > b.log_depth, higher = next.peak.value > b.peak.value;
+    (deeper == higher ? a : c) = higher ? b : next;
+    if (higher) b = next;
+    top = through(a, b, c);
   }
-  return b;
+  return {top.vertex, {top.value, b.peak.x, b.peak.y}};
 }
 
 }  // namespace
@@ -131,8 +139,8 @@ StressMaximum maximum_von_mises(const StressSolver& solver) {
   if ((solver.pressure() == 0).all()) return {};
   const std::vector<Sample> s = scan(solver);
   auto layers = static_cast<Index>(s.size());
-  Sample best = *std::max_element(s.begin(), s.end(),
-                                  [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
+  Sample best = *std::max_element(
+      s.begin(), s.end(), [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
   Probe probe(solver);
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
     if (s[k].peak.value < s[k - 1].peak.value || s[k].peak.value < s[k + 1].peak.value) continue;

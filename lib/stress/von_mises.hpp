@@ -1,7 +1,7 @@
 /// The von Mises equivalent stress,
 ///     σ_vM² = ½ [(σxx-σyy)² + (σyy-σzz)² + (σzz-σxx)²] + 3 (σxy² + σxz² + σyz²),                       (1)
-/// which is √3 times the root of the second invariant of the stress deviator and reaches the yield stress where a
-/// ductile material begins to flow.
+/// which is √3 times the root of the second invariant of the stress deviator and reaches the yield stress
+/// where a ductile material begins to flow.
 ///
 /// R. von Mises, Nachr. Ges. Wiss. Göttingen, Math.-Phys. Kl. (1913) 582-592.
 #pragma once

@@ -1,0 +1,92 @@
+#include "stress/hertz.hpp"
+
+#include <numbers>
+
+#include "quadrature.hpp"
+#include "stress/influence.hpp"
+#include "stress/von_mises.hpp"
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using stress::Tensor;
+
+namespace {
+
+// The point load integrated over the Hertz pressure: r = sin t, 64 Gauss points by 128 around.
+Tensor integrated(double x, double y, double z, double nu) {
+  constexpr double half = std::numbers::pi / 4;
+  constexpr int around = 128;
+  Tensor sum{};
+  for (auto [u, weight] : gauss_legendre(64)) {
+    const double t = half * (1 + u), r = std::sin(t), load = weight * half * std::cos(t) * std::cos(t) * r;
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2 * std::numbers::pi * k / around;
+      const Tensor s = point_load_stress(x - r * std::cos(angle), y - r * std::sin(angle), z, nu);
+      for (auto c : stress::components) sum[c] += load * 2 * std::numbers::pi / around * s[c];
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Around the circle the integrand is analytic in a strip of half-width ln(ρ+√(ρ²-1)) ≥ asinh(z) = 0.39 at z =
+// 0.4: 128 points leave exp(-128 · 0.39) = 2e-22. What is left is round-off of 8192 terms.
+TEST_CASE("Huber's field is the point load integrated over the Hertz pressure", "[hertz][exact]") {
+  for (double nu : {0.0, 0.3, 0.5})
+    for (auto [x, y, z] : {std::array{0.0, 0.0, 0.5}, std::array{0.3, -0.2, 0.4}, std::array{0.9, 0.5, 0.6},
+                           std::array{-1.5, 2.0, 1.0}, std::array{0.1, 0.0, 4.0}}) {
+      const Tensor closed = hertz_stress(x, y, z, nu), sum = integrated(x, y, z, nu);
+      CAPTURE(x, y, z, nu);
+      for (auto c : stress::components) CHECK(std::abs(closed[c] - sum[c]) <= 1e-13);
+    }
+}
+
+TEST_CASE("on the surface Huber's field is the pressure, hydrostatic-like inside and pure shear outside",
+          "[hertz][exact]") {
+  const double nu = 0.3;
+  const Tensor centre = hertz_stress(0, 0, 0, nu), edge = hertz_stress(1, 0, 0, nu),
+               outside = hertz_stress(2, 0, 0, nu);
+  CHECK(centre[stress::zz] == Approx(-1).epsilon(4 * epsilon));
+  CHECK(centre[stress::xx] == Approx(-(0.5 + nu)).epsilon(4 * epsilon));
+  CHECK(edge[stress::xx] == Approx((1 - 2 * nu) / 3).epsilon(4 * epsilon));
+  CHECK(edge[stress::yy] == Approx(-(1 - 2 * nu) / 3).epsilon(4 * epsilon));
+  CHECK(outside[stress::xx] == Approx((1 - 2 * nu) / 3 / 4).epsilon(4 * epsilon));
+  CHECK(outside[stress::zz] == 0);
+  for (double r : {0.2, 0.6, 0.99})
+    CHECK(hertz_stress(0, r, 0, nu)[stress::zz] == Approx(-std::sqrt(1 - r * r)).epsilon(64 * epsilon));
+}
+
+// The maximum is flat: two depths 1e-3 away differ from it by ½ m'' 1e-6, m'' about 2.
+TEST_CASE("the largest von Mises stress of a Hertz contact is 0.620041 at 0.480864 for nu = 0.3",
+          "[hertz][exact]") {
+  auto on_axis = [](double z) { return von_mises(hertz_stress(0, 0, z, 0.3)); };
+  CHECK(on_axis(0.480864) == Approx(0.620041004).epsilon(1e-9));
+  CHECK(on_axis(0.480864 - 1e-3) < 0.620041004);
+  CHECK(on_axis(0.480864 + 1e-3) < 0.620041004);
+}
+
+// A mean is a difference of four loads, each to ε; divided by the area of the cell and summed with it they
+// cancel.
+TEST_CASE("the mean pressures of the cells carry the load of the Hertz contact", "[hertz][exact]") {
+  for (Shape shape : {Shape{16, 16}, Shape{31, 20}, Shape{128, 128}}) {
+    const Grid grid{shape, 3.0 / static_cast<double>(shape.nx), 2.5 / static_cast<double>(shape.ny)};
+    CAPTURE(shape.nx, shape.ny);
+    const double bound = 4 * epsilon * static_cast<double>(shape.cells());
+    CHECK(std::abs(hertz_pressure(grid).sum() * grid.cell_area() - 2 * std::numbers::pi / 3) <= bound);
+  }
+}
+
+// A cell's mean is the value at its centre plus h²/24 ∇²p; where r < 0.8, |∇²p| ≤ (2-r²)/(1-r²)^1.5 ≤ 6.3.
+TEST_CASE("inside the contact the mean of a cell is the pressure, at order 2", "[hertz][order]") {
+  auto error = [](Index n) {
+    const Grid grid{{n, n}, 3.0 / static_cast<double>(n), 3.0 / static_cast<double>(n)};
+    const Field exact =
+        sample(grid, [](double x, double y) { return std::sqrt(std::max(0.0, 1 - x * x - y * y)); });
+    const Field inside = sample(grid, [](double x, double y) { return std::hypot(x, y) < 0.8 ? 1.0 : 0.0; });
+    return ((hertz_pressure(grid) - exact).abs() * inside).maxCoeff() / (grid.dx * grid.dx / 24);
+  };
+  CHECK(error(64) <= 6.5);
+  CHECK(error(128) / error(64) == Approx(1).margin(0.1));
+}

@@ -1,0 +1,42 @@
+/// A whole layer as fields, and the grids of the tests.
+#pragma once
+
+#include "stress/layers.hpp"
+#include "stress/von_mises.hpp"
+
+namespace asperity::test {
+
+using TensorField = std::array<Field, 6>;
+
+/// The layer at depth z; components that were not asked for stay empty.
+inline TensorField layer(const StressSolver& solver, double z, stress::Set asked = stress::all) {
+  const Shape shape = solver.grid().shape;
+  TensorField out;
+  for (auto c : stress::components)
+    if (asked[c]) out[c].resize(shape.nx, shape.ny);
+  StressSolver::Workspace work(solver);
+  solver.layer(z, asked, work, [&](Index i, const StressRow& row) {
+    for (auto c : stress::components)
+      if (asked[c]) std::copy_n(row[c], shape.ny, out[c].row(i).data());
+  });
+  return out;
+}
+
+inline stress::Tensor tensor_at(const TensorField& field, Index i, Index j) {
+  stress::Tensor s;
+  for (auto c : stress::components) s[c] = field[c](i, j);
+  return s;
+}
+
+inline double difference(const TensorField& a, const TensorField& b) {
+  double top = 0;
+  for (auto c : stress::components) top = std::max(top, (a[c] - b[c]).abs().maxCoeff());
+  return top;
+}
+
+/// A square of side 3 around the unit contact, n × n cells.
+inline Grid hertz_grid(Index n) {
+  return {{n, n}, 3.0 / static_cast<double>(n), 3.0 / static_cast<double>(n)};
+}
+
+}  // namespace asperity::test
