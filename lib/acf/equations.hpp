@@ -2,34 +2,32 @@
 ///
 /// A surface drawn as a moving average of unit white noise, z(i,j) = Σ kernel(k,l) η(i+k, j+l), has the
 /// autocorrelation
-///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                              (1)
+///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                                    (1)
 /// R is prescribed at the n·m lags 0 ≤ p < n, 0 ≤ q < m; n·m coefficients are unknown.
 ///
 /// SymmetricEquations. The kernel is even in both indices, kernel(±k,±l) = α(k,l) with |k| < n, |l| < m, and
 /// therefore R is even too: what holds at (p,q) holds at (p,-q). On a torus of at least 3n - 2 points, where
 /// the lags below n do not wrap around, with P the restriction to the quadrant and ^ the (real) spectrum of
 /// the even extension,
-///     F(α) = P (α^)² - R,      J v = 2 P (α^ v^),      M v = ½ P (v^ / α^).                       (2)
+///     F(α) = P (α^)² - R,      J v = 2 P (α^ v^),      M v = ½ P (v^ / α^).                             (2)
 /// With the weights w (1, 2 or 4: how often a coefficient occurs) J is symmetric, ⟨J u, v⟩_w = ⟨u, J v⟩_w;
-/// while α^ > 0 it is positive definite and Newton's method needs 4–6 steps. A residual with α^ ≤ 0 somewhere
-/// is therefore refused
-/// (`guard`): the way leads to a singular J, and mostly the target cut at n × m lags is no autocorrelation at
-/// all. The start is the zero-phase root of the spectrum, √max(R^, 0), under Fejér's window (1-k/n)(1-l/m).
+/// while α^ > 0 it is positive definite and Newton's method needs 4–6 steps. Where α^ ≤ 0, J turns singular
+/// on the way, and mostly the target cut at n × m lags is no autocorrelation at all: `guard` refuses such
+/// iterates. The start is the zero-phase root √max(R^, 0) under Fejér's window (1-k/n)(1-l/m).
 ///
 /// PatirEquations. The kernel is a(k,l), 0 ≤ k < n, 0 ≤ l < m [1]. On a torus of 2n points, with the complex
 /// spectrum,
-///     F(a) = P |a^|² - R,      J v = 2 P Re(a^* v^),      M v = P (a^ h^),  h = [v^/|a^|²]₊           (3)
+///     F(a) = P |a^|² - R,      J v = 2 P Re(a^* v^),      M v = P (a^ h^),  h = [v^/|a^|²]₊             (3)
 /// where [·]₊ keeps lags ≥ 0 and half of lag (0,0): a Wilson step [2]. The start is a = R. The equations say
 /// nothing of the lags (p,-q), which come out wrong by 0.07–0.27 σ²: no generator of isotropic surfaces.
 ///
 /// Symbols   α, a  coefficients   R  target [σ²]   n, m  number of lags   J  Jacobian   M ≈ J⁻¹
-/// preconditioner Accuracy  round-off of the transforms, ε log2(Px Py). Cost      2 even (2) or real (3)
-/// transforms a residual, product or preconditioning, 3 real ones for (3)'s M.
+/// Accuracy  round-off of the transforms, ε log2(Px Py).
+/// Cost      two even (2) or real (3) transforms a residual, product or preconditioning; M of (3) four.
 ///
 /// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
-/// [2] G. Wilson, Factorization of the covariance generating function of a pure moving average process, SIAM
-/// J. Numer.
-///     Anal. 6 (1969) 1-7.
+/// [2] G. Wilson, Factorization of the covariance generating function of a pure moving average process,
+///     SIAM J. Numer. Anal. 6 (1969) 1-7.
 #pragma once
 
 #include <span>

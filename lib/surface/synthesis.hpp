@@ -1,20 +1,21 @@
 /// Surfaces as moving averages of white noise.
 ///
-///     z(i,j) = Σ_{k<K} Σ_{l<L} kernel(k,l) η(i+k, j+l),    0 ≤ i < N, 0 ≤ j < M                     (1)
+///     z(i,j) = Σ_{k<K} Σ_{l<L} kernel(k,l) η(i+k, j+l),    0 ≤ i < N, 0 ≤ j < M                         (1)
 ///
 /// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves,
-/// however large the kernel. Then the autocorrelation of z is that of the kernel, or its periodic sum.
+/// however large the kernel. The autocorrelation of z is that of the kernel, or its periodic sum.
 ///
 /// The sum is taken as it stands or by overlap–save: strips of P rows of noise, at most 8K, are transformed,
 /// multiplied by the conjugate spectrum of the kernel and transformed back; P - K + 1 rows are good. Noise is
 /// drawn strip by strip, so that memory beyond the surface itself is that of one strip a thread. Strips
 /// depend on the request alone: the surface is the same on any number of threads, to the last bit.
 ///
-/// Accuracy  round-off: ε log2(PQ) Σ|kernel| max|η|.
-/// Cost      direct: N M K L multiply-adds at 0.15 ns. Transform: per strip two real transforms of P Q points
-/// at
-///           0.5 ns per point and factor of log2(PQ), Q ≥ M + L - 1. The cheaper one is taken; noise: 8 ns a
-///           value.
+/// Symbols   N × M  points of the surface   K × L  of the kernel   P × Q  of the torus of a strip
+/// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
+/// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a strip, with
+///           Q ≥ M + L - 1. The cheaper one is taken. The noise costs 8 ns a value.
+///
+/// T. G. Stockham, High-speed convolution and correlation, AFIPS Spring Joint Computer Conf. 28 (1966) 229-233.
 #pragma once
 
 #include "grid/field.hpp"

@@ -1,0 +1,170 @@
+/// Draws random rough surfaces with a prescribed autocorrelation.
+#include <algorithm>
+
+#include "grid/stopwatch.hpp"
+#include "kernel_dataset.hpp"
+#include "surface/synthesis.hpp"
+
+using namespace asperity;
+
+namespace {
+
+struct Options {
+  cli::KernelOptions acf;
+  std::string kernel;
+  Shape shape;
+  std::array<double, 2> size{NAN, NAN};
+  bool periodic = false, exact_rq = false, noise = false;
+  int count = 1, stream = 0;
+};
+
+void declare(cli::Tool& tool, Options& o) {
+  const std::string surface = "Surface", ensemble = "Ensemble";
+  tool.counts("--shape", o.shape, 1, "Points in x and y", surface);
+  tool.quantities("--size", o.size, "m", "Size in x and y; absent: --shape times the spacing of --kernel",
+                  surface);
+  tool.quantity("--rq", o.acf.rms, "m",
+                "Rms height of the ensemble; a single surface differs from it by chance (see asperity-stats)",
+                surface);
+  tool.flag("--exact-rq", o.exact_rq,
+            "Subtract each surface's mean and scale it to --rq. Its heights are then no longer Gaussian "
+            "draws of the "
+            "target, and standard errors do not hold",
+            surface);
+  tool.flag("--periodic", o.periodic, "A surface that continues itself at its edges", surface);
+  tool.flag("--noise", o.noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
+  o.acf.declare(tool);
+  tool.text("--kernel", o.kernel, "FILE",
+            "A kernel from asperity-kernel in place of --length; - is standard input", "Autocorrelation");
+  tool.integer("--count", o.count, 1,
+               "Surfaces to draw from one kernel; --output is then a pattern, s_%04d.nc", ensemble);
+  tool.integer("--stream", o.stream, 0,
+               "Number of the first: --seed S --stream 17 is the surface 17 of seed S", ensemble);
+  tool.output();
+  tool.report();
+  tool.seed();
+  tool.threads();
+  tool.example(
+      "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
+  tool.accuracy(
+      "The ensemble has the autocorrelation acf_achieved of the dataset, to round-off; kernel_error is its "
+      "distance\n"
+      "  from the target. Estimates from one surface scatter by its sampling error: see asperity-stats and "
+      "asperity-acf.");
+}
+
+// Of a dataset that held a surface before, the kernel is wanted: not the heights and what was computed from
+// them.
+void forget_surface(Dataset& data) {
+  std::erase_if(data.variables, [](const Variable& v) {
+    return std::ranges::any_of(v.dimensions,
+                               [](const std::string& d) { return d == "x" || d == "y" || d == "z"; });
+  });
+  std::erase_if(data.dimensions,
+                [](const Dimension& d) { return d.name == "x" || d.name == "y" || d.name == "z"; });
+  std::vector<std::string> stale;
+  for (const Attribute& a : data.attributes)
+    for (const char* prefix : {"generate_", "contact_", "stress_"})
+      if (a.name.starts_with(prefix)) stale.push_back(a.name);
+  for (const std::string& name : stale) data.attributes.erase(name);
+}
+
+// The kernel of the options or of the file, and the exit code that follows from how it was solved.
+Dataset kernel_dataset(cli::Tool& tool, const Options& o, cli::Exit& code) {
+  if (!tool.given("--kernel")) {
+    if (!tool.given("--length")) throw cli::UsageError("length", "is required, or --kernel");
+    if (!tool.given("--size")) throw cli::UsageError("size", "is required");
+    if (!tool.given("--rq")) throw cli::UsageError("rq", "is required: the rms height of the surface");
+    Dataset data = cli::solved_kernel(o.acf, cli::spacing_of(o.shape, o.size));
+    code = cli::tell(tool, data);
+    return data;
+  }
+  for (const char* option : {"length", "level", "lags", "formulation", "tolerance"})
+    if (tool.given(std::string("--") + option))
+      throw cli::UsageError(option, "does not go together with --kernel");
+  Dataset data = cli::Tool::read(o.kernel);
+  forget_surface(data);
+  cli::tell(tool, data);
+  return data;
+}
+
+// The kernel's tables with the height and the spacing of this surface.
+cli::KernelTables tables_for(cli::Tool& tool, const Options& o, const Dataset& data) {
+  cli::KernelTables tables = cli::kernel_of(data);
+  if (tool.given("--rq")) {
+    if (!(o.acf.rms > 0 && std::isfinite(o.acf.rms)))
+      throw cli::UsageError("rq", cli::format_quantity(o.acf.rms, "m") + ": must be positive and finite");
+    tables.scale(o.acf.rms / tables.rms());
+    tables.has_height = true;
+  }
+  if (!tables.has_height)
+    throw cli::UsageError("rq", "the kernel has unit variance: an rms height is required");
+  if (!tool.given("--size")) {
+    if (!tables.spacing) throw cli::UsageError("size", "is required: the kernel counts its lags in samples");
+    return tables;
+  }
+  const cli::Spacing spacing = cli::spacing_of(o.shape, o.size);
+  for (std::size_t axis : {0u, 1u})
+    if (tables.spacing && std::abs((*spacing)[axis] / (*tables.spacing)[axis] - 1) > 1e-9)
+      throw cli::UsageError("size", "gives a spacing of " + cli::format_quantity((*spacing)[axis], "m") +
+                                        ", the kernel has " +
+                                        cli::format_quantity((*tables.spacing)[axis], "m"));
+  tables.spacing = spacing;
+  return tables;
+}
+
+// "surface_%04d.nc" and 7 → "surface_0007.nc".
+std::string numbered(const std::string& pattern, std::int64_t number) {
+  const auto percent = pattern.find('%'), end = pattern.find('d', percent);
+  const std::string width = percent < end ? pattern.substr(percent + 1, end - percent - 1) : "?";
+  if (end == pattern.npos || width.find_first_not_of("0123456789") != width.npos || width.size() > 2)
+    throw cli::UsageError("output", "'" + pattern + "' has no place for the number: write s_%04d.nc");
+  std::string digits = std::to_string(number);
+  const std::size_t least = width.empty() ? 0 : std::stoul(width);
+  if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
+  return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
+}
+
+void draw(Dataset& data, const Options& o, const Synthesis& synthesis, const WhiteNoise& noise, double rms) {
+  const Stopwatch watch;
+  Field heights = synthesis.surface(noise);
+  if (o.exact_rq) centre_and_scale(heights, rms);
+  set_field(data, "heights", heights, {"m", "height"});
+  if (o.noise)
+    set_field(data, "noise", synthesis.noise_below(noise), {"1", "white noise below the kernel's middle"});
+  data.attributes.set("generate_seed", static_cast<double>(noise.seed()));
+  data.attributes.set("generate_stream", static_cast<double>(noise.stream()));
+  data.attributes.set("generate_rng", WhiteNoise::generator());
+  data.attributes.set("generate_rms", rms);
+  data.attributes.set("generate_exact_rq", o.exact_rq ? 1 : 0);
+  data.attributes.set("generate_method", synthesis.summation() == Summation::direct ? "direct" : "transform");
+  data.attributes.set("generate_seconds", watch.seconds());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool("asperity-generate", "Random rough surfaces with a prescribed autocorrelation");
+  Options options;
+  declare(tool, options);
+
+  return tool.run(argc, argv, [&] {
+    if (!tool.given("--shape")) throw cli::UsageError("shape", "is required");
+    if (options.count > 1) numbered(tool.output_name(), 0);
+    cli::Exit code = cli::done;
+    Dataset base = kernel_dataset(tool, options, code);
+    const cli::KernelTables tables = tables_for(tool, options, base);
+    set_kernel(base, tables);
+    set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
+
+    const Synthesis synthesis(tables.kernel, options.shape,
+                              {options.periodic, Summation::cheapest, tool.thread_count()});
+    for (std::int64_t i = options.stream, end = i + options.count; i < end; ++i) {
+      Dataset data = base;
+      draw(data, options, synthesis, WhiteNoise(tool.seed_value(), static_cast<std::uint64_t>(i)),
+           tables.rms());
+      tool.write(data, options.count > 1 ? numbered(tool.output_name(), i) : tool.output_name());
+    }
+    return code;
+  });
+}
