@@ -12,6 +12,7 @@
 #include <gsl/gsl_version.h>
 #include <nlohmann/json.hpp>
 
+#include "acf/newton_krylov.hpp"
 #include "cli/stream.hpp"
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
@@ -24,7 +25,9 @@ namespace {
 
 constexpr const char* common = "Common";
 
-std::string libraries() { return netcdf_version() + ", " + transform_version() + ", GSL " + GSL_VERSION; }
+std::string libraries() {
+  return sundials_version() + ", GSL " GSL_VERSION ", " + transform_version() + ", " + netcdf_version();
+}
 
 std::string source() { return "Asperity " ASPERITY_VERSION " (" + libraries() + ")"; }
 
