@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include <fmt/format.h>
 
 #include "grid/error.hpp"
 #include "grid/parallel.hpp"
@@ -22,7 +23,7 @@ Shape torus_of(const Grid& grid) { return grid.periodic ? grid.shape : padded_to
 
 void check(const Grid& grid, const Field& pressure, double poisson) {
   if (!(poisson >= 0 && poisson <= 0.5))
-    throw ParameterError("poisson", std::to_string(poisson) + " is not between 0 and 0.5");
+    throw ParameterError("poisson", fmt::format("{} is not between 0 and 0.5", poisson));
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
 }
@@ -60,7 +61,7 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
 
 void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work) const {
   if (!(z >= 0 && std::isfinite(z)))
-    throw ParameterError("depth", std::to_string(z) + " m is not a depth: 0 or more");
+    throw ParameterError("depth", fmt::format("{} m is not a depth, 0 or more", z));
   work.influence_->descend(z, asked);
   for (Component c : stress::components)
     if (asked[c] && work.half_[c].empty()) work.half_[c] = transform_.half_spectrum();
@@ -73,19 +74,19 @@ void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work)
     }
 }
 
-// product = (-i)^m S p^; S(-kx) = ±S(kx).
+// product = (-i)^m S p^, where S(-kx) = ±S(kx); -i (a + ib) = b - ia.
 void StressSolver::multiply(Component c, Index b, const double* symbol, Complex* product) const {
   const Complex* p = pressure_spectrum_.data() + b * transform_.block_size();
   const Index nx = transform_.torus().nx;
   const bool imaginary = odd_in_x(c) != odd_in_y(c);
   const double sign = odd_in_x(c) && odd_in_y(c) ? -1 : 1, mirrored = odd_in_x(c) ? -sign : sign;
-  for (Index k = 0; k < nx; ++k) {
+  for (Index k = 0; k < nx; ++k, p += width, product += width) {
     const double* s = symbol + std::min(k, nx - k) * width;
     const double f = 2 * k <= nx ? sign : mirrored;
-    for (Index q = k * width; q < (k + 1) * width; ++q) {
-      const Complex v = f * s[q - k * width] * p[q];
-      product[q] = imaginary ? Complex(v.imag(), -v.real()) : v;
-    }
+    if (imaginary)
+      for (Index q = 0; q < width; ++q) product[q] = {f * s[q] * p[q].imag(), -f * s[q] * p[q].real()};
+    else
+      for (Index q = 0; q < width; ++q) product[q] = f * s[q] * p[q];
   }
 }
 
