@@ -33,6 +33,7 @@ double AcfError::absolute(Index p, Index q) const {
 }
 
 double AcfError::normalised(Index p, Index q) const {
+  if (p == 0 && q == 0) return 0;
   const double at_lag = rho_(p, q);
   double sum = 0;
   for (const auto& [k, l, rho] : support_) {

@@ -14,12 +14,14 @@ struct Candidate {
   double rho, weight, evidence;
 };
 
+// The lags that may be admitted, the strongest first: S_2 ≥ 1 bounds what is asked of them from below.
 std::vector<Candidate> by_evidence(const LagField& rho, const Grid& grid) {
+  const double least = 3 / std::sqrt(static_cast<double>(grid.shape.cells()));
   std::vector<Candidate> lags;
-  lags.reserve(static_cast<std::size_t>(rho.half_plane().size()));
   for_each_lag(rho, grid, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
-    lags.push_back({p, q, value, weight, std::abs(value) * std::sqrt(overlap(grid, p, q))});
+    const double evidence = std::abs(value) * std::sqrt(overlap(grid, p, q));
+    if (evidence > least) lags.push_back({p, q, value, weight, evidence});
   });
   std::ranges::sort(lags, std::ranges::greater{}, &Candidate::evidence);
   return lags;

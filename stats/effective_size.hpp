@@ -21,9 +21,11 @@
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Rq].
-/// Accuracy  Coverage of the 95 % intervals: validation/statistics_coverage. An S_k that noise makes
-///           negative, which no correlation has, counts as zero.
-/// Cost      at most 512 multiplications a lag, fewer where ρᵏ vanishes; a sort of the lags for an estimate.
+/// Accuracy  The 95 % intervals cover 92–99 % with a known ρ, down to N_eff = N/S_2 = 40; with an estimated one
+///           94–97 % from N_eff = 600 on, but for Ra and Rq 92 % at 150 and 84 % at 40 (1600 fields of
+///           128 × 128 a row, validation/statistics_coverage). An S_k that noise makes negative, which no
+///           correlation has, counts as zero.
+/// Cost      at most 512 multiplications a lag, fewer where ρᵏ vanishes; two passes over an estimate's lags.
 ///
 /// F. G. Mehler, J. reine angew. Math. 66 (1866) 161-176.
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.

@@ -99,7 +99,8 @@ TEST_CASE("the estimated correlation of white noise leaves N_eff within 6 % of N
           "[effective-size][statistics]") {
   const Grid g = grid(96, 80);
   for (unsigned seed = 0; seed < 10; ++seed) {
-    const LagField acf = estimate_autocorrelation(white_noise(g.shape, seed), g, {.max_lag = default_max_lag(g)});
+    const LagField acf =
+        estimate_autocorrelation(white_noise(g.shape, seed), g, {.max_lag = default_max_lag(g)});
     const EffectiveSize size = EffectiveSize::of_estimate(acf, g);
     CHECK(std::abs(size.effective(2) / 7680 - 1) <= 0.06);
     CHECK(std::abs(size.effective(4) / 7680 - 1) <= 0.01);

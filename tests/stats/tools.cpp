@@ -1,0 +1,149 @@
+// The three statistics tools on a dataset whose correlation is known.
+#include <nlohmann/json.hpp>
+
+#include "dataset/layout.hpp"
+#include "fields.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const Shape window{8, 5};
+
+// 0.4 µm of moving average over 8 × 5 points of 20 µm × 30 µm, with the target that belongs to it.
+Dataset drawn_surface() {
+  Dataset data;
+  const Grid grid{{96, 80}, 20e-6, 30e-6, false};
+  set_grid(data, grid);
+  set_field(data, "heights", 0.4e-6 * moving_average(grid.shape, window, 31), {"m", "heights"});
+  const LagField rho = triangular_correlation(window);
+  const Field target =
+      Field::NullaryExpr(11, 15, [&](Index p, Index column) { return 0.16e-12 * rho(p, column - 7); });
+  set_table(data, "acf_target", target, {"p", 0, 20e-6, "m"}, {"q", -7 * 30e-6, 30e-6, "m"},
+            {"m2", "autocorrelation asked for"});
+  return data;
+}
+
+Outcome run_on_surface(const std::string& command) {
+  write_dataset(drawn_surface(), "drawn.nc");
+  return shell(command);
+}
+
+Json json_of(const std::string& command) {
+  const Outcome run = run_on_surface(command);
+  INFO(run.error);
+  REQUIRE(run.exit == 0);
+  return Json::parse(run.out);
+}
+
+}  // namespace
+
+// 4 standard errors; S_2 of the triangular ACF from its closed form, thinned by the field's edges by less
+// than 8 %.
+TEST_CASE("asperity-stats finds the Rq that was drawn, and N_eff from the carried correlation",
+          "[stats-tool][statistics]") {
+  const Json carried = json_of("asperity-stats drawn.nc --json");
+  const double rq = carried["Rq"]["value"], error = carried["Rq"]["standard_error"];
+  CHECK(std::abs(rq - 0.4e-6) <= 4 * error);
+  CHECK(std::abs(carried["Rku"]["value"].get<double>() - 3) <=
+        4 * carried["Rku"]["standard_error"].get<double>());
+  const double sum = (129 / 24.0) * (51 / 15.0), n_eff = carried["N_eff"]["value"];
+  CHECK(n_eff >= 7680 / sum);
+  CHECK(n_eff <= 1.08 * 7680 / sum);
+  CHECK(error == Approx(rq / std::sqrt(2 * n_eff)).epsilon(1e-12));
+}
+
+TEST_CASE("asperity-stats estimates the errors of a field whose correlation is not carried",
+          "[stats-tool][contract]") {
+  const Json known = json_of("asperity-stats drawn.nc --json");
+  const Json estimated = json_of("asperity-stats drawn.nc --json --correlation estimate");
+  CHECK(known["Rq"]["value"] == estimated["Rq"]["value"]);
+  const double ratio =
+      estimated["Rq"]["standard_error"].get<double>() / known["Rq"]["standard_error"].get<double>();
+  CHECK(std::abs(ratio - 1) <= 0.3);
+  CHECK(ratio != 1);
+}
+
+TEST_CASE("a plane is taken off with --form plane and the mean is reported either way", "[stats-tool][law]") {
+  Dataset data = drawn_surface();
+  const Grid grid = grid_of(data);
+  const Field tilt = sample(grid, [](double x, double y) { return 1e-3 + 2e-3 * x - 1e-3 * y; });
+  set_field(data, "heights", field_of(data, "heights") + tilt, {"m", "heights"});
+  write_dataset(data, "tilted.nc");
+  const Json flat = json_of("asperity-stats drawn.nc --json --form plane");
+  const Json tilted = Json::parse(shell("asperity-stats tilted.nc --json --form plane").out);
+  // Heights of 1e-3 m are rounded to ε 1e-3.
+  CHECK(relative_error(tilted["Rq"]["value"], flat["Rq"]["value"]) <= 10 * epsilon * 1e-3 / 0.4e-6);
+  CHECK(std::abs(tilted["mean"]["value"].get<double>() - flat["mean"]["value"].get<double>() - 1e-3) <=
+        1e-17);
+}
+
+TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
+  const Outcome run = run_on_surface("asperity-acf drawn.nc --max-lag 20x15");
+  REQUIRE(run.exit == 0);
+  CHECK(
+      run.out.starts_with("# direction\tlag [m]\tacf [1]\tstandard_error [1]\ttarget [1]\nx\t0\t1\t0\t1\n"));
+  CHECK(lines(run.out) == 1 + 21 + 16);
+  const Json absolute = json_of("asperity-acf drawn.nc --absolute --json");
+  const double rq = json_of("asperity-stats drawn.nc --json")["Rq"]["value"];
+  CHECK(absolute["acf"]["unit"] == "m2");
+  CHECK(relative_error(absolute["acf"]["values"][0], rq * rq) <= 100 * epsilon);
+}
+
+// A triangle falls to 10 % at 7.2 and 4.5 samples; between 7 and 8 samples, where the target reaches zero,
+// the interpolation is linear and exact.
+TEST_CASE("asperity-acf finds the 10 % lengths within four of their standard errors",
+          "[acf-tool][statistics]") {
+  const Json lengths = json_of("asperity-acf drawn.nc --lengths --json");
+  CHECK(relative_error(lengths["target_length_10_x"]["value"], 7.2 * 20e-6) <= 10 * epsilon);
+  CHECK(relative_error(lengths["target_length_10_y"]["value"], 4.5 * 30e-6) <= 10 * epsilon);
+  for (const char* name : {"length_10_x", "length_10_y", "length_e_x", "length_e_y", "gamma_10", "gamma_e"}) {
+    const double value = lengths[name]["value"], error = lengths[name]["standard_error"];
+    CAPTURE(name, value, error);
+    CHECK(std::abs(value - lengths[std::string("target_") + name]["value"].get<double>()) <= 4 * error);
+  }
+}
+
+TEST_CASE("asperity-acf --dataset adds the ACF over both signs of the lag and leaves the rest as it was",
+          "[acf-tool][contract]") {
+  REQUIRE(run_on_surface("asperity-acf --dataset --max-lag 12x9 < drawn.nc > with-acf.nc").exit == 0);
+  const Dataset before = read_dataset("drawn.nc"), after = read_dataset("with-acf.nc");
+  for (const char* kept : {"heights", "acf_target", "p", "q"})
+    CHECK(after.at(kept).values == before.at(kept).values);
+  const Field acf = table_of(after, "acf");
+  CHECK(shape_of(acf) == Shape{13, 19});
+  CHECK(acf(0, 9) == 1);
+  CHECK(numbers(after.at("lag_y").values).front() == Approx(-9 * 30e-6).epsilon(1e-14));
+  CHECK(after.attributes.number("acf_length_10_x", 0) > 0);
+}
+
+TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-tool][law]") {
+  const Json table = json_of("asperity-pdf drawn.nc --bins 24 --json");
+  const auto heights = table["height"]["values"].get<std::vector<double>>();
+  double count = 0, integral = 0;
+  for (double c : table["count"]["values"]) count += c;
+  for (double d : table["density"]["values"]) integral += d * (heights[1] - heights[0]);
+  CHECK(count == 7680);
+  CHECK(integral == Approx(1).epsilon(1e-12));
+  CHECK(table["density"]["unit"] == "m-1");
+}
+
+TEST_CASE("a smooth field, an absent variable and lags beyond the field are refused in one line",
+          "[stats-tool][contract]") {
+  Dataset smooth = drawn_surface();
+  set_field(smooth, "heights", Field::Constant(96, 80, 1e-6), {"m", "heights"});
+  write_dataset(smooth, "smooth.nc");
+  for (const char* tool : {"asperity-stats", "asperity-acf", "asperity-pdf"}) {
+    const Outcome flat = shell(std::string(tool) + " smooth.nc");
+    const Outcome absent = run_on_surface(std::string(tool) + " drawn.nc --variable pressure");
+    CAPTURE(tool, flat.error, absent.error);
+    CHECK((flat.exit == 4 && lines(flat.error) == 1));
+    CHECK((absent.exit == 4 && absent.error.find("pressure") != std::string::npos));
+  }
+  const Outcome far = run_on_surface("asperity-acf drawn.nc --max-lag 96x3");
+  CHECK((far.exit == 2 && far.error.find("--max-lag") != std::string::npos));
+}
