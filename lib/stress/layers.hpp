@@ -18,8 +18,8 @@
 ///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
 ///           the steps of the pressure show below its edges: see accurate_depth.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
-///           128 × 128 cells take 9-12 padded real transforms, 2-4 ms. Memory per thread: 15 N doubles per
-///           component, N = nx ny.
+///           128 × 128 cells take 9-12 padded real transforms, 2-4 ms. Memory: 4 N doubles for the
+///           pressure, and per thread 3 N for each component asked, N = nx ny.
 ///
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
 #pragma once
