@@ -89,10 +89,9 @@ void GuardedGradients::begin_gradient_steps(int count) {
 
 void GuardedGradients::gradient_step() {
   --gradient_steps_left_;
-  d_ = p_ - alpha_ * (g_ - residual_.approach);
-  project_onto_load(problem_, d_);
-  d_ -= p_;
-  const Eigen::Array2d along = look_along_direction();
+  target_ = p_ - alpha_ * (g_ - residual_.approach);
+  project_onto_load(problem_, target_);
+  const Eigen::Array2d along = look_towards_target();
   const double slope = along[0], curvature = along[1];
   if (!(curvature > 0 && slope < 0)) {
     gradient_steps_left_ = 0;
@@ -134,23 +133,17 @@ void GuardedGradients::take_minimum() {
 }
 
 void GuardedGradients::guarded_step() {
-  d_ = face_gradients_.pressure();
-  if (!clip_and_rescale(problem_, d_)) return begin_gradient_steps(6);
-  Field candidate = d_;
-  d_ -= p_;
-  const Eigen::Array2d along = look_along_direction();
+  target_ = face_gradients_.pressure();
+  if (!clip_and_rescale(problem_, target_)) return begin_gradient_steps(6);
+  const Eigen::Array2d along = look_towards_target();
   const double slope = along[0], curvature = along[1];
-  if (slope < 0 && slope + curvature / 2 <= sufficient_decrease * slope) {
-    p_ = std::move(candidate);
-    g_ += q_;
-    ++updates_;
-    return;
-  }
+  if (slope < 0 && slope + curvature / 2 <= sufficient_decrease * slope) return move(1);
   if (slope < 0 && curvature > 0) move(std::min(1.0, -slope / curvature));
   begin_gradient_steps(6);
 }
 
-Eigen::Array2d GuardedGradients::look_along_direction() {
+Eigen::Array2d GuardedGradients::look_towards_target() {
+  d_ = target_ - p_;
   influence_.apply(d_, q_);
   return problem_.blocks().sum([&](Block b) {
     const auto d = b.of(d_);
@@ -159,8 +152,9 @@ Eigen::Array2d GuardedGradients::look_along_direction() {
 }
 
 void GuardedGradients::move(double lambda) {
+  if (lambda == 1) std::swap(p_, target_);  // p + d would miss the bounds by round-off
   problem_.blocks().each([&](Block b) {
-    b.of(p_) = (b.of(p_) + lambda * b.of(d_)).max(0.0).min(problem_.cap);
+    if (lambda < 1) b.of(p_) = (b.of(p_) + lambda * b.of(d_)).max(0.0).min(problem_.cap);
     b.of(g_) += lambda * b.of(q_);
   });
   ++updates_;

@@ -78,16 +78,16 @@ class GuardedGradients {
   void take_minimum();
   void guarded_step();
   void minimise_on(const Face& face);
-  /// q = K d; the slope (g - δ)·d and curvature d·q of the energy along d.
-  Eigen::Array2d look_along_direction();
-  /// p += λ d, g += λ q, within the bounds.
+  /// d = target - p, q = K d; returns the slope (g - δ)·d and the curvature d·q of the energy along d.
+  Eigen::Array2d look_towards_target();
+  /// p += λ d, g += λ q, 0 ≤ λ ≤ 1; the target itself for λ = 1.
   void move(double lambda);
 
   CountedOperator influence_;
   const ContactProblem& problem_;
   Limits limits_;
   FaceGradients face_gradients_;
-  Field p_, g_, d_, q_;
+  Field p_, g_, target_, d_, q_;
   ContactResidual residual_;
   ContactStop stop_ = ContactStop::converged;
   int gradient_steps_left_ = 0, gradient_steps_ = 0, updates_ = 0;
