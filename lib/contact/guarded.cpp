@@ -12,6 +12,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double sufficient_decrease = 1e-4;  // Armijo's fraction
 constexpr double face_reduction = 0.25;       // of |r| before violations are looked for
+constexpr double face_goal = 0.9;             // of the tolerance, for max|r| on a face
 constexpr int face_steps = 200;
 constexpr int updates_before_refresh = 50;
 constexpr double round_off_floor = 1e-11;  // of ε, where gains end
@@ -117,7 +118,7 @@ void GuardedGradients::face_step() {
 
 void GuardedGradients::minimise_on(const Face& face) {
   face_gradients_.begin(face, p_, g_);
-  const double goal = 0.3 * limits_.tolerance * residual_.scale;
+  const double goal = face_goal * limits_.tolerance * residual_.scale;
   double reference = face_gradients_.norm();
   while (face_gradients_.steps() < face_steps && face_gradients_.step() && face_gradients_.largest() > goal) {
     if (face_gradients_.norm() > face_reduction * reference) continue;
