@@ -1,7 +1,6 @@
 /// Stress below a uniformly loaded rectangle on the surface of an elastic half-space.
 ///
-/// Under the pressure p = 1 on |x| ≤ a, |y| ≤ b the stress at (x, y, z) is a sum over the four corners [1,
-/// 2],
+/// Under the pressure p = 1 on |x| ≤ a, |y| ≤ b the stress at (x, y, z) is a sum over four corners [1, 2],
 ///     2π σ = S[f] = f(x+a, y+b) - f(x-a, y+b) - f(x+a, y-b) + f(x-a, y-b),                        (1)
 /// of the corner functions f(X, Y), with r² = X² + Y² + z²,
 ///     xx   -2νT + F(X,Y) - (1-2ν) A            xy   -z/r - (1-2ν) ln(r+z)
@@ -9,12 +8,10 @@
 ///     zz   -T - F(X,Y) - F(Y,X)                yz   G(Y,X)
 ///     T = atan2(XY, zr)                        F(X,Y) = zXY / (r(X²+z²))
 ///     A = atan2(XY(X²+Y²)/(r+z), X²r + zY²)    G(X,Y) = z²Y / (r(X²+z²))                          (3)
-/// Written so, nothing cancels inside a corner: r-z never occurs, and T + A stay within their branches. At
-/// the surface F = G = z/r = 0 and T = ±π/2, its mean 0 on an edge: σzz is -1 inside, -½ on an edge, -¼ at a
-/// corner.
+/// Written so, nothing cancels inside a corner: r-z never occurs, and T, A stay within their branches. At the
+/// surface F = G = z/r = 0 and T = ±π/2, its mean 0 on an edge: σzz is -1 inside, -½ on an edge, -¼ at a corner.
 ///
-/// Symbols   a, b  half sides [m]     z  depth, ≥ 0 [m]     ν  Poisson's number     σ  stress per unit
-///           pressure
+/// Symbols   a, b  half sides [m]     z  depth, ≥ 0 [m]     ν  Poisson's number     σ  stress over pressure
 /// Scope     everywhere but τxy at a corner itself, where it has a logarithmic singularity (ν < ½).
 /// Accuracy  |error| ≤ 1e-15; relative to the largest component 1e-13 near the rectangle, growing as its
 ///           distance cubed, since (1) cancels: 1e-9 at a hundred half sides.
@@ -22,8 +19,7 @@
 /// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary,
 ///     Phil. Trans. R. Soc. A 228 (1929) 377-420.
 /// [2] S. Liu, Q. Wang, Studying contact stress fields caused by surface tractions with a discrete
-/// convolution
-///     and fast Fourier transform algorithm, J. Tribology 124 (2002) 36-45.
+///     convolution and fast Fourier transform algorithm, J. Tribology 124 (2002) 36-45.
 #pragma once
 
 #include "grid/field.hpp"

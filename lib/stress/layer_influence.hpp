@@ -14,10 +14,9 @@
 /// Exact for a pressure that is a trigonometric polynomial. Its mean p̄ acts on a body held laterally:
 /// σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄.
 ///
-/// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of the
-///           pressure
-/// Cost      (2): nx ny corners and, per component, half the complex transforms of the kernel; (3): one exp a
-///           mode.
+/// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of p
+/// Cost      (2): nx ny corners and, per component, half the complex transforms of the kernel;
+///           (3): one exponential a mode and component.
 ///
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 13.
 #pragma once

@@ -1,7 +1,6 @@
 /// Stress below a loaded surface, layer by layer.
 ///
-/// In the layer at depth z each component is a convolution of the surface pressure with that component's
-/// influence,
+/// In the layer at depth z each component is a convolution of the surface pressure with its influence,
 ///     σ_c(x_i, y_j, z) = Σ_{i',j'} K_c(i-i', j-j'; z) p(i',j'),                                       (1)
 /// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). The pressure is
 /// transformed once. Then, for a layer:
@@ -10,11 +9,9 @@
 /// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von
 /// Mises stress of a volume needs the memory of a layer.
 ///
-/// Symbols   σ  stress, positive in tension [Pa]     p  pressure, constant in each cell [Pa]     z  depth, ≥
-///           0 [m]
-/// Scope     any grid, Δx ≠ Δy; periodic ones by (3) of stress/layer_influence.hpp. Linear elastic
-///           half-space.
-/// Accuracy  of (1): round-off, 1e-14 max p. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p in
+/// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
+/// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.
+/// Accuracy  of (1): round-off, below 16 ε Σ|p|. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p in
 ///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
 ///           the steps of the pressure show below its edges: see accurate_depth.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of

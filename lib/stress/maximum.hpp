@@ -1,8 +1,7 @@
 /// The largest von Mises stress below a loaded surface and where it lies.
 ///
 /// A smooth contact yields first at about half its radius below the surface, a rough one a few cells deep,
-/// and the layers of a volume asked for by a user may miss both. The search looks at depths in geometric
-/// progression,
+/// and the layers of a volume asked for by a user may miss both. The search looks at geometric depths,
 ///     z_k = ¼ h 1.5^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,            (1)
 /// and then refines each maximum of the layers' maxima m(z) that may be the largest by parabolas through
 /// three points in ln z, inside their bracket. Within a layer the peak between the cell centres comes from a
@@ -11,7 +10,7 @@
 /// Accuracy  of the search: 3e-5 of the value for a smooth contact, 4e-3 for rough ones. The stress itself is
 ///           that of stress/layers.hpp.
 /// Cost      about 15 layers of all components at 128 cells, one more each time the grid's side grows by
-///           half, and 2-4 to refine.
+///           half, and a few to refine.
 #pragma once
 
 #include "stress/layers.hpp"
