@@ -96,6 +96,16 @@ TEST_CASE("a named output is whole or absent", "[pipeline][contract]") {
   CHECK(failed.out.find(".part") == std::string::npos);
 }
 
+// A link used to be replaced by the file itself; run as root, with /dev/stdout, that damaged the machine.
+TEST_CASE("an output that is a symbolic link stays one, and its target is written", "[pipeline][contract]") {
+  REQUIRE(shell("ln -sf target.nc link.nc && " + generate + " -o link.nc && test -L link.nc").exit == 0);
+  CHECK(grid_of(read_dataset("target.nc")).shape == Shape{32, 32});
+  CHECK(shell("asperity-generate --shape 4x4 --size 3mm --rq 1um --length 2px -o x.nc --report /dev/stdout > "
+              "out.json; "
+              "test -L /dev/stdout && grep -q generate_seed out.json")
+            .exit == 0);
+}
+
 TEST_CASE("wrong usage is exit 2 and one line that names the tool and the option", "[contract]") {
   const std::pair<std::string, std::string> wrong[] = {
       {"asperity-generate --bogus", "--bogus"},

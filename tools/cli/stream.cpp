@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -67,11 +68,15 @@ class Descriptor {
   bool owned_;
 };
 
-// Devices, pipes and the like are written as they are; only a regular file can be replaced by renaming.
-bool replaceable(const std::string& name) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(name, ignored);
-  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+// Where a file of this name is to be replaced by renaming: at the end of its symbolic links. Nothing for devices, pipes
+// and other names of open files, which are written as they are.
+std::optional<std::string> replaceable(const std::string& name) {
+  namespace fs = std::filesystem;
+  if (name.starts_with("/dev/") || name.starts_with("/proc/")) return std::nullopt;
+  std::error_code missing;
+  const fs::path target = fs::canonical(name, missing);
+  if (missing) return name;
+  return fs::is_regular_file(target) ? std::optional(target.string()) : std::nullopt;
 }
 
 void replace_file(const std::string& name, std::string_view bytes) {
@@ -99,8 +104,8 @@ void write_all(const std::string& name, std::string_view bytes) {
     Descriptor out(STDOUT_FILENO, "standard output", false);
     out.write(bytes);
     out.close();
-  } else if (replaceable(name)) {
-    replace_file(name, bytes);
+  } else if (const auto target = replaceable(name)) {
+    replace_file(*target, bytes);
   } else {
     Descriptor out(::open(name.c_str(), O_WRONLY | O_CLOEXEC), name, true);
     out.write(bytes);

@@ -16,10 +16,11 @@ std::string text_of(const Cell& cell) {
   return shortest(std::get<double>(cell));
 }
 
-// For eyes: six digits are enough.
+// For eyes: six digits are enough, and what is not known is a dash.
 std::string short_text_of(const Cell& cell) {
   const auto* number = std::get_if<double>(&cell);
   if (!number) return text_of(cell);
+  if (std::isnan(*number)) return "-";
   char digits[32] = {};
   return {digits, std::to_chars(digits, digits + sizeof digits, *number, std::chars_format::general, 6).ptr};
 }

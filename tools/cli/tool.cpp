@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <system_error>
 
@@ -70,12 +71,31 @@ bool names(const std::vector<std::string>& arguments, const CLI::Option& option)
   });
 }
 
-nlohmann::ordered_json json_of(const Values& values) {
+using Json = nlohmann::ordered_json;
+
+// One number or a list, whole numbers as such; JSON has no word for what is not finite.
+Json json_of(const Values& values) {
   if (const auto* text = std::get_if<std::string>(&values)) return *text;
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (double v : numbers(values)) list.push_back(std::isfinite(v) ? nlohmann::ordered_json(v) : nullptr);
-  return list.size() == 1 ? list[0] : list;
+  return std::visit(
+      [](const auto& list) {
+        Json out = Json::array();
+        for (auto v : list) out.push_back(std::isfinite(static_cast<double>(v)) ? Json(v) : Json(nullptr));
+        return out.size() == 1 ? out[0] : out;
+      },
+      values);
 }
+
+// CLI11 would also print which options exclude or need each other; the texts say it better.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    std::string out;
+    if (option->get_type_size() != 0 && !option->get_type_name().empty())
+      out += " " + option->get_type_name();
+    if (!option->get_default_str().empty()) out += "=" + option->get_default_str();
+    return out + (option->get_required() ? " (required)" : "");
+  }
+};
 
 std::string without_hyphens(const std::string& name) { return name.substr(name.find_first_not_of('-')); }
 
@@ -83,7 +103,9 @@ std::string without_hyphens(const std::string& name) { return name.substr(name.f
 
 Tool::Tool(std::string name, std::string description)
     : app_(std::move(description), name), name_(std::move(name)) {
-  app_.get_formatter()->column_width(34);
+  auto formatter = std::make_shared<HelpFormatter>();
+  formatter->column_width(34);
+  app_.formatter(formatter);
   app_.set_help_flag();
   app_.allow_config_extras(CLI::config_extras_mode::error);
 }
@@ -317,7 +339,7 @@ Dataset Tool::read(const std::string& name) { return decode_netcdf(read_all(name
 
 void Tool::write_report(const Dataset& dataset) const {
   const std::string prefix = name_.substr(name_.find('-') + 1) + "_";
-  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  Json object = Json::object();
   for (const Attribute& attribute : dataset.attributes)
     if (attribute.name.starts_with(prefix)) object[attribute.name] = json_of(attribute.values);
   write_all(report_, object.dump(2) + "\n");
