@@ -1,11 +1,11 @@
 /// A kernel and its autocorrelation in a dataset.
 ///
-///     kernel(k, l)         as z(i,j) = Σ kernel(k,l) η(i+k, j+l) applies it [m, or 1 where no rms height
-//is given]
-///     acf_target(p, q)     over the half plane p = 0…, q = -…0…+ [m2 or 1]; lags in metres where the
-//spacing is
-///     acf_achieved(p, q)   known, else in samples
-/// and global attributes kernel_*: the effective parameters and what the solve achieved.
+///     kernel(k, l)         as z(i,j) = Σ kernel(k,l) η(i+k, j+l) applies it
+///     acf_target(p, q)     over the half plane p = 0…, q = -…0…+
+///     acf_achieved(p, q)   the same lags
+/// in m and m2, or in units of the rms height where none is given; lags in metres, or in samples where no
+/// spacing is known. Global attributes kernel_* hold the effective parameters and what the
+/// solve achieved.
 #pragma once
 
 #include "acf/newton_krylov.hpp"

@@ -52,7 +52,7 @@ void measure(const Kernel& kernel, KernelReport& report) {
 }
 
 // A kernel of unit variance with everything that can be said about it; none when a coefficient is not finite.
-std::optional<Kernel> examine(const KernelRequest& request, Field values) {
+std::optional<Kernel> examine(const KernelRequest& request, const Field& target, Field values) {
   const double sum = values.square().sum();
   if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
   if (values.sum() < 0) values = -values;
@@ -60,7 +60,7 @@ std::optional<Kernel> examine(const KernelRequest& request, Field values) {
   kernel.formulation = request.formulation;
   kernel.lags = request.lags;
   kernel.values = std::move(values);
-  kernel.acf_target = half_plane(request);
+  kernel.acf_target = target;
   kernel.acf_achieved = autocorrelation(kernel.values, kernel.acf_target.rows(), kernel.acf_target.cols());
   measure(kernel, kernel.report);
   return kernel;
@@ -69,14 +69,14 @@ std::optional<Kernel> examine(const KernelRequest& request, Field values) {
 // The search for the best kernel: each attempt starts somewhere, and the best end is kept.
 class Search {
  public:
-  explicit Search(const KernelRequest& request) : request_(request) {}
+  explicit Search(const KernelRequest& request) : request_(request), target_(half_plane(request)) {}
 
   // Takes the iterate u as a candidate, with the variance set right when it is no solution.
   template <class Equations>
   void consider(const Equations& equations, const std::vector<double>& u) {
-    auto candidate = examine(request_, equations.kernel(u));
+    auto candidate = examine(request_, target_, equations.kernel(u));
     if (candidate && !(candidate->report.residual <= request_.tolerance))
-      candidate = examine(request_, candidate->values / std::sqrt(candidate->values.square().sum()));
+      candidate = examine(request_, target_, candidate->values / std::sqrt(candidate->values.square().sum()));
     if (candidate && better(*candidate)) best_ = std::move(candidate);
   }
 
@@ -122,6 +122,7 @@ class Search {
   }
 
   const KernelRequest& request_;
+  Field target_;
   std::optional<Kernel> best_;
   KernelReport counts_;
   std::string reason_;
@@ -136,9 +137,9 @@ NewtonOptions options_for(const KernelRequest& request) {
 
 void solve_symmetric(const KernelRequest& request, SymmetricEquations& equations, Search& search) {
   const std::vector<double> start = equations.start();
-  search.consider(equations, start);
   std::vector<double> f(start.size());
   if (equations.residual(start, f) && search.iterate(equations, start, options_for(request))) return;
+  search.consider(equations, start);
   // A few infeasible-looking cuts have a solution whose spectrum changes sign: one bounded attempt at it.
   equations.guard = false;
   NewtonOptions options = options_for(request);
@@ -150,12 +151,11 @@ void solve_symmetric(const KernelRequest& request, SymmetricEquations& equations
 
 void solve_patir(const KernelRequest& request, PatirEquations& equations, Search& search) {
   const std::vector<double> start = equations.start();
-  search.consider(equations, start);
   NewtonOptions options = options_for(request);
   options.krylov_dimension = 60;
   options.restarts = 1;
   options.forcing = 1e-2;
-  search.iterate(equations, start, options);
+  if (!search.iterate(equations, start, options)) search.consider(equations, start);
 }
 
 void scale(Kernel& kernel, double rms) {

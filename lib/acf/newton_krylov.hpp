@@ -1,8 +1,8 @@
 /// Newton–Krylov iteration for F(u) = 0, the only door to KINSOL.
 ///
-/// Given a start u, each step solves J(u) s = -F(u) by restarted GMRES, preconditioned from the right by M ≈
-/// J⁻¹, to
-///     ‖F + J s‖ ≤ η ‖F‖,                                                                          (1)
+/// Given a start u, each step solves J(u) s = -F(u) by restarted GMRES, preconditioned from the right by
+/// M ≈ J⁻¹, to
+///     ‖F + J s‖ ≤ η ‖F‖,                                                                                (1)
 /// and moves to u + λ s, λ ≤ 1 chosen by a line search that makes ‖F‖ fall. Norms are weighted by the scale
 /// d: max |d F| decides on convergence. Only products J v and M v are asked for. J and M belong to the
 /// iterate of the last `linearize`, which is called at the beginning of each step.
@@ -12,8 +12,9 @@
 ///
 /// Memory: `krylov_dimension` + 10 vectors.
 ///
-/// A. C. Hindmarsh et al., SUNDIALS, ACM Trans. Math. Softw. 31 (2005) 363-396; P. N. Brown, Y. Saad, Hybrid
-/// Krylov methods for nonlinear systems of equations, SIAM J. Sci. Stat. Comput. 11 (1990) 450-481.
+/// A. C. Hindmarsh et al., SUNDIALS: suite of nonlinear and differential/algebraic equation solvers, ACM
+/// Trans. Math. Softw. 31 (2005) 363-396; P. N. Brown, Y. Saad, Hybrid Krylov methods for nonlinear systems
+/// of equations, SIAM J. Sci. Stat. Comput. 11 (1990) 450-481.
 #pragma once
 
 #include <functional>

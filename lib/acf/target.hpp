@@ -1,22 +1,24 @@
 /// Target autocorrelations: what a surface is asked to look like.
 ///
 /// A target is the autocorrelation R(λx, λy) = E[z(x,y) z(x+λx, y+λy)] divided by R(0,0) = σ², at lags
-/// counted in samples. The solver only samples it, so that any callable will do: a model below, a table, a
-/// rotated model.
+/// counted in samples. The solver only samples it, so that any callable will do: a model below, a table, a rotated
+/// model.
 ///
 /// The exponential model has the elliptic contours of a surface with a lay,
-///     R(λx, λy) = σ² exp(ln(level) √((λx/λx*)² + (λy/λy*)²)),                                     (1)
+///     R(λx, λy) = σ² exp(ln(level) √((λx/λx*)² + (λy/λy*)²)),                                           (1)
 /// and falls to `level` at the lengths λx*, λy*. Its decay lengths, where it is 1/e, are λ*/ln(1/level); its
 /// ellipticity is γ = λx*/λy*.
 ///
 /// Symbols   λx, λy    lags [samples]           λx*, λy*  lengths at `level` [samples]
 ///
-/// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact, Proc.
-/// R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for (1) in two dimensions.
+/// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact,
+/// Proc. R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for (1) in two dimensions.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "grid/error.hpp"
 #include "grid/field.hpp"

@@ -1,13 +1,13 @@
 /// Unit white Gaussian noise, row by row.
 ///
-/// η(i,j), independent and normal with mean 0 and variance 1, for any row i (negative ones too) and j = 0, 1,
-/// …. Every row has a generator of its own, started from a hash of (seed, stream, row): a row is the same
-/// whoever draws it, in whatever order, and on however many threads, and a longer row begins as a shorter one
-/// does.
+/// η(i,j), independent and normal with mean 0 and variance 1, for any row i (negative ones too) and
+/// j = 0, 1, …. Every row has a generator of its own, started from a hash of (seed, stream, row): a row is
+/// the same whoever draws it, in whatever order, and on however many threads, and a longer row begins as a
+/// shorter one does.
 ///
 /// The generator is GSL's taus2 (period 2⁸⁸), the normals come from its ziggurat. GSL's seeds have 32 bits,
-/// so that among the 10⁵ rows of an ensemble two would be the same; here all 88 bits of the state are set
-/// from the hash.
+/// so that among the 10⁵ rows of an ensemble two would probably be the same; here all 88 bits of the state are
+/// set from the hash, through gsl_rng_state.
 ///
 /// Cost      about 8 ns a number.
 ///

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Index width = PrunedTransform::width;
 
-// Measured on one core of a desktop processor; validation/synthesis_time.cpp checks their ratio.
+// Only their ratio decides; validation/synthesis_time.cpp holds it against the clock.
 constexpr double seconds_per_product = 0.15e-9;
 constexpr double seconds_per_butterfly = 0.5e-9;
 

@@ -15,7 +15,8 @@
 /// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a strip, with
 ///           Q ≥ M + L - 1. The cheaper one is taken. The noise costs 8 ns a value.
 ///
-/// T. G. Stockham, High-speed convolution and correlation, AFIPS Spring Joint Computer Conf. 28 (1966) 229-233.
+/// T. G. Stockham, High-speed convolution and correlation, AFIPS Spring Joint Computer Conf. 28 (1966)
+/// 229-233.
 #pragma once
 
 #include "grid/field.hpp"

@@ -75,7 +75,7 @@ TEST_CASE(
       chi_square += std::pow(deviation / error, 2);
     }
   // The standard errors are not too large either: the mean square deviation is 1 on average. Neighbouring
-  // lags are correlated, a handful of independent ones remain; 0.2 is below the 0.001 quantile of χ²/ν for ν
-  // ≥ 12.
+  // lags are correlated, a handful of independent ones remain; 0.2 is below the 0.001 quantile of χ²/ν for
+  // ν ≥ 15.
   CHECK(chi_square / static_cast<double>(mean.size()) >= 0.2);
 }
