@@ -1,0 +1,164 @@
+// Runs asperity-plot as a user does and looks at what it wrote.
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+#if __has_include(<catch2/catch_all.hpp>)
+using Catch::Matchers::ContainsSubstring;
+#else
+const auto ContainsSubstring = [](const std::string& text) { return Catch::Matchers::Contains(text); };
+#endif
+
+namespace {
+
+constexpr const char* kinds[] = {"map", "surface", "profile", "acf", "pdf", "contact", "von-mises"};
+
+// Every variable that a figure draws, on 24 × 20 cells of 25 µm.
+const std::string& scene() {
+  static const std::string name = [] {
+    const Grid grid{{24, 20}, 25e-6, 25e-6};
+    Dataset data;
+    set_grid(data, grid);
+    set_field(data, "heights", 0.4e-6 * random_field(grid.shape, 1), {"m", "height"});
+    set_field(data, "pressure", 2e9 * random_field(grid.shape, 2).abs(), {"Pa", "pressure"});
+    std::vector<std::int8_t> states;
+    for (int k = 0; k < 480; ++k) states.push_back(static_cast<std::int8_t>(k % 3));
+    set_flags(data, "contact", states, "contact state", "open elastic limit");
+    set_depths(data, {0, 1e-5, 3e-5, 8e-5});
+    std::vector<double> stress;
+    for (int k = 0; k < 4 * 480; ++k) stress.push_back(1e6 * k);
+    set_volume(data, "von_mises", stress, {"Pa", "von Mises stress"});
+    data.attributes.set("contact_hertz_pressure", 2e9);
+    write_dataset(data, "scene.nc");
+    return std::string("scene.nc");
+  }();
+  return name;
+}
+
+std::string bytes_of(const std::string& name) {
+  std::ifstream in(scratch(name), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Outcome plot(const std::string& arguments) { return shell("asperity-plot " + scene() + " " + arguments); }
+
+unsigned big_endian(const std::string& bytes, std::size_t at) {
+  unsigned out = 0;
+  for (std::size_t k = 0; k < 4; ++k) out = out << 8 | static_cast<unsigned char>(bytes.at(at + k));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("every kind draws a PNG of the size asked for, and says nothing", "[plot][contract]") {
+  for (const std::string kind : kinds) {
+    CAPTURE(kind);
+    const Outcome run = plot("--kind " + kind + " --pixels 640x500 -o a.png");
+    CHECK(run.exit == 0);
+    CHECK(run.error + run.out == "");
+    const std::string png = bytes_of("a.png");
+    REQUIRE(png.size() > 24);
+    CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(big_endian(png, 16) == 640);
+    CHECK(big_endian(png, 20) == 500);
+    CHECK(png.substr(png.size() - 8, 4) == "IEND");
+  }
+}
+
+TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contract]") {
+  const char* words[][2] = {{"height [nm]", "x [µm]"},          {"height [nm]", "y [µm]"},
+                            {"height [nm]", "x [µm] at y"},     {"lag [µm]", "autocorrelation"},
+                            {"density [1/nm]", "Gaussian"},     {"elastic", "at the limit"},
+                            {"depth z [µm]", "von Mises [GPa]"}};
+  for (std::size_t k = 0; k < std::size(kinds); ++k) {
+    CAPTURE(kinds[k]);
+    REQUIRE(plot(std::string("--kind ") + kinds[k] + " -o a.svg").exit == 0);
+    const std::string svg = bytes_of("a.svg");
+    CHECK(svg.starts_with("<?xml"));
+    CHECK(svg.ends_with("</svg>\n\n"));
+    for (const char* word : words[k]) CHECK_THAT(svg, ContainsSubstring(word));
+  }
+}
+
+TEST_CASE("the same dataset gives the same bytes", "[plot][contract]") {
+  for (const std::string name : {"map -o b.png", "surface -o b.png", "von-mises -o b.svg"}) {
+    const std::string file = name.substr(name.size() - 5);
+    REQUIRE(plot("--kind " + name).exit == 0);
+    const std::string first = bytes_of(file);
+    REQUIRE(plot("--kind " + name).exit == 0);
+    CHECK((first == bytes_of(file)));
+  }
+}
+
+TEST_CASE("what a title holds is drawn and never run", "[plot][contract]") {
+  REQUIRE(plot("--kind map --title \"a'b \\`touch ran\\` <&> @x {y}_2 \\$(touch ran)\" -o t.svg").exit == 0);
+  CHECK_THAT(bytes_of("t.svg"), ContainsSubstring("a'b `touch ran` &lt;&amp;&gt; @x {y}_2 $(touch ran)"));
+  CHECK_FALSE(std::filesystem::exists(scratch("ran")));
+}
+
+TEST_CASE("several cases stand side by side under their names", "[plot][contract]") {
+  const Outcome run = plot(scene() + " --kind map --labels first,second -o two.svg");
+  INFO(run.error);
+  REQUIRE(run.exit == 0);
+  CHECK_THAT(bytes_of("two.svg"), ContainsSubstring("first") && ContainsSubstring("second"));
+}
+
+TEST_CASE("a picture goes to standard output when it is told its format", "[plot][contract]") {
+  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format png").out.substr(1, 3) == "PNG");
+  CHECK(plot("--kind map -o -").exit == 2);
+}
+
+TEST_CASE("a wrong request gets one line and its exit code", "[plot][contract]") {
+  const struct {
+    const char* arguments;
+    int exit;
+    const char* word;
+  } wrong[] = {{"--kind pie -o w.png", 2, "--kind"},
+               {"--kind map -o w.pdf", 2, "--output"},
+               {"--kind map", 2, "--output"},
+               {"--kind map --variable depth -o w.png", 4, "depth"},
+               {"--kind map --variable von_mises -o w.png", 4, "von_mises"},
+               {"--kind map --x-range 5mm,6mm -o w.png", 2, "--x-range"},
+               {"--kind map --range 1,2 -o w.png", 2, "--range"},
+               {"--kind von-mises --section z=0 -o w.png", 2, "--section"},
+               {"--kind von-mises --section y=1m -o w.png", 2, "--section"},
+               {"--kind von-mises --above 2 -o w.png", 2, "--above"},
+               {"--kind map --labels a,b -o w.png", 2, "--labels"},
+               {"--kind map --title $'\\xff' -o w.png", 2, "--title"},
+               {"--kind map -o nowhere/w.png", 1, "nowhere"}};
+  for (const auto& [arguments, exit, word] : wrong) {
+    const Outcome run = plot(arguments);
+    CAPTURE(arguments, run.error);
+    CHECK(run.exit == exit);
+    CHECK(lines(run.error) == 1);
+    CHECK_THAT(run.error, ContainsSubstring(word));
+    CHECK_FALSE(std::filesystem::exists(scratch("w.png")));
+  }
+}
+
+TEST_CASE("without gnuplot the tool says what to install and exits with 1", "[plot][contract]") {
+  const Outcome run =
+      shell("tool=$(command -v asperity-plot); PATH=/nowhere $tool " + scene() + " --kind map -o w.png");
+  CHECK(run.exit == 1);
+  CHECK(lines(run.error) == 1);
+  CHECK_THAT(run.error, ContainsSubstring("gnuplot-nox"));
+}
+
+TEST_CASE("missing points stay empty and do not spoil the scale", "[plot][contract]") {
+  scene();
+  Dataset data = read_dataset("scene.nc");
+  std::get<std::vector<double>>(data.find("heights")->values)[7] = std::nan("");
+  write_dataset(data, "hole.nc");
+  const Outcome run = shell("asperity-plot hole.nc --kind map -o hole.svg");
+  INFO(run.error);
+  REQUIRE(run.exit == 0);
+  CHECK_THAT(bytes_of("hole.svg"), !ContainsSubstring("nan"));
+}

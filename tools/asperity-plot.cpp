@@ -1,0 +1,171 @@
+/// asperity-plot: figures of a dataset, drawn by gnuplot.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "cli/stream.hpp"
+#include "cli/tool.hpp"
+#include "grid/error.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/kinds.hpp"
+
+using namespace asperity;
+
+namespace {
+
+struct Kind {
+  const char* name;
+  plot::Script (*draw)(const plot::Cases&, const plot::Request&);
+};
+constexpr Kind kinds[] = {
+    {"map", plot::map}, {"surface", plot::surface}, {"profile", plot::profile},   {"acf", plot::acf},
+    {"pdf", plot::pdf}, {"contact", plot::contact}, {"von-mises", plot::section}, {"section", plot::section}};
+
+std::vector<std::string> names_of_kinds() {
+  std::vector<std::string> out;
+  for (const Kind& kind : kinds) out.emplace_back(kind.name);
+  return out;
+}
+
+struct Options {
+  plot::Request request;
+  std::vector<std::string> inputs{"-"};
+  std::string output = "-", labels, scale_by;
+  std::array<double, 2> x{-plot::unlimited, plot::unlimited}, y = x, depth{0, plot::unlimited};
+};
+
+void declare_figure(cli::Tool& tool, Options& o) {
+  const std::string group = "Figure";
+  tool.choice("--kind", o.request.kind, names_of_kinds(),
+              "map: false colours; surface: perspective; profile: along x and y; acf: against the target; "
+              "pdf: histogram and Gaussian; contact: states; von-mises: vertical section; section: one of "
+              "any --variable(z, x, y)",
+              group)
+      ->required();
+  tool.text("--variable", o.request.variable, "NAME",
+            "What is drawn: heights, pressure, gap, noise, stress_zz, ... (default: the kind's own)", group);
+  tool.text("--section", o.request.section, "AXIS=PLACE",
+            "Where a section or profile runs, y=0 or x=0.2mm: the nearest row of cells (default: y=0; a "
+            "profile's: both)",
+            group);
+  tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
+  tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
+  tool.counts("--pixels", o.request.pixels, 200, "Size; letters grow with the width (default: as suits)",
+              group);
+  tool.text("--format", o.request.format, "png|svg", "For -o - only; a file's name tells", group);
+  tool.text("-o,--output", o.output, "FILE.png|FILE.svg", "Where the picture goes; - is standard output",
+            group)
+      ->required();
+}
+
+void declare_scales(cli::Tool& tool, Options& o) {
+  const std::string group = "Scales";
+  tool.quantities("--x-range", o.x, "m", "Part shown along x", group)->default_str("");
+  tool.quantities("--y-range", o.y, "m", "Part shown along y", group)->default_str("");
+  tool.quantities("--depth-range", o.depth, "m", "Part shown of a section's depth", group)->default_str("");
+  tool.text("--range", o.request.range, "LOW,HIGH", "Values that the colours or the axis span, with unit",
+            group);
+  tool.choice("--scale-by", o.scale_by, {"p0"},
+              "Unit of stresses: p0 is the Hertz pressure that the dataset carries", group);
+  tool.number("--above", o.request.above,
+              "Section: leave blank what is below this share of p0 (with --scale-by) or of the maximum",
+              group);
+}
+
+std::string extension_of(const std::string& output) {
+  const std::string extension = std::filesystem::path(output).extension();
+  return extension.empty() ? "" : extension.substr(1);
+}
+
+// The format by the file's name, or for standard output by --format.
+std::string format_of(const Options& o) {
+  const bool stream = o.output == "-";
+  const std::string format = stream ? o.request.format : extension_of(o.output);
+  if (format == "png" || format == "svg") {
+    if (!stream && !o.request.format.empty() && o.request.format != format)
+      throw cli::UsageError("format", "'" + o.request.format + "' contradicts the name " + o.output);
+    return format;
+  }
+  if (stream) throw cli::UsageError("format", "'" + format + "' is neither png nor svg, which -o - needs");
+  throw cli::UsageError("output", "'" + o.output + "' ends in neither .png nor .svg");
+}
+
+plot::Range rising(const char* option, std::array<double, 2> range) {
+  if (!(range[0] < range[1])) throw cli::UsageError(option, "the first bound must be below the second");
+  return {range[0], range[1]};
+}
+
+plot::Request request_of(const cli::Tool& tool, const Options& o) {
+  plot::Request request = o.request;
+  request.format = format_of(o);
+  request.x = rising("x-range", o.x);
+  request.y = rising("y-range", o.y);
+  request.depth = rising("depth-range", o.depth);
+  request.titled = tool.given("--title");
+  request.scale_by_hertz = o.scale_by == "p0";
+  if (!plot::is_utf8(request.title)) throw cli::UsageError("title", "it is not UTF-8");
+  if (tool.given("--above") && !(request.above > 0 && std::isfinite(request.above)))
+    throw cli::UsageError("above", "it must be positive");
+  if (o.output == "-" && cli::stdout_is_terminal())
+    throw cli::UsageError("output", "a picture is binary and standard output is a terminal; name a file");
+  return request;
+}
+
+std::vector<std::string> labels_of(const Options& o) {
+  std::vector<std::string> out;
+  if (o.labels.empty()) {
+    for (const std::string& name : o.inputs) out.push_back(std::filesystem::path(name).stem());
+  } else {
+    std::istringstream list(o.labels);
+    for (std::string label; std::getline(list, label, ',');) out.push_back(label);
+  }
+  if (out.size() != o.inputs.size())
+    throw cli::UsageError(
+        "labels", std::to_string(out.size()) + " of them for " + std::to_string(o.inputs.size()) + " inputs");
+  if (!std::ranges::all_of(out, plot::is_utf8)) throw cli::UsageError("labels", "they are not UTF-8");
+  return out;
+}
+
+plot::Cases read_cases(const Options& o) {
+  constexpr std::size_t most = 6;
+  if (o.inputs.size() > most) throw cli::UsageError("input", "more than 6 are not legible side by side");
+  if (std::ranges::count(o.inputs, "-") > 1) throw cli::UsageError("input", "standard input is given twice");
+  if (std::ranges::count(o.inputs, "-") == 1 && cli::stdin_is_terminal())
+    throw cli::UsageError("input", "pipe a dataset in or name a file");
+  const std::vector<std::string> labels = labels_of(o);
+  plot::Cases out;
+  for (std::size_t i = 0; i < labels.size(); ++i) out.push_back({cli::Tool::read(o.inputs[i]), labels[i]});
+  return out;
+}
+
+int draw(const cli::Tool& tool, const Options& options) {
+  const plot::Request request = request_of(tool, options);
+  const plot::Cases cases = read_cases(options);
+  const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);
+  const plot::Picture picture = plot::run_gnuplot(kind->draw(cases, request));
+  if (!picture.remarks.empty()) tool.detail("gnuplot: " + picture.remarks);
+  cli::write_all(options.output, picture.bytes);
+  return cli::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool("asperity-plot", "Draws figures of a dataset, or of several side by side, with gnuplot");
+  Options options;
+  tool.app()
+      .add_option("INPUT", options.inputs, "Datasets to draw on shared scales; - is standard input")
+      ->type_name("FILE...")
+      ->capture_default_str();
+  declare_figure(tool, options);
+  declare_scales(tool, options);
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
+      "| asperity-plot --kind map -o heights.png");
+  tool.accuracy(
+      "Maps and profiles show the values as they are. A section is linear between cells and between "
+      "depths; a\n  surface of more than 128 points a side is thinned and says so; stretched axes say "
+      "by how much. The same\n  dataset gives the same bytes with the same gnuplot and fonts.");
+  return tool.run(argc, argv, [&] { return draw(tool, options); });
+}

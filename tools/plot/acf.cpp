@@ -1,0 +1,190 @@
+#include "stats/acf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
+#include "grid/error.hpp"
+#include "plot/kinds.hpp"
+#include "plot/source.hpp"
+#include "stats/acf_error.hpp"
+#include "stats/acf_length.hpp"
+#include "stats/effective_size.hpp"
+
+namespace asperity::plot {
+namespace {
+
+struct Curve {
+  std::vector<double> lag, rho, error;  ///< lag in metres, or samples where no spacing is known
+};
+
+// Both profiles of a case: the target and what is held against it.
+struct Profiles {
+  Curve target[2], found[2];  ///< along x, along y
+  bool estimated = false;     ///< found in the heights, not the kernel's own
+  bool in_metres = true;
+};
+
+// The lags of a dimension in metres, or in samples where that is all that is known.
+std::vector<double> lags_of(const Dataset& data, const char* name, bool& in_metres) {
+  const Variable& axis = data.at(name);
+  std::vector<double> lags = numbers(axis.values);
+  const std::string unit = axis.attributes.text("units");
+  double factor = 1;
+  if (!unit.empty() && unit != "1")
+    factor = unit_factor(unit, "m");
+  else if (data.has("x"))
+    factor = name[0] == 'p' ? grid_of(data).dx : grid_of(data).dy;
+  else
+    in_metres = false;
+  for (double& lag : lags) lag *= factor;
+  return lags;
+}
+
+Index zero_of(const std::vector<double>& lags, const char* name) {
+  const auto at = std::ranges::min_element(lags, {}, [](double lag) { return std::abs(lag); });
+  if (at == lags.end() || *at != 0) throw DataError(name, "the lag 0 is not among its points");
+  return at - lags.begin();
+}
+
+// The profiles of a function over the half-plane of lags, divided by its value at lag zero.
+void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bool& in_metres) {
+  const Field table = table_of(data, name);
+  const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
+  const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
+  for (Index i = p0; i < table.rows(); ++i) {
+    curves[0].lag.push_back(p[static_cast<std::size_t>(i)]);
+    curves[0].rho.push_back(table(i, q0) / table(p0, q0));
+  }
+  for (Index j = q0; j < table.cols(); ++j) {
+    curves[1].lag.push_back(q[static_cast<std::size_t>(j)]);
+    curves[1].rho.push_back(table(p0, j) / table(p0, q0));
+  }
+}
+
+// Without a target to go by, four 10 % lengths show all that there is to see.
+double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Grid& grid) {
+  if (!profiles.target[0].lag.empty())
+    return 1.25 * std::max(profiles.target[0].lag.back(), profiles.target[1].lag.back());
+  const auto x = first_crossing(rho.along_x(), 0.1), y = first_crossing(rho.along_y(), 0.1);
+  return x && y ? 4 * std::max(x->lag * grid.dx, y->lag * grid.dy) : unlimited;
+}
+
+void estimate_profiles(const Dataset& data, Profiles& profiles) {
+  const Grid grid = grid_of(data);
+  AcfParameters parameters;
+  parameters.max_lag = default_max_lag(grid);
+  const LagField rho = autocorrelation(field_of(data, "heights"), grid, parameters).normalised();
+  const AcfError error(significant_lags(rho, grid), grid);
+  const double most = lag_worth_showing(profiles, rho, grid);
+  for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {
+    profiles.found[0].lag.push_back(static_cast<double>(p) * grid.dx);
+    profiles.found[0].rho.push_back(rho(p, 0));
+    profiles.found[0].error.push_back(error.normalised(p, 0));
+  }
+  for (Index q = 0; q <= rho.max_q() && static_cast<double>(q) * grid.dy <= most; ++q) {
+    profiles.found[1].lag.push_back(static_cast<double>(q) * grid.dy);
+    profiles.found[1].rho.push_back(rho(0, q));
+    profiles.found[1].error.push_back(error.normalised(0, q));
+  }
+  profiles.estimated = true;
+}
+
+Profiles profiles_of(const Case& c) {
+  Profiles out;
+  if (c.data.has("acf_target")) read_profiles(c.data, "acf_target", out.target, out.in_metres);
+  if (c.data.has("heights"))
+    estimate_profiles(c.data, out);
+  else
+    read_profiles(c.data, "acf_achieved", out.found, out.in_metres);
+  return out;
+}
+
+std::vector<double> affine(const std::vector<double>& a, const std::vector<double>& b, double factor) {
+  std::vector<double> out(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + factor * b[k];
+  return out;
+}
+
+std::vector<double> divided(std::vector<double> values, double by) {
+  for (double& v : values) v /= by;
+  return values;
+}
+
+double longest_lag(const Profiles& profiles) {
+  double out = 0;
+  for (const auto& pair : {std::span(profiles.found), std::span(profiles.target)})
+    for (const Curve& curve : pair)
+      if (!curve.lag.empty()) out = std::max(out, curve.lag.back());
+  return out;
+}
+
+// Of the curves and the bands about them.
+double lowest_value(const Profiles& profiles) {
+  double out = 0;
+  for (const Curve& curve : profiles.found)
+    for (std::size_t k = 0; k < curve.rho.size(); ++k)
+      out = std::min(out, curve.rho[k] - (curve.error.empty() ? 0 : 2 * curve.error[k]));
+  for (const Curve& curve : profiles.target)
+    for (const double rho : curve.rho) out = std::min(out, rho);
+  return out;
+}
+
+// Bands first, then what was found, the target on top.
+std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
+  std::vector<Layer> bands, curves, targets;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const Curve &found = profiles.found[d], &target = profiles.target[d];
+    const std::vector<double> lag = divided(found.lag, factor);
+    const char* colour = line_colour(d);
+    if (!found.error.empty())
+      bands.push_back(points(
+          {lag, affine(found.rho, found.error, -2), affine(found.rho, found.error, 2)},
+          fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18", colour)));
+    curves.push_back(
+        points({lag, found.rho}, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
+    if (!target.lag.empty())
+      targets.push_back(points({divided(target.lag, factor), target.rho},
+                               "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
+  }
+  bands.insert(bands.end(), curves.begin(), curves.end());
+  bands.insert(bands.end(), targets.begin(), targets.end());
+  return bands;
+}
+
+std::vector<LegendEntry> legend(const Profiles& profiles) {
+  using enum LegendEntry::Key;
+  std::vector<LegendEntry> out{{line, line_colour(0), "along x"}, {line, line_colour(1), "along y"}};
+  if (!profiles.target[0].lag.empty()) out.push_back({dashes, "black", "target"});
+  return out;
+}
+
+}  // namespace
+
+Script acf(const Cases& cases, const Request& request) {
+  std::vector<Profiles> all;
+  double longest = 0, lowest = 0;
+  for (const Case& c : cases) {
+    all.push_back(profiles_of(c));
+    longest = std::max(longest, longest_lag(all.back()));
+    lowest = std::min(lowest, lowest_value(all.back()));
+  }
+  longest = std::min(longest, request.x.high);
+  const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
+  const char* title = all[0].estimated ? "surface ± 2 standard errors" : "kernel";
+  Figure figure(request, {.columns = static_cast<int>(cases.size()), .legend = true}, title);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.x_axis({0, longest / length.factor}, length.label("lag"));
+    figure.y_axis({lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ");
+    if (c > 0) figure.without_y_labels();
+    if (c + 1 == cases.size()) figure.legend(legend(all[0]));
+    figure.script.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
+    figure.script.draw("plot", layers_of(all[c], length.factor));
+  }
+  return figure.script;
+}
+
+}  // namespace asperity::plot

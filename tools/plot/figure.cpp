@@ -1,0 +1,189 @@
+#include "plot/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/error.hpp"
+
+namespace asperity::plot {
+namespace {
+
+constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
+constexpr double free_aspect = 0.62;
+constexpr double title_height = 2.0, label_height = 1.5, line_of_legend = 2.0;
+constexpr double bar_distance = 0.8, bar_width = 0.9;
+
+// The width of a sheet [em]: of one column 32, of three 60.
+double em_across(int columns) { return 18.0 + 14.0 * columns; }
+
+// Of UTF-8, where every byte but the continuing ones begins a character.
+double characters(const std::string& text) {
+  return static_cast<double>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+// The length of the longest number on a colour bar, in characters.
+std::size_t longest_tic(Range range, double step) {
+  std::size_t longest = 1;
+  for (const double v : multiples(range, step)) longest = std::max(longest, fmt::format("{:.6g}", v).size());
+  return longest;
+}
+
+}  // namespace
+
+// M. Okabe, K. Ito, Color universal design (2008).
+const char* line_colour(std::size_t k) {
+  constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
+  return colours[k % std::size(colours)];
+}
+
+std::string title_or(const Request& request, const std::string& otherwise) {
+  return request.titled ? request.title : otherwise;
+}
+
+Figure::Figure(const Request& request, Sheet sheet, std::string title)
+    : sheet_(sheet), title_(title_or(request, title)) {
+  if (!title_.empty()) sheet_.top += title_height;
+  if (sheet_.legend) sheet_.top += line_of_legend;
+  if (sheet_.columns > 1) sheet_.top += label_height;
+  fit(request);
+  begin(request.format);
+}
+
+// Panels as large as the sheet allows; where they are too high for it, narrower and centred.
+void Figure::fit(const Request& request) {
+  const int n = sheet_.columns, m = sheet_.rows;
+  const bool given = request.pixels.nx > 0;
+  em_ = given ? static_cast<double>(request.pixels.nx) / em_across(n) : (n == 1 ? em_of_single : em_of_many);
+  const double width = em_across(n) * em_, gaps_x = (n - 1) * sheet_.gap_x * em_,
+               gaps_y = (m - 1) * sheet_.gap_y * em_, frame_x = (sheet_.left + sheet_.right) * em_ + gaps_x,
+               frame_y = (sheet_.bottom + sheet_.top) * em_ + gaps_y;
+  const double aspect = sheet_.aspect > 0 ? sheet_.aspect : free_aspect / m;
+  panel_width_ = (width - frame_x) / n;
+  panel_height_ = panel_width_ * aspect;
+  if (given) {
+    const double room = (static_cast<double>(request.pixels.ny) - frame_y) / m;
+    if (!(room >= 2 * em_))
+      throw ParameterError(
+          "pixels", fmt::format("{}x{} is too flat for this figure", request.pixels.nx, request.pixels.ny));
+    if (sheet_.aspect <= 0) panel_height_ = room;
+    panel_width_ = std::min(panel_width_, room / (panel_height_ / panel_width_));
+    panel_height_ = std::min(panel_height_, room);
+    pixels_ = request.pixels;
+  } else {
+    pixels_ = {static_cast<Index>(std::lround(width)),
+               static_cast<Index>(std::lround(frame_y + m * panel_height_))};
+  }
+  const double spare_x = static_cast<double>(pixels_.nx) - frame_x - n * panel_width_,
+               spare_y = static_cast<double>(pixels_.ny) - frame_y - m * panel_height_;
+  left_ = sheet_.left * em_ + 0.5 * spare_x;
+  bottom_ = sheet_.bottom * em_ + 0.5 * spare_y;
+}
+
+void Figure::begin(const std::string& format) {
+  const bool png = format == "png";
+  script.line("set encoding utf8");
+  script.line("set terminal {} size {},{} font '{},{:.2f}' linewidth {:.2f} background rgb 'white' {}",
+              png ? "pngcairo" : "svg", pixels_.nx, pixels_.ny, png ? "DejaVu Sans" : "sans-serif",
+              png ? 0.75 * em_ : em_, em_ / 16, png ? "noenhanced" : "noenhanced name 'asperity'");
+  script.line("set minussign");
+  script.line("set border linewidth 0.8");
+  script.line("set tics out nomirror scale 0.5 front");
+  script.line("unset key");
+  script.line("set multiplot");
+}
+
+void Figure::panel(int row, int column, const std::string& label) {
+  const double x0 = left_ + column * (panel_width_ + sheet_.gap_x * em_),
+               y0 = bottom_ + (sheet_.rows - 1 - row) * (panel_height_ + sheet_.gap_y * em_);
+  last_ = row == sheet_.rows - 1 && column == sheet_.columns - 1;
+  script.line("unset label\nunset object\nunset arrow\nunset colorbox");
+  script.line("set lmargin at screen {}\nset rmargin at screen {}", screen_x(x0),
+              screen_x(x0 + panel_width_));
+  script.line("set bmargin at screen {}\nset tmargin at screen {}", screen_y(y0),
+              screen_y(y0 + panel_height_));
+  if (sheet_.columns > 1 && row == 0)
+    script.line("set label {} at screen {},{} center noenhanced", quoted(label),
+                screen_x(x0 + 0.5 * panel_width_), screen_y(y0 + panel_height_ + 0.8 * em_));
+  if (last_ && !title_.empty())
+    script.line("set label {} at screen {},{} center noenhanced", quoted(title_),
+                screen_x(left_ + 0.5 * panels_wide()), screen_y(static_cast<double>(pixels_.ny) - 1.3 * em_));
+}
+
+void Figure::x_axis(Range range, const std::string& label) {
+  const double most = std::max(2.0, em_wide() / 3.2);
+  script.line("set xrange [{}:{}]", range.low, range.high);
+  script.line("set xtics {} format '%g'", round_step(range.width(), most));
+  script.line("set xlabel {} noenhanced offset 0,0.2", quoted(label));
+}
+
+void Figure::y_axis(Range range, const std::string& label, bool downwards) {
+  const double most = std::max(2.0, em_high() / 1.8);
+  script.line("set yrange [{}:{}]", downwards ? range.high : range.low, downwards ? range.low : range.high);
+  script.line("set ytics {} format '%g'", round_step(range.width(), std::min(most, 8.0)));
+  script.line("set ylabel {} noenhanced offset 0.6,0", quoted(label));
+}
+
+void Figure::without_x_labels() { script.line("set xtics format ''\nunset xlabel"); }
+void Figure::without_y_labels() { script.line("set ytics format ''\nunset ylabel"); }
+
+void Figure::colours(const Colours& colours, const Unit& unit, const std::string& quantity) {
+  std::string stops;
+  const auto& list = control_colours(colours.palette);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    stops += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, list[i]);
+  script.line("set palette maxcolors 0 defined ({})", stops);
+  script.line("set cbrange [{}:{}]", colours.range.low / unit.factor, colours.range.high / unit.factor);
+  if (last_ && !quantity.empty()) colour_bar(colours, unit, quantity);
+}
+
+// As high as the panels but not lower than is legible; its label stands right of its longest number.
+void Figure::colour_bar(const Colours& colours, const Unit& unit, const std::string& quantity) {
+  const double panels = panels_high(), high = std::max(panels, 5 * em_), middle = bottom_ + 0.5 * panels,
+               x = left_ + panels_wide() + bar_distance * em_;
+  const Range shown{colours.range.low / unit.factor, colours.range.high / unit.factor};
+  const double step = round_step(shown.width(), std::min(6.0, high / em_ / 1.6));
+  const double label_x = x + (bar_width + 1.9 + 0.62 * static_cast<double>(longest_tic(shown, step))) * em_;
+  script.line("set colorbox vertical user origin screen {},{} size screen {},{} front", screen_x(x),
+              screen_y(middle - 0.5 * high), screen_x(bar_width * em_), screen_y(high));
+  script.line("set cbtics {} format '%g' scale 0.5", step);
+  script.line("set label {} at screen {},{} rotate by 90 center noenhanced", quoted(unit.label(quantity)),
+              screen_x(label_x), screen_y(middle));
+}
+
+double Figure::legend_height() const {
+  return bottom_ + panels_high() + (sheet_.columns > 1 ? label_height : 0) * em_ + 1.1 * em_;
+}
+
+// Entries one after the other with even gaps, centred over the panels.
+void Figure::legend(const std::vector<LegendEntry>& entries) {
+  constexpr double key = 2.0, letter = 0.6, gap = 1.6;
+  auto length = [&](const LegendEntry& e) { return (key + letter * characters(e.name)) * em_; };
+  double total = -gap * em_;
+  for (const LegendEntry& e : entries) total += length(e) + gap * em_;
+  double x = left_ + 0.5 * (panels_wide() - total);
+  const double y = legend_height();
+  for (const LegendEntry& e : entries) {
+    script.line("set label {} at screen {},{} left noenhanced", quoted(e.name), screen_x(x + key * em_),
+                screen_y(y));
+    legend_key(e, x, y);
+    x += length(e) + gap * em_;
+  }
+}
+
+void Figure::legend_key(const LegendEntry& entry, double x, double y) {
+  if (entry.key == LegendEntry::Key::box) {
+    const double left = x + 0.6 * em_, half = 0.45 * em_;
+    script.line(
+        "set object rectangle from screen {},{} to screen {},{} front fillcolor rgb '{}' fillstyle solid "
+        "border linecolor rgb 'black' linewidth 0.6",
+        screen_x(left), screen_y(y - half), screen_x(left + 2 * half), screen_y(y + half), entry.colour);
+  } else {
+    script.line(
+        "set arrow from screen {},{} to screen {},{} nohead linewidth 1.6 dashtype {} linecolor rgb '{}'",
+        screen_x(x), screen_y(y), screen_x(x + 1.6 * em_), screen_y(y),
+        entry.key == LegendEntry::Key::dashes ? "(9,6)" : "solid", entry.colour);
+  }
+}
+
+}  // namespace asperity::plot

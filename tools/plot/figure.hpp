@@ -1,0 +1,85 @@
+/// The sheet that a figure is drawn on: panels of one size in rows and columns, a title, a colour bar.
+///
+/// Everything is placed here, in units of the em, the height of the letters: no label depends on what gnuplot
+/// makes room for. The em is the width over 32 for one column of panels: letters of 7 pt where the figure is
+/// printed 8 cm wide, and as large at 17 cm for three columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plot/gnuplot.hpp"
+#include "plot/request.hpp"
+#include "plot/scale.hpp"
+
+namespace asperity::plot {
+
+struct Sheet {
+  int rows = 1, columns = 1;
+  double aspect = 0;                                        ///< height over width of a panel; 0: any
+  double left = 5.2, right = 1.2, bottom = 4.0, top = 0.8;  ///< margins around the panels [em]
+  double gap_x = 1.4, gap_y = 1.4;                          ///< between panels [em]
+  bool legend = false;                                      ///< a line of it above the panels
+};
+
+/// How flat a panel of equal scales along both axes may be; beyond, the scales part and the figure says so.
+inline constexpr double flattest = 0.16, tallest = 2.5;
+
+struct LegendEntry {
+  enum class Key { line, dashes, box };
+  Key key;
+  std::string colour, name;
+};
+
+class Figure {
+ public:
+  Figure(const Request& request, Sheet sheet, std::string title);
+
+  /// The next commands draw the panel in this row, counted from the top, and column.
+  void panel(int row, int column, const std::string& label = "");
+  void x_axis(Range range, const std::string& label);
+  void y_axis(Range range, const std::string& label, bool downwards = false);
+  void without_x_labels();
+  void without_y_labels();
+  /// Colours for values divided by the unit's factor; the bar is drawn with the last panel.
+  void colours(const Colours& colours, const Unit& unit, const std::string& quantity);
+
+  /// One line above the panels.
+  void legend(const std::vector<LegendEntry>& entries);
+
+  double em_wide() const { return panel_width_ / em_; }  ///< of a panel [em]
+  double em_high() const { return panel_height_ / em_; }
+  double panel_aspect() const { return panel_height_ / panel_width_; }
+  const Shape& pixels() const { return pixels_; }
+
+  Script script;
+
+ private:
+  void fit(const Request& request);
+  void begin(const std::string& format);
+  void colour_bar(const Colours& colours, const Unit& unit, const std::string& quantity);
+  void legend_key(const LegendEntry& entry, double x, double y);
+  double legend_height() const;
+  double panels_wide() const {
+    return sheet_.columns * (panel_width_ + sheet_.gap_x * em_) - sheet_.gap_x * em_;
+  }
+  double panels_high() const {
+    return sheet_.rows * (panel_height_ + sheet_.gap_y * em_) - sheet_.gap_y * em_;
+  }
+  double screen_x(double px) const { return px / static_cast<double>(pixels_.nx); }
+  double screen_y(double px) const { return px / static_cast<double>(pixels_.ny); }
+
+  Sheet sheet_;
+  std::string title_;
+  Shape pixels_;
+  double em_ = 0, panel_width_ = 0, panel_height_ = 0, left_ = 0, bottom_ = 0;
+  bool last_ = false;
+};
+
+/// Colours of lines, apart in hue and lightness for every kind of eyes; the k-th of a comparison.
+const char* line_colour(std::size_t k);
+
+/// The title given, or else this one.
+std::string title_or(const Request& request, const std::string& otherwise);
+
+}  // namespace asperity::plot

@@ -1,0 +1,168 @@
+#include "plot/gnuplot.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <spawn.h>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace asperity::plot {
+namespace {
+
+// A file without a name, gone with the process whatever happens.
+class Nameless {
+ public:
+  Nameless() : file_(std::tmpfile(), &std::fclose) {
+    if (!file_) throw std::system_error(errno, std::generic_category(), "temporary file");
+  }
+  int descriptor() const { return ::fileno(file_.get()); }
+
+  void fill(std::string_view bytes) {
+    const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
+    if (!whole || std::fflush(file_.get()) != 0)
+      throw std::system_error(errno, std::generic_category(), "temporary file");
+    std::rewind(file_.get());
+  }
+
+  std::string content() {
+    std::rewind(file_.get());
+    std::string out;
+    char chunk[1 << 16];
+    while (const std::size_t n = std::fread(chunk, 1, sizeof chunk, file_.get())) out.append(chunk, n);
+    return out;
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+class Redirection {
+ public:
+  Redirection() { posix_spawn_file_actions_init(&actions_); }
+  Redirection(const Redirection&) = delete;
+  Redirection& operator=(const Redirection&) = delete;
+  ~Redirection() { posix_spawn_file_actions_destroy(&actions_); }
+
+  void redirect(const Nameless& file, int as) {
+    posix_spawn_file_actions_adddup2(&actions_, file.descriptor(), as);
+  }
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+pid_t spawn(const Redirection& redirection) {
+  char program[] = "gnuplot", defaults[] = "--default-settings", standard_input[] = "-";
+  char* const arguments[] = {program, defaults, standard_input, nullptr};
+  pid_t child = -1;
+  const int error = posix_spawnp(&child, program, redirection.get(), nullptr, arguments, environ);
+  if (error == ENOENT)
+    throw std::runtime_error("the program gnuplot is not on the PATH: install gnuplot (Debian: gnuplot-nox)");
+  if (error != 0) throw std::system_error(error, std::generic_category(), "gnuplot");
+  return child;
+}
+
+bool succeeded(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "gnuplot");
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+// The first line of gnuplot's complaint that gives a reason; what follows it are consequences.
+std::string reason(const std::string& remarks) {
+  const auto begin = remarks.find("line ");
+  if (begin == remarks.npos) return "it gave no reason";
+  return remarks.substr(begin, remarks.find('\n', begin) - begin);
+}
+
+// How many continuation bytes follow this first byte of a character; -1 where none begins.
+int continuation_bytes(unsigned char first) {
+  if (first < 0x80) return 0;
+  if (first >= 0xC2 && first < 0xE0) return 1;
+  if (first >= 0xE0 && first < 0xF0) return 2;
+  return first >= 0xF0 && first < 0xF5 ? 3 : -1;
+}
+
+// Overlong forms, surrogates and what lies beyond U+10FFFF show in the first two bytes.
+bool is_code_point(unsigned char first, unsigned char second) {
+  return !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&
+         !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
+}
+
+}  // namespace
+
+Layer points(const std::vector<std::vector<double>>& columns, std::string_view style) {
+  const std::size_t rows = columns.front().size();
+  Layer out;
+  out.numbers.reserve(rows * columns.size());
+  for (std::size_t r = 0; r < rows; ++r)
+    for (const auto& column : columns) out.numbers.push_back(column[r]);
+  std::string format, use;
+  for (std::size_t c = 1; c <= columns.size(); ++c) {
+    format += "%float64";
+    use += (c == 1 ? "" : ":") + std::to_string(c);
+  }
+  out.command = fmt::format("binary record=({}) format='{}' using {} {}", rows, format, use, style);
+  return out;
+}
+
+Layer raster(const Field& values, Lattice at, std::string_view style) {
+  const Field fast_x = values.transpose();
+  return {fmt::format("binary array=({},{}) format='%float64' origin=({},{}{}) dx={} dy={} using 1 {}",
+                      values.rows(), values.cols(), at.x, at.y, at.in_space ? ",0" : "", at.dx, at.dy, style),
+          {fast_x.data(), fast_x.data() + fast_x.size()}};
+}
+
+void Script::draw(std::string_view verb, const std::vector<Layer>& layers) {
+  text_ += verb;
+  for (std::size_t i = 0; i < layers.size(); ++i) text_ += (i == 0 ? " '-' " : ", '-' ") + layers[i].command;
+  text_ += '\n';
+  for (const Layer& layer : layers)
+    text_.append(reinterpret_cast<const char*>(layer.numbers.data()), layer.numbers.size() * sizeof(double));
+  text_ += '\n';
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    out += c == '\'' ? "''" : std::string(1, control ? ' ' : c);
+  }
+  return out + "'";
+}
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    const int more = continuation_bytes(first);
+    if (more < 0 || i + static_cast<std::size_t>(more) >= text.size()) return false;
+    if (more > 0 && !is_code_point(first, static_cast<unsigned char>(text[i + 1]))) return false;
+    for (int k = 1; k <= more; ++k)
+      if ((static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]) & 0xC0) != 0x80) return false;
+    i += static_cast<std::size_t>(more) + 1;
+  }
+  return true;
+}
+
+Picture run_gnuplot(const Script& script) {
+  Nameless input, output, error;
+  input.fill(script.text());
+  Redirection redirection;
+  redirection.redirect(input, STDIN_FILENO);
+  redirection.redirect(output, STDOUT_FILENO);
+  redirection.redirect(error, STDERR_FILENO);
+  const bool well = succeeded(spawn(redirection));
+  Picture picture{output.content(), error.content()};
+  if (!well) throw std::runtime_error("gnuplot failed: " + reason(picture.remarks));
+  if (picture.bytes.empty()) throw std::runtime_error("gnuplot drew nothing: " + reason(picture.remarks));
+  return picture;
+}
+
+}  // namespace asperity::plot

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include "grid/error.hpp"
+#include "plot/kinds.hpp"
+#include "plot/source.hpp"
+
+namespace asperity::plot {
+namespace {
+
+double mean_of(const Field& values) {
+  const auto finite = values.isFinite();
+  return finite.select(values, 0.0).sum() / static_cast<double>(finite.count());
+}
+
+Colours colours_for(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
+  Range range = range_of(patches[0].values);
+  double mean = 0;
+  for (const Patch& p : patches) {
+    range = united(range, range_of(p.values));
+    mean += mean_of(p.values) / static_cast<double>(patches.size());
+  }
+  if (!request.range.empty())
+    return {value_range(request, quantity.unit, range),
+            quantity.signed_value ? Palette::diverging : Palette::sequential};
+  if (!quantity.signed_value) return one_sided(range);
+  return about(quantity.name == "height" ? mean : 0.0, range);
+}
+
+// One field needs no label in its panel; its title says what the colours cannot.
+std::string default_title(const std::vector<Patch>& patches, const Quantity& quantity) {
+  if (patches.size() > 1) return "";
+  const Range range = range_of(patches[0].values);
+  const Unit unit = unit_for(range.magnitude(), quantity.unit);
+  return fmt::format("{} from {} to {} {}", quantity.name, brief(range.low / unit.factor),
+                     brief(range.high / unit.factor), unit.name);
+}
+
+}  // namespace
+
+Script map(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable.empty() ? "heights" : request.variable;
+  std::vector<Patch> patches;
+  for (const Case& c : cases) patches.push_back(patch_of(c.data, variable, request));
+  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  const Colours colours = colours_for(patches, quantity, request);
+  const Unit length = unit_for(reach(patches[0]), "m"),
+             value = unit_for(colours.range.magnitude(), quantity.unit);
+  Sheet sheet{.columns = static_cast<int>(cases.size()), .right = 7.6};
+  sheet.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
+  Figure figure(request, sheet, default_title(patches, quantity));
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Patch& p = patches[c];
+    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.x_axis({p.x.low / length.factor, p.x.high / length.factor}, length.label("x"));
+    figure.y_axis({p.y.low / length.factor, p.y.high / length.factor}, length.label("y"));
+    if (c > 0) figure.without_y_labels();
+    figure.colours(colours, value, quantity.name);
+    const Lattice at{p.x_at(0) / length.factor, p.y_at(0) / length.factor, p.dx() / length.factor,
+                     p.dy() / length.factor};
+    figure.script.draw("plot", {raster(p.values / value.factor, at, "with image")});
+  }
+  return figure.script;
+}
+
+}  // namespace asperity::plot

@@ -1,0 +1,113 @@
+#include <cmath>
+#include <numbers>
+
+#include "dataset/layout.hpp"
+#include "plot/kinds.hpp"
+#include "plot/source.hpp"
+#include "stats/acf.hpp"
+#include "stats/distribution.hpp"
+
+namespace asperity::plot {
+namespace {
+
+struct Distribution {
+  Moments moments;
+  std::vector<Bin> bins;
+  double points = 0;
+
+  double density(double count, const Bin& bin) const { return count / (points * bin.width()); }
+};
+
+Distribution distribution_of(const Case& c, const std::string& variable) {
+  const Grid grid = grid_of(c.data);
+  const Field z = field_of(c.data, variable);
+  AcfParameters parameters;
+  parameters.max_lag = default_max_lag(grid);
+  const EffectiveSize size = EffectiveSize::of_estimate(autocorrelation(z, grid, parameters), grid);
+  Distribution out{moments(z), {}, static_cast<double>(z.size())};
+  out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
+  return out;
+}
+
+double gaussian(const Moments& m, double z) {
+  const double t = (z - m.mean) / m.rq;
+  return std::exp(-0.5 * t * t) / (m.rq * std::sqrt(2 * std::numbers::pi));
+}
+
+struct Scales {
+  Unit height;
+  std::string per_height;  ///< "density [1/µm]"
+  Range x;                 ///< in SI
+  double top;              ///< of the density, per unit of height
+};
+
+Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity) {
+  Range x{unlimited, -unlimited};
+  double peak = 0;
+  for (const Distribution& d : all) {
+    x = united(x, {d.bins.front().lower, d.bins.back().upper});
+    for (const Bin& b : d.bins) peak = std::max(peak, d.density(b.count + 2 * b.count_error, b));
+  }
+  const Unit height = unit_for(x.magnitude(), quantity.unit);
+  return {height, height.name.empty() ? "density" : "density [1/" + height.name + "]", x,
+          1.05 * peak * height.factor};
+}
+
+std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
+  const double f = scales.height.factor;
+  std::vector<double> centre, density, width, low, rise, none, z, normal;
+  for (const Bin& b : d.bins) {
+    centre.push_back(b.centre() / f);
+    density.push_back(d.density(b.count, b) * f);
+    width.push_back(b.width() / f);
+    low.push_back(d.density(b.count - 2 * b.count_error, b) * f);
+    rise.push_back(4 * d.density(b.count_error, b) * f);
+  }
+  none.assign(low.size(), 0.0);
+  constexpr int samples = 400;
+  for (int k = 0; k <= samples; ++k) {
+    const double at = scales.x.low + k * scales.x.width() / samples;
+    z.push_back(at / f);
+    normal.push_back(gaussian(d.moments, at) * f);
+  }
+  return {
+      points(
+          {centre, density, width},
+          "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb '#b9d3e8'"),
+      points({z, normal}, "with lines linewidth 1.6 linecolor rgb '#d55e00'"),
+      points({centre, low, none, rise}, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
+}
+
+std::string default_title(const std::vector<Distribution>& all, const Quantity& quantity) {
+  if (all.size() > 1) return "";
+  const Moments& m = all[0].moments;
+  const Unit unit = unit_for(m.rq, quantity.unit);
+  return fmt::format("Rq = {} {}, Rsk = {}, Rku = {}", brief(m.rq / unit.factor), unit.name, brief(m.rsk),
+                     brief(m.rku));
+}
+
+}  // namespace
+
+Script pdf(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable.empty() ? "heights" : request.variable;
+  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  std::vector<Distribution> all;
+  for (const Case& c : cases) all.push_back(distribution_of(c, variable));
+  const Scales scales = scales_of(all, quantity);
+  Figure figure(request, {.columns = static_cast<int>(cases.size()), .legend = true},
+                default_title(all, quantity));
+  using enum LegendEntry::Key;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.x_axis({scales.x.low / scales.height.factor, scales.x.high / scales.height.factor},
+                  scales.height.label(quantity.name));
+    figure.y_axis({0, scales.top}, scales.per_height);
+    if (c > 0) figure.without_y_labels();
+    if (c + 1 == cases.size())
+      figure.legend({{box, "#b9d3e8", "histogram ± 2 SE"}, {line, "#d55e00", "Gaussian"}});
+    figure.script.draw("plot", layers_of(all[c], scales));
+  }
+  return figure.script;
+}
+
+}  // namespace asperity::plot

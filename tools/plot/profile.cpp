@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/layout.hpp"
+#include "plot/kinds.hpp"
+#include "plot/source.hpp"
+
+namespace asperity::plot {
+namespace {
+
+struct Trace {
+  std::vector<double> position, value;  ///< in SI
+};
+
+Range range_of(const std::vector<double>& values) {
+  return plot::range_of(Eigen::Map<const Field>(values.data(), 1, static_cast<Index>(values.size())));
+}
+
+// The whole field along the section, then what the range shows of it.
+Trace trace_of(const Case& c, const std::string& variable, const Section& section, const Request& request) {
+  Request along = request;
+  (section.along_x ? along.y : along.x) = {-unlimited, unlimited};
+  const Patch patch = patch_of(c.data, variable, along);
+  Trace out;
+  for (Index k = 0; k < (section.along_x ? patch.values.rows() : patch.values.cols()); ++k) {
+    out.position.push_back(section.along_x ? patch.x_at(k) : patch.y_at(k));
+    out.value.push_back(section.along_x ? patch.values(k, section.index) : patch.values(section.index, k));
+  }
+  return out;
+}
+
+std::vector<std::string> sections(const Request& request) {
+  if (!request.section.empty()) return {request.section};
+  return {"y=0", "x=0"};
+}
+
+std::vector<double> divided(std::vector<double> values, double by) {
+  for (double& v : values) v /= by;
+  return values;
+}
+
+// A little room above and below, none below zero for what is never negative.
+Range with_room(Range r) {
+  const double room = r.width() > 0 ? 0.06 * r.width() : 1;
+  return {r.low == 0 ? 0 : r.low - room, r.high + room};
+}
+
+std::vector<LegendEntry> legend(const Cases& cases) {
+  std::vector<LegendEntry> out;
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    out.push_back({LegendEntry::Key::line, line_colour(c), cases[c].label});
+  return out;
+}
+
+struct Row {
+  Section section;
+  std::vector<Trace> traces;
+};
+
+}  // namespace
+
+Script profile(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable.empty() ? "heights" : request.variable;
+  std::vector<Row> rows;
+  Range values{unlimited, -unlimited};
+  for (const std::string& text : sections(request)) {
+    Row row{section_of(cases[0].data, text), {}};
+    for (const Case& c : cases) {
+      row.traces.push_back(trace_of(c, variable, section_of(c.data, text), request));
+      values = united(values, range_of(row.traces.back().value));
+    }
+    rows.push_back(std::move(row));
+  }
+  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  values = value_range(request, quantity.unit, with_room(values));
+  double reach = 0;
+  for (const Row& row : rows) reach = std::max(reach, range_of(row.traces[0].position).magnitude());
+  const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
+  Sheet sheet{.rows = static_cast<int>(rows.size()), .gap_y = 4.4, .legend = cases.size() > 1};
+  sheet.aspect = rows.size() > 1 ? 0.32 : 0.45;
+  Figure figure(request, sheet, "");
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const Row& row = rows[r];
+    figure.panel(static_cast<int>(r), 0);
+    const Range along = range_of(row.traces[0].position);
+    figure.x_axis(
+        {along.low / length.factor, along.high / length.factor},
+        fmt::format("{} at {}", length.label(row.section.along_x ? "x" : "y"), row.section.label()));
+    figure.y_axis({values.low / value.factor, values.high / value.factor}, value.label(quantity.name));
+    if (r == 0 && cases.size() > 1) figure.legend(legend(cases));
+    std::vector<Layer> layers;
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const char* colour = line_colour(c);
+      layers.push_back(
+          points({divided(row.traces[c].position, length.factor), divided(row.traces[c].value, value.factor)},
+                 fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", colour)));
+    }
+    figure.script.draw("plot", layers);
+  }
+  return figure.script;
+}
+
+}  // namespace asperity::plot

@@ -1,0 +1,87 @@
+#include "plot/scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace asperity::plot {
+namespace {
+
+// A colour bar needs a width, even for a constant field.
+Range widened(Range r) {
+  if (r.width() > 0) return r;
+  const double half = r.magnitude() > 0 ? 0.05 * r.magnitude() : 0.5;
+  return {r.low - half, r.high + half};
+}
+
+}  // namespace
+
+double Range::magnitude() const { return std::max(std::abs(low), std::abs(high)); }
+
+Range range_of(const Field& values) {
+  Range out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const double v : values.reshaped<Eigen::RowMajor>())
+    if (std::isfinite(v)) out = {std::min(out.low, v), std::max(out.high, v)};
+  return out.low <= out.high ? out : Range{0, 0};
+}
+
+Range united(Range a, Range b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+std::string Unit::label(std::string_view quantity) const {
+  return name.empty() ? std::string(quantity) : fmt::format("{} [{}]", quantity, name);
+}
+
+Unit unit_for(double magnitude, const std::string& si_unit) {
+  if (si_unit.empty() || si_unit == "1") return {};
+  if (si_unit != "m" && si_unit != "Pa" && si_unit != "N") return {1, si_unit};
+  constexpr struct {
+    double factor;
+    const char* symbol;
+  } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}};
+  if (!(magnitude > 0)) return {1, si_unit};
+  const double limit = magnitude * (1 + 1e-9);
+  const auto* fit = std::ranges::find_if(prefixes, [&](const auto& p) { return limit >= p.factor; });
+  if (fit == std::end(prefixes)) --fit;
+  return {fit->factor, fit->symbol + si_unit};
+}
+
+double round_step(double width, double most_steps) {
+  const double least = width / most_steps, decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * decade >= least * (1 - 1e-9)) return digit * decade;
+  return 10 * decade;
+}
+
+std::vector<double> multiples(Range range, double step) {
+  std::vector<double> out;
+  const double slack = 1e-9 * step;
+  for (double k = std::ceil((range.low - slack) / step); k * step <= range.high + slack; ++k)
+    out.push_back(k * step + 0.0);
+  return out;
+}
+
+std::string brief(double value) { return fmt::format("{}{:.3g}", value < 0 ? "−" : "", std::abs(value)); }
+
+const std::vector<std::string>& control_colours(Palette palette) {
+  static const std::vector<std::string> sequential{"#1c126b", "#00336d", "#024a74", "#036180",
+                                                   "#00788c", "#028f95", "#07a897", "#08c388",
+                                                   "#78d678", "#bee571", "#fef178"};
+  static const std::vector<std::string> diverging{"#025079", "#046fa7", "#0391d8", "#63b1f1",
+                                                  "#b0d0f4", "#f1f1f1", "#f6c1b9", "#ee9286",
+                                                  "#df6258", "#cb262c", "#9b0218"};
+  return palette == Palette::sequential ? sequential : diverging;
+}
+
+Colours one_sided(Range values) {
+  const bool near_zero = values.low >= 0 && values.low < 0.5 * values.high;
+  return {widened(near_zero ? Range{0, values.high} : values), Palette::sequential};
+}
+
+Colours about(double centre, Range values) {
+  const double half = Range{values.low - centre, values.high - centre}.magnitude();
+  return {widened({centre - half, centre + half}), Palette::diverging};
+}
+
+}  // namespace asperity::plot

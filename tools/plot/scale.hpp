@@ -1,0 +1,61 @@
+/// Scales of axes and colours: SI prefixes, round steps, ranges, palettes.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grid/field.hpp"
+
+namespace asperity::plot {
+
+struct Range {
+  double low, high;
+
+  double width() const { return high - low; }
+  double magnitude() const;  ///< the larger of |low| and |high|
+  bool contains(double v) const { return low <= v && v <= high; }
+  bool operator==(const Range&) const = default;
+};
+
+/// The range of the numbers among the values; {0, 0} where there are none.
+Range range_of(const Field& values);
+Range united(Range a, Range b);
+
+/// A unit with the prefix that brings a magnitude into [1, 1000): 3e-3 m is in mm.
+struct Unit {
+  double factor = 1;  ///< in SI
+  std::string name;   ///< "µm"; empty for pure numbers
+
+  /// "height [µm]"
+  std::string label(std::string_view quantity) const;
+};
+Unit unit_for(double magnitude, const std::string& si_unit);
+
+/// The least of 1, 2, 5 × 10ⁿ that cuts the width into at most so many steps.
+double round_step(double width, double most_steps);
+/// The multiples of `step` in a range.
+std::vector<double> multiples(Range range, double step);
+/// A number to as many digits as a reader wants, "2.72".
+std::string brief(double value);
+
+/// Colours from low to high. Both palettes are ours and even in CIE lightness, so that equal differences look
+/// equal and a grey print keeps their order: from one control colour to the next L* rises by the same amount
+/// at a hue that turns evenly (sequential), or falls by the same amount from the middle to either end
+/// (diverging).
+///
+/// CIE 15:2004, Colorimetry; P. Kovesi, Good colour maps: how to design them, arXiv:1509.03700 (2015).
+enum class Palette { sequential, diverging };
+const std::vector<std::string>& control_colours(Palette palette);
+
+/// How values become colours.
+struct Colours {
+  Range range{0, 1};  ///< in SI
+  Palette palette = Palette::sequential;
+};
+/// From zero upwards, from the least value, or evenly about `centre`.
+Colours one_sided(Range values);
+Colours about(double centre, Range values);
+
+}  // namespace asperity::plot

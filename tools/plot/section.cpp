@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/layout.hpp"
+#include "grid/error.hpp"
+#include "plot/kinds.hpp"
+#include "plot/source.hpp"
+
+namespace asperity::plot {
+namespace {
+
+// A vertical section as it is drawn: along the surface (first index) and down, evenly spaced.
+struct Cut {
+  Patch patch;  ///< x: position along the section, y: depth
+  Section section;
+};
+
+constexpr Index fine_columns = 480, fine_rows = 320;
+
+// Where a position falls among ascending points: the point before it and the share of the next one.
+struct Place {
+  std::size_t before;
+  double share;
+};
+Place place_in(const std::vector<double>& points, double at) {
+  const auto after = std::ranges::upper_bound(points, at);
+  const auto last = static_cast<std::ptrdiff_t>(points.size()) - 2;
+  const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - points.begin() - 1, 0, last));
+  return {k, std::clamp((at - points[k]) / (points[k + 1] - points[k]), 0.0, 1.0)};
+}
+
+// The section's values, row k the k-th depth.
+Field section_values(const Dataset& data, const Variable& variable, const Section& section) {
+  if (variable.dimensions != std::vector<std::string>{"z", "x", "y"})
+    throw DataError(variable.name, "it does not lie on (z, x, y)");
+  const Index nz = data.length("z"), nx = data.length("x"), ny = data.length("y");
+  const std::vector<double> values = numbers(variable.values);
+  const Index columns = section.along_x ? nx : ny;
+  return Field::NullaryExpr(nz, columns, [&](Index k, Index c) {
+    const Index i = section.along_x ? c : section.index, j = section.along_x ? section.index : c;
+    return values[static_cast<std::size_t>((k * nx + i) * ny + j)];
+  });
+}
+
+// Linear between depths and between cells, on an even lattice: depths may be spaced unevenly.
+Field resampled(const Field& values, const std::vector<double>& along, const std::vector<double>& depths,
+                Range position, Range depth) {
+  Field out(fine_columns, fine_rows);
+  for (Index r = 0; r < fine_rows; ++r) {
+    const Place z = place_in(depths, depth.low + (static_cast<double>(r) + 0.5) * depth.width() / fine_rows);
+    const auto k = static_cast<Index>(z.before);
+    for (Index c = 0; c < fine_columns; ++c) {
+      const Place s =
+          place_in(along, position.low + (static_cast<double>(c) + 0.5) * position.width() / fine_columns);
+      const auto i = static_cast<Index>(s.before);
+      out(c, r) = (1 - z.share) * ((1 - s.share) * values(k, i) + s.share * values(k, i + 1)) +
+                  z.share * ((1 - s.share) * values(k + 1, i) + s.share * values(k + 1, i + 1));
+    }
+  }
+  return out;
+}
+
+Range clipped(Range asked, Range present, const char* option) {
+  const Range out{std::max(asked.low, present.low), std::min(asked.high, present.high)};
+  if (!(out.width() > 0)) throw ParameterError(option, "nothing of the section lies in it");
+  return out;
+}
+
+Cut cut_of(const Case& c, const std::string& variable, const Request& request) {
+  const Grid grid = grid_of(c.data);
+  const Section section = section_of(c.data, request.section.empty() ? "y=0" : request.section);
+  const std::vector<double> depths = depths_of(c.data);
+  if (depths.size() < 2 || !std::ranges::is_sorted(depths, std::less_equal<>()))
+    throw DataError("z", "a section needs two depths or more, each below the one before");
+  std::vector<double> along;
+  for (Index i = 0; i < (section.along_x ? grid.shape.nx : grid.shape.ny); ++i)
+    along.push_back(section.along_x ? grid.x(i) : grid.y(i));
+  if (along.size() < 2) throw DataError("x", "a section needs two points or more");
+  const Range position = clipped(section.along_x ? request.x : request.y, {along.front(), along.back()},
+                                 section.along_x ? "x-range" : "y-range"),
+              depth = clipped(request.depth, {depths.front(), depths.back()}, "depth-range");
+  const Field values = section_values(c.data, c.data.at(variable), section);
+  return {{resampled(values, along, depths, position, depth), position, depth}, section};
+}
+
+// p0 where the dataset knows it and it is asked for.
+double hertz_pressure(const Dataset& data) {
+  const double p0 = data.attributes.number("contact_hertz_pressure", -1);
+  if (!(p0 > 0))
+    throw DataError("contact_hertz_pressure", "the dataset does not have this attribute to scale by");
+  return p0;
+}
+
+void hide_below(Field& values, double least) {
+  values = (values >= least).select(values, std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+Script section(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable.empty() ? "von_mises" : request.variable;
+  std::vector<Cut> cuts;
+  for (const Case& c : cases) cuts.push_back(cut_of(c, variable, request));
+  Quantity quantity = quantity_of(cases[0].data.at(variable));
+  if (request.scale_by_hertz) {
+    for (std::size_t c = 0; c < cases.size(); ++c) cuts[c].patch.values /= hertz_pressure(cases[c].data);
+    quantity.name += " / p₀";
+    quantity.unit.clear();
+  }
+  Range range = range_of(cuts[0].patch.values);
+  for (const Cut& c : cuts) range = united(range, range_of(c.patch.values));
+  const double least = request.above * (request.scale_by_hertz ? 1.0 : range.high);
+  Colours colours = quantity.signed_value ? about(0, range) : one_sided(range);
+  if (request.above > 0) {
+    for (Cut& c : cuts) hide_below(c.patch.values, least);
+    if (!(least < range.high))
+      throw ParameterError(
+          "above", fmt::format("no value reaches {}; the largest is {}", brief(least), brief(range.high)));
+    colours = {{least, range.high}, Palette::sequential};
+  }
+  colours.range = value_range(request, quantity.unit, colours.range);
+
+  const Patch& first = cuts[0].patch;
+  const double true_aspect = first.y.width() / first.x.width();
+  Sheet sheet{.columns = static_cast<int>(cases.size()), .right = 7.6};
+  sheet.aspect = std::clamp(true_aspect, cases.size() > 1 ? 0.35 : 0.25, tallest);
+  const double stretch = sheet.aspect / true_aspect;
+  const bool equal = std::abs(stretch - 1) < 0.01;
+  const Unit along = unit_for(first.x.magnitude(), "m"),
+             depth = equal ? along : unit_for(first.y.magnitude(), "m"),
+             value = unit_for(colours.range.magnitude(), quantity.unit);
+  std::string title = "section " + cuts[0].section.label();
+  if (request.above > 0)
+    title +=
+        fmt::format(", above {} {}", brief(least / value.factor), request.scale_by_hertz ? "p₀" : value.name);
+  if (!equal) title += fmt::format(", depth × {}", brief(stretch));
+  Figure figure(request, sheet, title);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Patch& p = cuts[c].patch;
+    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.x_axis({p.x.low / along.factor, p.x.high / along.factor},
+                  along.label(cuts[c].section.along_x ? "x" : "y"));
+    figure.y_axis({p.y.low / depth.factor, p.y.high / depth.factor}, depth.label("depth z"), true);
+    if (c > 0) figure.without_y_labels();
+    figure.colours(colours, value, quantity.name);
+    const Lattice at{p.x_at(0) / along.factor, p.y_at(0) / depth.factor, p.dx() / along.factor,
+                     p.dy() / depth.factor};
+    figure.script.draw("plot", {raster(p.values / value.factor, at, "with image")});
+  }
+  return figure.script;
+}
+
+}  // namespace asperity::plot

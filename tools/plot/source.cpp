@@ -1,0 +1,110 @@
+#include "plot/source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/quantity.hpp"
+#include "dataset/layout.hpp"
+#include "grid/error.hpp"
+#include "plot/gnuplot.hpp"
+
+namespace asperity::plot {
+namespace {
+
+struct Span {
+  Index first, count;
+};
+
+// The cells whose centres lie in a range.
+template <class Position>
+Span cells_within(Range range, Index n, Position position, const char* option) {
+  Index first = 0, last = n - 1;
+  while (first < n && position(first) < range.low) ++first;
+  while (last >= 0 && position(last) > range.high) --last;
+  if (first > last)
+    throw ParameterError(option, fmt::format("no point lies in it; they reach from {} to {}",
+                                             cli::format_quantity(position(0), "m"),
+                                             cli::format_quantity(position(n - 1), "m")));
+  return {first, last - first + 1};
+}
+
+// The field as it stands in the dataset, masked points not numbers.
+Field raw_field(const Dataset& data, const Variable& variable) {
+  if (variable.dimensions != std::vector<std::string>{"x", "y"})
+    throw DataError(variable.name, "it does not lie on (x, y)");
+  const std::vector<double> values = numbers(variable.values);
+  Field out = Eigen::Map<const Field>(values.data(), data.length("x"), data.length("y"));
+  const Variable* mask = data.find("mask");
+  if (!mask || mask->dimensions != variable.dimensions) return out;
+  const std::vector<double> hidden = numbers(mask->values);
+  for (Index k = 0; k < out.size(); ++k)
+    if (hidden[static_cast<std::size_t>(k)] != 0) out.data()[k] = std::numeric_limits<double>::quiet_NaN();
+  return out;
+}
+
+}  // namespace
+
+Quantity quantity_of(const Variable& variable) {
+  const std::string& name = variable.name;
+  const std::string unit = variable.attributes.text("units"), words = variable.attributes.text("long_name");
+  if (name == "heights") return {"height", unit, true};
+  if (name == "noise") return {"noise", unit, true};
+  if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, false};
+  if (name == "von_mises") return {"von Mises", unit, false};
+  if (name.starts_with("stress_")) return {"stress σ" + name.substr(7), unit, true};
+  return {words.empty() || !is_utf8(words) ? name : words, unit,
+          range_of(Eigen::Map<const Field>(numbers(variable.values).data(), 1,
+                                           static_cast<Index>(count(variable.values))))
+                  .low < 0};
+}
+
+Patch patch_of(const Dataset& data, const std::string& variable, const Request& request) {
+  const Grid grid = grid_of(data);
+  const Field all = raw_field(data, data.at(variable));
+  const Span i = cells_within(
+      request.x, grid.shape.nx, [&](Index k) { return grid.x(k); }, "x-range");
+  const Span j = cells_within(
+      request.y, grid.shape.ny, [&](Index k) { return grid.y(k); }, "y-range");
+  const Range x{grid.x(i.first) - 0.5 * grid.dx, grid.x(i.first + i.count - 1) + 0.5 * grid.dx},
+      y{grid.y(j.first) - 0.5 * grid.dy, grid.y(j.first + j.count - 1) + 0.5 * grid.dy};
+  Patch patch{all.block(i.first, j.first, i.count, j.count), x, y};
+  if (!patch.values.isFinite().any()) throw DataError(variable, "none of its points is a number");
+  return patch;
+}
+
+double reach(const Patch& patch) { return std::max(patch.x.magnitude(), patch.y.magnitude()); }
+
+std::string Section::label() const {
+  const Unit unit = unit_for(std::abs(place), "m");
+  return fmt::format("{} = {} {}", along_x ? "y" : "x", brief(place / unit.factor), unit.name);
+}
+
+Section section_of(const Dataset& data, const std::string& text) {
+  if (!text.starts_with("x=") && !text.starts_with("y="))
+    throw ParameterError("section", "'" + text + "' is not of the form y=0 or x=0.2mm");
+  const Grid grid = grid_of(data);
+  const bool along_x = text[0] == 'y';
+  const std::string where = text.substr(2);
+  const double wanted = where == "0" ? 0 : cli::parse_quantity("section", where, "m"),
+               spacing = along_x ? grid.dy : grid.dx, size = along_x ? grid.size_y() : grid.size_x();
+  if (!(std::abs(wanted) <= 0.5 * size))
+    throw ParameterError("section", "'" + text + "' lies outside: the surface reaches to ±" +
+                                        cli::format_quantity(0.5 * size, "m"));
+  const Index n = along_x ? grid.shape.ny : grid.shape.nx;
+  const auto nearest = static_cast<Index>(std::floor((wanted + 0.5 * size) / spacing));
+  const Index index = std::clamp<Index>(nearest, 0, n - 1);
+  return {along_x, along_x ? grid.y(index) : grid.x(index), index};
+}
+
+Range value_range(const Request& request, const std::string& unit, Range otherwise) {
+  if (request.range.empty()) return otherwise;
+  const bool pure = unit.empty() || unit == "1";
+  const auto [low, high] =
+      pure ? cli::parse_numbers("range", request.range) : cli::parse_quantities("range", request.range, unit);
+  if (!(low < high)) throw ParameterError("range", "'" + request.range + "' does not rise");
+  return {low, high};
+}
+
+}  // namespace asperity::plot

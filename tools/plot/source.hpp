@@ -1,0 +1,52 @@
+/// What a figure takes out of a dataset: rectangles of values with their places and their meaning.
+///
+/// Missing points are not numbers here and stay empty in a picture; nothing is made up for them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plot/request.hpp"
+
+namespace asperity::plot {
+
+/// Values at cell centres; `x` and `y` are the outer edges of what they cover [m].
+struct Patch {
+  Field values;
+  Range x, y;
+
+  double dx() const { return x.width() / static_cast<double>(values.rows()); }
+  double dy() const { return y.width() / static_cast<double>(values.cols()); }
+  double x_at(Index i) const { return x.low + (static_cast<double>(i) + 0.5) * dx(); }
+  double y_at(Index j) const { return y.low + (static_cast<double>(j) + 0.5) * dy(); }
+};
+
+/// How a quantity is named and coloured.
+struct Quantity {
+  std::string name;   ///< "pressure"
+  std::string unit;   ///< SI
+  bool signed_value;  ///< coloured about zero, or about the mean for heights
+};
+Quantity quantity_of(const Variable& variable);
+
+/// variable(x, y) within the request's x and y ranges; masked points are not numbers.
+Patch patch_of(const Dataset& data, const std::string& variable, const Request& request);
+/// The largest magnitude of the places shown [m].
+double reach(const Patch& patch);
+
+/// Where a straight section runs: along x at y = place, or along y at x = place.
+struct Section {
+  bool along_x = true;
+  double place = 0;  ///< [m]
+  Index index = 0;   ///< of the nearest row of cells
+
+  std::string label() const;  ///< "y = 11.7 µm"
+};
+/// The section that "y=0" or "x=0.2mm" names, moved to the nearest row of cells (of two as near, the second);
+/// throws ParameterError("section", …).
+Section section_of(const Dataset& data, const std::string& text);
+
+/// The values that --range allows, in SI, or `otherwise`.
+Range value_range(const Request& request, const std::string& unit, Range otherwise);
+
+}  // namespace asperity::plot
