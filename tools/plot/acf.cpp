@@ -76,7 +76,7 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const Grid grid = grid_of(data);
   AcfParameters parameters;
   parameters.max_lag = default_max_lag(grid);
-  const LagField rho = autocorrelation(field_of(data, "heights"), grid, parameters).normalised();
+  const LagField rho = estimate_autocorrelation(field_of(data, "heights"), grid, parameters).normalised();
   const AcfError error(significant_lags(rho, grid), grid);
   const double most = lag_worth_showing(profiles, rho, grid);
   for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {

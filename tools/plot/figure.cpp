@@ -11,6 +11,7 @@ namespace {
 constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
 constexpr double free_aspect = 0.62;
 constexpr double title_height = 2.0, label_height = 1.5, line_of_legend = 2.0;
+constexpr int y_label_tag = 100;  // beyond the tags of labels that have none
 constexpr double bar_distance = 0.8, bar_width = 0.9;
 
 // The width of a sheet [em]: of one column 32, of three 60.
@@ -96,6 +97,8 @@ void Figure::begin(const std::string& format) {
 void Figure::panel(int row, int column, const std::string& label) {
   const double x0 = left_ + column * (panel_width_ + sheet_.gap_x * em_),
                y0 = bottom_ + (sheet_.rows - 1 - row) * (panel_height_ + sheet_.gap_y * em_);
+  panel_x_ = x0;
+  panel_y_ = y0;
   last_ = row == sheet_.rows - 1 && column == sheet_.columns - 1;
   script.line("unset label\nunset object\nunset arrow\nunset colorbox");
   script.line("set lmargin at screen {}\nset rmargin at screen {}", screen_x(x0),
@@ -121,11 +124,12 @@ void Figure::y_axis(Range range, const std::string& label, bool downwards) {
   const double most = std::max(2.0, em_high() / 1.8);
   script.line("set yrange [{}:{}]", downwards ? range.high : range.low, downwards ? range.low : range.high);
   script.line("set ytics {} format '%g'", round_step(range.width(), std::min(most, 8.0)));
-  script.line("set ylabel {} noenhanced offset 0.6,0", quoted(label));
+  script.line("set label {} {} at screen {},{} rotate by 90 center noenhanced", y_label_tag, quoted(label),
+              screen_x(panel_x_ - (sheet_.left - 0.9) * em_), screen_y(panel_y_ + 0.5 * panel_height_));
 }
 
 void Figure::without_x_labels() { script.line("set xtics format ''\nunset xlabel"); }
-void Figure::without_y_labels() { script.line("set ytics format ''\nunset ylabel"); }
+void Figure::without_y_labels() { script.line("set ytics format ''\nunset label {}", y_label_tag); }
 
 void Figure::colours(const Colours& colours, const Unit& unit, const std::string& quantity) {
   std::string stops;

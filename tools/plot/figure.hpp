@@ -72,7 +72,7 @@ class Figure {
   Sheet sheet_;
   std::string title_;
   Shape pixels_;
-  double em_ = 0, panel_width_ = 0, panel_height_ = 0, left_ = 0, bottom_ = 0;
+  double em_ = 0, panel_width_ = 0, panel_height_ = 0, left_ = 0, bottom_ = 0, panel_x_ = 0, panel_y_ = 0;
   bool last_ = false;
 };
 

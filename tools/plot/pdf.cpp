@@ -23,7 +23,7 @@ Distribution distribution_of(const Case& c, const std::string& variable) {
   const Field z = field_of(c.data, variable);
   AcfParameters parameters;
   parameters.max_lag = default_max_lag(grid);
-  const EffectiveSize size = EffectiveSize::of_estimate(autocorrelation(z, grid, parameters), grid);
+  const EffectiveSize size = EffectiveSize::of_estimate(estimate_autocorrelation(z, grid, parameters), grid);
   Distribution out{moments(z), {}, static_cast<double>(z.size())};
   out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
   return out;
@@ -35,7 +35,7 @@ double gaussian(const Moments& m, double z) {
 }
 
 struct Scales {
-  Unit height;
+  Unit height, per;        ///< of the axis, and what the density is per: its numbers are 1 to 1000
   std::string per_height;  ///< "density [1/µm]"
   Range x;                 ///< in SI
   double top;              ///< of the density, per unit of height
@@ -48,27 +48,27 @@ Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity)
     x = united(x, {d.bins.front().lower, d.bins.back().upper});
     for (const Bin& b : d.bins) peak = std::max(peak, d.density(b.count + 2 * b.count_error, b));
   }
-  const Unit height = unit_for(x.magnitude(), quantity.unit);
-  return {height, height.name.empty() ? "density" : "density [1/" + height.name + "]", x,
-          1.05 * peak * height.factor};
+  const Unit height = unit_for(x.magnitude(), quantity.unit), per = unit_for(1000 / peak, quantity.unit);
+  const std::string label = per.name.empty() ? "density" : "density [1/" + per.name + "]";
+  return {height, per, label, x, 1.05 * peak * per.factor};
 }
 
 std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
-  const double f = scales.height.factor;
+  const double f = scales.height.factor, per = scales.per.factor;
   std::vector<double> centre, density, width, low, rise, none, z, normal;
   for (const Bin& b : d.bins) {
     centre.push_back(b.centre() / f);
-    density.push_back(d.density(b.count, b) * f);
+    density.push_back(d.density(b.count, b) * per);
     width.push_back(b.width() / f);
-    low.push_back(d.density(b.count - 2 * b.count_error, b) * f);
-    rise.push_back(4 * d.density(b.count_error, b) * f);
+    low.push_back(d.density(b.count - 2 * b.count_error, b) * per);
+    rise.push_back(4 * d.density(b.count_error, b) * per);
   }
   none.assign(low.size(), 0.0);
   constexpr int samples = 400;
   for (int k = 0; k <= samples; ++k) {
     const double at = scales.x.low + k * scales.x.width() / samples;
     z.push_back(at / f);
-    normal.push_back(gaussian(d.moments, at) * f);
+    normal.push_back(gaussian(d.moments, at) * per);
   }
   return {
       points(

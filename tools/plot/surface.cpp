@@ -71,8 +71,8 @@ Script surface(const Cases& cases, const Request& request) {
   Sheet sheet{.columns = static_cast<int>(cases.size()),
               .aspect = 0.72,
               .left = 4.5,
-              .right = 1.5,
-              .bottom = 2,
+              .right = 4,
+              .bottom = 3.2,
               .gap_x = 3.5};
   Figure figure(request, sheet, default_title(quantity, factor, stride));
   Script& script = figure.script;
@@ -92,9 +92,9 @@ Script surface(const Cases& cases, const Request& request) {
                 round_step(p.x.width() / length.factor, 4), round_step(p.y.width() / length.factor, 4));
     script.line(
         "set ztics ({})",
-        tics(values, round_step(values.width() / value.factor, cases.size() > 1 ? 2 : 4), scale, value));
-    script.line("set xlabel {} noenhanced offset 0,-0.8", quoted(length.label("x")));
-    script.line("set ylabel {} noenhanced offset 0.5,-0.5", quoted(length.label("y")));
+        tics(values, round_step(values.width() / value.factor, cases.size() > 1 ? 3 : 4), scale, value));
+    script.line("set xlabel {} noenhanced offset 0,-0.3", quoted(length.label("x")));
+    script.line("set ylabel {} noenhanced offset 0,-0.3", quoted(length.label("y")));
     if (c > 0)
       script.line("unset zlabel");
     else
