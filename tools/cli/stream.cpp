@@ -73,10 +73,11 @@ class Descriptor {
 std::optional<std::string> replaceable(const std::string& name) {
   namespace fs = std::filesystem;
   if (name.starts_with("/dev/") || name.starts_with("/proc/")) return std::nullopt;
-  std::error_code missing;
-  const fs::path target = fs::canonical(name, missing);
-  if (missing) return name;
-  return fs::is_regular_file(target) ? std::optional(target.string()) : std::nullopt;
+  fs::path target = name;
+  for (int links = 0; fs::is_symlink(target) && links < 40; ++links)
+    target = target.parent_path() / fs::read_symlink(target);
+  const bool present = fs::exists(target);
+  return !present || fs::is_regular_file(target) ? std::optional(target.string()) : std::nullopt;
 }
 
 void replace_file(const std::string& name, std::string_view bytes) {

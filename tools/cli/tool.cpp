@@ -298,7 +298,7 @@ int Tool::fail(Exit code, const std::string& message) const {
   return code;
 }
 
-int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
+int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
   if (writes_dataset_ && !writes_table_ && output_is_terminal())
     return fail(usage_error,
@@ -312,6 +312,10 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::CallForVersion& version) {
   write_all("-", std::string(version.what()) + "\n");
   return done;
+}
+
+int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
+  return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
   const std::string what = e.what(), prefix = "INI was not able to parse ";
   return fail(

@@ -118,6 +118,7 @@ class Tool {
   void add_common();
   void add_seed();
   void parse(int argc, char** argv);
+  int answer(int argc, char** argv, const std::function<int()>& body);
   void add_environment(std::vector<std::string>& arguments) const;
   void write_report(const Dataset& dataset) const;
   std::string footer() const;
