@@ -46,8 +46,8 @@ void declare_figure(cli::Tool& tool, Options& o) {
   tool.text("--variable", o.request.variable, "NAME",
             "What is drawn: heights, pressure, gap, noise, stress_zz, ... (default: the kind's own)", group);
   tool.text("--section", o.request.section, "AXIS=PLACE",
-            "Where a section or profile runs, y=0 or x=0.2mm: the nearest row of cells (default: y=0; a "
-            "profile's: both)",
+            "Where a section or profile runs, y=0 or x=0.2mm: the nearest row of cells; y=max: through the "
+            "largest von Mises stress (default: y=0; a profile's: both)",
             group);
   tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);

@@ -110,6 +110,29 @@ TEST_CASE("what a title holds is drawn and never run", "[plot][contract]") {
   CHECK_FALSE(std::filesystem::exists(scratch("ran")));
 }
 
+// The lags of a kernel are first + k step: near the origin they miss zero by rounding. They were refused.
+TEST_CASE("lags that miss zero by rounding still have their origin", "[plot][contract]") {
+  Dataset data;
+  const Field rho = Field::NullaryExpr(
+      4, 7, [](Index p, Index q) { return std::exp(-1.0 * static_cast<double>(p + std::abs(q - 3))); });
+  for (const char* name : {"acf_target", "acf_achieved"})
+    set_table(data, name, rho, {"p", 0, 0.1, "m", "lag"}, {"q", 3 * -0.1, 0.1, "m", "lag"}, {"m2", "acf"});
+  write_dataset(data, "kernel.nc");
+  const Outcome run = shell("asperity-plot kernel.nc --kind acf -o k.svg");
+  INFO(run.error);
+  CHECK(run.exit == 0);
+}
+
+TEST_CASE("the section through the largest stress is where the dataset says", "[plot][contract]") {
+  scene();
+  Dataset data = read_dataset("scene.nc");
+  CHECK(plot("--kind von-mises --section y=max -o w.png").exit == 4);
+  data.attributes.set("stress_max_y", 37.5e-6);
+  write_dataset(data, "max.nc");
+  REQUIRE(shell("asperity-plot max.nc --kind von-mises --section y=max -o m.svg").exit == 0);
+  CHECK_THAT(words_of("m.svg"), ContainsSubstring("y = 37.5 µm"));
+}
+
 TEST_CASE("several cases stand side by side under their names", "[plot][contract]") {
   const Outcome run = plot(scene() + " --kind map --labels first,second -o two.svg");
   INFO(run.error);

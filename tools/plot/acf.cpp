@@ -45,7 +45,9 @@ std::vector<double> lags_of(const Dataset& data, const char* name, bool& in_metr
 
 Index zero_of(const std::vector<double>& lags, const char* name) {
   const auto at = std::ranges::min_element(lags, {}, [](double lag) { return std::abs(lag); });
-  if (at == lags.end() || *at != 0) throw DataError(name, "the lag 0 is not among its points");
+  const double step = lags.size() > 1 ? std::abs(lags[1] - lags[0]) : 1;
+  if (at == lags.end() || !(std::abs(*at) <= 1e-6 * step))
+    throw DataError(name, "the lag 0 is not among its points");
   return at - lags.begin();
 }
 

@@ -91,58 +91,77 @@ double hertz_pressure(const Dataset& data) {
   return p0;
 }
 
-void hide_below(Field& values, double least) {
-  values = (values >= least).select(values, std::numeric_limits<double>::quiet_NaN());
+// The sections of all cases, their values in one unit, and how they are coloured.
+struct Cuts {
+  std::vector<Cut> list;
+  Quantity quantity;
+  Range range;  ///< of the values
+  Colours colours;
+  double least = 0;  ///< below it values are hidden; 0: none is
+};
+
+void scale_by_hertz(Cuts& cuts, const Cases& cases) {
+  for (std::size_t c = 0; c < cases.size(); ++c) cuts.list[c].patch.values /= hertz_pressure(cases[c].data);
+  cuts.quantity.name += " / p₀";
+  cuts.quantity.unit.clear();
+}
+
+void hide_below(Cuts& cuts, double least) {
+  if (!(least < cuts.range.high))
+    throw ParameterError("above", fmt::format("no value of the section reaches {}; the largest is {}",
+                                              brief(least), brief(cuts.range.high)));
+  for (Cut& c : cuts.list)
+    c.patch.values =
+        (c.patch.values >= least).select(c.patch.values, std::numeric_limits<double>::quiet_NaN());
+  cuts.least = least;
+  cuts.colours = {{least, cuts.range.high}, Palette::sequential};
+}
+
+Cuts cuts_of(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable.empty() ? "von_mises" : request.variable;
+  Cuts cuts;
+  for (const Case& c : cases) cuts.list.push_back(cut_of(c, variable, request));
+  cuts.quantity = quantity_of(cases[0].data.at(variable));
+  if (request.scale_by_hertz) scale_by_hertz(cuts, cases);
+  cuts.range = range_of(cuts.list[0].patch.values);
+  for (const Cut& c : cuts.list) cuts.range = united(cuts.range, range_of(c.patch.values));
+  cuts.colours = cuts.quantity.signed_value ? about(0, cuts.range) : one_sided(cuts.range);
+  if (request.above > 0) hide_below(cuts, request.above * (request.scale_by_hertz ? 1.0 : cuts.range.high));
+  cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.colours.range);
+  return cuts;
+}
+
+std::string default_title(const Cuts& cuts, const Unit& value, double stretch) {
+  std::string out = "section " + cuts.list[0].section.label();
+  for (const Cut& c : cuts.list)
+    if (c.section.label() != cuts.list[0].section.label()) out = "section at the maximum";
+  if (cuts.least > 0)
+    out += fmt::format(", above {} {}", brief(cuts.least / value.factor),
+                       value.name.empty() ? "p₀" : value.name);
+  return stretch == 1 ? out : out + fmt::format(", depth × {}", brief(stretch));
 }
 
 }  // namespace
 
 Script section(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "von_mises" : request.variable;
-  std::vector<Cut> cuts;
-  for (const Case& c : cases) cuts.push_back(cut_of(c, variable, request));
-  Quantity quantity = quantity_of(cases[0].data.at(variable));
-  if (request.scale_by_hertz) {
-    for (std::size_t c = 0; c < cases.size(); ++c) cuts[c].patch.values /= hertz_pressure(cases[c].data);
-    quantity.name += " / p₀";
-    quantity.unit.clear();
-  }
-  Range range = range_of(cuts[0].patch.values);
-  for (const Cut& c : cuts) range = united(range, range_of(c.patch.values));
-  const double least = request.above * (request.scale_by_hertz ? 1.0 : range.high);
-  Colours colours = quantity.signed_value ? about(0, range) : one_sided(range);
-  if (request.above > 0) {
-    for (Cut& c : cuts) hide_below(c.patch.values, least);
-    if (!(least < range.high))
-      throw ParameterError(
-          "above", fmt::format("no value reaches {}; the largest is {}", brief(least), brief(range.high)));
-    colours = {{least, range.high}, Palette::sequential};
-  }
-  colours.range = value_range(request, quantity.unit, colours.range);
-
-  const Patch& first = cuts[0].patch;
+  const Cuts cuts = cuts_of(cases, request);
+  const Patch& first = cuts.list[0].patch;
   const double true_aspect = first.y.width() / first.x.width();
   Sheet sheet{.columns = static_cast<int>(cases.size()), .right = 7.6};
   sheet.aspect = std::clamp(true_aspect, cases.size() > 1 ? 0.35 : 0.25, tallest);
-  const double stretch = sheet.aspect / true_aspect;
-  const bool equal = std::abs(stretch - 1) < 0.01;
+  const double ratio = sheet.aspect / true_aspect, stretch = std::abs(ratio - 1) < 0.01 ? 1 : ratio;
   const Unit along = unit_for(first.x.magnitude(), "m"),
-             depth = equal ? along : unit_for(first.y.magnitude(), "m"),
-             value = unit_for(colours.range.magnitude(), quantity.unit);
-  std::string title = "section " + cuts[0].section.label();
-  if (request.above > 0)
-    title +=
-        fmt::format(", above {} {}", brief(least / value.factor), request.scale_by_hertz ? "p₀" : value.name);
-  if (!equal) title += fmt::format(", depth × {}", brief(stretch));
-  Figure figure(request, sheet, title);
+             depth = stretch == 1 ? along : unit_for(first.y.magnitude(), "m"),
+             value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
+  Figure figure(request, sheet, default_title(cuts, value, stretch));
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Patch& p = cuts[c].patch;
+    const Patch& p = cuts.list[c].patch;
     figure.panel(0, static_cast<int>(c), cases[c].label);
     figure.x_axis({p.x.low / along.factor, p.x.high / along.factor},
-                  along.label(cuts[c].section.along_x ? "x" : "y"));
+                  along.label(cuts.list[c].section.along_x ? "x" : "y"));
     figure.y_axis({p.y.low / depth.factor, p.y.high / depth.factor}, depth.label("depth z"), true);
     if (c > 0) figure.without_y_labels();
-    figure.colours(colours, value, quantity.name);
+    figure.colours(cuts.colours, value, cuts.quantity.name);
     const Lattice at{p.x_at(0) / along.factor, p.y_at(0) / depth.factor, p.dx() / along.factor,
                      p.dy() / depth.factor};
     figure.script.draw("plot", {raster(p.values / value.factor, at, "with image")});

@@ -81,14 +81,27 @@ std::string Section::label() const {
   return fmt::format("{} = {} {}", along_x ? "y" : "x", brief(place / unit.factor), unit.name);
 }
 
+namespace {
+
+// A place as typed, or where the dataset says that the von Mises stress is largest.
+double place_of(const Dataset& data, const std::string& text, bool along_x) {
+  if (text == "0") return 0;
+  if (text != "max") return cli::parse_quantity("section", text, "m");
+  const char* attribute = along_x ? "stress_max_y" : "stress_max_x";
+  const double place = data.attributes.number(attribute, std::nan(""));
+  if (std::isnan(place)) throw DataError(attribute, "the dataset does not have this attribute");
+  return place;
+}
+
+}  // namespace
+
 Section section_of(const Dataset& data, const std::string& text) {
   if (!text.starts_with("x=") && !text.starts_with("y="))
-    throw ParameterError("section", "'" + text + "' is not of the form y=0 or x=0.2mm");
+    throw ParameterError("section", "'" + text + "' is not of the form y=0, x=0.2mm or y=max");
   const Grid grid = grid_of(data);
   const bool along_x = text[0] == 'y';
-  const std::string where = text.substr(2);
-  const double wanted = where == "0" ? 0 : cli::parse_quantity("section", where, "m"),
-               spacing = along_x ? grid.dy : grid.dx, size = along_x ? grid.size_y() : grid.size_x();
+  const double wanted = place_of(data, text.substr(2), along_x), spacing = along_x ? grid.dy : grid.dx,
+               size = along_x ? grid.size_y() : grid.size_x();
   if (!(std::abs(wanted) <= 0.5 * size))
     throw ParameterError("section", "'" + text + "' lies outside: the surface reaches to ±" +
                                         cli::format_quantity(0.5 * size, "m"));

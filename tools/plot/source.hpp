@@ -42,7 +42,7 @@ struct Section {
 
   std::string label() const;  ///< "y = 11.7 µm"
 };
-/// The section that "y=0" or "x=0.2mm" names, moved to the nearest row of cells (of two as near, the second);
+/// The section that "y=0", "x=0.2mm" or "y=max" (through the largest von Mises stress) names, moved to the nearest row of cells (of two as near, the second);
 /// throws ParameterError("section", …).
 Section section_of(const Dataset& data, const std::string& text);
 

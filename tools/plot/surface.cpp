@@ -46,64 +46,84 @@ std::string default_title(const Quantity& quantity, double factor, Index stride)
   return out;
 }
 
+// All cases as they are drawn: thinned alike, on one scale.
+struct Relief {
+  std::vector<Patch> patches;
+  Quantity quantity;
+  Range values;
+  Index stride = 1;
+  double factor = 1;   ///< heights are enlarged by it
+  Unit length, value;  ///< of the axes
+
+  double scale() const { return factor / length.factor; }  ///< plotted units a unit of the quantity
+};
+
+Relief relief_of(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable.empty() ? "heights" : request.variable;
+  Relief out{{}, quantity_of(cases[0].data.at(variable)), {unlimited, -unlimited}, 1, 1, {}, {}};
+  for (const Case& c : cases) {
+    out.patches.push_back(patch_of(c.data, variable, request));
+    out.values = united(out.values, range_of(out.patches.back().values));
+    out.stride = std::max(out.stride, stride_of(out.patches.back().values));
+  }
+  for (Patch& p : out.patches) p = thinned(p, out.stride);
+  out.values = value_range(request, out.quantity.unit, out.values);
+  out.factor = exaggeration(out.patches[0], out.values);
+  out.length = unit_for(reach(out.patches[0]), "m");
+  out.value = unit_for(out.values.magnitude(), out.quantity.unit);
+  return out;
+}
+
+void set_view(Script& script, const Relief& relief) {
+  script.line("set view 50,30,0.98\nset view equal xyz");
+  script.line("set xyplane at {}", relief.values.low * relief.scale());
+  script.line("set pm3d depthorder explicit corners2color mean");
+  script.line("set pm3d lighting primary 0.45 specular 0.0");
+  script.line("set border 127+256+512 linewidth 0.6");
+  script.line("set grid ztics linewidth 0.4 linecolor rgb '#c8c8c8'");
+}
+
+void set_axes(Script& script, const Relief& relief, const Patch& p, bool alone, bool first) {
+  const double unit = relief.length.factor, scale = relief.scale();
+  script.line("set xrange [{}:{}]\nset yrange [{}:{}]", p.x.low / unit, p.x.high / unit, p.y.low / unit,
+              p.y.high / unit);
+  script.line("set zrange [{}:{}]", relief.values.low * scale, relief.values.high * scale);
+  script.line("set xtics {} offset 0,-0.3", round_step(p.x.width() / unit, 4));
+  script.line("set ytics {} offset 0.4,-0.2", round_step(p.y.width() / unit, 4));
+  script.line("set ztics ({})",
+              tics(relief.values, round_step(relief.values.width() / relief.value.factor, alone ? 4 : 3),
+                   scale, relief.value));
+  script.line("set xlabel {} noenhanced offset 0,-0.3", quoted(relief.length.label("x")));
+  script.line("set ylabel {} noenhanced offset 0,-0.3", quoted(relief.length.label("y")));
+  script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
+              quoted(first ? relief.value.label(relief.quantity.name) : ""));
+}
+
 }  // namespace
 
 Script surface(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "heights" : request.variable;
-  std::vector<Patch> patches;
-  Range values{unlimited, -unlimited};
-  Index stride = 1;
-  for (const Case& c : cases) {
-    Patch whole = patch_of(c.data, variable, request);
-    values = united(values, range_of(whole.values));
-    stride = std::max(stride, stride_of(whole.values));
-    patches.push_back(std::move(whole));
-  }
-  for (Patch& p : patches) p = thinned(p, stride);
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
-  values = value_range(request, quantity.unit, values);
-  const double factor = exaggeration(patches[0], values);
-  const Unit length = unit_for(reach(patches[0]), "m"), value = unit_for(values.magnitude(), quantity.unit);
-  const double scale = factor / length.factor;  // plotted units a unit of the quantity
-  const Colours colours =
-      quantity.signed_value ? about(0.5 * (values.low + values.high), values) : one_sided(values);
-
-  Sheet sheet{.columns = static_cast<int>(cases.size()),
-              .aspect = 0.72,
-              .left = 4.5,
-              .right = 4,
-              .bottom = 3.2,
-              .gap_x = 3.5};
-  Figure figure(request, sheet, default_title(quantity, factor, stride));
-  Script& script = figure.script;
-  script.line("set view 50,30,0.98\nset view equal xyz\nset xyplane at {}", values.low * scale);
-  script.line("set pm3d depthorder explicit corners2color mean");
-  script.line("set pm3d lighting primary 0.45 specular 0.0");
-  script.line("set border 127+256+512 linewidth 0.6\nset grid ztics linewidth 0.4 linecolor rgb '#c8c8c8'");
+  const Relief relief = relief_of(cases, request);
+  const double scale = relief.scale(), middle = 0.5 * (relief.values.low + relief.values.high);
+  Colours colours = relief.quantity.signed_value ? about(middle, relief.values) : one_sided(relief.values);
+  colours.range = {colours.range.low * scale, colours.range.high * scale};
+  const Sheet sheet{.columns = static_cast<int>(cases.size()),
+                    .aspect = 0.72,
+                    .left = 4.5,
+                    .right = 4,
+                    .bottom = 3.2,
+                    .gap_x = 3.5};
+  Figure figure(request, sheet, default_title(relief.quantity, relief.factor, relief.stride));
+  set_view(figure.script, relief);
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Patch& p = patches[c];
+    const Patch& p = relief.patches[c];
     figure.panel(0, static_cast<int>(c), cases[c].label);
-    figure.colours({{colours.range.low * scale, colours.range.high * scale}, colours.palette}, {}, "");
-    script.line("unset colorbox");
-    script.line("set xrange [{}:{}]\nset yrange [{}:{}]\nset zrange [{}:{}]", p.x.low / length.factor,
-                p.x.high / length.factor, p.y.low / length.factor, p.y.high / length.factor,
-                values.low * scale, values.high * scale);
-    script.line("set xtics {} offset 0,-0.3\nset ytics {} offset 0.4,-0.2",
-                round_step(p.x.width() / length.factor, 4), round_step(p.y.width() / length.factor, 4));
-    script.line(
-        "set ztics ({})",
-        tics(values, round_step(values.width() / value.factor, cases.size() > 1 ? 3 : 4), scale, value));
-    script.line("set xlabel {} noenhanced offset 0,-0.3", quoted(length.label("x")));
-    script.line("set ylabel {} noenhanced offset 0,-0.3", quoted(length.label("y")));
-    if (c > 0)
-      script.line("unset zlabel");
-    else
-      script.line("set zlabel {} noenhanced rotate by 90 offset 1,0", quoted(value.label(quantity.name)));
-    const Lattice at{p.x_at(0) / length.factor, p.y_at(0) / length.factor, p.dx() / length.factor,
-                     p.dy() / length.factor, true};
-    script.draw("splot", {raster(p.values * scale, at, "with pm3d")});
+    figure.colours(colours, {}, "");
+    set_axes(figure.script, relief, p, cases.size() == 1, c == 0);
+    const double unit = relief.length.factor;
+    const Lattice at{p.x_at(0) / unit, p.y_at(0) / unit, p.dx() / unit, p.dy() / unit, true};
+    figure.script.draw("splot", {raster(p.values * scale, at, "with pm3d")});
   }
-  return script;
+  return figure.script;
 }
 
 }  // namespace asperity::plot
