@@ -118,11 +118,10 @@ cli::Quantities lengths_of(const cli::Tool& tool, const cli::Measured& measured,
 void add_to(Dataset& data, const cli::Measured& measured, const Estimate& estimate,
             const cli::Quantities& lengths, bool absolute) {
   const Grid& grid = measured.grid;
-  const double scale = absolute ? estimate.variance : 1,
-               first_q = -static_cast<double>(estimate.rho.max_q()) * grid.dy;
+  const double scale = absolute ? estimate.variance : 1;
   const std::string units = absolute ? measured.units_to(2) : "1";
   set_table(data, "acf", scale * estimate.rho.half_plane(), {"lag_x", 0, grid.dx, "m", "lag in x"},
-            {"lag_y", first_q, grid.dy, "m", "lag in y"},
+            {"lag_y", -estimate.rho.max_q(), grid.dy, "m", "lag in y"},
             {units, "autocorrelation estimated from the field"});
   for (const auto& row : lengths.rows) data.attributes.set("acf_" + row.name, row.value);
 }

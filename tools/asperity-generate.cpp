@@ -151,6 +151,8 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     if (!tool.given("--shape")) throw cli::UsageError("shape", "is required");
     if (options.count > 1) numbered(tool.output_name(), 0);
+    if (options.count > 1 && tool.given("--report"))
+      throw cli::UsageError("report", "is of one surface; each dataset of an ensemble carries its own");
     cli::Exit code = cli::done;
     Dataset base = kernel_dataset(tool, options, code);
     const cli::KernelTables tables = tables_for(tool, options, base);

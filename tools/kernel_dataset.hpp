@@ -34,7 +34,7 @@ inline void set_kernel(Dataset& data, const KernelTables& tables) {
   const std::string_view lag = tables.spacing ? "m" : "1";
   const auto [dx, dy] = tables.spacing.value_or(std::array{1.0, 1.0});
   const Axis p{"p", 0, dx, lag, "lag in x"};
-  const Axis q{"q", -dy * static_cast<double>(tables.acf_target.cols() / 2), dy, lag, "lag in y"};
+  const Axis q{"q", -(tables.acf_target.cols() / 2), dy, lag, "lag in y"};
   set_table(data, "kernel", tables.kernel, {"k", 0, 1, "1", "row of noise"},
             {"l", 0, 1, "1", "column of noise"}, {height, "moving-average kernel of unit white noise"});
   set_table(data, "acf_target", tables.acf_target, p, q, {variance, "autocorrelation asked for"});

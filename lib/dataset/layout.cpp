@@ -178,7 +178,7 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
   auto set_axis = [&](const Axis& axis, Index n) {
     dataset.set_dimension(axis.name, n);
     std::vector<double> points;
-    for (Index i = 0; i < n; ++i) points.push_back(axis.first + static_cast<double>(i) * axis.step);
+    for (Index i = 0; i < n; ++i) points.push_back(static_cast<double>(axis.first + i) * axis.step);
     dataset.put(coordinate(axis.name, std::move(points), axis.unit, axis.meaning));
   };
   set_axis(row, values.rows());

@@ -45,14 +45,16 @@ void set_depths(Dataset& dataset, const std::vector<double>& depths);
 /// Writes name(z, x, y); `values` is [depth][x][y], nz·nx·ny of them.
 void set_volume(Dataset& dataset, std::string_view name, std::vector<double> values, Meaning meaning);
 
-/// A field over lags or kernel indices: writes name(row, column) with coordinates row(row) and
-/// column(column), each first, first + step, …, in `unit` ("m", or "1" for samples).
+/// The points first·step, (first + 1)·step, … of a table's row or column, in `unit` ("m", or "1" for samples). Counted
+/// from a whole number, so that the lag 0 is 0 and not a rounding error.
 struct Axis {
   std::string_view name;
-  double first = 0, step = 1;
+  Index first = 0;
+  double step = 1;
   std::string_view unit = "1";
   std::string_view meaning = "index";
 };
+/// A field over lags or kernel indices: writes name(row, column) and the coordinates row(row) and column(column).
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
                Meaning meaning);
 /// A variable of any two dimensions as a field; throws DataError when it is missing or holds a number not

@@ -272,7 +272,8 @@ Dataset decode_netcdf(const std::string& bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
   Handle file;
-  const int status = nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
+  const int status =
+      nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
   file.open = true;
