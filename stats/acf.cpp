@@ -43,10 +43,11 @@ Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Sha
   Field sums(max_lag.nx + 1, 2 * max_lag.ny + 1);
   AlignedVector<Complex> spectrum(static_cast<std::size_t>(columns));
   AlignedVector<double> row(static_cast<std::size_t>(period));
+  const Eigen::Map<const Eigen::Array<double, 1, Eigen::Dynamic>> lags(row.data(), period);
   for (Index p = 0; p <= max_lag.nx; ++p) {
     transform.inverse_row(half, p, spectrum.data(), row.data());
-    std::copy_n(row.begin(), max_lag.ny + 1, &sums(p, max_lag.ny));
-    std::copy_n(row.end() - max_lag.ny, max_lag.ny, &sums(p, 0));
+    sums.row(p).tail(max_lag.ny + 1) = lags.head(max_lag.ny + 1);
+    sums.row(p).head(max_lag.ny) = lags.tail(max_lag.ny);
   }
   return sums;
 }
