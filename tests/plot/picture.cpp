@@ -116,7 +116,7 @@ TEST_CASE("lags that miss zero by rounding still have their origin", "[plot][con
   const Field rho = Field::NullaryExpr(
       4, 7, [](Index p, Index q) { return std::exp(-1.0 * static_cast<double>(p + std::abs(q - 3))); });
   for (const char* name : {"acf_target", "acf_achieved"})
-    set_table(data, name, rho, {"p", 0, 0.1, "m", "lag"}, {"q", 3 * -0.1, 0.1, "m", "lag"}, {"m2", "acf"});
+    set_table(data, name, rho, {"p", 0, 0.1, "m", "lag"}, {"q", -3, 0.1, "m", "lag"}, {"m2", "acf"});
   write_dataset(data, "kernel.nc");
   const Outcome run = shell("asperity-plot kernel.nc --kind acf -o k.svg");
   INFO(run.error);

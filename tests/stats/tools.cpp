@@ -23,7 +23,7 @@ Dataset drawn_surface() {
   const LagField rho = triangular_correlation(window);
   const Field target =
       Field::NullaryExpr(11, 15, [&](Index p, Index column) { return 0.16e-12 * rho(p, column - 7); });
-  set_table(data, "acf_target", target, {"p", 0, 20e-6, "m"}, {"q", -7 * 30e-6, 30e-6, "m"},
+  set_table(data, "acf_target", target, {"p", 0, 20e-6, "m"}, {"q", -7, 30e-6, "m"},
             {"m2", "autocorrelation asked for"});
   return data;
 }
