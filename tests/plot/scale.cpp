@@ -49,7 +49,7 @@ TEST_CASE("the diverging palette is as light at equal distances from its middle"
   }
 }
 
-TEST_CASE("a prefix brings a magnitude into [1, 1000)", "[scale][exact]") {
+TEST_CASE("a prefix brings a magnitude into 1 up to 1000", "[scale][exact]") {
   for (const auto& [magnitude, unit, name] : {std::tuple{3e-3, "m", "mm"},
                                               {0.4e-6, "m", "nm"},
                                               {1e-6, "m", "µm"},

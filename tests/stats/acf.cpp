@@ -125,7 +125,7 @@ TEST_CASE("the first crossing of a Gaussian ACF is early by s(1-s)/(2 lag)", "[a
   }
 }
 
-TEST_CASE("a profile that jumps below zero is crossed on a straight line; one that stays above is not",
+TEST_CASE("a profile that jumps below zero is crossed on a straight line, one that stays above is not",
           "[acf-length][contract]") {
   Eigen::ArrayXd rho(3);
   rho << 1.0, 0.6, -0.4;
