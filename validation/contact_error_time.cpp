@@ -23,8 +23,7 @@
 #include "contact/hertz.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
-#include "grid/stopwatch.hpp"
-#include "transform/plan.hpp"
+#include "timing.hpp"
 
 using namespace asperity;
 
@@ -59,27 +58,12 @@ Field roughness(Index n) {
 
 Grid square(Index n) { return {{n, n}, side / static_cast<double>(n), side / static_cast<double>(n)}; }
 
-/// Seconds of one call, the best of several.
-template <class Call>
-double time_of(Call call) {
-  double best = 1e300;
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    const Stopwatch watch;
-    call();
-    best = std::min(best, watch.seconds());
-  }
-  return best;
-}
-
 double convolution_over_transform(const Grid& grid, int threads) {
   const auto influence = make_influence(grid, bodies.composite_modulus(), threads);
-  const Shape padded{2 * grid.shape.nx, 2 * grid.shape.ny};
-  const RealTransform2D transform(padded);
-  const Field p = Field::Ones(grid.shape.nx, grid.shape.ny), in = Field::Ones(padded.nx, padded.ny);
+  const Field p = Field::Ones(grid.shape.nx, grid.shape.ny);
   Field u;
-  AlignedVector<Complex> out(static_cast<std::size_t>(transform.spectrum_size()));
-  const double convolution = time_of([&] { influence->apply(p, u); });
-  return convolution / time_of([&] { transform.forward(in.data(), out.data()); });
+  return seconds_of([&] { influence->apply(p, u); }) /
+         real_transform_seconds({2 * grid.shape.nx, 2 * grid.shape.ny});
 }
 
 struct Reference {
@@ -121,6 +105,7 @@ void run(const Scene& scene, Index n, int threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 512;
   const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
   fmt::print(

@@ -12,27 +12,11 @@
 #include <fmt/format.h>
 
 #include "acf/kernel.hpp"
-#include "grid/stopwatch.hpp"
-#include "transform/plan.hpp"
+#include "timing.hpp"
 
 using namespace asperity;
 
 namespace {
-
-// Seconds a call: doubled until a batch lasts 20 ms, the fastest of eight batches.
-template <class Work>
-double seconds_of(Work work) {
-  int calls = 1;
-  auto batch = [&] {
-    const Stopwatch watch;
-    for (int i = 0; i < calls; ++i) work();
-    return watch.seconds();
-  };
-  while (batch() < 0.02) calls *= 2;
-  double fastest = batch();
-  for (int i = 1; i < 8; ++i) fastest = std::min(fastest, batch());
-  return fastest / calls;
-}
 
 // One transform of the formulation's torus.
 double transform_seconds(Shape lags, Formulation formulation) {
@@ -77,6 +61,7 @@ void row(Shape lags, double c, double tolerance, Formulation formulation) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 63;
   fmt::print(
       "# "

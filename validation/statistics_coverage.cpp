@@ -13,13 +13,12 @@
 #include <cstdlib>
 #include <random>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include "grid/stopwatch.hpp"
 #include "stats/acf.hpp"
 #include "stats/effective_size.hpp"
 #include "stats/moments.hpp"
-#include "transform/plan.hpp"
+#include "timing.hpp"
 
 using namespace asperity;
 
@@ -80,21 +79,6 @@ void coverage(const Grid& grid, Index width, int fields) {
   print(width, known.effective(2), "estimated", with_estimate, fields);
 }
 
-// Seconds a call: the number of calls is doubled until they last 20 ms; the fastest of eight batches.
-template <class Run>
-double seconds(Run run) {
-  int calls = 1;
-  auto batch = [&] {
-    const Stopwatch watch;
-    for (int c = 0; c < calls; ++c) run();
-    return watch.seconds();
-  };
-  while (batch() < 0.02) calls *= 2;
-  double fastest = batch();
-  for (int b = 1; b < 8; ++b) fastest = std::min(fastest, batch());
-  return fastest / calls;
-}
-
 void cost(Index n) {
   std::mt19937_64 generator(1);
   const Grid grid{{n, n}, 1, 1, false};
@@ -105,15 +89,16 @@ void cost(Index n) {
   const AcfParameters half{.max_lag = default_max_lag(grid)};
   const LagField acf = estimate_autocorrelation(z, grid, half);
 
-  const double one = seconds([&] { transform.forward(in.data(), out.data()); });
-  fmt::print("{:5d}  {:13.3e}  {:7.2f}  {:7.2f}  {:7.2f}\n", n, one, seconds([&] { moments(z); }) / one,
-             seconds([&] { estimate_autocorrelation(z, grid, half); }) / one,
-             seconds([&] { EffectiveSize::of_estimate(acf, grid); }) / one);
+  const double one = seconds_of([&] { transform.forward(in.data(), out.data()); });
+  fmt::print("{:5d}  {:13.3e}  {:7.2f}  {:7.2f}  {:7.2f}\n", n, one, seconds_of([&] { moments(z); }) / one,
+             seconds_of([&] { estimate_autocorrelation(z, grid, half); }) / one,
+             seconds_of([&] { EffectiveSize::of_estimate(acf, grid); }) / one);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  print_conditions();
   const int fields = argc > 1 ? std::max(1, std::atoi(argv[1])) : 400;
   fmt::print("Coverage [%] of 95 % intervals, {} fields of 128 x 128\n", fields);
   fmt::print("width     N_eff  errors      mean     Ra     Rq    Rsk    Rku\n");

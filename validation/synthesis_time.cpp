@@ -12,27 +12,12 @@
 
 #include <fmt/format.h>
 
-#include "grid/stopwatch.hpp"
 #include "surface/synthesis.hpp"
-#include "transform/plan.hpp"
+#include "timing.hpp"
 
 using namespace asperity;
 
 namespace {
-
-template <class Work>
-double seconds_of(Work work) {
-  int calls = 1;
-  auto batch = [&] {
-    const Stopwatch watch;
-    for (int i = 0; i < calls; ++i) work();
-    return watch.seconds();
-  };
-  while (batch() < 0.02) calls *= 2;
-  double fastest = batch();
-  for (int i = 1; i < 8; ++i) fastest = std::min(fastest, batch());
-  return fastest / calls;
-}
 
 Field kernel(Index size) {
   return Field::NullaryExpr(size, size, [&](Index k, Index l) {
@@ -62,6 +47,7 @@ double padded_transform(Index n) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 1024;
   fmt::print("# N\tK\tseconds\tseconds_2_threads\tratio_to_transform\n");
   for (Index n = 128; n <= largest; n *= 2) {

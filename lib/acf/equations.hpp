@@ -1,7 +1,7 @@
 /// The autocorrelation equations in two formulations, as systems for Newton's method.
 ///
-/// A surface drawn as a moving average of unit white noise, z(i,j) = Σ kernel(k,l) η(i+k, j+l), has the
-/// autocorrelation
+/// A surface drawn as a moving average of unit white noise, z(i,j) = Σ kernel(k,l) η(i+k, j+l), has
+/// the autocorrelation
 ///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                                    (1)
 /// R is prescribed at the n·m lags 0 ≤ p < n, 0 ≤ q < m; n·m coefficients are unknown.
 ///

@@ -38,12 +38,11 @@ struct NonlinearSystem {
 };
 
 struct NewtonOptions {
-  double tolerance = 1e-10;  ///< on max |d F|
-  double step_tolerance =
-      1e-14;               ///< on the relative length of a step, below which the iteration stands still
-  double forcing = 1e-3;   ///< η in (1)
-  int max_steps = 15;      ///< Newton steps
-  int max_products = 300;  ///< Jacobian products, checked before each step
+  double tolerance = 1e-10;       ///< on max |d F|
+  double step_tolerance = 1e-14;  ///< on the relative length of a step: shorter ones stand still
+  double forcing = 1e-3;          ///< η in (1)
+  int max_steps = 15;             ///< Newton steps
+  int max_products = 300;         ///< Jacobian products, checked before each step
   int krylov_dimension = 30;
   int restarts = 2;  ///< of GMRES, a step
 };

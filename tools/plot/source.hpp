@@ -42,8 +42,8 @@ struct Section {
 
   std::string label() const;  ///< "y = 11.7 µm"
 };
-/// The section that "y=0", "x=0.2mm" or "y=max" (through the largest von Mises stress) names, moved to the nearest row of cells (of two as near, the second);
-/// throws ParameterError("section", …).
+/// The section that "y=0", "x=0.2mm" or "y=max" (through the largest von Mises stress) names, moved to the
+/// nearest row of cells (of two as near, the second); throws ParameterError("section", …).
 Section section_of(const Dataset& data, const std::string& text);
 
 /// The values that --range allows, in SI, or `otherwise`.

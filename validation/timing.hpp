@@ -1,0 +1,57 @@
+/// What the validation programs share: how long a call takes, and on what.
+///
+/// The number of calls is doubled until a batch lasts 20 ms, so that the clock can be trusted; the fastest of eight
+/// batches is what the machine can do when nobody disturbs it.
+#pragma once
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "grid/stopwatch.hpp"
+#include "transform/plan.hpp"
+
+namespace asperity {
+
+/// Seconds a call.
+template <class Call>
+double seconds_of(Call call) {
+  int calls = 1;
+  auto batch = [&] {
+    const Stopwatch watch;
+    for (int i = 0; i < calls; ++i) call();
+    return watch.seconds();
+  };
+  while (batch() < 0.02) calls *= 2;
+  double fastest = batch();
+  for (int i = 1; i < 8; ++i) fastest = std::min(fastest, batch());
+  return fastest / calls;
+}
+
+/// One real-to-complex transform of this size, the measure of every other cost.
+inline double real_transform_seconds(Shape shape) {
+  const RealTransform2D transform(shape);
+  AlignedVector<double> field(static_cast<std::size_t>(shape.cells()), 1.0);
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  return seconds_of([&] { transform.forward(field.data(), spectrum.data()); });
+}
+
+/// The head of a report: what the seconds below it were measured with.
+inline void print_conditions() {
+#if defined(__clang__)
+  fmt::print("# clang {}", __clang_version__);
+#else
+  fmt::print("# gcc {}", __VERSION__);
+#endif
+#ifdef __AVX512F__
+  const char* vectors = "AVX-512";
+#elif defined(__AVX2__)
+  const char* vectors = "AVX2";
+#else
+  const char* vectors = "SSE2";
+#endif
+  fmt::print(", {}, {}; fastest of eight batches of 20 ms, one thread unless said\n", vectors,
+             transform_version());
+}
+
+}  // namespace asperity
