@@ -140,6 +140,24 @@ TEST_CASE("a load beyond what the limit pressure carries names the largest load"
   CHECK_THAT(run.error, ContainsSubstring("9000"));  // 1 GPa · 9 mm²
 }
 
+// 31 lags of an exponential that has fallen to 10 % at the last of them: no kernel has such an autocorrelation.
+TEST_CASE("what did not converge is exit 3, a warning and a dataset that says so", "[contract]") {
+  const std::pair<std::string, std::string> unsolved[] = {
+      {"asperity-kernel --length 31px --lags 31x31 -o unsolved.nc", "kernel_converged"},
+      {"asperity-generate --shape 64x64 --size 1mm --rq 1um --length 31px --lags 31x31 -o unsolved.nc",
+       "kernel_converged"},
+      {generate + " | " + contact + " --tolerance 1e-9 --max-convolutions 2 -o unsolved.nc",
+       "contact_converged"},
+  };
+  for (const auto& [line, attribute] : unsolved) {
+    const Outcome run = shell("rm -f unsolved.nc; " + line);
+    CAPTURE(line, run.error);
+    CHECK(run.exit == 3);
+    CHECK(lines(run.error) == 1);
+    CHECK(read_dataset("unsolved.nc").attributes.number(attribute, 1) == 0);
+  }
+}
+
 TEST_CASE("bad data is exit 4 and one line that names the variable", "[contract]") {
   REQUIRE(shell(generate + " -o good.nc").exit == 0);
   Dataset data = read_dataset("good.nc");

@@ -120,7 +120,6 @@ class Tool {
   void parse(int argc, char** argv);
   int answer(int argc, char** argv, const std::function<int()>& body);
   void add_environment(std::vector<std::string>& arguments) const;
-  void write_report(const Dataset& dataset) const;
   std::string footer() const;
   int fail(Exit code, const std::string& message) const;
 

@@ -1,0 +1,190 @@
+// What a tool can be told, and how --help tells it.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "cli/record.hpp"
+#include "cli/table.hpp"
+#include "cli/tool.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr const char* common = "Common";
+constexpr std::size_t option_width = 34;
+
+// CLI11 would also print which options exclude or need each other, which the texts say better, and would not wrap them.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    std::string out;
+    if (option->get_type_size() != 0 && !option->get_type_name().empty())
+      out += " " + option->get_type_name();
+    if (!option->get_default_str().empty()) out += "=" + option->get_default_str();
+    return out + (option->get_required() ? " (required)" : "");
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    constexpr std::size_t text_width = 110 - option_width;
+    std::istringstream words(option->get_description());
+    std::string out, line;
+    for (std::string word; words >> word;) {
+      if (!line.empty() && line.size() + 1 + word.size() > text_width) {
+        out += line + '\n';
+        line.clear();
+      }
+      line += (line.empty() ? "" : " ") + word;
+    }
+    return out + line;
+  }
+};
+
+std::string without_hyphens(const std::string& name) { return name.substr(name.find_first_not_of('-')); }
+
+}  // namespace
+
+Tool::Tool(std::string name, std::string description)
+    : app_(std::move(description), name), name_(std::move(name)) {
+  auto formatter = std::make_shared<HelpFormatter>();
+  formatter->column_width(option_width);
+  app_.formatter(formatter);
+  app_.set_help_flag();
+  app_.allow_config_extras(CLI::config_extras_mode::error);
+}
+
+CLI::Option* Tool::flag(const std::string& name, bool& value, const std::string& text,
+                        const std::string& group) {
+  return app_.add_flag(name, value, text)->group(group);
+}
+
+CLI::Option* Tool::parsed(const std::string& name, const std::string& kind, const std::string& text,
+                          const std::string& group, const std::string& shown,
+                          std::function<void(const std::string&)> parse) {
+  CLI::Option* option = app_.add_option_function<std::string>(name, std::move(parse), text);
+  option->group(group)->type_name(kind);
+  if (!shown.empty()) option->default_str(shown);
+  return option;
+}
+
+CLI::Option* Tool::integer(const std::string& name, int& value, int least, const std::string& text,
+                           const std::string& group) {
+  const std::string key = without_hyphens(name);
+  return parsed(
+      name, "N", text, group, std::to_string(value), [key, least, &value](const std::string& given) {
+        const auto [rest, error] = std::from_chars(given.data(), given.data() + given.size(), value);
+        if (error != std::errc() || rest != given.data() + given.size())
+          throw ParameterError(key, "'" + given + "' is no whole number");
+        if (value < least) throw ParameterError(key, given + " is below " + std::to_string(least));
+      });
+}
+
+CLI::Option* Tool::number(const std::string& name, double& value, const std::string& text,
+                          const std::string& group) {
+  const std::string key = without_hyphens(name);
+  return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value),
+                [key, &value](const std::string& given) {
+                  if (given.find(',') != given.npos)
+                    throw ParameterError(key, "'" + given + "' is more than one number");
+                  value = parse_numbers(key, given)[0];
+                });
+}
+
+CLI::Option* Tool::numbers_pair(const std::string& name, std::array<double, 2>& values,
+                                const std::string& text, const std::string& group) {
+  const std::string key = without_hyphens(name);
+  const bool known = !std::isnan(values[0]);
+  return parsed(name, "A[,B]", text, group, known ? shortest(values[0]) + "," + shortest(values[1]) : "",
+                [key, &values](const std::string& given) { values = parse_numbers(key, given); });
+}
+
+CLI::Option* Tool::text(const std::string& name, std::string& value, const std::string& what,
+                        const std::string& text, const std::string& group) {
+  return parsed(name, what, text, group, value, [&value](const std::string& given) { value = given; });
+}
+
+CLI::Option* Tool::choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
+                          const std::string& text, const std::string& group) {
+  const std::string key = without_hyphens(name);
+  std::string list;
+  for (const std::string& word : among) list += (list.empty() ? "" : "|") + word;
+  return parsed(name, list, text, group, value, [key, list, among, &value](const std::string& given) {
+    if (std::ranges::find(among, given) == among.end())
+      throw ParameterError(key, "'" + given + "' is none of " + list);
+    value = given;
+  });
+}
+
+CLI::Option* Tool::quantity(const std::string& name, double& value, const std::string& unit,
+                            const std::string& text, const std::string& group) {
+  const std::string key = without_hyphens(name);
+  return parsed(name, "QUANTITY", text, group, std::isnan(value) ? "" : format_quantity(value, unit),
+                [key, unit, &value](const std::string& given) { value = parse_quantity(key, given, unit); });
+}
+
+CLI::Option* Tool::quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
+                              const std::string& text, const std::string& group) {
+  const std::string key = without_hyphens(name);
+  const bool known = !std::isnan(values[0]);
+  return parsed(
+      name, "A[,B]", text, group,
+      known ? format_quantity(values[0], unit) + "," + format_quantity(values[1], unit) : "",
+      [key, unit, &values](const std::string& given) { values = parse_quantities(key, given, unit); });
+}
+
+CLI::Option* Tool::lengths(const std::string& name, std::array<SampledLength, 2>& values,
+                           const std::string& text, const std::string& group) {
+  const std::string key = without_hyphens(name);
+  return parsed(name, "A[,B]", text, group, "",
+                [key, &values](const std::string& given) { values = parse_lengths(key, given); });
+}
+
+CLI::Option* Tool::counts(const std::string& name, Shape& value, Index least, const std::string& text,
+                          const std::string& group) {
+  const std::string key = without_hyphens(name);
+  const std::string shown = value.nx > 0 ? std::to_string(value.nx) + "x" + std::to_string(value.ny) : "";
+  return parsed(name, "AxB", text, group, shown,
+                [key, least, &value](const std::string& given) { value = parse_counts(key, given, least); });
+}
+
+void Tool::input() {
+  takes_input_ = true;
+  app_.add_option("INPUT", input_, "Dataset to read; - is standard input")
+      ->type_name("FILE")
+      ->capture_default_str();
+}
+
+// The options that all or several tools have stand last in --help, in one order.
+void Tool::add_common() {
+  if (writes_dataset_ || writes_table_)
+    text("-o,--output", output_, "FILE", "Where the result goes; - is standard output", common);
+  if (writes_table_) flag("--json", json_, "Print one JSON object instead of a table", common);
+  if (reports_) text("--report", report_, "FILE.json", "Write what was achieved as one JSON object", common);
+  if (seeded_) add_seed();
+  if (threaded_) integer("--threads", threads_, 0, "Threads to use; 0 is all that there are", common);
+  if (writes_dataset_)
+    flag("--no-history", no_history_, "Leave the command out of the dataset's history", common);
+  app_.set_config("--config", "", "Read options from a TOML file")->group(common)->type_name("FILE.toml");
+  flag("-q,--quiet", quiet_, "Say nothing but warnings and errors", common);
+  flag("-v,--verbose", verbose_, "Say more on standard error", common);
+  app_.set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")",
+                        "Print the versions of the tool and its libraries and exit")
+      ->group(common);
+  app_.set_help_flag("-h,--help", "Print this help and exit")->group(common);
+}
+
+void Tool::add_seed() {
+  parsed(
+      "--seed", "N", "Seed of the random numbers, 0 to 2^53; absent: from entropy. Always recorded", common,
+      "", [this](const std::string& given) {
+        std::uint64_t value = 0;
+        const auto [rest, error] = std::from_chars(given.data(), given.data() + given.size(), value);
+        if (error != std::errc() || rest != given.data() + given.size() || value > (std::uint64_t{1} << 53))
+          throw ParameterError("seed",
+                               "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
+        seed_ = value;
+      });
+}
+
+}  // namespace asperity::cli

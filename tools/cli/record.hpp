@@ -1,0 +1,25 @@
+/// What a run leaves on record: who computed it, when, with which command, and what it achieved.
+#pragma once
+
+#include <string>
+
+#include "dataset/dataset.hpp"
+
+namespace asperity::cli {
+
+/// The libraries behind the tools, with their versions.
+std::string libraries();
+/// "Asperity VERSION (libraries)", the dataset's attribute `source`.
+std::string source();
+/// Asperity's version.
+std::string version();
+
+/// An argument as a shell would need it.
+std::string quoted(const std::string& argument);
+/// The time of the run in UTC, as ISO 8601, or the one that SOURCE_DATE_EPOCH asks for.
+std::string timestamp();
+
+/// The global attributes whose names begin with `prefix` as one JSON object.
+std::string report_of(const Dataset& dataset, const std::string& prefix);
+
+}  // namespace asperity::cli
