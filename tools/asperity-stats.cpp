@@ -46,9 +46,11 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a Gaussian "
       "field, to "
-      "first order in 1/N_eff; from an estimated correlation they are themselves known to some 10 %. Peak "
-      "and valley "
-      "have none. Rp, Rv and Rz are of the whole field, not means over sampling lengths.");
+      "first order in 1/N_eff; with the correlation that a dataset carries, 95 % intervals hold 92 % and "
+      "more from "
+      "N_eff = 41 on. From an estimated correlation they do from N_eff = 150; at 41 those of Ra and Rq hold "
+      "84 %. Peak "
+      "and valley have none. Rp, Rv and Rz are of the whole field, not means over sampling lengths.");
 
   return tool.run(argc, argv, [&] {
     const cli::Measured measured = cli::measure(tool.read(), options);

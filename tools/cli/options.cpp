@@ -15,6 +15,20 @@ namespace {
 constexpr const char* common = "Common";
 constexpr std::size_t option_width = 34;
 
+// The words of a text in lines of at most `width`, each line after the first behind `indent`.
+std::string wrapped(const std::string& text, std::size_t width, const std::string& indent) {
+  std::istringstream words(text);
+  std::string out, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      out += line + '\n' + indent;
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return out + line;
+}
+
 // CLI11 would also print which options exclude or need each other, which the texts say better, and would not wrap them.
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -27,17 +41,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_option_desc(const CLI::Option* option) const override {
-    constexpr std::size_t text_width = 110 - option_width;
-    std::istringstream words(option->get_description());
-    std::string out, line;
-    for (std::string word; words >> word;) {
-      if (!line.empty() && line.size() + 1 + word.size() > text_width) {
-        out += line + '\n';
-        line.clear();
-      }
-      line += (line.empty() ? "" : " ") + word;
-    }
-    return out + line;
+    return wrapped(option->get_description(), 110 - option_width, "");
   }
 };
 
@@ -185,6 +189,17 @@ void Tool::add_seed() {
                                "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
         seed_ = value;
       });
+}
+
+std::string Tool::footer() const {
+  std::string out = "\n";
+  if (!example_.empty()) out += "Example:\n  " + example_ + "\n\n";
+  if (!accuracy_.empty()) out += "Accuracy:\n  " + wrapped(accuracy_, 108, "  ") + "\n\n";
+  return out +
+         "Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts samples. Any option may also be "
+         "given\n"
+         "as an environment variable ASPERITY_OPTION or in the --config file; the command line comes first.\n"
+         "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 not converged, 4 bad input data.";
 }
 
 }  // namespace asperity::cli

@@ -46,17 +46,6 @@ std::uint64_t Tool::seed_value() {
 
 // ---- running ----
 
-std::string Tool::footer() const {
-  std::string out = "\n";
-  if (!example_.empty()) out += "Example:\n  " + example_ + "\n\n";
-  if (!accuracy_.empty()) out += "Accuracy:\n  " + accuracy_ + "\n\n";
-  return out +
-         "Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts samples. Any option may also be "
-         "given\n"
-         "as an environment variable ASPERITY_OPTION or in the --config file; the command line comes first.\n"
-         "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 not converged, 4 bad input data.";
-}
-
 void Tool::add_environment(std::vector<std::string>& arguments) const {
   std::vector<std::string> extra;
   for (const CLI::Option* option : app_.get_options()) {
