@@ -27,8 +27,8 @@ struct Scene {
 Scene run(const std::string& name, const std::string& start) {
   const Outcome out =
       shell(start + bodies + " --report " + name + "-c.json | asperity-stress --depth 0.8mm --layers 32 " +
-            "--report " + name + "-s.json -o " + name + ".nc && cat " + name +
-            "-c.json && echo , && cat " + name + "-s.json");
+            "--report " + name + "-s.json -o " + name + ".nc && cat " + name + "-c.json && echo , && cat " +
+            name + "-s.json");
   INFO(out.error);
   REQUIRE(out.exit == 0);
   const json both = json::parse("[" + out.out + "]");
