@@ -1,5 +1,6 @@
 // Runs asperity-plot as a user does and looks at what it wrote.
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -91,6 +92,26 @@ TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contra
     CHECK(svg.starts_with("<?xml"));
     CHECK(svg.ends_with("</svg>\n\n"));
     for (const char* word : words[k]) CHECK_THAT(words_of("a.svg"), ContainsSubstring(word));
+  }
+}
+
+// The label of the x axis used to stand half below the lower edge of an SVG: gnuplot places it by the terminal's fonts.
+TEST_CASE("no text of an SVG leaves its canvas", "[plot][law]") {
+  for (const char* kind : kinds) {
+    REQUIRE(plot(std::string("--kind ") + kind + " -o edge.svg").exit == 0);
+    const std::string svg = bytes_of("edge.svg");
+    int width = 0, height = 0, texts = 0;
+    REQUIRE(std::sscanf(svg.c_str() + svg.find("viewBox="), "viewBox=\"0 0 %d %d", &width, &height) == 2);
+    const std::string place = "<g transform=\"translate(";
+    for (auto at = svg.find(place); at != svg.npos; at = svg.find(place, at + 1)) {
+      double x = 0, y = 0;  // of the base line
+      REQUIRE(std::sscanf(svg.c_str() + at + place.size(), "%lf,%lf", &x, &y) == 2);
+      CAPTURE(kind, x, y, width, height);
+      CHECK((0 <= x && x <= width));
+      CHECK((0 <= y && y <= height - 0.005 * width));  // room for what hangs below the line
+      ++texts;
+    }
+    CHECK(texts >= 4);
   }
 }
 

@@ -11,7 +11,8 @@ namespace {
 constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
 constexpr double free_aspect = 0.62;
 constexpr double title_height = 2.0, label_height = 1.5, line_of_legend = 2.0;
-constexpr int y_label_tag = 100;  // beyond the tags of labels that have none
+constexpr int x_label_tag = 100;
+constexpr int y_label_tag = 101;  // beyond the tags of labels that have none
 constexpr double bar_distance = 0.8, bar_width = 0.9;
 
 // The width of a sheet [em]: of one column 32, of three 60.
@@ -117,7 +118,8 @@ void Figure::x_axis(Range range, const std::string& label) {
   const double most = std::max(2.0, em_wide() / 3.2);
   script.line("set xrange [{}:{}]", range.low, range.high);
   script.line("set xtics {} format '%g'", round_step(range.width(), most));
-  script.line("set xlabel {} noenhanced offset 0,0.2", quoted(label));
+  script.line("set label {} {} at screen {},{} center noenhanced", x_label_tag, quoted(label),
+              screen_x(panel_x_ + 0.5 * panel_width_), screen_y(panel_y_ - (sheet_.bottom - 0.8) * em_));
 }
 
 void Figure::y_axis(Range range, const std::string& label, bool downwards) {
@@ -128,7 +130,7 @@ void Figure::y_axis(Range range, const std::string& label, bool downwards) {
               screen_x(panel_x_ - (sheet_.left - 0.9) * em_), screen_y(panel_y_ + 0.5 * panel_height_));
 }
 
-void Figure::without_x_labels() { script.line("set xtics format ''\nunset xlabel"); }
+void Figure::without_x_labels() { script.line("set xtics format ''\nunset label {}", x_label_tag); }
 void Figure::without_y_labels() { script.line("set ytics format ''\nunset label {}", y_label_tag); }
 
 void Figure::colours(const Colours& colours, const Unit& unit, const std::string& quantity) {
