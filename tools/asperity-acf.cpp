@@ -126,18 +126,9 @@ void add_to(Dataset& data, const cli::Measured& measured, const Estimate& estima
   for (const auto& row : lengths.rows) data.attributes.set("acf_" + row.name, row.value);
 }
 
-}  // namespace
+// ---- the command line ----
 
-int main(int argc, char** argv) {
-  cli::Tool tool(
-      "asperity-acf",
-      "The autocorrelation of a surface. Prints the two profiles R(p,0) and R(0,q) with standard errors, a "
-      "row a lag, beside the target where the dataset carries one (acf_target); or the lengths at which "
-      "they first fall to 10 % and to 1/e; or passes the dataset on with the whole ACF over lag_x >= 0 "
-      "and lag_y of both signs, and the lengths as attributes acf_length_10_x and so on.");
-  cli::MeasuredOptions options;
-  Options what;
-  options.declare(tool);
+void declare(cli::Tool& tool, Options& what) {
   tool.counts("--max-lag", what.max_lag, 0, "Longest lags, in samples; half the field unless given",
               "Estimate");
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
@@ -159,6 +150,21 @@ int main(int argc, char** argv) {
       "own "
       "variance, R(0,0) / N_eff_mean (asperity-stats). Lengths are interpolated in ln R, exact for an "
       "exponential.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool(
+      "asperity-acf",
+      "The autocorrelation of a surface. Prints the two profiles R(p,0) and R(0,q) with standard errors, a "
+      "row a lag, beside the target where the dataset carries one (acf_target); or the lengths at which "
+      "they first fall to 10 % and to 1/e; or passes the dataset on with the whole ACF over lag_x >= 0 "
+      "and lag_y of both signs, and the lengths as attributes acf_length_10_x and so on.");
+  cli::MeasuredOptions options;
+  Options what;
+  options.declare(tool);
+  declare(tool, what);
 
   return tool.run(argc, argv, [&] {
     Dataset data = tool.read();

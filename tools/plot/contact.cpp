@@ -2,6 +2,7 @@
 
 #include "grid/error.hpp"
 #include "plot/kinds.hpp"
+#include "plot/plan_view.hpp"
 #include "plot/source.hpp"
 
 namespace asperity::plot {
@@ -47,15 +48,9 @@ Script contact(const Cases& cases, const Request& request) {
                      state_colours[1], state_colours[2]);
   figure.script.line("set cbrange [-0.5:2.5]");
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Patch& p = patches[c];
-    figure.panel(0, static_cast<int>(c), cases[c].label);
-    figure.x_axis({p.x.low / length.factor, p.x.high / length.factor}, length.label("x"));
-    figure.y_axis({p.y.low / length.factor, p.y.high / length.factor}, length.label("y"));
-    if (c > 0) figure.without_y_labels();
+    const Lattice at = plan_view(figure, patches[c], length, c, cases[c].label);
     if (c + 1 == cases.size()) figure.legend(legend());
-    const Lattice at{p.x_at(0) / length.factor, p.y_at(0) / length.factor, p.dx() / length.factor,
-                     p.dy() / length.factor};
-    figure.script.draw("plot", {raster(p.values, at, "with image")});
+    figure.script.draw("plot", {raster(patches[c].values, at, "with image")});
   }
   return figure.script;
 }

@@ -3,6 +3,7 @@
 
 #include "grid/error.hpp"
 #include "plot/kinds.hpp"
+#include "plot/plan_view.hpp"
 #include "plot/source.hpp"
 
 namespace asperity::plot {
@@ -50,15 +51,9 @@ Script map(const Cases& cases, const Request& request) {
   sheet.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   Figure figure(request, sheet, default_title(patches, quantity));
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Patch& p = patches[c];
-    figure.panel(0, static_cast<int>(c), cases[c].label);
-    figure.x_axis({p.x.low / length.factor, p.x.high / length.factor}, length.label("x"));
-    figure.y_axis({p.y.low / length.factor, p.y.high / length.factor}, length.label("y"));
-    if (c > 0) figure.without_y_labels();
+    const Lattice at = plan_view(figure, patches[c], length, c, cases[c].label);
     figure.colours(colours, value, quantity.name);
-    const Lattice at{p.x_at(0) / length.factor, p.y_at(0) / length.factor, p.dx() / length.factor,
-                     p.dy() / length.factor};
-    figure.script.draw("plot", {raster(p.values / value.factor, at, "with image")});
+    figure.script.draw("plot", {raster(patches[c].values / value.factor, at, "with image")});
   }
   return figure.script;
 }
