@@ -1,6 +1,7 @@
 #include "acf/kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "acf/equations.hpp"
@@ -12,6 +13,39 @@ namespace {
 
 // Unknowns for which 35 vectors still fit into the memory of a workstation.
 constexpr Index most_unknowns = Index{1} << 24;
+
+// The words of an enumeration, in the order of its values.
+constexpr std::array formulations{"symmetric", "oriented", "patir"};
+constexpr std::array methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};
+constexpr std::array answers_to_infeasible{"auto", "error", "nearest", "least-squares"};
+
+template <std::size_t n, class Choice>
+std::string_view text_of(const std::array<const char*, n>& words, Choice choice) {
+  return words[static_cast<std::size_t>(choice)];
+}
+
+// The value that `name` stands for, as the result's type.
+template <std::size_t n>
+struct Named {
+  const std::array<const char*, n>& words;
+  const char* option;
+  std::string_view name;
+
+  template <class Choice>
+  operator Choice() const {
+    std::string all;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (name == words[i]) return static_cast<Choice>(i);
+      all += (i == 0 ? "" : i + 1 == n ? " and " : ", ") + std::string(words[i]);
+    }
+    throw ParameterError(option, "'" + std::string(name) + "' is none of " + all);
+  }
+};
+
+template <std::size_t n>
+Named<n> named(const std::array<const char*, n>& words, const char* option, std::string_view name) {
+  return {words, option, name};
+}
 
 std::string text(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
 
@@ -57,7 +91,7 @@ std::optional<Kernel> examine(const KernelRequest& request, const Field& target,
   if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
   if (values.sum() < 0) values = -values;
   Kernel kernel;
-  kernel.formulation = request.formulation;
+  kernel.formulation = request.formulation.value_or(Formulation::symmetric);
   kernel.lags = request.lags;
   kernel.values = std::move(values);
   kernel.acf_target = target;
@@ -95,7 +129,7 @@ class Search {
   // formulation, which knows no other lags.
   bool better(const Kernel& candidate) const {
     const auto measured =
-        request_.formulation == Formulation::symmetric ? &KernelReport::error : &KernelReport::residual;
+        request_.formulation != Formulation::patir ? &KernelReport::error : &KernelReport::residual;
     if (!best_ || candidate.report.residual <= request_.tolerance) return true;
     return candidate.report.*measured < best_->report.*measured;
   }
@@ -167,14 +201,14 @@ void scale(Kernel& kernel, double rms) {
 
 }  // namespace
 
-std::string_view name_of(Formulation formulation) {
-  return formulation == Formulation::symmetric ? "symmetric" : "patir";
-}
+std::string_view name_of(Formulation formulation) { return text_of(formulations, formulation); }
+std::string_view name_of(Method method) { return text_of(methods, method); }
+std::string_view name_of(Infeasible infeasible) { return text_of(answers_to_infeasible, infeasible); }
 
-Formulation formulation_named(std::string_view name) {
-  for (Formulation f : {Formulation::symmetric, Formulation::patir})
-    if (name == name_of(f)) return f;
-  throw ParameterError("formulation", "'" + std::string(name) + "' is neither symmetric nor patir");
+Formulation formulation_named(std::string_view name) { return named(formulations, "formulation", name); }
+Method method_named(std::string_view name) { return named(methods, "method", name); }
+Infeasible infeasible_named(std::string_view name) {
+  return named(answers_to_infeasible, "infeasible", name);
 }
 
 void KernelRequest::check() const {
@@ -215,7 +249,7 @@ Kernel solve_kernel(const KernelRequest& request) {
   SymmetricEquations symmetric(target);
   Search search(request);
   const double feasibility = symmetric.feasibility();
-  if (request.formulation == Formulation::symmetric) {
+  if (request.formulation != Formulation::patir) {
     solve_symmetric(request, symmetric, search);
   } else {
     PatirEquations patir(target);

@@ -24,6 +24,7 @@
 ///     surfaces, Wear 254 (2003) 546-554.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -33,27 +34,50 @@
 namespace asperity {
 
 enum class Formulation {
-  symmetric,  ///< kernel even in k and l: R is right in all quadrants
+  symmetric,  ///< kernel even in k and l: R is even in p and q
+  oriented,   ///< kernel even under point reflection: R(p,-q) may differ from R(p,q)
   patir       ///< one quadrant of coefficients: R is right at (p,q), not at (p,-q)
 };
+enum class Method {
+  newton_krylov,       ///< KINSOL's inexact Newton iteration
+  fixed_point,         ///< KINSOL's fixed point of u - M F(u) with Anderson acceleration
+  conjugate_gradient,  ///< descent on ‖F‖², the way of 2009
+  spectral             ///< the zero-phase root of the spectrum, no solve
+};
+/// What is done when no kernel of this size has the autocorrelation asked for.
+enum class Infeasible {
+  automatic,     ///< the closest autocorrelation that has one, if it changes the target by 1e-2 at the most
+  error,         ///< a ParameterError, or a DataError where the target is a table
+  nearest,       ///< the closest by alternating projections, however far
+  least_squares  ///< the n × m kernel of least squares, however far
+};
 std::string_view name_of(Formulation formulation);
-/// Throws ParameterError("formulation").
+std::string_view name_of(Method method);
+std::string_view name_of(Infeasible infeasible);
+/// Throw ParameterError("formulation"), ("method"), ("infeasible").
 Formulation formulation_named(std::string_view name);
+Method method_named(std::string_view name);
+Infeasible infeasible_named(std::string_view name);
 
 struct KernelRequest {
-  Target target;  ///< R/σ² at lags in samples; target(0,0) = 1
-  Shape lags;     ///< n × m, both ≥ 1
-  Formulation formulation = Formulation::symmetric;
-  double rms = 1;            ///< σ [m], > 0
-  double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
+  Target target;                           ///< R/σ² at lags in samples; target(0,0) = 1
+  Shape lags = {};                         ///< n × m, both ≥ 1; 0 × 0: chosen for `acf_tolerance`
+  std::optional<Formulation> formulation;  ///< none: symmetric, or oriented where the target is
+  Method method = Method::newton_krylov;
+  Infeasible infeasible = Infeasible::automatic;
+  double rms = 1;               ///< σ [m], > 0
+  double tolerance = 1e-10;     ///< on the residual [σ²], 1e-13 … 1e-2
+  double acf_tolerance = 1e-3;  ///< on the error over all lags, where `lags` is left open, 1e-8 … 0.5
 
   void check() const;
 };
 
 struct KernelReport {
   bool converged = false;
-  std::string reason;         ///< how the iteration ended; when it failed, what to do
+  std::string answer;  ///< "exact", "more-lags", "nearest", "least-squares"; "best" when not converged
+  std::string reason;  ///< how the iteration ended; when it failed, what to do
   double residual = 0;        ///< max |R - target| over the equations [σ²]
+  double change = 0;          ///< … over the lags prescribed, of an answer that is not exact
   double error = 0;           ///< … over all lags of the plane, those where R has ended included
   double mirrored_error = 0;  ///< … over 0 < p < n, -m < q < 0
   double tail = 0;            ///< … over the lags that no equation prescribes
@@ -76,7 +100,8 @@ struct Kernel {
   Index first_q() const { return -(acf_target.cols() / 2); }
 };
 
-/// Throws ParameterError when the request cannot be meant; never for a target that cannot be met.
+/// Throws ParameterError when the request cannot be meant, and for a target that cannot be met where
+/// `infeasible` asks for it.
 Kernel solve_kernel(const KernelRequest& request);
 
 /// (1) at p = 0 … rows-1 and q = -columns/2 … columns/2, columns odd.

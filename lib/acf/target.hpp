@@ -18,15 +18,32 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
 
 #include "grid/error.hpp"
 #include "grid/field.hpp"
 
 namespace asperity {
 
-/// R(p, q)/R(0,0) at p samples in x and q in y; even, R(-p,-q) = R(p,q).
-using Target = std::function<double(double p, double q)>;
+/// What a solver samples.
+struct Target {
+  /// R(p, q)/R(0,0) at p samples in x and q in y; even under point reflection, R(-p,-q) = R(p,q).
+  std::function<double(double p, double q)> correlation;
+  bool oriented = false;                   ///< R(p,-q) ≠ R(p,q) at some lags
+  std::optional<Shape> known = {};         ///< of a table: nothing is known at |p| ≥ nx or |q| ≥ ny
+  std::function<Shape(double)> reach = {};  ///< reach(t): the least n × m with |R| ≤ t where |p| ≥ n or |q| ≥ m
+
+  Target() = default;
+  template <class Correlation>
+    requires(std::is_invocable_r_v<double, Correlation, double, double> &&
+             !std::is_same_v<std::remove_cvref_t<Correlation>, Target>)
+  Target(Correlation f) : correlation(std::move(f)) {}  // NOLINT: a callable is a target
+
+  double operator()(double p, double q) const { return correlation(p, q); }
+  explicit operator bool() const { return static_cast<bool>(correlation); }
+};
 
 /// The exponential autocorrelation (1).
 struct ExponentialTarget {

@@ -210,7 +210,7 @@ TEST_CASE("a request that cannot be meant is refused by its name", "[kernel][con
   CHECK(refused([](KernelRequest& r) { r.lags = {1 << 20, 1 << 20}; }) == "lags");
   CHECK(refused([](KernelRequest& r) { r.rms = 0; }) == "rq");
   CHECK(refused([](KernelRequest& r) { r.tolerance = 1e-20; }) == "tolerance");
-  CHECK(refused([](KernelRequest& r) { r.target = nullptr; }) == "target");
+  CHECK(refused([](KernelRequest& r) { r.target = {}; }) == "target");
   CHECK(refused([](KernelRequest& r) { r.target = [](double, double) { return 2.0; }; }) == "target");
   CHECK_THROWS_AS(formulation_named("bakolas"), ParameterError);
 }
