@@ -134,6 +134,14 @@ void set_field(Dataset& dataset, std::string_view name, const Field& values, Mea
   dataset.put(std::move(variable));
 }
 
+void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning meaning) {
+  Variable variable = make(name, {"x", "y"}, {range.low, range.high}, meaning);
+  variable.values = std::vector<double>();
+  if (name == "heights") variable.attributes.set("unit", meaning.units);
+  dataset.erase(name);
+  dataset.put(std::move(variable));
+}
+
 void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
                std::string_view long_name, std::string_view flag_meanings) {
   Variable variable{std::string(name), {"x", "y"}, values, {}};

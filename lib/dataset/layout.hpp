@@ -35,6 +35,12 @@ struct Meaning {
 
 /// Writes name(x, y) with units, long_name and actual_range; the grid must be set.
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning);
+/// The least and the largest value.
+struct Range {
+  double low, high;
+};
+/// The same but for its values, as the last variable, for encode_netcdf_head: they will follow.
+void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning meaning);
 /// A field of small integers, such as the contact state, with the meaning of each value.
 void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
                std::string_view long_name, std::string_view flag_meanings);

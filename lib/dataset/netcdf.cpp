@@ -1,13 +1,18 @@
 #include "dataset/netcdf.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
+#include <system_error>
 #include <type_traits>
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "grid/error.hpp"
 
@@ -54,8 +59,8 @@ nc_type type_of(const Values& values) {
   return std::visit([]<class V>(const V&) { return external_type<typename V::value_type>(); }, values);
 }
 
-std::size_t bytes_of(const Values& values) {
-  return std::visit([]<class V>(const V& v) { return v.size() * sizeof(typename V::value_type); }, values);
+std::size_t element_size(const Values& values) {
+  return std::visit([]<class V>(const V&) { return sizeof(typename V::value_type); }, values);
 }
 
 // Room for n elements of an external type.
@@ -221,6 +226,12 @@ bool needs_cdf5_type(const Values& values) {
   }
 }
 
+std::size_t places_of(const Dataset& dataset, const Variable& variable) {
+  std::size_t places = 1;
+  for (const std::string& name : variable.dimensions) places *= static_cast<std::size_t>(dataset.length(name));
+  return places;
+}
+
 bool needs_cdf5(const Dataset& dataset) {
   auto any = [](const Attributes& attributes) {
     return std::ranges::any_of(attributes, [](const Attribute& a) { return needs_cdf5_type(a.values); });
@@ -230,7 +241,7 @@ bool needs_cdf5(const Dataset& dataset) {
     const Variable& variable = dataset.variables[v];
     const bool last = v + 1 == dataset.variables.size();
     if (needs_cdf5_type(variable.values) || any(variable.attributes)) return true;
-    if (!last && bytes_of(variable.values) > cdf2_limit) return true;
+    if (!last && places_of(dataset, variable) * element_size(variable.values) > cdf2_limit) return true;
   }
   return any(dataset.attributes);
 }
@@ -242,24 +253,71 @@ void write_attributes(int file, int variable, const Attributes& attributes) {
   }
 }
 
-int define(int file, const Dataset& dataset, const Variable& variable) {
+void refuse_wrong_count(const Dataset& dataset, const Variable& variable) {
+  const std::size_t places = places_of(dataset, variable);
+  if (places != count(variable.values))
+    throw std::logic_error(variable.name + " has " + std::to_string(count(variable.values)) + " values for " +
+                           std::to_string(places) + " places");
+}
+
+void define(int file, const Variable& variable) {
   std::vector<int> dims;
-  std::size_t elements = 1;
   for (const std::string& name : variable.dimensions) {
     dims.emplace_back();
     check(nc_inq_dimid(file, name.c_str(), &dims.back()), variable.name + ", dimension " + name);
-    elements *= static_cast<std::size_t>(dataset.length(name));
   }
-  if (elements != count(variable.values))
-    throw std::logic_error(variable.name + " has " + std::to_string(count(variable.values)) + " values for " +
-                           std::to_string(elements) + " places");
   int id = -1;
   check(nc_def_var(file, variable.name.c_str(), type_of(variable.values), static_cast<int>(dims.size()),
                    dims.data(), &id),
         variable.name);
   write_attributes(file, id, variable.attributes);
-  return id;
 }
+
+int format_of(const Dataset& dataset) { return needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET; }
+
+// The header, and the values of all variables but the last `deferred`, into a new file. Ids count from 0.
+void write_dataset(int file, const Dataset& dataset, std::size_t deferred) {
+  check(nc_set_fill(file, NC_NOFILL, nullptr), "fill");
+  for (const Dimension& d : dataset.dimensions) {
+    int id = -1;
+    check(nc_def_dim(file, d.name.c_str(), static_cast<std::size_t>(d.length), &id), "dimension " + d.name);
+  }
+  for (const Variable& v : dataset.variables) define(file, v);
+  write_attributes(file, NC_GLOBAL, dataset.attributes);
+  check(nc_enddef(file), "header");
+  for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v) {
+    const Variable& variable = dataset.variables[v];
+    refuse_wrong_count(dataset, variable);
+    if (count(variable.values) > 0)
+      check(nc_put_var(file, static_cast<int>(v), data(variable.values)), variable.name);
+  }
+}
+
+// A file without a name, in memory, of which only what is written takes room.
+class SparseFile {
+ public:
+  SparseFile() : fd_(::memfd_create("dataset", MFD_CLOEXEC)) {
+    if (fd_ < 0) throw std::system_error(errno, std::generic_category(), "a file in memory");
+  }
+  ~SparseFile() { ::close(fd_); }
+  SparseFile(const SparseFile&) = delete;
+  SparseFile& operator=(const SparseFile&) = delete;
+
+  std::string name() const { return "/proc/self/fd/" + std::to_string(fd_); }
+  std::size_t size() const { return static_cast<std::size_t>(::lseek(fd_, 0, SEEK_END)); }
+  std::string first(std::size_t n) const {
+    std::string bytes(n, '\0');
+    for (std::size_t at = 0; at < n;) {
+      const ssize_t got = ::pread(fd_, bytes.data() + at, n - at, static_cast<off_t>(at));
+      if (got <= 0) throw std::system_error(errno, std::generic_category(), "a file in memory");
+      at += static_cast<std::size_t>(got);
+    }
+    return bytes;
+  }
+
+ private:
+  int fd_;
+};
 
 }  // namespace
 
@@ -298,27 +356,39 @@ Dataset decode_netcdf(const std::string& bytes) {
 
 std::string encode_netcdf(const Dataset& dataset) {
   Handle file;
-  check(nc_create_mem("dataset", needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET, 0, &file.id),
-        "create");
+  check(nc_create_mem("dataset", format_of(dataset), 0, &file.id), "create");
   file.open = true;
-  check(nc_set_fill(file.id, NC_NOFILL, nullptr), "fill");
-  for (const Dimension& d : dataset.dimensions) {
-    int id = -1;
-    check(nc_def_dim(file.id, d.name.c_str(), static_cast<std::size_t>(d.length), &id),
-          "dimension " + d.name);
-  }
-  std::vector<int> ids;
-  for (const Variable& v : dataset.variables) ids.push_back(define(file.id, dataset, v));
-  write_attributes(file.id, NC_GLOBAL, dataset.attributes);
-  check(nc_enddef(file.id), "header");
-  for (std::size_t v = 0; v < ids.size(); ++v)
-    if (count(dataset.variables[v].values) > 0)
-      check(nc_put_var(file.id, ids[v], data(dataset.variables[v].values)), dataset.variables[v].name);
+  write_dataset(file.id, dataset, 0);
   NC_memio memory{};
   file.open = false;
   check(nc_close_memio(file.id, &memory), "close");
   const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
   return std::string(static_cast<const char*>(memory.memory), memory.size);
+}
+
+// The library lays out the whole file, as large as it will be; the values that are not there are its holes, and its end.
+std::string encode_netcdf_head(const Dataset& dataset, std::size_t deferred) {
+  const SparseFile sparse;
+  Handle file;
+  check(nc_create(sparse.name().c_str(), NC_CLOBBER | format_of(dataset), &file.id), "create");
+  file.open = true;
+  write_dataset(file.id, dataset, deferred);
+  file.open = false;
+  check(nc_close(file.id), "close");
+  std::size_t holes = 0;
+  for (std::size_t v = dataset.variables.size() - deferred; v < dataset.variables.size(); ++v)
+    holes += places_of(dataset, dataset.variables[v]) * sizeof(double);
+  return sparse.first(sparse.size() - holes);
+}
+
+std::string encode_values(std::span<const double> values) {
+  std::string bytes(values.size_bytes(), '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    auto bits = std::bit_cast<std::uint64_t>(values[i]);
+    if constexpr (std::endian::native == std::endian::little) bits = __builtin_bswap64(bits);
+    std::memcpy(bytes.data() + i * sizeof bits, &bits, sizeof bits);
+  }
+  return bytes;
 }
 
 std::string netcdf_version() {

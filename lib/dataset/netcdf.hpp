@@ -7,6 +7,7 @@
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "dataset/dataset.hpp"
@@ -21,6 +22,14 @@ bool looks_like_netcdf(const std::string& bytes);
 Dataset decode_netcdf(const std::string& bytes);
 
 std::string encode_netcdf(const Dataset& dataset);
+
+/// A dataset too large for memory, piece by piece: the bytes before the values of its last `deferred` variables,
+/// which are of doubles and hold none yet. In the file these values follow as encode_values makes them, variable by
+/// variable, and nothing else; the whole is what encode_netcdf would have made. The length depends on names, types
+/// and numbers of values alone, so that a head with other values of attributes may replace an earlier one.
+std::string encode_netcdf_head(const Dataset& dataset, std::size_t deferred);
+/// Doubles as the file holds them, big-endian.
+std::string encode_values(std::span<const double> values);
 
 /// The library's name and version.
 std::string netcdf_version();

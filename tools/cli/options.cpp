@@ -152,6 +152,13 @@ CLI::Option* Tool::counts(const std::string& name, Shape& value, Index least, co
                 [key, least, &value](const std::string& given) { value = parse_counts(key, given, least); });
 }
 
+CLI::Option* Tool::bytes(const std::string& name, std::size_t& value, const std::string& text,
+                         const std::string& group) {
+  const std::string key = without_hyphens(name);
+  return parsed(name, "SIZE", text, group, format_bytes(value),
+                [key, &value](const std::string& given) { value = parse_bytes(key, given); });
+}
+
 void Tool::input() {
   takes_input_ = true;
   app_.add_option("INPUT", input_, "Dataset to read; - is standard input")

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "grid/error.hpp"
@@ -36,6 +37,11 @@ std::array<SampledLength, 2> parse_lengths(const std::string& option, const std:
 std::array<double, 2> parse_numbers(const std::string& option, const std::string& text);
 /// "AxB".
 Shape parse_counts(const std::string& option, const std::string& text, Index least);
+
+/// Bytes: "512MB", "2GiB".
+std::size_t parse_bytes(const std::string& option, const std::string& text);
+/// "2GiB" where that is exact, else "27MB", rounded up.
+std::string format_bytes(std::size_t bytes);
 
 /// "3mm" for (0.003, "m"): the value with the prefix that suits it, to nine digits.
 std::string format_quantity(double value, const std::string& unit);

@@ -13,6 +13,9 @@
 namespace asperity::cli {
 namespace {
 
+// Where a file without a name can be found to be given one.
+constexpr const char* own_descriptors = "/proc/self/fd";
+
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
@@ -48,20 +51,6 @@ class Descriptor {
     }
   }
 
-  void write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail(name_);
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-    }
-  }
-
-  void close() {
-    const int fd = std::exchange(fd_, -1);
-    if (::close(fd) != 0) fail(name_);
-  }
-
  private:
   int fd_;
   std::string name_;
@@ -80,19 +69,6 @@ std::optional<std::string> replaceable(const std::string& name) {
   return !present || fs::is_regular_file(target) ? std::optional(target.string()) : std::nullopt;
 }
 
-void replace_file(const std::string& name, std::string_view bytes) {
-  const std::string temporary = name + ".part" + std::to_string(::getpid());
-  try {
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), name, true);
-    file.write(bytes);
-    file.close();
-    if (std::rename(temporary.c_str(), name.c_str()) != 0) fail(name);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
-}
-
 }  // namespace
 
 std::string read_all(const std::string& name) {
@@ -100,18 +76,70 @@ std::string read_all(const std::string& name) {
   return Descriptor(::open(name.c_str(), O_RDONLY | O_CLOEXEC), name, true).read();
 }
 
-void write_all(const std::string& name, std::string_view bytes) {
-  if (name == "-") {
-    Descriptor out(STDOUT_FILENO, "standard output", false);
-    out.write(bytes);
-    out.close();
-  } else if (const auto target = replaceable(name)) {
-    replace_file(*target, bytes);
+OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
+  if (name_ == "-") {
+    name_ = "standard output";
+    fd_ = STDOUT_FILENO;
+  } else if (const auto target = replaceable(name_)) {
+    open_replacement(*target);
   } else {
-    Descriptor out(::open(name.c_str(), O_WRONLY | O_CLOEXEC), name, true);
-    out.write(bytes);
-    out.close();
+    fd_ = ::open(name_.c_str(), O_WRONLY | O_CLOEXEC);
   }
+  if (fd_ < 0) fail(name_);
+  struct stat status {};
+  rewritable_ = ::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode) && ::lseek(fd_, 0, SEEK_CUR) == 0 &&
+                (::fcntl(fd_, F_GETFL) & O_APPEND) == 0;
+}
+
+void OutputFile::open_replacement(const std::string& target) {
+  const auto folder = std::filesystem::path(target).parent_path();
+  target_ = target;
+  temporary_ = target + ".part" + std::to_string(::getpid());
+  if (::access(own_descriptors, X_OK) == 0)
+    fd_ = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (fd_ >= 0) return;
+  fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  named_ = fd_ >= 0;
+}
+
+OutputFile::~OutputFile() {
+  if (fd_ > STDOUT_FILENO) ::close(fd_);
+  if (named_) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(name_);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+void OutputFile::rewrite(std::string_view bytes) {
+  const off_t end = ::lseek(fd_, 0, SEEK_CUR);
+  if (end < 0 || ::lseek(fd_, 0, SEEK_SET) != 0) fail(name_);
+  write(bytes);
+  if (::lseek(fd_, end, SEEK_SET) != end) fail(name_);
+}
+
+void OutputFile::close() {
+  if (!target_.empty() && !named_) {
+    ::unlink(temporary_.c_str());  // of a process that had this number and died here
+    const std::string own = std::string(own_descriptors) + "/" + std::to_string(fd_);
+    if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail(name_);
+    named_ = true;
+  }
+  if (::close(std::exchange(fd_, -1)) != 0) fail(name_);
+  if (target_.empty()) return;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(name_);
+  named_ = false;
+}
+
+void write_all(const std::string& name, std::string_view bytes) {
+  OutputFile file(name);
+  file.write(bytes);
+  file.close();
 }
 
 bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) == 1; }

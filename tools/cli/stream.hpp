@@ -1,10 +1,11 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
-/// A named file is written to a temporary name beside it and renamed when it is whole, so that nobody ever
-/// sees half of it. Every write is checked, the last flush too; failures are std::system_error with the
-/// file's name.
+/// A named file comes into being when it is whole: until then it has no name, or, where the file system knows no
+/// files without one, a temporary name beside its own. Nobody ever sees half of it, and a program that is killed leaves
+/// nothing behind. Every write is checked, the last flush too; failures are std::system_error with the file's name.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,31 @@ namespace asperity::cli {
 
 std::string read_all(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
+
+/// A file that is written piece by piece.
+class OutputFile {
+ public:
+  explicit OutputFile(std::string name);
+  ~OutputFile();  ///< without close(): as if nothing had been written, when the file has a name of its own
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view bytes);
+  /// Whether rewrite() works: on a regular file, written from its beginning.
+  bool rewritable() const { return rewritable_; }
+  /// Replaces the first bytes.
+  void rewrite(std::string_view bytes);
+  /// Flushes, and gives the file its name.
+  void close();
+
+ private:
+  void open_replacement(const std::string& target);
+
+  std::string name_;
+  std::string target_, temporary_;  ///< of a file that is to be replaced
+  int fd_ = -1;
+  bool rewritable_ = false, named_ = false;
+};
 
 bool stdin_is_terminal();
 bool stdout_is_terminal();

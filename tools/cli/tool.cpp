@@ -124,10 +124,18 @@ void Tool::write(Dataset& dataset) { write(dataset, output_); }
 void Tool::write(Dataset& dataset, const std::string& name) {
   if (name == "-" && stdout_is_terminal())
     throw UsageError("output", "a dataset is binary and does not go to a terminal");
+  sign(dataset);
+  write_all(name, encode_netcdf(dataset));
+  write_report(dataset);
+}
+
+void Tool::sign(Dataset& dataset) const {
   dataset.attributes.set("Conventions", "CF-1.8");
   dataset.attributes.set("source", source());
   if (!no_history_) add_history(dataset, timestamp() + ": " + command_line_);
-  write_all(name, encode_netcdf(dataset));
+}
+
+void Tool::write_report(const Dataset& dataset) const {
   if (!report_.empty()) write_all(report_, report_of(dataset, name_.substr(name_.find('-') + 1) + "_"));
 }
 

@@ -77,6 +77,10 @@ class Tool {
   CLI::Option* counts(const std::string& name, Shape& value, Index least, const std::string& text,
                       const std::string& group);
 
+  /// A size of memory: "512MB", "2GiB".
+  CLI::Option* bytes(const std::string& name, std::size_t& value, const std::string& text,
+                     const std::string& group);
+
   // What the tool has of the options that several tools share.
   void input();                              ///< positional INPUT, "-" unless given
   void output() { writes_dataset_ = true; }  ///< -o, --output of a dataset
@@ -104,6 +108,9 @@ class Tool {
   static Dataset read(const std::string& name);           ///< "-" is stdin
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
+  // The parts of write(), for a tool that writes its dataset piece by piece.
+  void sign(Dataset& dataset) const;                ///< Conventions, source and history
+  void write_report(const Dataset& dataset) const;  ///< to --report, if given
   bool output_is_terminal() const;
   void write_text(const std::string& text) const;  ///< to --output, every byte checked
   /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it.

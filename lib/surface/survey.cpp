@@ -1,0 +1,31 @@
+#include "surface/survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+
+void HeightSurvey::add(const Eigen::Ref<const Field>& rows) {
+  const auto m = static_cast<double>(rows.cols());
+  for (Index i = 0; i < rows.rows(); ++i) {
+    const auto row = rows.row(i);
+    const double mean = row.mean(), step = mean - mean_;
+    squares_ += (row - mean).square().sum() + step * step * count_ * m / (count_ + m);
+    mean_ += step * m / (count_ + m);
+    count_ += m;
+    low_ = std::min(low_, row.minCoeff());
+    high_ = std::max(high_, row.maxCoeff());
+  }
+}
+
+double HeightSurvey::rms() const { return std::sqrt(squares_ / count_); }
+
+Rescaling exact_rms(const HeightSurvey& survey, double rms) {
+  if (!(survey.high() > survey.low()))
+    throw ParameterError("exact-rq", "all heights are equal and cannot be scaled");
+  return {survey.mean(), rms / survey.rms()};
+}
+
+}  // namespace asperity

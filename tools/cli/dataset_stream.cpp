@@ -1,0 +1,25 @@
+#include "cli/dataset_stream.hpp"
+
+#include <stdexcept>
+
+#include "dataset/netcdf.hpp"
+
+namespace asperity::cli {
+
+void DatasetStream::head(const Dataset& dataset, std::size_t deferred) {
+  const std::string bytes = encode_netcdf_head(dataset, deferred);
+  if (head_bytes_ == 0)
+    file_.write(bytes);
+  else if (bytes.size() == head_bytes_)
+    file_.rewrite(bytes);
+  else
+    throw std::logic_error("a head of another length cannot replace the first one");
+  head_bytes_ = bytes.size();
+}
+
+void DatasetStream::values(const Eigen::Ref<const Field>& rows) {
+  for (Index i = 0; i < rows.rows(); ++i)
+    file_.write(encode_values({&rows(i, 0), static_cast<std::size_t>(rows.cols())}));
+}
+
+}  // namespace asperity::cli
