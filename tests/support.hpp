@@ -5,9 +5,11 @@
 #include <catch2/catch_all.hpp>
 using Catch::Approx;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::Message;
 #else
 #include <catch2/catch.hpp>
 using Catch::Detail::Approx;
+using Catch::Matchers::Message;
 inline auto ContainsSubstring(const std::string& text) { return Catch::Matchers::Contains(text); }
 #endif
 

@@ -1,9 +1,10 @@
 /// Draws random rough surfaces with a prescribed autocorrelation.
 #include <algorithm>
 
-#include "grid/stopwatch.hpp"
+#include "cli/stream.hpp"
+#include "dataset/netcdf.hpp"
+#include "drawing.hpp"
 #include "kernel_dataset.hpp"
-#include "surface/synthesis.hpp"
 
 using namespace asperity;
 
@@ -16,6 +17,7 @@ struct Options {
   std::array<double, 2> size{NAN, NAN};
   bool periodic = false, exact_rq = false, noise = false;
   int count = 1, stream = 0;
+  std::size_t memory = std::size_t{1} << 30;
 };
 
 void declare(cli::Tool& tool, Options& o) {
@@ -34,8 +36,11 @@ void declare(cli::Tool& tool, Options& o) {
   tool.flag("--periodic", o.periodic, "A surface that continues itself at its edges", surface);
   tool.flag("--noise", o.noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
   o.acf.declare(tool);
-  tool.text("--kernel", o.kernel, "FILE",
-            "A kernel from asperity-kernel in place of --length; - is standard input", "Autocorrelation");
+  tool.text(
+      "--kernel", o.kernel, "FILE",
+      "A kernel from asperity-kernel in place of --length; - is standard input, which is read when no option "
+      "names a target. --shape and --size come from its grid, where it has one and they are not given",
+      "Autocorrelation");
   tool.integer("--count", o.count, 1,
                "Surfaces to draw from one kernel; --output is then a pattern, s_%04d.nc", ensemble);
   tool.integer("--stream", o.stream, 0,
@@ -44,6 +49,13 @@ void declare(cli::Tool& tool, Options& o) {
   tool.report();
   tool.seed();
   tool.threads();
+  tool.bytes(
+      "--memory", o.memory,
+      "What drawing may take, the program's own 20 MB apart. A surface that fits is held in memory; a larger "
+      "one "
+      "is drawn in strips and goes to the file as it is made: into a pipe, or with --exact-rq, by drawing "
+      "it twice. The bytes are the same",
+      "Common");
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
   tool.accuracy(
@@ -69,23 +81,52 @@ void forget_surface(Dataset& data) {
   for (const std::string& name : stale) data.attributes.erase(name);
 }
 
-// The kernel of the options or of the file, and the exit code that follows from how it was solved.
-Dataset kernel_dataset(cli::Tool& tool, const Options& o, cli::Exit& code) {
-  if (!tool.given("--kernel")) {
-    if (!tool.given("--length")) throw cli::UsageError("length", "is required, or --kernel");
-    if (!tool.given("--size")) throw cli::UsageError("size", "is required");
-    if (!tool.given("--rq")) throw cli::UsageError("rq", "is required: the rms height of the surface");
-    Dataset data = cli::solved_kernel(o.acf, cli::spacing_of(o.shape, o.size));
-    code = cli::tell(tool, data);
-    return data;
-  }
-  for (const char* option : {"length", "level", "lags", "formulation", "tolerance"})
-    if (tool.given(std::string("--") + option))
-      throw cli::UsageError(option, "does not go together with --kernel");
-  Dataset data = cli::Tool::read(o.kernel);
+// The first option given of those that say which kernel to solve for, or nothing.
+std::string target_option(const cli::Tool& tool) {
+  for (const CLI::Option* option : tool.app().get_options())
+    if ((option->get_group() == "Autocorrelation" || option->get_group() == "Solution") &&
+        option->count() > 0 && option->get_name() != "--kernel")
+      return option->get_name().substr(2);
+  return {};
+}
+
+Dataset solved(cli::Tool& tool, const Options& o, cli::Exit& code) {
+  if (!tool.given("--shape")) throw cli::UsageError("shape", "is required");
+  if (!tool.given("--length")) throw cli::UsageError("length", "is required, or --kernel");
+  if (!tool.given("--size")) throw cli::UsageError("size", "is required");
+  if (!tool.given("--rq")) throw cli::UsageError("rq", "is required: the rms height of the surface");
+  Dataset data = cli::solved_kernel(o.acf, cli::spacing_of(o.shape, o.size));
+  code = cli::tell(tool, data);
+  return data;
+}
+
+// Shape and size of the surface that the kernel's dataset has or had, where they are not given.
+void adopt_grid(const cli::Tool& tool, Options& o, const Dataset& data) {
+  if (tool.given("--shape")) return;
+  if (!data.has("x") || !data.has("y"))
+    throw cli::UsageError("shape", "is required: the kernel comes without a grid");
+  const Grid grid = grid_of(data);
+  o.shape = grid.shape;
+  if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
+}
+
+Dataset read_kernel(cli::Tool& tool, Options& o) {
+  const std::string bytes = cli::read_all(tool.given("--kernel") ? o.kernel : "-");
+  if (bytes.empty() && !tool.given("--kernel"))
+    throw cli::UsageError("length", "is required, or --kernel, or a kernel on standard input");
+  Dataset data = decode_netcdf(bytes);
+  adopt_grid(tool, o, data);
   forget_surface(data);
   cli::tell(tool, data);
   return data;
+}
+
+// The kernel of the options or of the file, and the exit code that follows from how it was solved.
+Dataset kernel_dataset(cli::Tool& tool, Options& o, cli::Exit& code) {
+  const std::string target = target_option(tool);
+  if (!tool.given("--kernel") && (!target.empty() || cli::stdin_is_terminal())) return solved(tool, o, code);
+  if (!target.empty()) throw cli::UsageError(target, "does not go together with --kernel");
+  return read_kernel(tool, o);
 }
 
 // The kernel's tables with the height and the spacing of this surface.
@@ -99,7 +140,7 @@ cli::KernelTables tables_for(cli::Tool& tool, const Options& o, const Dataset& d
   }
   if (!tables.has_height)
     throw cli::UsageError("rq", "the kernel has unit variance: an rms height is required");
-  if (!tool.given("--size")) {
+  if (std::isnan(o.size[0])) {
     if (!tables.spacing) throw cli::UsageError("size", "is required: the kernel counts its lags in samples");
     return tables;
   }
@@ -125,22 +166,6 @@ std::string numbered(const std::string& pattern, std::int64_t number) {
   return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
-void draw(Dataset& data, const Options& o, const Synthesis& synthesis, const WhiteNoise& noise, double rms) {
-  const Stopwatch watch;
-  Field heights = synthesis.surface(noise);
-  if (o.exact_rq) centre_and_scale(heights, rms);
-  set_field(data, "heights", heights, {"m", "height"});
-  if (o.noise)
-    set_field(data, "noise", synthesis.noise_below(noise), {"1", "white noise below the kernel's middle"});
-  data.attributes.set("generate_seed", static_cast<double>(noise.seed()));
-  data.attributes.set("generate_stream", static_cast<double>(noise.stream()));
-  data.attributes.set("generate_rng", WhiteNoise::generator());
-  data.attributes.set("generate_rms", rms);
-  data.attributes.set("generate_exact_rq", o.exact_rq ? 1 : 0);
-  data.attributes.set("generate_method", synthesis.summation() == Summation::direct ? "direct" : "transform");
-  data.attributes.set("generate_seconds", watch.seconds());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -149,7 +174,6 @@ int main(int argc, char** argv) {
   declare(tool, options);
 
   return tool.run(argc, argv, [&] {
-    if (!tool.given("--shape")) throw cli::UsageError("shape", "is required");
     if (options.count > 1) numbered(tool.output_name(), 0);
     if (options.count > 1 && tool.given("--report"))
       throw cli::UsageError("report", "is of one surface; each dataset of an ensemble carries its own");
@@ -160,12 +184,12 @@ int main(int argc, char** argv) {
     set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
 
     const Synthesis synthesis(tables.kernel, options.shape,
-                              {options.periodic, Summation::cheapest, tool.thread_count()});
+                              {options.periodic, Summation::cheapest, tool.thread_count(), options.memory});
     for (std::int64_t i = options.stream, end = i + options.count; i < end; ++i) {
-      Dataset data = base;
-      draw(data, options, synthesis, WhiteNoise(tool.seed_value(), static_cast<std::uint64_t>(i)),
-           tables.rms());
-      tool.write(data, options.count > 1 ? numbered(tool.output_name(), i) : tool.output_name());
+      const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(i));
+      const cli::Drawing drawing{synthesis,        noise,         tables.rms(),
+                                 options.exact_rq, options.noise, options.memory};
+      drawing.write(tool, base, options.count > 1 ? numbered(tool.output_name(), i) : tool.output_name());
     }
     return code;
   });

@@ -6,13 +6,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sys/mman.h>
 #include <system_error>
 #include <type_traits>
+#include <unistd.h>
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "grid/error.hpp"
 
@@ -213,6 +213,12 @@ void refuse_groups(int file) {
 
 // ---- writing ----
 
+// A positive status is the system's own: no room, or a limit.
+void write_checked(int status, const std::string& what) {
+  if (status > 0) throw std::system_error(status, std::generic_category(), what);
+  check(status, what);
+}
+
 bool needs_cdf5_type(const Values& values) {
   switch (type_of(values)) {
     case NC_UBYTE:
@@ -228,7 +234,8 @@ bool needs_cdf5_type(const Values& values) {
 
 std::size_t places_of(const Dataset& dataset, const Variable& variable) {
   std::size_t places = 1;
-  for (const std::string& name : variable.dimensions) places *= static_cast<std::size_t>(dataset.length(name));
+  for (const std::string& name : variable.dimensions)
+    places *= static_cast<std::size_t>(dataset.length(name));
   return places;
 }
 
@@ -249,7 +256,7 @@ bool needs_cdf5(const Dataset& dataset) {
 void write_attributes(int file, int variable, const Attributes& attributes) {
   for (const auto& [name, values] : attributes) {
     const void* p = data(values);
-    check(nc_put_att(file, variable, name.c_str(), type_of(values), count(values), p), name);
+    write_checked(nc_put_att(file, variable, name.c_str(), type_of(values), count(values), p), name);
   }
 }
 
@@ -264,12 +271,12 @@ void define(int file, const Variable& variable) {
   std::vector<int> dims;
   for (const std::string& name : variable.dimensions) {
     dims.emplace_back();
-    check(nc_inq_dimid(file, name.c_str(), &dims.back()), variable.name + ", dimension " + name);
+    write_checked(nc_inq_dimid(file, name.c_str(), &dims.back()), variable.name + ", dimension " + name);
   }
   int id = -1;
-  check(nc_def_var(file, variable.name.c_str(), type_of(variable.values), static_cast<int>(dims.size()),
-                   dims.data(), &id),
-        variable.name);
+  write_checked(nc_def_var(file, variable.name.c_str(), type_of(variable.values),
+                           static_cast<int>(dims.size()), dims.data(), &id),
+                variable.name);
   write_attributes(file, id, variable.attributes);
 }
 
@@ -277,19 +284,20 @@ int format_of(const Dataset& dataset) { return needs_cdf5(dataset) ? NC_64BIT_DA
 
 // The header, and the values of all variables but the last `deferred`, into a new file. Ids count from 0.
 void write_dataset(int file, const Dataset& dataset, std::size_t deferred) {
-  check(nc_set_fill(file, NC_NOFILL, nullptr), "fill");
+  write_checked(nc_set_fill(file, NC_NOFILL, nullptr), "fill");
   for (const Dimension& d : dataset.dimensions) {
     int id = -1;
-    check(nc_def_dim(file, d.name.c_str(), static_cast<std::size_t>(d.length), &id), "dimension " + d.name);
+    write_checked(nc_def_dim(file, d.name.c_str(), static_cast<std::size_t>(d.length), &id),
+                  "dimension " + d.name);
   }
   for (const Variable& v : dataset.variables) define(file, v);
   write_attributes(file, NC_GLOBAL, dataset.attributes);
-  check(nc_enddef(file), "header");
+  write_checked(nc_enddef(file), "header");
   for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v) {
     const Variable& variable = dataset.variables[v];
     refuse_wrong_count(dataset, variable);
     if (count(variable.values) > 0)
-      check(nc_put_var(file, static_cast<int>(v), data(variable.values)), variable.name);
+      write_checked(nc_put_var(file, static_cast<int>(v), data(variable.values)), variable.name);
   }
 }
 
@@ -354,27 +362,20 @@ Dataset decode_netcdf(const std::string& bytes) {
   return out;
 }
 
-std::string encode_netcdf(const Dataset& dataset) {
-  Handle file;
-  check(nc_create_mem("dataset", format_of(dataset), 0, &file.id), "create");
-  file.open = true;
-  write_dataset(file.id, dataset, 0);
-  NC_memio memory{};
-  file.open = false;
-  check(nc_close_memio(file.id, &memory), "close");
-  const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
-  return std::string(static_cast<const char*>(memory.memory), memory.size);
-}
+// Not by the library's own files in memory: it leaves the bytes between variables as malloc gave them.
+std::string encode_netcdf(const Dataset& dataset) { return encode_netcdf_head(dataset, 0); }
 
 // The library lays out the whole file, as large as it will be; the values that are not there are its holes, and its end.
 std::string encode_netcdf_head(const Dataset& dataset, std::size_t deferred) {
   const SparseFile sparse;
   Handle file;
-  check(nc_create(sparse.name().c_str(), NC_CLOBBER | format_of(dataset), &file.id), "create");
+  std::size_t buffer = 1 << 20;
+  write_checked(nc__create(sparse.name().c_str(), NC_CLOBBER | format_of(dataset), 0, &buffer, &file.id),
+                "create");
   file.open = true;
   write_dataset(file.id, dataset, deferred);
   file.open = false;
-  check(nc_close(file.id), "close");
+  write_checked(nc_close(file.id), "close");
   std::size_t holes = 0;
   for (std::size_t v = dataset.variables.size() - deferred; v < dataset.variables.size(); ++v)
     holes += places_of(dataset, dataset.variables[v]) * sizeof(double);

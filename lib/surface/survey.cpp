@@ -20,6 +20,13 @@ void HeightSurvey::add(const Eigen::Ref<const Field>& rows) {
   }
 }
 
+void HeightSurvey::rescale(const Rescaling& map) {
+  mean_ = map(mean_);
+  squares_ *= map.factor * map.factor;
+  low_ = map(low_);
+  high_ = map(high_);
+}
+
 double HeightSurvey::rms() const { return std::sqrt(squares_ / count_); }
 
 Rescaling exact_rms(const HeightSurvey& survey, double rms) {

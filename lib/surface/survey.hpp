@@ -15,9 +15,19 @@
 
 namespace asperity {
 
+/// z → (z - mean) · factor. Rounding keeps the order of heights, so that extremes become extremes.
+struct Rescaling {
+  double mean = 0, factor = 1;
+
+  double operator()(double z) const { return (z - mean) * factor; }
+  void apply(Eigen::Ref<Field> heights) const { heights = (heights - mean) * factor; }
+};
+
 class HeightSurvey {
  public:
   void add(const Eigen::Ref<const Field>& rows);
+  /// As if every height had been rescaled, which takes a positive factor.
+  void rescale(const Rescaling& map);
 
   double mean() const { return mean_; }
   double rms() const;  ///< about the mean
@@ -27,15 +37,6 @@ class HeightSurvey {
  private:
   double count_ = 0, mean_ = 0, squares_ = 0;
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
-};
-
-/// z → (z - mean) · factor; as it stands, z itself. Rounding keeps the order of heights: their extremes map to the
-/// extremes.
-struct Rescaling {
-  double mean = 0, factor = 1;
-
-  double operator()(double z) const { return (z - mean) * factor; }
-  void apply(Eigen::Ref<Field> heights) const { heights = (heights - mean) * factor; }
 };
 
 /// To mean zero and the root mean square `rms`. Throws ParameterError("exact-rq") when all heights are equal.

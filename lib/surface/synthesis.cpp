@@ -16,8 +16,11 @@ std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 Index ceiling(Index a, Index b) { return (a + b - 1) / b; }
 
-// Whole megabytes that suffice.
-std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 999999) / 1000000) + "MB"; }
+// Megabytes, or kilobytes below ten of them, that suffice.
+std::string shown(std::size_t bytes) {
+  auto whole = [&](std::size_t unit) { return std::to_string((bytes + unit - 1) / unit); };
+  return bytes < 10000000 ? whole(1000) + "kB" : whole(1000000) + "MB";
+}
 
 }  // namespace
 
@@ -42,8 +45,8 @@ std::size_t Synthesis::bytes(Index strips, int threads) const {
 void Synthesis::choose_band() {
   const std::size_t least = bytes(1, 1);
   if (least > options_.memory)
-    throw ParameterError("memory", megabytes(options_.memory) + " does not hold one strip of this surface, " +
-                                       megabytes(least) + " do");
+    throw ParameterError("memory", shown(options_.memory) +
+                                       " does not hold one strip of this surface: " + shown(least) + " do");
   while (bytes(1, options_.threads) > options_.memory) --options_.threads;
   const Shape tile = filter_->tile();
   const Index busy = ceiling(tiles_a_thread * options_.threads, ceiling(surface_.ny, tile.ny)),
@@ -98,7 +101,8 @@ void Synthesis::bands(const WhiteNoise& noise, const Place& place, const RowSink
 
 void Synthesis::surface(const WhiteNoise& noise, const RowSink& sink) const {
   Field heights(std::min(band_rows(), surface_.nx), surface_.ny);
-  bands(noise, [&](Index, Index count) { return heights.topRows(count); }, sink);
+  bands(
+      noise, [&](Index, Index count) { return heights.topRows(count); }, sink);
 }
 
 Field Synthesis::surface(const WhiteNoise& noise) const {

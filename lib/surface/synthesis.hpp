@@ -62,7 +62,9 @@ class Synthesis {
 
   Shape shape() const { return surface_; }
   Summation summation() const { return options_.summation; }  ///< the one taken
-  Index band_rows() const { return strips_ * filter_->tile().nx; }  ///< rows that a sink gets at a time, at most
+  Index band_rows() const {
+    return strips_ * filter_->tile().nx;
+  }  ///< rows that a sink gets at a time, at most
   /// Bytes that drawing takes, the result apart.
   std::size_t working_set() const { return bytes(strips_, options_.threads); }
 

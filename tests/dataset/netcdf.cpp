@@ -75,6 +75,80 @@ TEST_CASE("encoding what was decoded gives the same bytes", "[netcdf][law]") {
   CHECK(encode_netcdf(decode_netcdf(bytes)) == bytes);
 }
 
+namespace {
+
+// Heights and noise at the end, after variables whose bytes are no multiple of eight.
+Dataset with_large_variables(Index nx, Index ny, bool wide) {
+  Dataset out = of_every_type(wide);
+  out.dimensions.push_back({"x", nx});
+  out.dimensions.push_back({"y", ny});
+  for (const char* name : {"heights", "noise"}) {
+    out.variables.push_back({name, {"x", "y"}, std::vector<double>(), {}});
+    out.variables.back().attributes.set_values("actual_range", Values(std::vector<double>{-1, 1}));
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a head and the values behind it are the bytes of the whole", "[netcdf][exact]") {
+  for (bool wide : {false, true})
+    for (std::size_t deferred : {1u, 2u}) {
+      Dataset whole = with_large_variables(5, 3, wide);
+      for (std::size_t v = 0; v < 2; ++v) {
+        std::vector<double> values(15);
+        for (std::size_t i = 0; i < values.size(); ++i)
+          values[i] = 1 / (1.0 + static_cast<double>(i + 100 * v));
+        (whole.variables.end() - 1 - static_cast<std::ptrdiff_t>(v))->values = values;
+      }
+      Dataset head = whole;
+      std::string values;
+      for (auto v = head.variables.end() - static_cast<std::ptrdiff_t>(deferred); v != head.variables.end();
+           ++v) {
+        values += encode_values(std::get<std::vector<double>>(v->values));
+        v->values = std::vector<double>();
+      }
+      CAPTURE(wide, deferred);
+      CHECK(encode_netcdf_head(head, deferred) + values == encode_netcdf(whole));
+    }
+}
+
+// The bytes that fill a variable up to a multiple of four used to be whatever the memory held before.
+TEST_CASE("the bytes between variables are zero", "[netcdf][contract]") {
+  Dataset data;
+  data.dimensions = {{"n", 1}};
+  data.variables.push_back({"a", {"n"}, std::vector<std::int8_t>{-1}, {}});
+  data.variables.push_back({"b", {"n"}, std::vector<std::int8_t>{-1}, {}});
+  for (int i = 0; i < 20; ++i) {
+    std::vector<std::string> dirty(100, std::string(8192 + 100 * static_cast<std::size_t>(i), '\x7f'));
+    dirty.clear();
+    CHECK(encode_netcdf(data).ends_with(std::string("\xff\0\0\0\xff\0\0\0", 8)));
+  }
+}
+
+TEST_CASE("a head with other numbers in its attributes has the same length", "[netcdf][contract]") {
+  Dataset data = with_large_variables(5, 3, false);
+  const std::string before = encode_netcdf_head(data, 2);
+  data.find("heights")->attributes.set_values("actual_range",
+                                              Values(std::vector<double>{-1e-300, 12345.678}));
+  CHECK(encode_netcdf_head(data, 2).size() == before.size());
+  CHECK(encode_netcdf_head(data, 2) != before);
+}
+
+// 16 GiB a variable. CDF-2 holds one such, as the last.
+TEST_CASE(
+    "a head of what no memory holds is as short as any, CDF-2 with one large variable and CDF-5 with two",
+    "[netcdf][contract]") {
+  Dataset data = with_large_variables(1 << 16, 1 << 15, false);
+  const std::string two = encode_netcdf_head(data, 2);
+  CHECK(two.starts_with("CDF\005"));
+  CHECK(two.size() < 4000);
+  data.variables.pop_back();
+  const std::string one = encode_netcdf_head(data, 1);
+  CHECK(one.starts_with("CDF\002"));
+  CHECK(one.size() < 4000);
+}
+
 // The last variable is a double, so that there is no padding behind it: every shorter file misses data.
 TEST_CASE("a dataset cut short anywhere is refused", "[netcdf][contract]") {
   const std::string bytes = encode_netcdf(of_every_type(false));

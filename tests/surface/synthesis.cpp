@@ -30,6 +30,24 @@ Field drawn(const Field& kernel, Shape shape, Synthesis::Options options, std::u
 // Σ|kernel| max|η| with |η| < 6 bounds each height; the transforms add ε log2 of their length.
 double round_off(const Field& kernel) { return 16 * epsilon * 6 * kernel.abs().sum(); }
 
+// Draws with less and less memory until that is refused; returns the lowest band met.
+Index lowest_band(const Field& kernel, Shape shape, Synthesis::Options options,
+                  const std::function<void(const Synthesis&)>& draw) {
+  Index lowest = shape.nx;
+  options.memory = Synthesis(kernel, shape, options).working_set();
+  try {
+    for (;; options.memory = options.memory * 3 / 4) {
+      const Synthesis synthesis(kernel, shape, options);
+      CHECK(synthesis.working_set() <= options.memory);
+      lowest = std::min(lowest, synthesis.band_rows());
+      draw(synthesis);
+    }
+  } catch (const ParameterError& e) {
+    CHECK(e.name == "memory");
+  }
+  return lowest;
+}
+
 struct Case {
   Shape kernel, surface;
 };
@@ -104,11 +122,65 @@ TEST_CASE("a small kernel is summed directly and a large one transformed", "[syn
   CHECK(Synthesis(Field::Ones(61, 61), {128, 128}, {}).summation() == Summation::transform);
 }
 
-TEST_CASE("centring and scaling leave no mean and the rms height asked for", "[synthesis][exact]") {
-  Field z = random_field({31, 17}, 6) + 3;
-  centre_and_scale(z, 4e-7);
-  CHECK(std::abs(z.mean()) <= 4e-7 * 16 * epsilon * 31);
-  CHECK(relative_error(std::sqrt(z.square().mean()), 4e-7) <= 16 * epsilon);
-  Field flat = Field::Zero(4, 4);
-  CHECK_THROWS_AS(centre_and_scale(flat, 1), ParameterError);
+// Kernels of 5 rows have tiles of at most 508 rows: 3000 are several, and as many bands as the memory leaves.
+TEST_CASE("a surface depends neither on the memory nor on the threads that draw it, to the last bit",
+          "[synthesis][law]") {
+  const Field kernel = random_field({5, 9}, 2);
+  const Shape shape{3000, 60};
+  for (bool periodic : {false, true})
+    for (Summation summation : {Summation::direct, Summation::transform}) {
+      const Synthesis whole(kernel, shape, {periodic, summation, 1});
+      const Field exact = whole.surface(WhiteNoise(5)), below = whole.noise_below(WhiteNoise(5));
+      CHECK(whole.band_rows() >= shape.nx);
+      const Index least = lowest_band(kernel, shape, {periodic, summation, 3}, [&](const Synthesis& bounded) {
+        CHECK((bounded.surface(WhiteNoise(5)) == exact).all());
+        CHECK((bounded.noise_below(WhiteNoise(5)) == below).all());
+      });
+      CHECK(least <= 508);
+    }
+}
+
+TEST_CASE("a sink gets every row once and in order", "[synthesis][contract]") {
+  const Field kernel = random_field({7, 3}, 8);
+  const Shape shape{2500, 40};
+  lowest_band(kernel, shape, {}, [&](const Synthesis& synthesis) {
+    Index next = 0;
+    Field rows(shape.nx, shape.ny);
+    synthesis.surface(WhiteNoise(3), [&](Index first, Eigen::Ref<Field> band) {
+      REQUIRE(first == next);
+      REQUIRE(band.rows() <= synthesis.band_rows());
+      rows.middleRows(first, band.rows()) = band;
+      band.setZero();  // is the sink's to alter
+      next += band.rows();
+    });
+    CHECK(next == shape.nx);
+    CHECK((rows == synthesis.surface(WhiteNoise(3))).all());
+  });
+}
+
+TEST_CASE("a sink that fails ends the drawing with its own exception", "[synthesis][contract]") {
+  const Synthesis synthesis(Field::Ones(3, 3), {4000, 100}, {false, Summation::direct, 2, 1 << 20});
+  REQUIRE(synthesis.band_rows() < 4000);
+  int calls = 0;
+  auto full_disk = [&](Index, Eigen::Ref<Field>) {
+    throw std::runtime_error("full" + std::to_string(++calls));
+  };
+  CHECK_THROWS_WITH(synthesis.surface(WhiteNoise(1), full_disk), "full1");
+}
+
+TEST_CASE("the working set does not grow with the length of a surface", "[synthesis][contract]") {
+  for (Summation summation : {Summation::direct, Summation::transform}) {
+    const Field kernel = Field::Ones(61, 61);
+    const Synthesis shorter(kernel, {1 << 16, 4096}, {false, summation, 2}),
+        longer(kernel, {1 << 20, 4096}, {false, summation, 2});
+    CHECK(longer.working_set() == shorter.working_set());
+    CHECK(longer.working_set() <= 50'000'000);  // of 34 GB
+  }
+}
+
+TEST_CASE("less memory than one strip takes is refused, and the least is named", "[synthesis][contract]") {
+  const Field kernel = Field::Ones(61, 61);
+  CHECK_THROWS_MATCHES(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 1'500'000}),
+                       ParameterError, Message("1500kB does not hold one strip of this surface: 21MB do"));
+  CHECK_NOTHROW(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 21'000'000}));
 }

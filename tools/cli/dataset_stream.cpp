@@ -19,7 +19,7 @@ void DatasetStream::head(const Dataset& dataset, std::size_t deferred) {
 
 void DatasetStream::values(const Eigen::Ref<const Field>& rows) {
   for (Index i = 0; i < rows.rows(); ++i)
-    file_.write(encode_values({&rows(i, 0), static_cast<std::size_t>(rows.cols())}));
+    file_.write(encode_values({rows.row(i).data(), static_cast<std::size_t>(rows.cols())}));
 }
 
 }  // namespace asperity::cli

@@ -21,8 +21,9 @@ struct ByteUnit {
   std::string_view name;
   double bytes;
 };
-constexpr ByteUnit byte_units[] = {{"B", 1},        {"kB", 1e3},      {"MB", 1e6},      {"GB", 1e9},     {"TB", 1e12},
-                                   {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
+constexpr ByteUnit byte_units[] = {{"B", 1},        {"kB", 1e3},     {"MB", 1e6},
+                                   {"GB", 1e9},     {"TB", 1e12},    {"KiB", 0x1p10},
+                                   {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& why) {
   throw ParameterError(option, "'" + text + "' " + why);
@@ -114,7 +115,8 @@ std::size_t parse_bytes(const std::string& option, const std::string& text) {
   const auto [number, given] = split(option, text);
   if (given.empty()) refuse(option, text, "has no unit: append MB or GiB");
   const auto* unit = std::ranges::find(byte_units, given, &ByteUnit::name);
-  if (unit == std::end(byte_units)) refuse(option, text, "is no size in B, kB, MB, GB, TB, KiB, MiB, GiB or TiB");
+  if (unit == std::end(byte_units))
+    refuse(option, text, "is no size in B, kB, MB, GB, TB, KiB, MiB, GiB or TiB");
   const double bytes = number * unit->bytes;
   if (!(bytes >= 1 && bytes < 0x1p63)) refuse(option, text, "must lie between 1B and 8388607TiB");
   return static_cast<std::size_t>(bytes);

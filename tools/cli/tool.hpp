@@ -49,6 +49,7 @@ class Tool {
   void accuracy(std::string text) { accuracy_ = std::move(text); }
 
   CLI::App& app() { return app_; }
+  const CLI::App& app() const { return app_; }
 
   // Options. Each returns CLI11's option, for further restrictions. `group` is the heading in --help. The
   // present value of the variable is the default and is shown in --help.

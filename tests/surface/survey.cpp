@@ -1,0 +1,57 @@
+#include "surface/survey.hpp"
+
+#include "grid/error.hpp"
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+HeightSurvey surveyed(const Field& heights, Index rows_at_a_time) {
+  HeightSurvey out;
+  for (Index i = 0; i < heights.rows(); i += rows_at_a_time)
+    out.add(heights.middleRows(i, std::min(rows_at_a_time, heights.rows() - i)));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a survey is the same to the last bit however many rows come at a time", "[survey][law]") {
+  const Field z = random_field({37, 23}, 1);
+  const HeightSurvey whole = surveyed(z, 37);
+  for (Index rows : {1, 5, 36}) {
+    CHECK(surveyed(z, rows).mean() == whole.mean());
+    CHECK(surveyed(z, rows).rms() == whole.rms());
+  }
+  CHECK(whole.low() == z.minCoeff());
+  CHECK(whole.high() == z.maxCoeff());
+}
+
+// Heights c ± 1 in equal number have the mean c and the rms 1. Each of n = 1000 is rounded to ε c / 2, which moves the
+// rms by as much; a mean of squares less the square of the mean would err by ε c² = 2e-4.
+TEST_CASE("the rms of a survey does not suffer from a large mean", "[survey][exact]") {
+  const double c = 1e6;
+  const Field z = Field::NullaryExpr(20, 50, [&](Index i, Index j) { return c + ((i + j) % 2 ? 1 : -1); });
+  CHECK(relative_error(surveyed(z, 3).mean(), c) <= 4 * epsilon);
+  CHECK(relative_error(surveyed(z, 3).rms(), 1) <= 4 * epsilon * c);
+}
+
+// Means of n numbers err by some ε √n of their size at the most.
+TEST_CASE("rescaling to an exact rms leaves no mean and the rms height asked for", "[survey][exact]") {
+  Field z = random_field({31, 17}, 6) + 3;
+  HeightSurvey survey = surveyed(z, 31);
+  const Rescaling map = exact_rms(survey, 4e-7);
+  map.apply(z);
+  survey.rescale(map);
+  const HeightSurvey after = surveyed(z, 31);
+  CHECK(std::abs(after.mean()) <= 4e-7 * 16 * epsilon * 31);
+  CHECK(relative_error(after.rms(), 4e-7) <= 64 * epsilon);
+  CHECK(relative_error(survey.rms(), 4e-7) <= 4 * epsilon);
+  CHECK(survey.low() == after.low());
+  CHECK(survey.high() == after.high());
+}
+
+TEST_CASE("heights that are all equal cannot be given an rms", "[survey][contract]") {
+  CHECK_THROWS_AS(exact_rms(surveyed(Field::Constant(4, 4, 0.1), 2), 1), ParameterError);
+}
