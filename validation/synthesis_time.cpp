@@ -1,14 +1,22 @@
 /// Cost of drawing a surface, and where the direct sum crosses the transform.
 ///
-/// `ratio_to_transform` is the time of one surface, noise and all, over that of one real transform there and
-/// back of the padded size (N+K-1)², measured in the same run on one thread. In the second table `direct` and
-/// `transform` are seconds of the two summations, the noise included; `model` is the ratio direct/transform
-/// that the cost model predicts, which decides at 1.
+/// First table: `peak` is what a process that draws a surface of N × M heights takes more than one that does not,
+/// `working_set` what the program says that it will take, both in MB; two threads.
+///
+/// Second table: a surface of N × N heights with a kernel of K × K goes to a sink that throws it away. `noise` are the
+/// seconds of its random numbers, `transforms` those of one real transform there and back of the padded surface,
+/// (N+K-1)², and `ratio` is (surface - noise)/transforms, all on one thread; `surface_2` are seconds on two threads.
+///
+/// Third table: `direct` and `transform` are seconds of the two summations, the noise included; `model` is the ratio
+/// direct/transform of the sums alone that the cost model predicts, which decides at 1.
 ///
 ///     synthesis_time [LARGEST_N]
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -27,10 +35,22 @@ Field kernel(Index size) {
   });
 }
 
-double drawn(Index size, Index n, Summation summation, int threads) {
-  const Synthesis synthesis(kernel(size), {n, n}, {false, summation, threads});
-  const WhiteNoise noise(1);
-  return seconds_of([&] { synthesis.surface(noise); });
+void throw_away(Index, Eigen::Ref<Field>) {}
+
+Synthesis synthesis(Index size, Shape shape, int threads, Summation summation = Summation::transform) {
+  return Synthesis(kernel(size), shape, {false, summation, threads});
+}
+
+double drawn(const Synthesis& synthesis) {
+  return seconds_of([&] { synthesis.surface(WhiteNoise(1), throw_away); });
+}
+
+double noise_seconds(Index n) {
+  WhiteNoise noise(1);
+  std::vector<double> row(static_cast<std::size_t>(n));
+  return seconds_of([&] {
+    for (Index i = 0; i < n; ++i) noise.row(i, row);
+  });
 }
 
 double padded_transform(Index n) {
@@ -44,25 +64,55 @@ double padded_transform(Index n) {
   });
 }
 
+// The largest resident set of a process of its own that does this [MB].
+template <class Work>
+double peak(Work work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  rusage used{};
+  const bool done = child > 0 && ::wait4(child, &status, 0, &used) == child && status == 0;
+  return done ? static_cast<double>(used.ru_maxrss) * 1024e-6 : NAN;
+}
+
+void print_memory(Index size, Shape shape) {
+  const Synthesis two = synthesis(size, shape, 2);
+  const double idle = peak([] {}), busy = peak([&] { two.surface(WhiteNoise(1), throw_away); });
+  fmt::print("{}\t{}\t{}\t{:.0f}\t{:.0f}\n", shape.nx, shape.ny, size, busy - idle,
+             static_cast<double>(two.working_set()) * 1e-6);
+}
+
+void print_cost(Index n, Index size) {
+  const double noise = noise_seconds(n + size - 1), transforms = padded_transform(n + size - 1),
+               surface = drawn(synthesis(size, {n, n}, 1));
+  fmt::print("{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2f}\n", n, size, noise, transforms, surface,
+             drawn(synthesis(size, {n, n}, 2)), (surface - noise) / transforms);
+}
+
+void print_crossing(Index n, Index size) {
+  const double direct = drawn(synthesis(size, {n, n}, 1, Summation::direct)),
+               fast = drawn(synthesis(size, {n, n}, 1));
+  const SynthesisCost model = synthesis_cost({size, size}, {n, n});
+  fmt::print("{}\t{}\t{:.2e}\t{:.2e}\t{:.2f}\t{:.2f}\n", n, size, direct, fast, direct / fast,
+             model.direct / model.transform);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 1024;
-  fmt::print("# N\tK\tseconds\tseconds_2_threads\tratio_to_transform\n");
-  for (Index n = 128; n <= largest; n *= 2) {
-    const double seconds = drawn(61, n, Summation::transform, 1);
-    fmt::print("{}\t{}\t{:.3e}\t{:.3e}\t{:.2f}\n", n, 61, seconds, drawn(61, n, Summation::transform, 2),
-               seconds / padded_transform(n + 60));
-  }
+  fmt::print("# N\tM\tK\tpeak\tworking_set\n");
+  for (Index size : {15, 61, 253}) print_memory(size, {largest, largest});
+  if (largest >= 4096) print_memory(61, {65536, 4096});
+  fmt::print("\n# N\tK\tnoise\ttransforms\tsurface\tsurface_2\tratio\n");
+  for (Index size : {15, 61, 253})
+    for (Index n = 256; n <= largest; n *= 2) print_cost(n, size);
   fmt::print("\n# N\tK\tdirect\ttransform\tratio\tmodel\n");
   for (Index n : {64, 128, 512})
-    for (Index size : {1, 3, 5, 7, 9, 13, 17, 25}) {
-      const double direct = drawn(size, n, Summation::direct, 1),
-                   fast = drawn(size, n, Summation::transform, 1);
-      const SynthesisCost model = synthesis_cost({size, size}, {n, n});
-      fmt::print("{}\t{}\t{:.3e}\t{:.3e}\t{:.2f}\t{:.2f}\n", n, size, direct, fast, direct / fast,
-                 model.direct / model.transform);
-    }
+    for (Index size : {1, 3, 5, 7, 9, 13, 17, 25}) print_crossing(n, size);
   return 0;
 }
