@@ -51,11 +51,10 @@ void declare(cli::Tool& tool, Options& o) {
   tool.threads();
   tool.bytes(
       "--memory", o.memory,
-      "What drawing may take, the program's own 20 MB apart. A surface that fits is held in memory; a larger "
-      "one "
-      "is drawn in strips and goes to the file as it is made: into a pipe, or with --exact-rq, by drawing "
-      "it twice. The bytes are the same",
-      "Common");
+      "Largest memory of the drawing, beside the program's own 20 MB. A surface that does not fit is drawn "
+      "in strips, each written as it is made; into a pipe or with --exact-rq it is then drawn twice, for "
+      "its range stands in front of it. The surface does not depend on it, to the last bit",
+      "Resources");
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
   tool.accuracy(

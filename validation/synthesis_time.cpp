@@ -106,8 +106,10 @@ int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 1024;
   fmt::print("# N\tM\tK\tpeak\tworking_set\n");
-  for (Index size : {15, 61, 253}) print_memory(size, {largest, largest});
+  // The largest last, for a process inherits what was freed before it.
+  for (Index size : {15, 61}) print_memory(size, {largest, largest});
   if (largest >= 4096) print_memory(61, {65536, 4096});
+  print_memory(253, {largest, largest});
   fmt::print("\n# N\tK\tnoise\ttransforms\tsurface\tsurface_2\tratio\n");
   for (Index size : {15, 61, 253})
     for (Index n = 256; n <= largest; n *= 2) print_cost(n, size);

@@ -168,8 +168,8 @@ TEST_CASE("a sink that fails ends the drawing with its own exception", "[synthes
   CHECK_THROWS_WITH(synthesis.surface(WhiteNoise(1), full_disk), "full1");
 }
 
-// A tile is 8 kernels high at the most, a band of 4096 columns for two threads 2¹⁸ heights or one tile: not above
-// 8 · 61 · 4096 · 8 bytes, twice, for noise and heights; tiles and symbol add 5 · 512² · 8 bytes.
+// A torus has 512² points at the most, so that a band of 4096 columns is one tile high: 512 · 4156 doubles of noise and
+// 452 · 4096 heights; the symbol and what two threads need are five such tori. Together 42.4 MB.
 TEST_CASE("the working set stays below 43 MB for a surface of any length", "[synthesis][contract]") {
   for (Summation summation : {Summation::direct, Summation::transform})
     for (int power : {12, 16, 20}) {

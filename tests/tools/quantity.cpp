@@ -60,3 +60,12 @@ TEST_CASE("a quantity is shown with the prefix that suits it", "[quantity][exact
   CHECK(format_quantity(0, "m") == "0");
   CHECK(format_quantity(0.3, "1") == "0.3");
 }
+
+TEST_CASE("sizes of memory are read in powers of ten and of two", "[quantity][exact]") {
+  CHECK(parse_bytes("memory", "512MB") == 512'000'000u);
+  CHECK(parse_bytes("memory", "2GiB") == std::size_t{1} << 31);
+  CHECK(parse_bytes("memory", "1.5 kB") == 1500u);
+  CHECK(parse_bytes("memory", "8TiB") == std::size_t{1} << 43);
+  CHECK(format_bytes(parse_bytes("memory", "1GiB")) == "1GiB");
+  CHECK(format_bytes(27'000'001) == "28MB");
+}
