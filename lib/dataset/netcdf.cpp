@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
-#include <sys/mman.h>
 #include <system_error>
 #include <type_traits>
-#include <unistd.h>
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include "dataset/sparse_file.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -300,32 +297,6 @@ void write_dataset(int file, const Dataset& dataset, std::size_t deferred) {
       write_checked(nc_put_var(file, static_cast<int>(v), data(variable.values)), variable.name);
   }
 }
-
-// A file without a name, in memory, of which only what is written takes room.
-class SparseFile {
- public:
-  SparseFile() : fd_(::memfd_create("dataset", MFD_CLOEXEC)) {
-    if (fd_ < 0) throw std::system_error(errno, std::generic_category(), "a file in memory");
-  }
-  ~SparseFile() { ::close(fd_); }
-  SparseFile(const SparseFile&) = delete;
-  SparseFile& operator=(const SparseFile&) = delete;
-
-  std::string name() const { return "/proc/self/fd/" + std::to_string(fd_); }
-  std::size_t size() const { return static_cast<std::size_t>(::lseek(fd_, 0, SEEK_END)); }
-  std::string first(std::size_t n) const {
-    std::string bytes(n, '\0');
-    for (std::size_t at = 0; at < n;) {
-      const ssize_t got = ::pread(fd_, bytes.data() + at, n - at, static_cast<off_t>(at));
-      if (got <= 0) throw std::system_error(errno, std::generic_category(), "a file in memory");
-      at += static_cast<std::size_t>(got);
-    }
-    return bytes;
-  }
-
- private:
-  int fd_;
-};
 
 }  // namespace
 
