@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
 
-#include "acf/equations.hpp"
-#include "acf/newton_krylov.hpp"
+#include "acf/search.hpp"
+#include "acf/wording.hpp"
 #include "grid/stopwatch.hpp"
 
 namespace asperity {
 namespace {
 
-// Unknowns for which 35 vectors still fit into the memory of a workstation.
-constexpr Index most_unknowns = Index{1} << 24;
+// Unknowns for which 40 vectors still fit into the memory of a workstation.
+constexpr double most_unknowns = 1 << 24;
 
 // The words of an enumeration, in the order of its values.
 constexpr std::array formulations{"symmetric", "oriented", "patir"};
@@ -47,149 +47,51 @@ Named<n> named(const std::array<const char*, n>& words, const char* option, std:
   return {words, option, name};
 }
 
-std::string text(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
+double unknowns(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
 
-std::string number(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.3g", x);
-  return buffer;
+std::string too_many(Shape lags) {
+  return text(lags) + ": more than " + std::to_string(static_cast<long>(most_unknowns)) + " in all";
 }
 
-Field quadrant(const KernelRequest& request) {
-  return Field::NullaryExpr(request.lags.nx, request.lags.ny, [&](Index p, Index q) {
-    return request.target(static_cast<double>(p), static_cast<double>(q));
-  });
+// ---- the choice of lags ----
+
+// A cut where the target has fallen to so many times the tolerance leaves an error of about the tolerance.
+constexpr double cut_over_error = 5;
+constexpr double growth = 1.2;
+constexpr int most_trials = 10;
+
+Shape first_lags(const KernelRequest& request) {
+  if (request.target.known) return *request.target.known;
+  if (!request.target.reach)
+    throw ParameterError("lags", "are required: how far this target reaches is not known");
+  return request.target.reach(std::min(cut_over_error * request.acf_tolerance, 0.5));
 }
 
-// The target over the half plane, one lag beyond the end of every achievable autocorrelation.
-Field half_plane(const KernelRequest& request) {
-  const auto [n, m] = request.lags;
-  return Field::NullaryExpr(2 * n, 4 * m - 1, [&, middle = 2 * m - 1](Index p, Index q) {
-    return request.target(static_cast<double>(p), static_cast<double>(q - middle));
-  });
+Shape more(Shape lags) {
+  auto grown = [](Index n) { return static_cast<Index>(std::ceil(growth * static_cast<double>(n))); };
+  return {grown(lags.nx), grown(lags.ny)};
 }
 
-// Largest error in four parts of the half plane.
-void measure(const Kernel& kernel, KernelReport& report) {
-  const Field error = (kernel.acf_achieved - kernel.acf_target).abs();
-  const auto [n, m] = kernel.lags;
-  const Index middle = -kernel.first_q();
-  const bool both_sides = kernel.formulation == Formulation::symmetric;
-  report.residual = error.block(0, middle, n, m).maxCoeff();
-  report.mirrored_error = n > 1 && m > 1 ? error.block(1, middle - m + 1, n - 1, m - 1).maxCoeff() : 0.0;
-  if (both_sides) report.residual = std::max(report.residual, report.mirrored_error);
-  report.error = error.maxCoeff();
-  report.tail = 0;
-  for (Index p = 0; p < error.rows(); ++p)
-    for (Index q = 0; q < error.cols(); ++q)
-      if (p >= n || std::abs(q - middle) >= m) report.tail = std::max(report.tail, error(p, q));
+void refuse_too_many(const KernelRequest& request, Shape lags) {
+  if (unknowns(lags) > most_unknowns)
+    throw ParameterError("acf-tolerance", number(request.acf_tolerance) + ": would take lags of " +
+                                              too_many(lags) + "; --lags takes fewer");
 }
 
-// A kernel of unit variance with everything that can be said about it; none when a coefficient is not finite.
-std::optional<Kernel> examine(const KernelRequest& request, const Field& target, Field values) {
-  const double sum = values.square().sum();
-  if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
-  if (values.sum() < 0) values = -values;
-  Kernel kernel;
-  kernel.formulation = request.formulation.value_or(Formulation::symmetric);
-  kernel.lags = request.lags;
-  kernel.values = std::move(values);
-  kernel.acf_target = target;
-  kernel.acf_achieved = autocorrelation(kernel.values, kernel.acf_target.rows(), kernel.acf_target.cols());
-  measure(kernel, kernel.report);
-  return kernel;
-}
-
-// The search for the best kernel: each attempt starts somewhere, and the best end is kept.
-class Search {
- public:
-  explicit Search(const KernelRequest& request) : request_(request), target_(half_plane(request)) {}
-
-  // Takes the iterate u as a candidate, with the variance set right when it is no solution.
-  template <class Equations>
-  void consider(const Equations& equations, const std::vector<double>& u) {
-    auto candidate = examine(request_, target_, equations.kernel(u));
-    if (candidate && !(candidate->report.residual <= request_.tolerance))
-      candidate = examine(request_, target_, candidate->values / std::sqrt(candidate->values.square().sum()));
-    if (candidate && better(*candidate)) best_ = std::move(candidate);
+// More and more lags until the error over all of them is small enough. What can be had is answered by the
+// last of them.
+Kernel solve_at_open_lags(const KernelRequest& request) {
+  Shape lags = first_lags(request);
+  for (int trial = 1;; ++trial, lags = more(lags)) {
+    refuse_too_many(request, lags);
+    Search search(request, lags);
+    search.run();
+    const bool enough = search.solved() && search.best().report.error <= request.acf_tolerance;
+    const bool hopeful = !request.target.known && search.formulation() != Formulation::patir &&
+                         (search.solved() || request.method == Method::newton_krylov);
+    if (enough || !hopeful || trial == most_trials || unknowns(more(lags)) > most_unknowns)
+      return search.finish();
   }
-
-  template <class Equations>
-  bool iterate(Equations& equations, std::vector<double> u, const NewtonOptions& options) {
-    const NewtonResult result = solve_newton_krylov(equations.system(), u, options);
-    counts_.newton_steps += result.steps;
-    counts_.jacobian_products += result.jacobian_products;
-    counts_.preconditionings += result.preconditionings;
-    reason_ = result.reason;
-    consider(equations, u);
-    return solved();
-  }
-
-  // A solution before any other; else the least error over all lags, or over the equations in Patir's
-  // formulation, which knows no other lags.
-  bool better(const Kernel& candidate) const {
-    const auto measured =
-        request_.formulation != Formulation::patir ? &KernelReport::error : &KernelReport::residual;
-    if (!best_ || candidate.report.residual <= request_.tolerance) return true;
-    return candidate.report.*measured < best_->report.*measured;
-  }
-  bool solved() const { return best_ && best_->report.residual <= request_.tolerance; }
-
-  Kernel finish(double feasibility) {
-    Kernel kernel = std::move(best_).value();
-    KernelReport& report = kernel.report;
-    report.converged = report.residual <= request_.tolerance;
-    report.reason = report.converged ? "solved" : excuse(feasibility);
-    report.feasibility = feasibility;
-    report.newton_steps = counts_.newton_steps;
-    report.jacobian_products = counts_.jacobian_products;
-    report.preconditionings = counts_.preconditionings;
-    return kernel;
-  }
-
- private:
-  std::string excuse(double feasibility) const {
-    const Shape more{2 * request_.lags.nx, 2 * request_.lags.ny};
-    std::string words = "no kernel found for the target cut at " + text(request_.lags) + " lags (" + reason_;
-    if (feasibility < 0) words += "; its spectrum falls to " + number(feasibility) + " of its maximum";
-    return words + "): take more lags, such as " + text(more);
-  }
-
-  const KernelRequest& request_;
-  Field target_;
-  std::optional<Kernel> best_;
-  KernelReport counts_;
-  std::string reason_;
-};
-
-// Half the tolerance inside, so that the residual recomputed by other sums stays below the whole.
-NewtonOptions options_for(const KernelRequest& request) {
-  NewtonOptions options;
-  options.tolerance = request.tolerance / 2;
-  return options;
-}
-
-void solve_symmetric(const KernelRequest& request, SymmetricEquations& equations, Search& search) {
-  const std::vector<double> start = equations.start();
-  std::vector<double> f(start.size());
-  if (equations.residual(start, f) && search.iterate(equations, start, options_for(request))) return;
-  search.consider(equations, start);
-  // A few infeasible-looking cuts have a solution whose spectrum changes sign: one bounded attempt at it.
-  equations.guard = false;
-  NewtonOptions options = options_for(request);
-  options.max_products = 100;
-  options.krylov_dimension = 60;
-  options.restarts = 0;
-  search.iterate(equations, start, options);
-}
-
-void solve_patir(const KernelRequest& request, PatirEquations& equations, Search& search) {
-  const std::vector<double> start = equations.start();
-  NewtonOptions options = options_for(request);
-  options.krylov_dimension = 60;
-  options.restarts = 1;
-  options.forcing = 1e-2;
-  if (!search.iterate(equations, start, options)) search.consider(equations, start);
 }
 
 void scale(Kernel& kernel, double rms) {
@@ -212,16 +114,24 @@ Infeasible infeasible_named(std::string_view name) {
 }
 
 void KernelRequest::check() const {
-  if (lags.nx < 1 || lags.ny < 1) throw ParameterError("lags", text(lags) + ": at least 1x1");
-  if (lags.nx > most_unknowns / lags.ny)
-    throw ParameterError("lags", text(lags) + ": more than " + std::to_string(most_unknowns) + " in all");
+  const bool open = lags == Shape{};
+  if (!open && (lags.nx < 1 || lags.ny < 1)) throw ParameterError("lags", text(lags) + ": at least 1x1");
+  if (unknowns(lags) > most_unknowns) throw ParameterError("lags", too_many(lags));
   if (!(rms > 0 && std::isfinite(rms)))
     throw ParameterError("rq", number(rms) + ": must be positive and finite");
   if (!(tolerance >= 1e-13 && tolerance <= 1e-2))
     throw ParameterError("tolerance", number(tolerance) + " does not lie in 1e-13 ... 1e-2");
+  if (!(acf_tolerance >= 1e-8 && acf_tolerance <= 0.5))
+    throw ParameterError("acf-tolerance", number(acf_tolerance) + " does not lie in 1e-8 ... 0.5");
   if (!target) throw ParameterError("target", "there is none");
   if (!(std::abs(target(0, 0) - 1) <= 1e-12))
     throw ParameterError("target", number(target(0, 0)) + " at lag (0,0): must be 1");
+  if (target.known && (lags.nx > target.known->nx || lags.ny > target.known->ny))
+    throw ParameterError("lags",
+                         text(lags) + ": the table of the autocorrelation has " + text(*target.known));
+  if (formulation == Formulation::symmetric && target.oriented)
+    throw ParameterError("formulation",
+                         "symmetric: R(p,-q) differs from R(p,q), which takes the oriented one");
 }
 
 Field autocorrelation(const Field& kernel, Index rows, Index columns) {
@@ -245,17 +155,14 @@ Field autocorrelation(const Field& kernel, Index rows, Index columns) {
 Kernel solve_kernel(const KernelRequest& request) {
   request.check();
   const Stopwatch watch;
-  const Field target = quadrant(request);
-  SymmetricEquations symmetric(target);
-  Search search(request);
-  const double feasibility = symmetric.feasibility();
-  if (request.formulation != Formulation::patir) {
-    solve_symmetric(request, symmetric, search);
+  Kernel kernel;
+  if (request.lags == Shape{}) {
+    kernel = solve_at_open_lags(request);
   } else {
-    PatirEquations patir(target);
-    solve_patir(request, patir, search);
+    Search search(request, request.lags);
+    search.run();
+    kernel = search.finish();
   }
-  Kernel kernel = search.finish(feasibility);
   scale(kernel, request.rms);
   kernel.report.seconds = watch.seconds();
   return kernel;

@@ -2,22 +2,26 @@
 ///
 /// A surface drawn as z(i,j) = Σ kernel(k,l) η(i+k, j+l) from unit white noise η has the autocorrelation
 ///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                                    (1)
-/// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric formulation),
-/// or at 0 ≤ p < n, 0 ≤ q < m only (Patir's), by Newton–Krylov iteration on the equations of
-/// acf/equations.hpp. Beyond these lags R is free and ends at 2n - 2 (n - 1 in Patir's); the report says how
-/// far it is from the target there. The target is never cut: where R has ended, the target is the error.
+/// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric and oriented
+/// formulations), or at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond
+/// these lags R is free and ends at 2n - 2 (n - 1 in Patir's); the report says how far it is from the target
+/// there. The target is never cut: where R has ended, the target is the error. Of a table nothing is asked or
+/// said beyond its lags.
 ///
-/// A target prescribed at too few lags can be no autocorrelation of anything: for an exponential that has
-/// fallen to e⁻ᶜ at the last lag, the largest n that can be had is about 0.3 c eᶜ. The solver then ends in
-/// bounded time with `converged` false and the best kernel found, of the right variance. More lags are the
-/// remedy.
+/// A target prescribed at too few lags can have no kernel of that size: for an exponential that has
+/// fallen to e⁻ᶜ at the last lag, the largest n that can be had is about 0.3 c eᶜ. More lags are the remedy;
+/// or a kernel wider than its lags; acf/search.hpp says what is tried, and KernelRequest::infeasible what is
+/// wanted.
 ///
 /// Symbols   σ  rms height [m]   n, m  lags [samples]   errors are relative to σ²
 /// Accuracy  residual ≤ tolerance (1e-10) at the prescribed lags. Over all lags an exponential target with c
 ///           decay lengths of lags each way is met within 3e-3, 8e-4, 4e-5, 3e-6 for c = 4.6, 6, 9, 11.5
-///           from 7 × 7 lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31 (validation/kernel_error_time.cpp).
-/// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two even transforms of (3n)(3m) points: about
-///           twice the time of the transforms. Memory: 40 vectors of n·m, 100 in Patir's formulation.
+///           from 7 × 7 lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31
+///           (validation/acf_error_time.cpp).
+/// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
+/// points:
+///           the whole takes 1.1–1.5 times its transforms. Memory: 40 vectors of n·m, 100 in Patir's
+///           formulation.
 ///
 /// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
 /// [2] V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian three-dimensional rough
@@ -74,8 +78,8 @@ struct KernelRequest {
 
 struct KernelReport {
   bool converged = false;
-  std::string answer;  ///< "exact", "more-lags", "nearest", "least-squares"; "best" when not converged
-  std::string reason;  ///< how the iteration ended; when it failed, what to do
+  std::string answer;         ///< "exact", "more-lags", "nearest", "least-squares"; "best" when not converged
+  std::string reason;         ///< how the iteration ended; when it failed, what to do
   double residual = 0;        ///< max |R - target| over the equations [σ²]
   double change = 0;          ///< … over the lags prescribed, of an answer that is not exact
   double error = 0;           ///< … over all lags of the plane, those where R has ended included

@@ -8,9 +8,9 @@ namespace {
 constexpr Index width = MirroredTransform::width;
 
 void mirror(Parity parity, double* x, Index given, Index period) {
-  std::fill(x + given * width, x + (period - given + 1) * width, 0.0);
+  if (2 * given <= period) std::fill(x + given * width, x + (period - given + 1) * width, 0.0);
   const double sign = parity == Parity::even ? 1 : -1;
-  for (Index j = 1; j < given; ++j)
+  for (Index j = 1; j < std::min(given, (period + 1) / 2); ++j)
     for (Index q = 0; q < width; ++q) x[(period - j) * width + q] = sign * x[j * width + q];
 }
 

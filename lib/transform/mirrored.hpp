@@ -25,8 +25,9 @@ class MirroredTransform {
   explicit MirroredTransform(Index period) : complex_(period, width / 2) {}
 
   Index period() const { return complex_.points(); }
-  /// x[j][8] for 0 ≤ j < given ≤ n/2, zero further on, becomes X[k][8] for 0 ≤ k ≤ n/2. `x` is aligned and
-  /// has room for n rows; the others are scratch. Row 0 of an odd sequence must be zero.
+  /// x[j][8] for 0 ≤ j < given ≤ n/2 + 1, zero further on, becomes X[k][8] for 0 ≤ k < n (0 ≤ k ≤ n/2 of an
+  /// odd sequence, the others are scratch). `x` is aligned and has room for n rows. Rows 0 and n/2 of an odd
+  /// sequence must be zero.
   void apply(Parity parity, double* x, Index given) const;
 
  private:

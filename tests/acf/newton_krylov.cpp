@@ -35,7 +35,7 @@ struct Squares {
 TEST_CASE("square roots are found to the tolerance asked for", "[newton][exact]") {
   Squares squares{{1, 2, 9, 16}, {}};
   std::vector<double> u{3, 3, 3, 3};
-  const NewtonResult result = solve_newton_krylov(squares.system(), u, {.tolerance = 1e-12});
+  const IterationResult result = solve_newton_krylov(squares.system(), u, {.tolerance = 1e-12});
   CHECK(result.converged);
   CHECK(result.steps <=
         7);  // Newton's 3 → √c from 1.5 to 3 away: e ← e²/2u, four to six halvings of the exponent
@@ -45,7 +45,7 @@ TEST_CASE("square roots are found to the tolerance asked for", "[newton][exact]"
 TEST_CASE("with the exact inverse as preconditioner a Newton step takes one product", "[newton][law]") {
   Squares squares{{2, 5, 7}, {}};
   std::vector<double> u{2, 2, 2};
-  const NewtonResult result = solve_newton_krylov(squares.system(), u, {});
+  const IterationResult result = solve_newton_krylov(squares.system(), u, {});
   CHECK(result.converged);
   // One in GMRES and one more for the slope that the line search asks for.
   CHECK(result.jacobian_products <= 2 * result.steps);
@@ -55,7 +55,8 @@ TEST_CASE("an equation without a root ends within the steps allowed, at a finite
           "[newton][contract]") {
   Squares squares{{-1}, {}};
   std::vector<double> u{1.7};
-  const NewtonResult result = solve_newton_krylov(squares.system(), u, {.max_steps = 12, .max_products = 40});
+  const IterationResult result =
+      solve_newton_krylov(squares.system(), u, {.max_steps = 12, .max_products = 40});
   CHECK_FALSE(result.converged);
   CHECK_FALSE(result.reason.empty());
   CHECK(result.steps <= 12);
@@ -71,7 +72,7 @@ TEST_CASE("an iteration that cannot leave the edge of the domain says so and sta
     return everywhere(u, f) && u[0] >= 3;
   };
   std::vector<double> u{3};
-  const NewtonResult result = solve_newton_krylov(system, u, {});
+  const IterationResult result = solve_newton_krylov(system, u, {});
   CHECK_FALSE(result.converged);
   CHECK(result.reason == "every shorter step leaves the domain of the equations");
   CHECK(u[0] == 3);

@@ -1,0 +1,93 @@
+#include "acf/appraisal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "transform/zero_phase.hpp"
+
+namespace asperity {
+namespace {
+
+// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, as far as
+// the target is known.
+Shape extent(const Target& target, Shape lags, const Field& kernel) {
+  const Shape whole{std::max(2 * lags.nx, kernel.rows() + 1), std::max(2 * lags.ny, kernel.cols() + 1)};
+  const Shape known = target.known.value_or(whole);
+  return {std::min(whole.nx, known.nx), std::min(whole.ny, known.ny)};
+}
+
+Field table(const Target& target, Shape extent) {
+  Field out(extent.nx, 2 * extent.ny - 1);
+  const Index middle = extent.ny - 1;
+  auto at = [&](Index p, Index q) { return target(static_cast<double>(p), static_cast<double>(q)); };
+  for (Index p = 0; p < extent.nx; ++p)
+    for (Index q = 0; q < extent.ny; ++q) {
+      out(p, middle + q) = at(p, q);
+      out(p, middle - q) = target.oriented ? at(p, -q) : out(p, middle + q);
+    }
+  return out;
+}
+
+// The autocorrelation of a zero-phase kernel, by its real spectrum.
+Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows, Index columns) {
+  const Shape reach = shape_of(kernel);  // of R: its lags are below
+  auto side = [](Index n) { return fast_length(std::max<Index>(2 * n, 8), 2); };
+  const Shape torus{side(reach.nx), side(reach.ny)};
+  std::unique_ptr<ZeroPhaseTransform> transform;
+  if (oriented)
+    transform = std::make_unique<HalfPlaneTransform>(reach, torus);
+  else
+    transform = std::make_unique<QuarterTransform>(reach, torus);
+  const Index middle_x = reach.nx / 2, middle_y = reach.ny / 2;
+  std::vector<double> part = transform->part([&](Index k, Index l) {
+    return k <= middle_x && std::abs(l) <= middle_y ? kernel(middle_x + k, middle_y + l) : 0.0;
+  });
+  const double scale = 1 / static_cast<double>(torus.cells());
+  transform->filter(part, part, [&](Index, std::span<double> block) {
+    for (double& a : block) a *= scale * a;
+  });
+  return Field::NullaryExpr(rows, columns, [&](Index p, Index column) {
+    const Index q = column - columns / 2;
+    if (p >= reach.nx || std::abs(q) >= reach.ny) return 0.0;
+    return part[static_cast<std::size_t>(transform->place(p, q))];
+  });
+}
+
+void measure(Kernel& kernel) {
+  KernelReport& report = kernel.report;
+  const Field error = (kernel.acf_achieved - kernel.acf_target).abs();
+  const auto [n, m] = kernel.lags;
+  const Index middle = -kernel.first_q();
+  report.residual = error.block(0, middle, n, m).maxCoeff();
+  report.mirrored_error = n > 1 && m > 1 ? error.block(1, middle - m + 1, n - 1, m - 1).maxCoeff() : 0.0;
+  if (kernel.formulation != Formulation::patir)
+    report.residual = std::max(report.residual, report.mirrored_error);
+  report.error = error.maxCoeff();
+  report.tail = error.rows() > n ? error.bottomRows(error.rows() - n).maxCoeff() : 0.0;
+  if (middle >= m)
+    report.tail = std::max(
+        {report.tail, error.leftCols(middle - m + 1).maxCoeff(), error.rightCols(middle - m + 1).maxCoeff()});
+}
+
+}  // namespace
+
+std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values) {
+  const double sum = values.square().sum();
+  if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
+  if (values.sum() < 0) values = -values;
+  Kernel kernel;
+  kernel.formulation = formulation;
+  kernel.lags = lags;
+  kernel.values = std::move(values);
+  kernel.acf_target = table(target, extent(target, lags, kernel.values));
+  const Index rows = kernel.acf_target.rows(), columns = kernel.acf_target.cols();
+  kernel.acf_achieved =
+      formulation == Formulation::patir
+          ? autocorrelation(kernel.values, rows, columns)
+          : zero_phase_autocorrelation(kernel.values, formulation == Formulation::oriented, rows, columns);
+  measure(kernel);
+  return kernel;
+}
+
+}  // namespace asperity

@@ -1,0 +1,14 @@
+/// What a kernel achieves: its autocorrelation beside the target, and the largest errors.
+#pragma once
+
+#include <optional>
+
+#include "acf/kernel.hpp"
+
+namespace asperity {
+
+/// The kernel with its tables and the errors of its report; none when a coefficient is not finite or all are
+/// zero. Its sign, which is free, becomes that of a positive sum.
+std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values);
+
+}  // namespace asperity

@@ -1,0 +1,122 @@
+#include <algorithm>
+
+#include "acf/equations.hpp"
+#include "acf/normalise.hpp"
+
+namespace asperity {
+namespace {
+
+// |a^| this far below the rms is not inverted: there a preconditioner would only amplify.
+constexpr double inverse_floor = 1e-3;
+
+std::size_t size(Index n) { return static_cast<std::size_t>(n); }
+
+}  // namespace
+
+PatirEquations::PatirEquations(const Target& target, Shape lags)
+    : lags_(lags), transform_({fast_length(2 * lags.nx, 2), fast_length(2 * lags.ny, 2)}) {
+  for (Index p = 0; p < lags.nx; ++p)
+    for (Index q = 0; q < lags.ny; ++q)
+      target_.push_back(target(static_cast<double>(p), static_cast<double>(q)));
+  multiplicity_.assign(target_.size(), 1.0);
+  field_.resize(size(transform_.shape().cells()));
+  spectrum_.resize(size(transform_.spectrum_size()));
+  symbol_.resize(spectrum_.size());
+  inverse_.resize(spectrum_.size());
+}
+
+void PatirEquations::load(std::span<const double> u) {
+  std::fill(field_.begin(), field_.end(), 0.0);
+  const Index m = lags_.ny, stride = transform_.shape().ny;
+  for (Index k = 0; k < lags_.nx; ++k) std::copy_n(u.data() + k * m, m, field_.data() + k * stride);
+}
+
+void PatirEquations::load_even(std::span<const double> v) {
+  load(v);
+  const auto [rows, columns] = transform_.shape();
+  const Index m = lags_.ny;
+  for (Index p = 0; p < lags_.nx; ++p)
+    for (Index q = 0; q < m; ++q)
+      field_[size((rows - p) % rows * columns + (columns - q) % columns)] = v[size(p * m + q)];
+}
+
+void PatirEquations::forward() { transform_.forward(field_.data(), spectrum_.data()); }
+void PatirEquations::backward() { transform_.inverse(spectrum_.data(), field_.data()); }
+
+void PatirEquations::keep_causal() {
+  const auto [rows, columns] = transform_.shape();
+  for (Index p = 0; p < rows; ++p) {
+    double* row = field_.data() + p * columns;
+    std::fill(row + (p <= rows / 2 ? columns / 2 + 1 : 0), row + columns, 0.0);
+  }
+  field_[0] /= 2;
+}
+
+void PatirEquations::restrict_to(std::span<double> out, double scale) const {
+  const Index m = lags_.ny, stride = transform_.shape().ny;
+  for (Index k = 0; k < lags_.nx; ++k)
+    for (Index l = 0; l < m; ++l) out[size(k * m + l)] = scale * field_[size(k * stride + l)];
+}
+
+std::vector<double> PatirEquations::start() {
+  std::vector<double> u = target_;
+  normalise(u, multiplicity_, target_[0]);
+  return u;
+}
+
+bool PatirEquations::residual(std::span<const double> u, std::span<double> f) {
+  load(u);
+  forward();
+  for (Complex& a : spectrum_) a = std::norm(a);
+  backward();
+  restrict_to(f, 1 / static_cast<double>(field_.size()));
+  for (std::size_t i = 0; i < f.size(); ++i) f[i] -= target_[i];
+  return true;
+}
+
+void PatirEquations::linearize(std::span<const double> u) {
+  load(u);
+  forward();
+  std::copy(spectrum_.begin(), spectrum_.end(), symbol_.begin());
+  double power = 0;
+  for (const Complex& a : symbol_) power += std::norm(a);
+  const double floor = inverse_floor * inverse_floor * power / static_cast<double>(symbol_.size());
+  std::transform(symbol_.begin(), symbol_.end(), inverse_.begin(),
+                 [&](const Complex& a) { return 1 / std::max(std::norm(a), floor); });
+}
+
+void PatirEquations::jacobian(std::span<const double> v, std::span<double> out) {
+  load(v);
+  forward();
+  for (std::size_t i = 0; i < spectrum_.size(); ++i)
+    spectrum_[i] = (std::conj(symbol_[i]) * spectrum_[i]).real();
+  backward();
+  restrict_to(out, 2 / static_cast<double>(field_.size()));
+}
+
+void PatirEquations::adjoint(std::span<const double> v, std::span<double> out) {
+  load(v);
+  forward();
+  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] = spectrum_[i].real() * symbol_[i];
+  backward();
+  restrict_to(out, 2 / static_cast<double>(field_.size()));
+}
+
+void PatirEquations::precondition(std::span<double> v) {
+  load_even(v);
+  forward();
+  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= inverse_[i];
+  backward();
+  keep_causal();
+  forward();
+  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= symbol_[i];
+  backward();
+  const double points = static_cast<double>(field_.size());
+  restrict_to(v, 1 / (points * points));
+}
+
+Field PatirEquations::kernel(std::span<const double> u) const {
+  return Eigen::Map<const Field>(u.data(), lags_.nx, lags_.ny);
+}
+
+}  // namespace asperity

@@ -1,0 +1,204 @@
+#include "acf/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acf/appraisal.hpp"
+#include "acf/conjugate_gradient.hpp"
+#include "acf/least_change.hpp"
+#include "acf/least_squares.hpp"
+#include "acf/projections.hpp"
+#include "acf/wording.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double hopeless_share = 0.1;  // of the spectrum, negative
+constexpr double round_off = 1e-10;     // of the windowed spectrum
+constexpr double negligible_change = 1e-6;
+constexpr double largest_change = 1e-2;  // that `automatic` makes
+
+// Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
+long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
+constexpr long large_budget = 20000;
+
+// Half the tolerance inside, so that the residual recomputed by other sums stays below the whole.
+NewtonOptions options_for(const KernelRequest& request, Formulation formulation) {
+  NewtonOptions options;
+  options.tolerance = request.tolerance / 2;
+  if (formulation == Formulation::patir) {
+    options.krylov_dimension = 60;
+    options.restarts = 1;
+    options.forcing = 1e-2;
+  }
+  return options;
+}
+
+}  // namespace
+
+Search::Search(const KernelRequest& request, Shape lags)
+    : request_(request),
+      lags_(lags),
+      formulation_(request.formulation.value_or(request.target.oriented ? Formulation::oriented
+                                                                        : Formulation::symmetric)) {
+  auto zero_phase = std::make_unique<ZeroPhaseEquations>(request.target, lags, oriented());
+  for (double r : zero_phase->target()) {
+    if (!std::isfinite(r)) refuse("the autocorrelation is not finite at one of the " + text(lags) + " lags");
+    exceeds_variance_ = exceeds_variance_ || std::abs(r) > 1 + 1e-12;
+  }
+  feasibility_ = zero_phase->feasibility();
+  if (formulation_ == Formulation::patir) {
+    equations_ = std::make_unique<PatirEquations>(request.target, lags);
+  } else {
+    zero_phase_ = zero_phase.get();
+    equations_ = std::move(zero_phase);
+  }
+}
+
+void Search::run() {
+  if (spectral()) {
+    reason_ = "the root of the spectrum";
+    return consider(nearest_kernel(request_.target, lags_, oriented(), {.max_iterations = 0}).values,
+                    "spectral");
+  }
+  if (request_.method == Method::newton_krylov) return newton();
+  if (zero_phase_) zero_phase_->guard = false;
+  std::vector<double> u = equations_->start();
+  const bool descent = request_.method == Method::conjugate_gradient;
+  const double tolerance = request_.tolerance / 2;
+  count(descent ? solve_conjugate_gradient(*equations_, u, {.tolerance = tolerance})
+                : solve_fixed_point(equations_->system(), u, {.tolerance = tolerance}));
+  consider(u);
+}
+
+void Search::newton() {
+  infeasible_ = true;
+  std::vector<double> u = equations_->start();
+  if (recognised()) {
+    reason_ = "recognised before any iteration";
+    return;
+  }
+  std::vector<double> f(u.size());
+  if (!equations_->residual(u, f)) {
+    reason_ = "its windowed root is no start";
+    return;
+  }
+  const Report result = solve_newton_krylov(equations_->system(), u, options_for(request_, formulation_));
+  count(result);
+  if (result.converged) consider(u);
+  infeasible_ = !solved();
+}
+
+bool Search::recognised() const {
+  return zero_phase_ && (exceeds_variance_ || feasibility_.windowed < -round_off ||
+                         feasibility_.negative_share > hopeless_share);
+}
+
+// ---- candidates ----
+
+void Search::count(const Report& result) {
+  counts_.newton_steps += result.steps;
+  counts_.jacobian_products += result.jacobian_products;
+  counts_.preconditionings += result.preconditionings;
+  reason_ = result.reason;
+}
+
+void Search::consider(const std::vector<double>& u) { consider(equations_->kernel(u), "exact"); }
+
+// With the variance set right when it is no solution.
+void Search::consider(Field values, std::string answer) {
+  auto candidate = appraise(request_.target, lags_, formulation_, values);
+  if (candidate && !(candidate->report.residual <= request_.tolerance))
+    candidate = appraise(request_.target, lags_, formulation_,
+                         candidate->values / std::sqrt(candidate->values.square().sum()));
+  if (!candidate || !better(*candidate)) return;
+  candidate->report.answer = std::move(answer);
+  best_ = std::move(candidate);
+}
+
+bool Search::better(const Kernel& candidate) const {
+  const auto measured = zero_phase_ ? &KernelReport::error : &KernelReport::residual;
+  return !best_ || candidate.report.*measured < best_->report.*measured;
+}
+
+// ---- what has no kernel of positive spectrum ----
+
+void Search::answer() {
+  descend(recognised() ? 0 : modest_budget(equations_->count()));
+  if (solved()) {
+    infeasible_ = false;
+    return;
+  }
+  switch (request_.infeasible) {
+    case Infeasible::error:
+      return refuse(excuse());
+    case Infeasible::least_squares:
+      return descend(large_budget);
+    case Infeasible::nearest:
+      return zero_phase_ ? widen() : descend(large_budget);
+    case Infeasible::automatic:
+      if (!zero_phase_)
+        descend(large_budget);
+      else if (!best_ || !(best_->report.residual <= negligible_change))
+        widen();
+      if (!best_ || !(best_->report.residual <= largest_change)) refuse(excuse() + closest());
+  }
+}
+
+// By least squares; from the present best where there is one.
+void Search::descend(long budget) {
+  if (budget == 0) return;
+  if (zero_phase_) zero_phase_->guard = false;
+  if (descent_.empty()) descent_ = equations_->start();
+  const std::string reason = reason_;
+  count(minimise_squares(*equations_, descent_, {.max_products = budget}));
+  reason_ = reason;
+  consider(equations_->kernel(descent_), "least-squares");
+  if (best_ && solved()) best_->report.answer = "exact";
+}
+
+// By a kernel of twice the lags.
+void Search::widen() {
+  const double tolerance = request_.tolerance / 2;
+  const NearestKernel nearest = nearest_kernel(request_.target, lags_, oriented(), {.tolerance = tolerance});
+  consider(with_least_change(nearest.values, request_.target, lags_, oriented(), {.tolerance = tolerance}),
+           "nearest");
+  if (best_ && best_->report.answer == "nearest" && solved()) best_->report.answer = "wider";
+}
+
+std::string Search::closest() const {
+  if (!best_) return "; nothing close to it was found";
+  return "; the closest one found changes it by " + number(best_->report.residual) + ", more than " +
+         number(largest_change) + " (see --infeasible)";
+}
+
+std::string Search::excuse() const {
+  const Shape twice{2 * lags_.nx, 2 * lags_.ny};
+  std::string words = "no kernel of " + text(lags_) + " lags has this autocorrelation (" + reason_;
+  if (feasibility_.least < 0)
+    words += "; its spectrum falls to " + number(feasibility_.least) + " of its maximum";
+  return words + ")" + (request_.target.known ? "" : ": take more, such as " + text(twice));
+}
+
+void Search::refuse(const std::string& message) const {
+  if (request_.target.known) throw DataError("acf", message);
+  throw ParameterError("lags", message);
+}
+
+Kernel Search::finish() {
+  if (infeasible_) answer();
+  if (!best_) refuse("no finite kernel was found (" + reason_ + ")");
+  Kernel kernel = std::move(best_).value();
+  KernelReport& report = kernel.report;
+  report.converged = infeasible_ || spectral() || report.residual <= request_.tolerance;
+  if (!report.converged) report.answer = "best";
+  if (report.answer != "exact") report.change = report.residual;
+  report.reason = report.answer == "exact" ? "solved" : infeasible_ ? excuse() : reason_;
+  report.feasibility = feasibility_.least;
+  report.newton_steps = counts_.newton_steps;
+  report.jacobian_products = counts_.jacobian_products;
+  report.preconditionings = counts_.preconditionings;
+  return kernel;
+}
+
+}  // namespace asperity

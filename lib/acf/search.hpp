@@ -1,0 +1,71 @@
+/// The search for a kernel at given lags: the method asked for, and what follows when there is none.
+///
+/// Before any iteration the spectrum of the cut target is looked at. One that is negative beyond round-off
+/// under Fejér's window belongs to no surface, one whose negative part is a tenth of the whole is hopeless:
+/// neither is iterated on. Else Newton's iteration from the windowed root, which keeps to positive spectra,
+/// decides in a few steps, and least squares find the few kernels whose spectrum changes sign. A target that
+/// has no kernel then is
+///     refused,                                               or met by
+///     a wider kernel, of twice the lags or so: projections (acf/projections.hpp), then the least change that
+///     meets the equations (acf/least_change.hpp), exactly where an autocorrelation with these lags exists,
+///     or the n × m kernel of least squares (acf/least_squares.hpp),
+/// as KernelRequest::infeasible says. Of several candidates the one of the least error over all lags is kept.
+/// Patir's equations have no wider kernel: least squares answer for them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "acf/equations.hpp"
+#include "acf/kernel.hpp"
+
+namespace asperity {
+
+class Search {
+ public:
+  Search(const KernelRequest& request, Shape lags);
+
+  /// The method asked for. Throws ParameterError("target") or DataError("acf") when the target is not finite.
+  void run();
+  bool solved() const { return best_ && (best_->report.residual <= request_.tolerance || spectral()); }
+  const Kernel& best() const { return *best_; }
+  Formulation formulation() const { return formulation_; }
+  /// The best kernel and its report, after the answer to an infeasible target if it is one. Throws
+  /// ParameterError("lags"), or DataError("acf") for a table, where that is the answer.
+  Kernel finish();
+
+ private:
+  using Report = IterationResult;
+
+  void newton();
+  bool recognised() const;
+  void answer();
+  void descend(long budget);
+  void widen();
+  std::string closest() const;
+  void consider(const std::vector<double>& u);
+  void consider(Field values, std::string answer);
+  void count(const Report& result);
+  bool better(const Kernel& candidate) const;
+  bool spectral() const { return request_.method == Method::spectral; }
+  bool oriented() const { return formulation_ == Formulation::oriented; }
+  /// Why there is no kernel, and what can be done.
+  std::string excuse() const;
+  [[noreturn]] void refuse(const std::string& message) const;
+
+  const KernelRequest& request_;
+  Shape lags_;
+  Formulation formulation_;
+  std::unique_ptr<Equations> equations_;
+  ZeroPhaseEquations* zero_phase_ = nullptr;  ///< the same, or none in Patir's formulation
+  Feasibility feasibility_;
+  bool exceeds_variance_ = false;  ///< |R| > R(0,0) somewhere, as in no autocorrelation
+  std::optional<Kernel> best_;
+  std::vector<double> descent_;  ///< where least squares have come to
+  KernelReport counts_;
+  bool infeasible_ = false;
+  std::string reason_;
+};
+
+}  // namespace asperity
