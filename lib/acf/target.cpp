@@ -1,0 +1,164 @@
+#include "acf/target.hpp"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+
+#include "acf/matern.hpp"
+#include "acf/self_affine.hpp"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array models{"exponential",           "gaussian",    "matern",
+                            "stretched-exponential", "self-affine", "exponential-cosine"};
+constexpr Index most_lags = Index{1} << 30;
+
+void require(bool holds, const char* name, double value, const char* bound) {
+  if (holds) return;
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.6g", value);
+  throw ParameterError(name, std::string(number.data()) + bound);
+}
+
+void require_length(const char* name, double value) {
+  require(value >= 1e-100 && value <= 1e100, name, value, ": must lie in 1e-100 ... 1e100");
+}
+
+struct Direction {
+  double cosine = 1, sine = 0;
+};
+
+// An angle within 1e-12 of a multiple of a right angle is that.
+Direction direction(double angle) {
+  constexpr double right = std::numbers::pi / 2;
+  int quarters = 0;
+  if (std::abs(std::remquo(angle, right, &quarters)) > 1e-12) return {std::cos(angle), std::sin(angle)};
+  return quarters % 2 == 0 ? Direction{1, 0} : Direction{0, 1};
+}
+
+// The lags of (2): principal coordinates in units of the lengths, and boxes around the ellipses.
+struct Ellipse {
+  double xp, xq, yp, yq;  // x'/λx* = xp p + xq q, y'/λy* = yp p + yq q
+  double half_x, half_y;  // of the box around the unit ellipse [lags]
+
+  Ellipse(const EllipticTarget& t, Direction d)
+      : xp(d.cosine * t.spacing_x / t.length_x),
+        xq(d.sine * t.spacing_y / t.length_x),
+        yp(-d.sine * t.spacing_x / t.length_y),
+        yq(d.cosine * t.spacing_y / t.length_y),
+        half_x(std::hypot(t.length_x * d.cosine, t.length_y * d.sine) / t.spacing_x),
+        half_y(std::hypot(t.length_x * d.sine, t.length_y * d.cosine) / t.spacing_y) {}
+
+  double along(double p, double q) const { return xp * p + xq * q; }
+  double squared(double p, double q) const {
+    const double x = along(p, q), y = yp * p + yq * q;
+    return x * x + y * y;
+  }
+  Shape box(double radius) const {
+    auto lags = [&](double half) {
+      const double n = std::ceil(radius * half * (1 - 1e-12));
+      return n < static_cast<double>(most_lags) ? std::max<Index>(1, static_cast<Index>(n)) : most_lags;
+    };
+    return {lags(half_x), lags(half_y)};
+  }
+};
+
+// `radius(t)`: the least multiple of the lengths from which on the model is within t, 0 < t < 1.
+template <class Radius>
+auto reach(const Ellipse& ellipse, Radius radius) {
+  return [=](double t) {
+    if (t >= 1) return Shape{1, 1};
+    return t > 0 ? ellipse.box(radius(t)) : Shape{most_lags, most_lags};
+  };
+}
+
+Target stretched(const EllipticTarget& t, const Ellipse& ellipse, double exponent) {
+  const double log_level = std::log(t.level);
+  Target out;
+  if (t.model == Model::exponential_cosine)
+    out.correlation = [=, cycles = t.length_x / t.wavelength](double p, double q) {
+      const double envelope = std::exp(log_level * std::sqrt(ellipse.squared(p, q)));
+      const double phase = 2 * std::numbers::pi * (cycles * ellipse.along(p, q));
+      return envelope > 0 ? envelope * std::cos(phase) : 0;
+    };
+  else if (exponent == 1)
+    out.correlation = [=](double p, double q) {
+      return std::exp(log_level * std::sqrt(ellipse.squared(p, q)));
+    };
+  else if (exponent == 2)
+    out.correlation = [=](double p, double q) { return std::exp(log_level * ellipse.squared(p, q)); };
+  else
+    out.correlation = [=](double p, double q) {
+      return std::exp(log_level * std::pow(ellipse.squared(p, q), exponent / 2));
+    };
+  out.reach = reach(ellipse, [=](double u) { return std::pow(std::log(u) / log_level, 1 / exponent); });
+  return out;
+}
+
+// `last(t)`: the radius from which on |ρ| ≤ t.
+template <class Correlation, class Last>
+Target tabulated(const EllipticTarget& t, const Ellipse& ellipse, Correlation correlation, Last last) {
+  const auto rho = std::make_shared<const Correlation>(std::move(correlation));
+  const double radius = falls_to(*rho, t.level);
+  require(radius > 0, "level", t.level, ": passed at no lag above zero that could be told from it");
+  Target out([=](double p, double q) { return (*rho)(radius * std::sqrt(ellipse.squared(p, q))); });
+  out.reach = reach(ellipse, [=](double u) { return last(*rho, u) / radius; });
+  return out;
+}
+
+Target radial(const EllipticTarget& t, const Ellipse& ellipse) {
+  switch (t.model) {
+    case Model::matern:
+      return tabulated(t, ellipse, MaternCorrelation(t.smoothness), falls_to);
+    case Model::self_affine:
+      return tabulated(t, ellipse, SelfAffineCorrelation(t.hurst),
+                       [](const SelfAffineCorrelation& rho, double u) { return rho.last_above(u); });
+    case Model::gaussian:
+      return stretched(t, ellipse, 2);
+    case Model::stretched_exponential:
+      return stretched(t, ellipse, t.exponent);
+    default:
+      return stretched(t, ellipse, 1);
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(Model model) { return models[static_cast<std::size_t>(model)]; }
+
+Model model_named(std::string_view name) {
+  std::string all;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (name == models[i]) return static_cast<Model>(i);
+    all += (i == 0 ? "" : i + 1 == models.size() ? " and " : ", ") + std::string(models[i]);
+  }
+  throw ParameterError("target", "'" + std::string(name) + "' is none of " + all);
+}
+
+void EllipticTarget::check() const {
+  require(level > 0 && level < 1, "level", level, " does not lie between 0 and 1");
+  require(std::isfinite(angle), "angle", angle, ": must be finite");
+  for (double length : {length_x, length_y}) require_length("length", length);
+  for (double spacing : {spacing_x, spacing_y}) require_length("spacing", spacing);
+  if (model == Model::matern)
+    require(smoothness >= 0.01 && smoothness <= 100, "smoothness", smoothness, ": must lie in 0.01 ... 100");
+  if (model == Model::stretched_exponential)
+    require(exponent > 0 && exponent <= 2, "exponent", exponent, ": must be above 0 and at most 2");
+  if (model == Model::self_affine)
+    require(hurst >= 0.01 && hurst <= 1, "hurst", hurst, ": must lie in 0.01 ... 1");
+  if (model == Model::exponential_cosine) require_length("wavelength", wavelength);
+}
+
+Target EllipticTarget::target() const {
+  check();
+  const bool round = length_x == length_y && model != Model::exponential_cosine;
+  const Direction d = round ? Direction{} : direction(angle);
+  Target out = radial(*this, Ellipse(*this, d));
+  out.oriented = d.cosine != 0 && d.sine != 0;
+  return out;
+}
+
+}  // namespace asperity
