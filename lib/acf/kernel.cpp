@@ -61,7 +61,6 @@ constexpr double growth = 1.2;
 constexpr int most_trials = 10;
 
 Shape first_lags(const KernelRequest& request) {
-  if (request.target.known) return *request.target.known;
   if (!request.target.reach)
     throw ParameterError("lags", "are required: how far this target reaches is not known");
   return request.target.reach(std::min(cut_over_error * request.acf_tolerance, 0.5));
@@ -78,16 +77,47 @@ void refuse_too_many(const KernelRequest& request, Shape lags) {
                                               too_many(lags) + "; --lags takes fewer");
 }
 
+// Where a table has fallen to a twentieth along both axes: what an estimate has beyond is mostly its own error.
+Shape fallen(const Target& target, Shape known) {
+  auto fall = [](Index n, auto profile) {
+    for (Index lag = 1; lag < n; ++lag)
+      if (std::abs(profile(static_cast<double>(lag))) <= 0.05) return lag;
+    return n;
+  };
+  return {fall(known.nx, [&](double p) { return target(p, 0); }),
+          fall(known.ny, [&](double q) { return target(0, q); })};
+}
+
+// The whole table where it has a kernel; else so many lags, from those at which it has fallen downwards, that what is
+// nearest to them changes them by little. Another answer than the automatic one is about the whole table.
+Kernel solve_table(KernelRequest request) {
+  Search whole(request, *request.target.known);
+  whole.run();
+  if (whole.solved() || request.infeasible != Infeasible::automatic || request.method != Method::newton_krylov)
+    return whole.finish();
+  request.infeasible = Infeasible::nearest;
+  for (Shape lags = fallen(request.target, *request.target.known);;) {
+    Search search(request, lags);
+    search.run();
+    Kernel kernel = search.finish();
+    if (kernel.report.change <= Search::largest_change) return kernel;
+    const Shape fewer{std::max<Index>(1, lags.nx * 3 / 4), std::max<Index>(1, lags.ny * 3 / 4)};
+    if (fewer.cells() < 4) return whole.finish();  // which refuses
+    lags = fewer;
+  }
+}
+
 // More and more lags until the error over all of them is small enough. What can be had is answered by the
 // last of them.
 Kernel solve_at_open_lags(const KernelRequest& request) {
+  if (request.target.known) return solve_table(request);
   Shape lags = first_lags(request);
   for (int trial = 1;; ++trial, lags = more(lags)) {
     refuse_too_many(request, lags);
     Search search(request, lags);
     search.run();
     const bool enough = search.solved() && search.best().report.error <= request.acf_tolerance;
-    const bool hopeful = !request.target.known && search.formulation() != Formulation::patir &&
+    const bool hopeful = search.formulation() != Formulation::patir &&
                          (search.solved() || request.method == Method::newton_krylov);
     if (enough || !hopeful || trial == most_trials || unknowns(more(lags)) > most_unknowns)
       return search.finish();

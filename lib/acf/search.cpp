@@ -16,7 +16,6 @@ namespace {
 constexpr double hopeless_share = 0.1;  // of the spectrum, negative
 constexpr double round_off = 1e-10;     // of the windowed spectrum
 constexpr double negligible_change = 1e-6;
-constexpr double largest_change = 1e-2;  // that `automatic` makes
 
 // Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
 long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }

@@ -24,6 +24,9 @@ namespace asperity {
 
 class Search {
  public:
+  static constexpr double largest_change = 1e-2;  ///< that the automatic answer makes [σ²]
+
+  /// The request must live as long as the search.
   Search(const KernelRequest& request, Shape lags);
 
   /// The method asked for. Throws ParameterError("target") or DataError("acf") when the target is not finite.
