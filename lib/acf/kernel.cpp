@@ -93,7 +93,8 @@ Shape fallen(const Target& target, Shape known) {
 Kernel solve_table(KernelRequest request) {
   Search whole(request, *request.target.known);
   whole.run();
-  if (whole.solved() || request.infeasible != Infeasible::automatic || request.method != Method::newton_krylov)
+  if (whole.solved() || request.infeasible != Infeasible::automatic ||
+      request.method != Method::newton_krylov)
     return whole.finish();
   request.infeasible = Infeasible::nearest;
   for (Shape lags = fallen(request.target, *request.target.known);;) {

@@ -19,7 +19,8 @@ constexpr double negligible_change = 1e-6;
 
 // Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
 long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
-constexpr long large_budget = 20000;
+// Products of least squares that were asked for.
+long large_budget(Index unknowns) { return std::clamp<long>(100'000'000 / unknowns, 500, 20000); }
 
 // Half the tolerance inside, so that the residual recomputed by other sums stays below the whole.
 NewtonOptions options_for(const KernelRequest& request, Formulation formulation) {
@@ -132,12 +133,12 @@ void Search::answer() {
     case Infeasible::error:
       return refuse(excuse());
     case Infeasible::least_squares:
-      return descend(large_budget);
+      return descend(large_budget(equations_->count()));
     case Infeasible::nearest:
-      return zero_phase_ ? widen() : descend(large_budget);
+      return zero_phase_ ? widen() : descend(large_budget(equations_->count()));
     case Infeasible::automatic:
       if (!zero_phase_)
-        descend(large_budget);
+        descend(large_budget(equations_->count()));
       else if (!best_ || !(best_->report.residual <= negligible_change))
         widen();
       if (!best_ || !(best_->report.residual <= largest_change)) refuse(excuse() + closest());

@@ -22,7 +22,8 @@ class MirroredTransform {
   static constexpr Index width = 8;  ///< sequences
 
   /// The period is even.
-  explicit MirroredTransform(Index period) : complex_(period, width / 2) {}
+  explicit MirroredTransform(Index period)
+      : complex_(period, width / 2, InterleavedTransform::Ways::forward_only) {}
 
   Index period() const { return complex_.points(); }
   /// x[j][8] for 0 ≤ j < given ≤ n/2 + 1, zero further on, becomes X[k][8] for 0 ≤ k < n (0 ≤ k ≤ n/2 of an

@@ -75,7 +75,7 @@ void RealTransform::inverse(Complex* in, double* out) const {
   fftw_execute_dft_c2r(get(inverse_), raw(in), out);
 }
 
-InterleavedTransform::InterleavedTransform(Index n, Index width) : n_(n), width_(width) {
+InterleavedTransform::InterleavedTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
   const int points = static_cast<int>(n), sequences = static_cast<int>(width);
   auto plan = [&](int sign) {
     return make_plan(2 * size(n * width), [&](double* a) {
@@ -85,7 +85,7 @@ InterleavedTransform::InterleavedTransform(Index n, Index width) : n_(n), width_
     });
   };
   forward_ = plan(FFTW_FORWARD);
-  inverse_ = plan(FFTW_BACKWARD);
+  if (ways == Ways::both) inverse_ = plan(FFTW_BACKWARD);
 }
 
 void InterleavedTransform::forward(Complex* data) const {

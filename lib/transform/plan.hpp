@@ -75,7 +75,8 @@ class RealTransform {
 /// `width` interleaved sequences of n complex points each, x[point * width + sequence], in place.
 class InterleavedTransform {
  public:
-  InterleavedTransform(Index n, Index width);
+  enum class Ways { both, forward_only };
+  InterleavedTransform(Index n, Index width, Ways ways = Ways::both);
   Index points() const { return n_; }
   Index width() const { return width_; }
   void forward(Complex* data) const;

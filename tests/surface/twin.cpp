@@ -65,8 +65,9 @@ TEST_CASE("surfaces drawn from a measured surface's autocorrelation have it, wit
                 .half_plane() /
             surfaces;
   }
-  const AcfError error(LagField(autocorrelation(kernel.values, kernel.values.rows(), 2 * kernel.values.cols() - 1)),
-                       measured.grid);
+  const AcfError error(
+      LagField(autocorrelation(kernel.values, kernel.values.rows(), 2 * kernel.values.cols() - 1)),
+      measured.grid);
   for (Index p = 0; p < lags.nx; ++p)
     for (Index q = 1 - lags.ny; q < lags.ny; ++q) {
       const double bound = 4 * error.absolute(p, q) / std::sqrt(surfaces) + kernel.report.change;

@@ -1,0 +1,186 @@
+/// Error of the moving-average kernel against its cost, and what becomes of the extreme targets.
+///
+/// Targets of the first two tables: the exponential that has fallen to e⁻ᶜ at the last of n × m lags, oriented ones
+/// drawn out 3 : 1 and turned by 30°. `error` is the largest over all lags of the plane, `mirrored` that over the
+/// quadrant (p,-q), both against the true, uncut target; `ratio` is the time of the whole solve, plans, tables and
+/// report included, over that of the transforms that its residuals, products and preconditionings stand for, measured
+/// in the same run. Patir's preconditioning takes two transforms there and back, the others one.
+///
+/// The third table is the stability of the search: `outcome` is the report's answer, or "refused" with its exception.
+///
+///     acf_error_time [LARGEST_N]
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "acf/equations.hpp"
+#include "acf/kernel.hpp"
+#include "timing.hpp"
+
+using namespace asperity;
+
+namespace {
+
+KernelRequest cut(Shape lags, double c, Formulation formulation, Method method = Method::newton_krylov) {
+  const double n = static_cast<double>(lags.nx), m = static_cast<double>(lags.ny);
+  KernelRequest request;
+  request.target = ExponentialTarget{n, m, std::exp(-c)};
+  if (formulation == Formulation::oriented) {
+    request.target = [=](double p, double q) {
+      const double x = p / n, y = q / m, cosine = std::sqrt(0.75), sine = 0.5;
+      return std::exp(-c * std::hypot(cosine * x + sine * y, 3 * (cosine * y - sine * x)));
+    };
+    request.target.oriented = true;
+  }
+  request.lags = lags;
+  request.formulation = formulation;
+  request.method = method;
+  return request;
+}
+
+// One transform there and back on the torus of the formulation.
+double transform_seconds(const KernelRequest& request) {
+  if (request.formulation != Formulation::patir) {
+    const auto transform = zero_phase_transform(request.lags, request.formulation == Formulation::oriented);
+    std::vector<double> part(transform->multiplicity().size(), 1.0), out(part);
+    return seconds_of([&] { transform->filter(part, out, [](Index, std::span<double>) {}); });
+  }
+  const RealTransform2D transform({fast_length(2 * request.lags.nx, 2), fast_length(2 * request.lags.ny, 2)});
+  AlignedVector<double> field(static_cast<std::size_t>(transform.shape().cells()));
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  return seconds_of([&] {
+    transform.forward(field.data(), spectrum.data());
+    transform.inverse(spectrum.data(), field.data());
+  });
+}
+
+// A residual and half a linearisation a step.
+double transforms(const KernelReport& r, Formulation formulation) {
+  return 1.5 * static_cast<double>(r.newton_steps) + static_cast<double>(r.jacobian_products) +
+         (formulation == Formulation::patir ? 2 : 1) * static_cast<double>(r.preconditionings);
+}
+
+void row(const KernelRequest& request, double c) {
+  const KernelReport r = solve_kernel(request).report;
+  const double seconds = r.seconds > 1 ? r.seconds : seconds_of([&] { solve_kernel(request); });
+  const double count = transforms(r, *request.formulation);
+  const std::string ratio =
+      count > 0 ? fmt::format("{:.2f}", seconds / (count * transform_seconds(request))) : "-";
+  fmt::print("{}\t{}\t{}x{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{}\t{}\t{}\t{}\n", name_of(request.method),
+             name_of(*request.formulation), request.lags.nx, request.lags.ny, c, r.error, r.mirrored_error,
+             seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, r.answer);
+}
+
+void head(const char* title) {
+  fmt::print(
+      "\n# {}\n# method\tformulation\tlags\tc\terror\tmirrored\tseconds\tresidual\tsteps\tproducts\t"
+      "ratio\tanswer\n",
+      title);
+}
+
+// ---- stability ----
+
+struct Extreme {
+  const char* name;
+  const char* difficulty;
+  Target target;
+  Shape lags;
+};
+
+Target radial(double (*rho)(double), double length) {
+  return [=](double p, double q) { return rho(std::hypot(p, q) / length); };
+}
+
+// A table as an estimate from one surface leaves it: the exponential under noise that does not fall.
+Target noisy(Shape lags, double noise) {
+  Target target = [=](double p, double q) {
+    const double r = std::hypot(p, q);
+    const double ripple = noise * std::sin(12.9898 * p + 78.233 * q + 3 * std::cos(7.1 * p - 3.3 * q));
+    return r == 0 ? 1 : std::exp(-r / 6) + (p == 0 || q == 0 ? 0.5 : 1) * ripple;
+  };
+  target.known = lags;
+  return target;
+}
+
+std::vector<Extreme> extremes() {
+  auto exponential = [](double x, double y, double c) { return ExponentialTarget{x, y, std::exp(-c)}; };
+  auto gaussian = [](double r) { return std::exp(-r * r); };
+  auto delta = [](double p, double q) { return p == 0 && q == 0 ? 1.0 : 0.0; };
+  return {
+      {"10 % cut, 7x4", "spectrum negative", exponential(7, 4, 2.3), {7, 4}},
+      {"10 % cut, 13x13", "kernel's spectrum changes sign", exponential(13, 13, 2.3), {13, 13}},
+      {"10 % cut, 17x14", "no kernel of its size", exponential(17, 14, 2.3), {17, 14}},
+      {"10 % cut, 31x31", "no kernel of its size", exponential(31, 31, 2.3), {31, 31}},
+      {"1 % cut, 191x191", "no kernel of its size", exponential(191, 191, 4.6), {191, 191}},
+      {"Gaussian, e^-4.6", "cut spectrum negative", radial(gaussian, 31 / std::sqrt(4.6)), {31, 31}},
+      {"Gaussian, e^-14", "spectrum below round-off", radial(gaussian, 31 / std::sqrt(14)), {31, 31}},
+      {"Gaussian, e^-30", "spectrum below round-off", radial(gaussian, 31 / std::sqrt(30)), {31, 31}},
+      {"profile 1024x1", "one row", exponential(1024, 1, 4.6), {1024, 1}},
+      {"profile 1x64", "one column", exponential(1, 64, 4.6), {1, 64}},
+      {"strip 1024x2", "two columns", exponential(1024, 2, 4.6), {1024, 2}},
+      {"gamma = 100", "600 x 6 lags", exponential(600, 6, 4.6), {600, 6}},
+      {"delta, 1x1", "nothing to solve", delta, {1, 1}},
+      {"delta, 31x31", "the start is the solution", delta, {31, 31}},
+      {"constant", "does not fall at all", [](double, double) { return 1.0; }, {31, 31}},
+      {"length of 1e6 samples", "nearly constant", exponential(1e6, 1e6, 1), {31, 31}},
+      {"J0(r/4)", "a ring of a spectrum", radial([](double r) { return ::j0(r); }, 4), {31, 31}},
+      {"exp(-r) cos(4r), radial",
+       "no autocorrelation",
+       radial([](double r) { return std::exp(-r) * std::cos(4 * r); }, 6),
+       {31, 31}},
+      {"table, noise of 1e-3", "as estimated", noisy({24, 24}, 1e-3), {24, 24}},
+      {"table, noise of 3e-2", "as estimated", noisy({24, 24}, 3e-2), {24, 24}},
+      {"table, R(1) = -0.9",
+       "no autocorrelation",
+       [] {
+         Target t = [](double p, double q) { return q != 0 ? 0.0 : p == 0 ? 1.0 : p < 3 ? -0.9 : 0.0; };
+         t.known = Shape{8, 2};
+         return t;
+       }(),
+       {8, 2}},
+  };
+}
+
+void outcome(const Extreme& extreme, Infeasible infeasible) {
+  KernelRequest request;
+  request.target = extreme.target;
+  request.lags = extreme.lags;
+  request.infeasible = infeasible;
+  fmt::print("{}\t{}\t{}\t", extreme.name, extreme.difficulty, name_of(infeasible));
+  const Stopwatch watch;
+  try {
+    const Kernel k = solve_kernel(request);
+    const KernelReport& r = k.report;
+    fmt::print("{}\t{:.1e}\t{:.1e}\t{:.1e}\t{}x{}\t{:.2e}\n", r.answer, r.residual, r.error, r.feasibility,
+               k.values.rows(), k.values.cols(), r.seconds);
+  } catch (const std::exception& e) {
+    fmt::print("refused\t{}\t{:.2e}\n", e.what(), watch.seconds());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  print_conditions();
+  const Index largest = argc > 1 ? std::atol(argv[1]) : 63;
+  head("Newton-Krylov");
+  for (Formulation f : {Formulation::symmetric, Formulation::oriented, Formulation::patir})
+    for (Index n = 7; n <= largest; n = 2 * n + 1)
+      for (double c : {4.6, 6.0, 7.0, 9.0, 11.5, 14.0})
+        if (f != Formulation::patir || c == 4.6 || c == 7.0)
+          if (f != Formulation::patir || c == 7.0 || n <= 64) row(cut({n, n}, c, f), c);
+  for (Shape lags : {Shape{7, 4}, Shape{3, 3}, Shape{17, 4}, Shape{17, 14}, Shape{13, 13}})
+    for (Formulation f : {Formulation::symmetric, Formulation::patir}) row(cut(lags, 4.6, f), 4.6);
+  head("The other methods");
+  for (Method m : {Method::fixed_point, Method::conjugate_gradient, Method::spectral})
+    for (Formulation f : {Formulation::symmetric, Formulation::oriented, Formulation::patir})
+      for (Index n : {7, 15, 31}) row(cut({n, n}, 4.6, f, m), 4.6);
+  fmt::print(
+      "\n# Stability\n# "
+      "case\tdifficulty\tinfeasible\toutcome\tresidual\terror\tfeasibility\tkernel\tseconds\n");
+  for (const Extreme& extreme : extremes())
+    for (Infeasible i : {Infeasible::automatic, Infeasible::nearest, Infeasible::least_squares})
+      outcome(extreme, i);
+  return 0;
+}
