@@ -90,15 +90,16 @@ Shape fallen(const Target& target, Shape known) {
 
 // The whole table where it has a kernel; else so many lags, from those at which it has fallen downwards, that what is
 // nearest to them changes them by little. Another answer than the automatic one is about the whole table.
-Kernel solve_table(KernelRequest request) {
+Kernel solve_table(const KernelRequest& request) {
   Search whole(request, *request.target.known);
   whole.run();
   if (whole.solved() || request.infeasible != Infeasible::automatic ||
       request.method != Method::newton_krylov)
     return whole.finish();
-  request.infeasible = Infeasible::nearest;
+  KernelRequest nearest = request;
+  nearest.infeasible = Infeasible::nearest;
   for (Shape lags = fallen(request.target, *request.target.known);;) {
-    Search search(request, lags);
+    Search search(nearest, lags);
     search.run();
     Kernel kernel = search.finish();
     if (kernel.report.change <= Search::largest_change) return kernel;
