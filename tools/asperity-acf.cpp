@@ -15,7 +15,7 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Options {
-  bool absolute = false, biased = false, lengths = false, dataset = false;
+  bool absolute = false, biased = false, lengths = false, profiles = false, dataset = false;
   Shape max_lag;
 };
 
@@ -115,14 +115,26 @@ cli::Quantities lengths_of(const cli::Tool& tool, const cli::Measured& measured,
 
 // ---- the dataset ----
 
+// What an earlier run measured.
+void forget_acf(Dataset& data) {
+  data.erase("acf");
+  std::vector<std::string> stale;
+  for (const Attribute& a : data.attributes)
+    if (a.name.starts_with("acf_")) stale.push_back(a.name);
+  for (const std::string& name : stale) data.attributes.erase(name);
+}
+
 void add_to(Dataset& data, const cli::Measured& measured, const Estimate& estimate,
             const cli::Quantities& lengths, bool absolute) {
+  forget_acf(data);
   const Grid& grid = measured.grid;
   const double scale = absolute ? estimate.variance : 1;
   const std::string units = absolute ? measured.units_to(2) : "1";
   set_table(data, "acf", scale * estimate.rho.half_plane(), {"lag_x", 0, grid.dx, "m", "lag in x"},
             {"lag_y", -estimate.rho.max_q(), grid.dy, "m", "lag in y"},
             {units, "autocorrelation estimated from the field"});
+  // In m2; of a field that is no height there is none.
+  if (measured.units == "m") data.attributes.set("acf_variance", estimate.variance);
   for (const auto& row : lengths.rows) data.attributes.set("acf_" + row.name, row.value);
 }
 
@@ -136,7 +148,14 @@ void declare(cli::Tool& tool, Options& what) {
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");
   CLI::Option* lengths =
       tool.flag("--lengths", what.lengths, "Print the lengths and the ellipticity", "Result");
-  tool.flag("--dataset", what.dataset, "Write the dataset with the ACF added", "Result")->excludes(lengths);
+  CLI::Option* profiles =
+      tool.flag("--profiles", what.profiles,
+                "Print the two profiles R(p,0) and R(0,q); so do --json alone and a terminal", "Result")
+          ->excludes(lengths);
+  tool.flag("--dataset", what.dataset, "Write the dataset with the ACF added, as into a pipe or a file",
+            "Result")
+      ->excludes(lengths)
+      ->excludes(profiles);
   tool.input();
   tool.table();
   tool.output();
@@ -152,15 +171,26 @@ void declare(cli::Tool& tool, Options& what) {
       "exponential.");
 }
 
+// A dataset is binary: on a terminal, and as JSON, the profiles stand for it.
+bool prints_profiles(const cli::Tool& tool, const Options& what) {
+  if (what.dataset && tool.json())
+    throw cli::UsageError("json", "prints profiles or lengths, and does not go together with --dataset");
+  return what.profiles || tool.json() || (!what.dataset && tool.output_is_terminal());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-acf",
-      "The autocorrelation of a surface. Prints the two profiles R(p,0) and R(0,q) with standard errors, a "
-      "row a lag, beside the target where the dataset carries one (acf_target); or the lengths at which "
-      "they first fall to 10 % and to 1/e; or passes the dataset on with the whole ACF over lag_x >= 0 "
-      "and lag_y of both signs, and the lengths as attributes acf_length_10_x and so on.");
+      "The autocorrelation of a surface. Passes the dataset on with the whole ACF over lag_x >= 0 and lag_y "
+      "of both "
+      "signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, and the lengths "
+      "at which "
+      "it first falls to 10 % and to 1/e as acf_length_10_x and so on. Or prints these lengths; or, as on a "
+      "terminal, "
+      "the two profiles with standard errors, a row a lag, beside the target where the dataset carries one "
+      "(acf_target).");
   cli::MeasuredOptions options;
   Options what;
   options.declare(tool);
@@ -173,14 +203,14 @@ int main(int argc, char** argv) {
     const Estimate estimate =
         Estimate::of(measured, {.max_lag = max_lag, .biased = what.biased, .threads = tool.thread_count()});
 
-    if (what.dataset) {
-      add_to(data, measured, estimate, lengths_of(tool, measured, estimate), what.absolute);
-      tool.write(data);
-    } else if (what.lengths) {
+    if (what.lengths) {
       tool.write_text(render(lengths_of(tool, measured, estimate), tool.json(), tool.output_is_terminal()));
-    } else {
+    } else if (prints_profiles(tool, what)) {
       tool.write_text(
           render(profiles(measured, estimate, what.absolute), tool.json(), tool.output_is_terminal()));
+    } else {
+      add_to(data, measured, estimate, lengths_of(tool, measured, estimate), what.absolute);
+      tool.write(data);
     }
     return cli::done;
   });

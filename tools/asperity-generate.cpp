@@ -4,7 +4,7 @@
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "drawing.hpp"
-#include "kernel_dataset.hpp"
+#include "kernel_solve.hpp"
 
 using namespace asperity;
 
@@ -23,8 +23,8 @@ struct Options {
 void declare(cli::Tool& tool, Options& o) {
   const std::string surface = "Surface", ensemble = "Ensemble";
   tool.counts("--shape", o.shape, 1, "Points in x and y", surface);
-  tool.quantities("--size", o.size, "m", "Size in x and y; absent: --shape times the spacing of --kernel",
-                  surface);
+  tool.quantities("--size", o.size, "m",
+                  "Size in x and y; absent: --shape times the spacing of --kernel or --acf", surface);
   tool.quantity("--rq", o.acf.rms, "m",
                 "Rms height of the ensemble; a single surface differs from it by chance (see asperity-stats)",
                 surface);
@@ -38,8 +38,8 @@ void declare(cli::Tool& tool, Options& o) {
   o.acf.declare(tool);
   tool.text(
       "--kernel", o.kernel, "FILE",
-      "A kernel from asperity-kernel in place of --length; - is standard input, which is read when no option "
-      "names a target. --shape and --size come from its grid, where it has one and they are not given",
+      "A kernel from asperity-kernel in place of these; - is standard input, which is read when no option "
+      "names a target. --shape and --size come from its grid or that of --acf, where there is one",
       "Autocorrelation");
   tool.integer("--count", o.count, 1,
                "Surfaces to draw from one kernel; --output is then a pattern, s_%04d.nc", ensemble);
@@ -64,22 +64,6 @@ void declare(cli::Tool& tool, Options& o) {
       "asperity-acf.");
 }
 
-// Of a dataset that held a surface before, the kernel is wanted: not the heights and what was computed from
-// them.
-void forget_surface(Dataset& data) {
-  std::erase_if(data.variables, [](const Variable& v) {
-    return std::ranges::any_of(v.dimensions,
-                               [](const std::string& d) { return d == "x" || d == "y" || d == "z"; });
-  });
-  std::erase_if(data.dimensions,
-                [](const Dimension& d) { return d.name == "x" || d.name == "y" || d.name == "z"; });
-  std::vector<std::string> stale;
-  for (const Attribute& a : data.attributes)
-    for (const char* prefix : {"generate_", "contact_", "stress_"})
-      if (a.name.starts_with(prefix)) stale.push_back(a.name);
-  for (const std::string& name : stale) data.attributes.erase(name);
-}
-
 // The first option given of those that say which kernel to solve for, or nothing.
 std::string target_option(const cli::Tool& tool) {
   for (const CLI::Option* option : tool.app().get_options())
@@ -89,24 +73,29 @@ std::string target_option(const cli::Tool& tool) {
   return {};
 }
 
-Dataset solved(cli::Tool& tool, const Options& o, cli::Exit& code) {
-  if (!tool.given("--shape")) throw cli::UsageError("shape", "is required");
-  if (!tool.given("--length")) throw cli::UsageError("length", "is required, or --kernel");
-  if (!tool.given("--size")) throw cli::UsageError("size", "is required");
-  if (!tool.given("--rq")) throw cli::UsageError("rq", "is required: the rms height of the surface");
-  Dataset data = cli::solved_kernel(o.acf, cli::spacing_of(o.shape, o.size));
-  code = cli::tell(tool, data);
-  return data;
-}
-
 // Shape and size of the surface that the kernel's dataset has or had, where they are not given.
 void adopt_grid(const cli::Tool& tool, Options& o, const Dataset& data) {
   if (tool.given("--shape")) return;
   if (!data.has("x") || !data.has("y"))
-    throw cli::UsageError("shape", "is required: the kernel comes without a grid");
+    throw cli::UsageError("shape", "is required: the autocorrelation comes without a grid");
   const Grid grid = grid_of(data);
   o.shape = grid.shape;
   if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
+}
+
+Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
+  const bool model = !tool.given("--acf");
+  if (model && !tool.given("--shape")) throw cli::UsageError("shape", "is required");
+  if (model && !tool.given("--length")) throw cli::UsageError("length", "is required, or --acf or --kernel");
+  if (model && !tool.given("--size")) throw cli::UsageError("size", "is required");
+  const bool sized = tool.given("--shape") && tool.given("--size");
+  cli::Wanted wanted =
+      cli::wanted_kernel(tool, o.acf, sized ? cli::spacing_of(o.shape, o.size) : std::nullopt);
+  if (!wanted.has_height) throw cli::UsageError("rq", "is required: the rms height of the surface");
+  adopt_grid(tool, o, wanted.data);
+  cli::Solved kernel = cli::solve(std::move(wanted));
+  code = cli::tell(tool, kernel, true);
+  return std::move(kernel.data);
 }
 
 Dataset read_kernel(cli::Tool& tool, Options& o) {
@@ -115,8 +104,8 @@ Dataset read_kernel(cli::Tool& tool, Options& o) {
     throw cli::UsageError("length", "is required, or --kernel, or a kernel on standard input");
   Dataset data = decode_netcdf(bytes);
   adopt_grid(tool, o, data);
-  forget_surface(data);
-  cli::tell(tool, data);
+  cli::forget_surface(data);
+  cli::tell_read(tool, data);
   return data;
 }
 

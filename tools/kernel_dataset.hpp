@@ -8,8 +8,11 @@
 /// solve achieved.
 #pragma once
 
-#include "acf/newton_krylov.hpp"
-#include "cli/table.hpp"
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+
 #include "dataset/layout.hpp"
 #include "grid/error.hpp"
 #include "kernel_options.hpp"
@@ -29,6 +32,22 @@ struct KernelTables {
   }
 };
 
+/// Erases the variables on dimensions that `gone` names, but for the coordinates x and y, those dimensions, and the
+/// global attributes that begin with one of the prefixes.
+inline void forget(Dataset& data, const std::function<bool(const std::string&)>& gone,
+                   std::initializer_list<std::string_view> prefixes) {
+  std::erase_if(data.variables, [&](const Variable& v) {
+    return v.name != "x" && v.name != "y" && std::ranges::any_of(v.dimensions, gone);
+  });
+  std::erase_if(data.dimensions,
+                [&](const Dimension& d) { return d.name != "x" && d.name != "y" && gone(d.name); });
+  std::vector<std::string> stale;
+  for (const Attribute& a : data.attributes)
+    for (std::string_view prefix : prefixes)
+      if (a.name.starts_with(prefix)) stale.push_back(a.name);
+  for (const std::string& name : stale) data.attributes.erase(name);
+}
+
 inline void set_kernel(Dataset& data, const KernelTables& tables) {
   const std::string_view height = tables.has_height ? "m" : "1", variance = tables.has_height ? "m2" : "1";
   const std::string_view lag = tables.spacing ? "m" : "1";
@@ -42,6 +61,20 @@ inline void set_kernel(Dataset& data, const KernelTables& tables) {
   data.attributes.set("kernel_rms", tables.rms());
 }
 
+/// From the lags p and q in metres; of a single lag, from the other's.
+inline Spacing lag_spacing(const Dataset& data) {
+  if (data.at("p").attributes.text("units") != "m") return std::nullopt;
+  auto step = [&](const char* name) {
+    const std::vector<double> lags = numbers(data.at(name).values);
+    if (lags.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    if (!(lags[1] > lags[0])) throw DataError(name, "its lags do not grow");
+    return lags[1] - lags[0];
+  };
+  const double dx = step("p"), dy = step("q");
+  if (std::isnan(dx) && std::isnan(dy)) return std::nullopt;
+  return std::array{std::isnan(dx) ? dy : dx, std::isnan(dy) ? dx : dy};
+}
+
 /// Throws DataError when a table is missing or makes no sense.
 inline KernelTables kernel_of(const Dataset& data) {
   KernelTables tables{
@@ -50,58 +83,21 @@ inline KernelTables kernel_of(const Dataset& data) {
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
   tables.has_height = data.at("kernel").attributes.text("units") == "m";
-  const Variable &p = data.at("p"), &q = data.at("q");
-  if (p.attributes.text("units") == "m") {
-    const std::vector<double> rows = numbers(p.values), columns = numbers(q.values);
-    const double dx = rows.size() > 1 ? rows[1] - rows[0] : 0,
-                 dy = columns.size() > 1 ? columns[1] - columns[0] : 0;
-    if (!(dx > 0 && dy > 0)) throw DataError("p", "its lags do not grow");
-    tables.spacing = std::array{dx, dy};
-  }
+  tables.spacing = lag_spacing(data);
   return tables;
 }
 
-/// Solves for the kernel and puts it into a new dataset; the options are those of `declare`.
-inline Dataset solved_kernel(const KernelOptions& options, const Spacing& spacing) {
-  const KernelRequest request = options.request(spacing);
-  const Kernel kernel = solve_kernel(request);
-  Dataset data;
-  set_kernel(data,
-             {kernel.values, kernel.acf_target, kernel.acf_achieved, !std::isnan(options.rms), spacing});
-  const ExponentialTarget target = options.target(spacing);
-  const KernelReport& report = kernel.report;
-  Attributes& a = data.attributes;
-  a.set("kernel_target", "exponential");
-  a.set_values("kernel_length", Values(std::vector<double>{target.length_x, target.length_y}));  // in samples
-  a.set("kernel_level", target.level);
-  a.set("kernel_formulation", name_of(kernel.formulation));
-  a.set("kernel_method", "newton-krylov");
-  a.set("kernel_solver", "KINSOL of " + sundials_version());
-  a.set_values("kernel_lags", Values(std::vector<std::int32_t>{static_cast<std::int32_t>(kernel.lags.nx),
-                                                               static_cast<std::int32_t>(kernel.lags.ny)}));
-  a.set("kernel_tolerance", request.tolerance);
-  a.set("kernel_residual", report.residual);
-  a.set("kernel_error", report.error);
-  a.set("kernel_mirrored_error", report.mirrored_error);
-  a.set("kernel_tail", report.tail);
-  a.set("kernel_feasibility", report.feasibility);
-  a.set("kernel_newton_iterations", static_cast<int>(report.newton_steps));
-  a.set("kernel_jacobian_products", static_cast<int>(report.jacobian_products));
-  a.set("kernel_seconds", report.seconds);
-  a.set("kernel_converged", report.converged ? 1 : 0);
-  a.set("kernel_reason", report.reason);
-  return data;
+/// Leaves out what belongs to one surface: its heights, everything else on (x, y) or below it, and what was measured
+/// of it. The grid stays.
+inline void forget_surface(Dataset& data) {
+  forget(data, [](const std::string& d) { return d == "x" || d == "y" || d == "z" || d.starts_with("lag_"); },
+         {"generate_", "contact_", "stress_", "acf_"});
 }
 
-/// Says how the solve went, and returns the exit code that follows from it.
-inline Exit tell(const Tool& tool, const Dataset& data) {
-  const Attributes& a = data.attributes;
-  const std::string reason = a.text("kernel_reason");
-  tool.detail("kernel: " + reason + ", residual " + shortest(a.number("kernel_residual", NAN)) +
-              ", error over all lags " + shortest(a.number("kernel_error", NAN)));
-  if (a.number("kernel_converged", 1) != 0) return done;
-  tool.warn("kernel: " + reason);
-  return not_converged;
+/// Leaves out a kernel and how it was solved for.
+inline void forget_kernel(Dataset& data) {
+  forget(data, [](const std::string& d) { return d == "k" || d == "l" || d == "p" || d == "q"; },
+         {"kernel_"});
 }
 
 }  // namespace asperity::cli

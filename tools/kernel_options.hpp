@@ -1,7 +1,11 @@
 /// The options that say which autocorrelation a surface shall have, for the tools that solve for its kernel.
+///
+/// Their groups in --help, "Autocorrelation" and "Solution", are also how asperity-generate knows them.
 #pragma once
 
+#include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "acf/kernel.hpp"
@@ -12,49 +16,140 @@ namespace asperity::cli {
 /// Spacing of the samples in x and y [m], where it is known.
 using Spacing = std::optional<std::array<double, 2>>;
 
+/// An angle in radians: a bare number and "30deg" count degrees, "0.5rad" carries its unit.
+inline double parse_angle(const std::string& option, const std::string& text) {
+  const auto end = text.data() + text.size();
+  double degrees = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, degrees);
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  // UDUNITS has no "deg".
+  if (error == std::errc() && std::isfinite(degrees) && (unit.empty() || unit == "deg"))
+    return degrees * std::numbers::pi / 180;
+  const double radians = parse_quantity(option, text, "rad");
+  if (!std::isfinite(radians)) throw UsageError(option, "'" + text + "' is not finite");
+  return radians;
+}
+
 struct KernelOptions {
+  std::string target = "exponential", acf, angle = "0deg", wavelength;
   std::array<SampledLength, 2> length;
   double level = 0.1;
-  Shape lags;  ///< 0x0: six decay lengths
+  double smoothness = 1, exponent = 1, hurst = 0.8;
   double rms = NAN;
-  std::string formulation = "symmetric";
-  double tolerance = 1e-10;
+
+  Shape lags;  ///< 0x0: chosen
+  double acf_tolerance = 1e-3, tolerance = 1e-10;
+  std::string formulation, method = "newton-krylov", infeasible = "auto";
 
   void declare(Tool& tool) {
-    const std::string target = "Autocorrelation", solve = "Solution";
-    tool.lengths("--length", length,
-                 "Lengths at which it has fallen to --level, in x and y: 17px,4px or 0.4mm", target);
-    tool.number("--level", level, "What is left of it at --length; 0.3678794 makes them 1/e lengths", target);
-    tool.counts("--lags", lags, 1, "Lags prescribed in x and y; absent: six 1/e lengths each way", solve);
-    tool.choice("--formulation", formulation, {"symmetric", "patir"},
-                "Even kernel, right at all lags, or Patir's quadrant, wrong at the mirrored lags", solve);
-    tool.number("--tolerance", tolerance, "Largest residual of the equations, relative to the variance",
-                solve);
+    declare_target(tool, "Autocorrelation");
+    declare_solution(tool, "Solution");
   }
 
-  ExponentialTarget target(const Spacing& spacing) const {
-    const ExponentialTarget model{samples(0, spacing), samples(1, spacing), level};
-    model.check();
-    return model;
-  }
-
-  KernelRequest request(const Spacing& spacing) const {
-    const ExponentialTarget model = target(spacing);
-    KernelRequest out;
-    out.target = model;
-    out.lags = lags.nx > 0 ? lags : model.lags();
-    out.formulation = formulation_named(formulation);
-    out.rms = std::isnan(rms) ? 1 : rms;
-    out.tolerance = tolerance;
+  /// The model of --target, its lengths in metres, or in samples where no spacing is known. Throws UsageError for
+  /// options that it does not use.
+  EllipticTarget model(const Tool& tool, const Spacing& spacing) const {
+    refuse_unused(tool);
+    EllipticTarget out;
+    out.model = model_named(target);
+    out.spacing_x = spacing ? (*spacing)[0] : 1;
+    out.spacing_y = spacing ? (*spacing)[1] : 1;
+    out.length_x = metres("length", length[0], spacing, 0);
+    out.length_y = metres("length", length[1], spacing, 1);
+    out.level = level;
+    out.angle = parse_angle("angle", angle);
+    out.smoothness = smoothness;
+    out.exponent = exponent;
+    out.hurst = hurst;
+    if (!wavelength.empty())
+      out.wavelength = metres("wavelength", parse_length("wavelength", wavelength), spacing, 0);
     out.check();
     return out;
   }
 
+  /// Throws UsageError for an option that a table has no use for.
+  void refuse_model(const Tool& tool) const {
+    for (const char* option :
+         {"target", "length", "level", "angle", "smoothness", "exponent", "hurst", "wavelength"})
+      if (tool.given(std::string("--") + option))
+        throw UsageError(option, "does not go together with --acf, which is the whole autocorrelation");
+  }
+
  private:
-  double samples(std::size_t axis, const Spacing& spacing) const {
-    if (!length[axis].samples && !spacing)
-      throw UsageError("length", "a length in metres needs --spacing, or --shape and --size");
-    return length[axis].in_samples(spacing ? (*spacing)[axis] : 1.0);
+  void declare_target(Tool& tool, const std::string& group) {
+    tool.choice(
+        "--target", target,
+        {"exponential", "gaussian", "matern", "stretched-exponential", "self-affine", "exponential-cosine"},
+        "Its form, made elliptic by two lengths", group);
+    tool.lengths(
+        "--length", length,
+        "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px or "
+        "0.4mm; px of x and of y",
+        group);
+    tool.number("--level", level, "What is left of it at --length; 0.3678794 makes them 1/e lengths", group);
+    tool.text("--angle", angle, "ANGLE",
+              "From x towards y to the axis of the first length: 30, 30deg, 0.5rad", group);
+    tool.number(
+        "--smoothness", smoothness,
+        "Of matern: 0.5 is the exponential, large ones the Gaussian; the Hurst exponent where it is below 1",
+        group);
+    tool.number("--exponent", exponent, "Of stretched-exponential, exp(-r^EXPONENT), up to 2", group);
+    tool.number("--hurst", hurst, "Of self-affine, whose spectrum is flat below its roll-off, up to 1",
+                group);
+    tool.text("--wavelength", wavelength, "LENGTH",
+              "Of exponential-cosine along its first axis: 12px or 0.1mm", group);
+    tool.text("--acf", acf, "FILE",
+              "A table in place of all these: a dataset from asperity-acf, or one with acf_target; or text, "
+              "columns "
+              "under the header '# lag_x [um] lag_y [um] acf' or a plain matrix R(p,q); - is standard input",
+              group);
+  }
+
+  void declare_solution(Tool& tool, const std::string& group) {
+    tool.counts("--lags", lags, 1,
+                "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or all of the table",
+                group);
+    tool.number("--acf-tolerance", acf_tolerance,
+                "Largest error over all lags of the plane, relative to the variance, where --lags is absent",
+                group);
+    tool.choice("--formulation", formulation, {"symmetric", "oriented", "patir"},
+                "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
+                "quadrant, wrong at the mirrored lags; absent: by the target",
+                group);
+    tool.choice("--method", method, {"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"},
+                "How the equations are solved; spectral takes the root of the spectrum and solves nothing",
+                group);
+    tool.choice(
+        "--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
+        "Where no kernel of --lags has this autocorrelation: a wider kernel or the nearest that there is, "
+        "if it changes the target by 1e-2 at most (auto) or however much (nearest); the kernel of least "
+        "squares; or an error",
+        group);
+    tool.number("--tolerance", tolerance, "Largest residual of the equations, relative to the variance",
+                group);
+  }
+
+  void refuse_unused(const Tool& tool) const {
+    static constexpr struct {
+      const char *option, *target;
+    } shapes[] = {{"smoothness", "matern"},
+                  {"exponent", "stretched-exponential"},
+                  {"hurst", "self-affine"},
+                  {"wavelength", "exponential-cosine"}};
+    if (!tool.given("--length")) throw UsageError("length", "is required");
+    for (const auto& shape : shapes)
+      if (tool.given(std::string("--") + shape.option) && target != shape.target)
+        throw UsageError(shape.option,
+                         "belongs to --target " + std::string(shape.target) + ", not to " + target);
+    if (target == "exponential-cosine" && wavelength.empty())
+      throw UsageError("wavelength", "is required by --target exponential-cosine");
+  }
+
+  static double metres(const char* option, const SampledLength& given, const Spacing& spacing,
+                       std::size_t axis) {
+    if (!given.samples && !spacing)
+      throw UsageError(option, "a length in metres needs --spacing, or --shape and --size");
+    return given.metres(spacing ? (*spacing)[axis] : 1.0);
   }
 };
 

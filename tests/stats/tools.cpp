@@ -83,7 +83,7 @@ TEST_CASE("a plane is taken off with --form plane and the mean is reported eithe
 }
 
 TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
-  const Outcome run = run_on_surface("asperity-acf drawn.nc --max-lag 20x15");
+  const Outcome run = run_on_surface("asperity-acf drawn.nc --profiles --max-lag 20x15");
   REQUIRE(run.exit == 0);
   CHECK(
       run.out.starts_with("# direction\tlag [m]\tacf [1]\tstandard_error [1]\ttarget [1]\nx\t0\t1\t0\t1\n"));
@@ -108,17 +108,52 @@ TEST_CASE("asperity-acf finds the 10 % lengths within four of their standard err
   }
 }
 
-TEST_CASE("asperity-acf --dataset adds the ACF over both signs of the lag and leaves the rest as it was",
+TEST_CASE(
+    "into a pipe or a file asperity-acf adds the ACF over both signs of the lag and leaves the rest as it "
+    "was",
+    "[acf-tool][contract]") {
+  for (const char* how : {"asperity-acf --max-lag 12x9 < drawn.nc | cat > with-acf.nc",
+                          "asperity-acf drawn.nc --max-lag 12x9 -o with-acf.nc",
+                          "asperity-acf --dataset --max-lag 12x9 < drawn.nc > with-acf.nc"}) {
+    CAPTURE(how);
+    REQUIRE(run_on_surface(how).exit == 0);
+    const Dataset before = read_dataset("drawn.nc"), after = read_dataset("with-acf.nc");
+    for (const char* kept : {"heights", "acf_target", "p", "q"})
+      CHECK(after.at(kept).values == before.at(kept).values);
+    const Field acf = table_of(after, "acf");
+    CHECK(shape_of(acf) == Shape{13, 19});
+    CHECK(acf(0, 9) == 1);
+    CHECK(numbers(after.at("lag_y").values).front() == Approx(-9 * 30e-6).epsilon(1e-14));
+    CHECK(after.attributes.number("acf_length_10_x", 0) > 0);
+  }
+}
+
+TEST_CASE("acf_variance is the square of Rq, whatever the ACF is scaled to, and of heights only",
           "[acf-tool][contract]") {
-  REQUIRE(run_on_surface("asperity-acf --dataset --max-lag 12x9 < drawn.nc > with-acf.nc").exit == 0);
-  const Dataset before = read_dataset("drawn.nc"), after = read_dataset("with-acf.nc");
-  for (const char* kept : {"heights", "acf_target", "p", "q"})
-    CHECK(after.at(kept).values == before.at(kept).values);
-  const Field acf = table_of(after, "acf");
-  CHECK(shape_of(acf) == Shape{13, 19});
-  CHECK(acf(0, 9) == 1);
-  CHECK(numbers(after.at("lag_y").values).front() == Approx(-9 * 30e-6).epsilon(1e-14));
-  CHECK(after.attributes.number("acf_length_10_x", 0) > 0);
+  const double rq = json_of("asperity-stats drawn.nc --json")["Rq"]["value"];
+  for (const std::string scale : {"", " --absolute"}) {
+    REQUIRE(run_on_surface("asperity-acf drawn.nc -o with-acf.nc" + scale).exit == 0);
+    CHECK(relative_error(read_dataset("with-acf.nc").attributes.number("acf_variance", 0), rq * rq) <=
+          100 * epsilon);
+  }
+  Dataset data = read_dataset("with-acf.nc");
+  const Grid grid = grid_of(data);
+  set_field(data, "pressure", sample(grid, [](double x, double y) { return 1e9 * (x * x + y); }),
+            {"Pa", "pressure"});
+  write_dataset(data, "pressed.nc");
+  REQUIRE(shell("asperity-acf pressed.nc --variable pressure -q -o pressed-acf.nc").exit == 0);
+  CHECK(read_dataset("pressed-acf.nc").attributes.find("acf_variance") == nullptr);
+}
+
+TEST_CASE("asperity-acf --json prints the profiles, and does not go together with --dataset",
+          "[acf-tool][contract]") {
+  CHECK(json_of("asperity-acf drawn.nc --json") == json_of("asperity-acf drawn.nc --profiles --json"));
+  for (const char* two :
+       {"--dataset --json", "--dataset --profiles", "--profiles --lengths", "--dataset --lengths"}) {
+    const Outcome run = run_on_surface(std::string("asperity-acf drawn.nc ") + two);
+    CAPTURE(two, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+  }
 }
 
 TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-tool][law]") {

@@ -1,0 +1,41 @@
+/// Autocorrelations given as tables: measured, computed elsewhere, or those of another kernel.
+///
+/// A table holds R(p,q) over the half plane p = 0…P (rows), q = -Q…Q (columns, odd in number); the other half
+/// follows from R(-p,-q) = R(p,q). As a target it is known at |p| ≤ P, |q| ≤ Q only, is divided by R(0,0), and
+/// is the table to the last bit elsewhere than in row 0, whose two halves say the same and must agree.
+///
+/// Refused is what can be no autocorrelation: R(0,0) not positive, |R| above R(0,0), a number that is not
+/// finite, a row 0 that is not even. Whether the table is positive definite is the solver's question.
+#pragma once
+
+#include <vector>
+
+#include "acf/target.hpp"
+#include "grid/field.hpp"
+
+namespace asperity {
+
+/// The table as a target; `oriented` where R(p,-q) differs from R(p,q) by more than 1e-12 R(0,0). Throws
+/// DataError("acf", …).
+Target target_of_table(Field half_plane);
+
+/// The half plane of a quadrant R(p,q), p = 0…P, q = 0…Q, whose R is even in p and in q.
+Field half_plane_of_quadrant(const Field& quadrant);
+
+/// A value at a lag in units of any length.
+struct LagValue {
+  double lag_x, lag_y, value;
+};
+
+/// A table with the steps of its lags, NaN where there is one lag only.
+struct LagTable {
+  Field half_plane;
+  double step_x, step_y;
+};
+
+/// The half plane of values at evenly spaced lags, in any order, each lag or its mirror image (-p,-q) once at
+/// least: the whole plane, half of it, or a quadrant, which is taken to be even. Lags may be rounded to 1e-3 of a
+/// step. Throws DataError("acf", …).
+LagTable table_of_lags(const std::vector<LagValue>& values);
+
+}  // namespace asperity

@@ -1,0 +1,336 @@
+// The options of the target and of the solution, and tables of measured autocorrelations, as a user types them.
+#include <cmath>
+#include <numbers>
+
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+Attributes solved(const std::string& options) {
+  const Outcome run = shell("asperity-kernel -q " + options + " -o solved.nc");
+  CAPTURE(options, run.error);
+  REQUIRE(run.exit == 0);
+  CHECK(run.error.empty());
+  return read_dataset("solved.nc").attributes;
+}
+
+Field target_of(const std::string& options) {
+  solved(options);
+  return table_of(read_dataset("solved.nc"), "acf_target");
+}
+
+void refused(const std::string& line, int code, const std::string& words) {
+  const Outcome run = shell(line + " -o absent.nc");
+  CAPTURE(line, run.error);
+  CHECK(run.exit == code);
+  CHECK(lines(run.error) == 1);
+  CHECK_THAT(run.error, ContainsSubstring(words));
+}
+
+void write_text(const std::string& name, const std::string& text) {
+  std::ofstream(scratch(name), std::ios::binary) << text;
+}
+
+}  // namespace
+
+TEST_CASE("every target is at --level at its lengths, and its kernel has it over all lags", "[kernel][law]") {
+  const std::pair<std::string, std::string> shapes[] = {
+      {"exponential", ""},
+      {"gaussian", ""},
+      {"matern", " --smoothness 1.5"},
+      {"stretched-exponential", " --exponent 0.7 --acf-tolerance 0.02"},
+      {"self-affine", " --hurst 0.8 --acf-tolerance 0.02"}};
+  for (const auto& [name, shape] : shapes) {
+    const Attributes a = solved("--target " + name + shape + " --length 6px,3px --level 0.3");
+    const Dataset data = read_dataset("solved.nc");
+    const Field target = table_of(data, "acf_target"), achieved = table_of(data, "acf_achieved");
+    const Index middle = target.cols() / 2;
+    CAPTURE(name);
+    CHECK(std::abs(target(6, middle) - 0.3) <= 1e-9);
+    CHECK(std::abs(target(0, middle + 3) - 0.3) <= 1e-9);
+    CHECK((target - achieved).abs().maxCoeff() <= a.number("kernel_acf_tolerance", 0));
+    CHECK(a.text("kernel_target") == name);
+    CHECK(a.number("kernel_level", 0) == 0.3);
+  }
+}
+
+// 0.3 is its envelope's; at half a wavelength along the first axis the cosine is -1.
+TEST_CASE("exponential-cosine oscillates with its wavelength below the envelope", "[kernel][exact]") {
+  const Field target = target_of(
+      "--target exponential-cosine --length 6px,4px --level 0.3 --wavelength 12px --acf-tolerance 1e-2");
+  CHECK(std::abs(target(6, target.cols() / 2) + 0.3) <= 1e-12);
+  CHECK(std::abs(target(0, target.cols() / 2 + 4) - 0.3) <= 1e-12);
+}
+
+TEST_CASE("the shape of a target is recorded beside its name", "[kernel][contract]") {
+  const std::string length = " --length 4px --acf-tolerance 0.05";
+  CHECK(solved("--target matern --smoothness 2" + length).number("kernel_smoothness", 0) == 2);
+  CHECK(solved("--target stretched-exponential --exponent 1.5" + length).number("kernel_exponent", 0) == 1.5);
+  CHECK(solved("--target self-affine --hurst 0.7" + length).number("kernel_hurst", 0) == 0.7);
+  CHECK(solved("--target exponential-cosine --wavelength 9px" + length).number("kernel_wavelength", 0) == 9);
+  CHECK(solved("--length 4px").find("kernel_hurst") == nullptr);
+}
+
+// 20 µm and 5 µm on samples of 5 µm and 2.5 µm are 4 and 2 samples along the axes: at 30° the point (2√3, 4)
+// in samples is 20 µm from the origin along the first axis, which no sample hits; but (p, q) = (2, 4) lies at 45°.
+TEST_CASE("an angle turns the lengths in metres, in degrees or radians", "[kernel][exact]") {
+  const std::string turned = "--length 20um,5um --spacing 5um,2.5um --acf-tolerance 0.01 --angle ";
+  const Field target = target_of(turned + "45");
+  const Index middle = target.cols() / 2;
+  const double first = 2 * 5e-6 * std::numbers::sqrt2 / 20e-6, second = 2 * 5e-6 * std::numbers::sqrt2 / 5e-6;
+  CHECK(target(2, middle + 4) == Approx(std::pow(0.1, first)).epsilon(1e-12));
+  CHECK(target(2, middle - 4) == Approx(std::pow(0.1, second)).epsilon(1e-12));
+  CHECK((target_of(turned + "45deg") == target).all());
+  CHECK((target_of(turned + "0.78539816339744828rad") - target).abs().maxCoeff() <= 1e-14);
+  CHECK(read_dataset("solved.nc").attributes.text("kernel_formulation") == "oriented");
+  CHECK((target_of("--length 4px,2px --spacing 5um,2.5um --acf-tolerance 0.01 --angle 45") == target).all());
+}
+
+TEST_CASE("an option that the target does not use, or cannot, is exit 2 and names the option",
+          "[kernel][contract]") {
+  const std::string kernel = "asperity-kernel --length 4px ";
+  const std::pair<std::string, std::string> bad[] = {
+      {"--hurst 0.5", "--hurst"},
+      {"--target gaussian --smoothness 1", "--smoothness"},
+      {"--target matern --exponent 1", "--exponent"},
+      {"--target self-affine --wavelength 9px", "--wavelength"},
+      {"--target exponential-cosine", "--wavelength"},
+      {"--target exponential-cosine --wavelength 9um", "--wavelength"},
+      {"--target exponential-cosine --wavelength 9", "--wavelength"},
+      {"--target exponential-cosine --wavelength=-9px", "--wavelength"},
+      {"--target bessel", "--target"},
+      {"--target matern --smoothness 0", "--smoothness"},
+      {"--target stretched-exponential --exponent 2.1", "--exponent"},
+      {"--target self-affine --hurst nan", "--hurst"},
+      {"--angle north", "--angle"},
+      {"--angle 3mm", "--angle"},
+      {"--angle inf", "--angle"},
+      {"--angle 20 --length 4px,2px --formulation symmetric", "--formulation"},
+      {"--formulation diagonal", "--formulation"},
+      {"--method bisection", "--method"},
+      {"--infeasible ignore", "--infeasible"},
+      {"--acf-tolerance 0", "--acf-tolerance"},
+      {"--tolerance 0", "--tolerance"},
+      {"--level 0", "--level"}};
+  for (const auto& [options, words] : bad) refused(kernel + options, 2, words);
+  refused("asperity-kernel", 2, "--length");
+  refused("asperity-kernel --length 1mm", 2, "--length");
+}
+
+TEST_CASE("the lags that were chosen are told with their error, which keeps to --acf-tolerance",
+          "[kernel][contract]") {
+  const Outcome run = shell("asperity-kernel --length 9px,4px --acf-tolerance 1e-4 -o chosen.nc");
+  REQUIRE(run.exit == 0);
+  const Attributes a = read_dataset("chosen.nc").attributes;
+  const std::vector<double> lags = numbers(*a.find("kernel_lags"));
+  CHECK(lines(run.error) == 1);
+  CHECK(run.error.starts_with("asperity-kernel: " + std::to_string(static_cast<int>(lags[0])) + "x" +
+                              std::to_string(static_cast<int>(lags[1])) +
+                              " lags chosen: error over all lags "));
+  CHECK(a.number("kernel_error", 1) <= 1e-4);
+  CHECK(shell("asperity-kernel --length 9px,4px --lags 20x9 -o given.nc").error.empty());
+  CHECK(
+      shell("asperity-generate --length 9px,4px --shape 9x9 --size 1mm --rq 1um -o silent.nc").error.empty());
+  CHECK_THAT(shell("asperity-generate -v --length 9px,4px --shape 9x9 --size 1mm --rq 1um -o aloud.nc").error,
+             ContainsSubstring("lags chosen"));
+}
+
+// An exponential of which 10 % are left at the last of 31 lags has no kernel of 31 × 31.
+TEST_CASE("a target without a kernel of these lags is met by a wider one, or refused", "[kernel][contract]") {
+  const std::string cut = "asperity-kernel --length 31px --lags 31x31 -o cut.nc ";
+  const Outcome wider = shell(cut);
+  CAPTURE(wider.error);
+  REQUIRE(wider.exit == 0);
+  CHECK((lines(wider.error) == 1 && wider.error.find("wider") != std::string::npos));
+  const Dataset data = read_dataset("cut.nc");
+  CHECK(data.attributes.text("kernel_answer") == "wider");
+  CHECK(data.attributes.number("kernel_change", 1) <= 1e-9);
+  CHECK(table_of(data, "kernel").rows() > 61);
+  CHECK(shell(cut + "-q").error.empty());
+
+  const Outcome squares = shell(cut + "-q --infeasible least-squares");
+  CAPTURE(squares.error);
+  REQUIRE(squares.exit == 0);
+  const Attributes a = read_dataset("cut.nc").attributes;
+  CHECK(a.text("kernel_answer") == "least-squares");
+  CHECK((a.number("kernel_change", 0) <= 1e-6 ||
+         (lines(squares.error) == 1 && squares.error.find("warning") != std::string::npos)));
+  refused("asperity-kernel --length 31px --lags 31x31 --infeasible error", 2, "--lags");
+}
+
+TEST_CASE("every method and formulation is recorded, and the equations hold", "[kernel][law]") {
+  for (const char* method : {"newton-krylov", "fixed-point"})
+    for (const char* formulation : {"symmetric", "oriented", "patir"}) {
+      const Attributes a = solved(std::string("--length 4px,3px --lags 11x9 --method ") + method +
+                                  " --formulation " + formulation);
+      CAPTURE(method, formulation);
+      CHECK(a.text("kernel_method") == method);
+      CHECK(a.text("kernel_formulation") == formulation);
+      CHECK(a.number("kernel_residual", 1) <= 1e-10);
+    }
+  CHECK(solved("--length 4px,3px --method spectral").text("kernel_answer") == "spectral");
+}
+
+// ---- tables ----
+
+TEST_CASE("a table of columns has its units, any order of columns and other columns beside",
+          "[kernel][exact]") {
+  write_text(
+      "columns.txt",
+      "# by hand\n# acf [um2]\tlag_y [um]\tnoise\tlag_x [um]\n4,0,0,0\n1 2 0 0\n\n2\t0\t0\t5\r\n0.5;2;9;5\n");
+  const Attributes a = solved("--acf columns.txt --lags 2x2");
+  const Dataset data = read_dataset("solved.nc");
+  CHECK(a.text("kernel_target") == "table");
+  CHECK(a.number("kernel_rms", 0) == Approx(2e-6).epsilon(1e-14));
+  CHECK(data.at("acf_target").attributes.text("units") == "m2");
+  CHECK(numbers(data.at("p").values)[1] == Approx(5e-6).epsilon(1e-14));
+  CHECK(numbers(data.at("q").values).back() == Approx(2e-6).epsilon(1e-14));
+  const Field target = table_of(data, "acf_target");
+  CHECK(target(1, 0) == Approx(0.5e-12).epsilon(1e-14));
+  CHECK(solved("--acf columns.txt --rq 1um").number("kernel_rms", 0) == Approx(1e-6).epsilon(1e-14));
+}
+
+TEST_CASE("a plain matrix is a quadrant in samples, from standard input too", "[kernel][exact]") {
+  write_text("matrix.txt", "1 0.4 0.1\n0.5 0.2 0.05\n");
+  const Field target = target_of("--acf matrix.txt");
+  Field half(2, 5);
+  half << 0.1, 0.4, 1, 0.4, 0.1, 0.05, 0.2, 0.5, 0.2, 0.05;
+  CHECK((target == half).all());
+  CHECK((target_of("--acf - < matrix.txt") == half).all());
+  CHECK(read_dataset("solved.nc").at("p").attributes.text("units") == "1");
+  refused("asperity-generate --acf matrix.txt --shape 9x9 --size 1mm", 2, "--rq");
+  refused("asperity-generate --acf matrix.txt --rq 1um --size 1mm", 2, "--shape");
+  CHECK(shell("asperity-generate --acf matrix.txt --rq 1um --shape 9x9 --size 9um -o drawn.nc").exit == 0);
+}
+
+TEST_CASE("a text that is no autocorrelation is exit 4 and one line that names acf", "[kernel][contract]") {
+  const std::string bad[] = {"",
+                             "\n\n",
+                             "# lag_x lag_y acf\n",
+                             "0 0.5\n0.5 0.2\n",
+                             "-1 0\n",
+                             "1 1.5\n0.5 0.2\n",
+                             "1 nan\n",
+                             "1 inf\n",
+                             "1 1e400\n",
+                             "1 0.5\n0.5\n",
+                             "1 0.5 x\n",
+                             "%PDF-1.7 \x01\x02\xff",
+                             std::string("\0\0\0\0", 4),
+                             "# lag_x acf\n0 1\n",
+                             "# lag_x [um] lag_y acf\n0 0 1\n",
+                             "# lag_x [s] lag_y [s] acf\n0 0 1\n1 0 .5\n",
+                             "# lag_x lag_y acf\n0 0 1\n1 0 .5\n3 0 .2\n",
+                             "# lag_x lag_y acf\n0 0 1\n1 0 .5\n2.5 0 .2\n",
+                             "# lag_x lag_y acf\n0 0 1\n1e-300 0 .5\n1e300 0 .2\n",
+                             "# lag_x lag_y acf\n0 0 1\n0 1 .5\n0 -1 .4\n",
+                             "# lag_x lag_y acf\n0 0\n"};
+  for (const std::string& text : bad) {
+    write_text("bad.txt", text);
+    CAPTURE(text);
+    refused("asperity-kernel --acf bad.txt", 4, "acf");
+  }
+  CHECK(shell("asperity-kernel --acf no-such-file -o absent.nc").exit == 1);
+}
+
+TEST_CASE("a dataset whose table is none, or does not fit its grid, is exit 4", "[kernel][contract]") {
+  const Grid grid{{8, 8}, 1e-6, 1e-6, false};
+  auto write = [&](const Field& acf, Axis row, Axis column) {
+    Dataset data;
+    set_grid(data, grid);
+    set_table(data, "acf", acf, row, column, {"1", "autocorrelation"});
+    write_dataset(data, "table.nc");
+  };
+  Field acf(2, 3);
+  acf << 0.5, 1, 0.5, 0.2, 0.5, 0.2;
+  write(acf, {"lag_x", 0, 1e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
+  REQUIRE(shell("asperity-kernel --acf table.nc -o fits.nc").exit == 0);
+  refused("asperity-kernel --acf table.nc --spacing 2um", 2, "--spacing");
+  for (const char* option : {"--length 4px", "--target gaussian", "--angle 3", "--level 0.2"})
+    refused("asperity-kernel --acf table.nc " + std::string(option), 2, "--acf");
+  refused("asperity-kernel --acf table.nc --lags 3x2", 2, "--lags");
+  refused("asperity-generate --acf table.nc --kernel fits.nc --rq 1um", 2, "--acf");
+
+  write(acf, {"lag_x", 0, 2e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
+  refused("asperity-kernel --acf table.nc", 4, "acf");
+  write(acf, {"lag_x", 1, 1e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
+  refused("asperity-kernel --acf table.nc", 4, "acf");
+  write(acf, {"lag_x", 0, 1e-6, "s"}, {"lag_y", -1, 1e-6, "s"});
+  refused("asperity-kernel --acf table.nc", 4, "acf");
+  write(acf.leftCols(2), {"lag_x", 0, 1e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
+  refused("asperity-kernel --acf table.nc", 4, "acf");
+  acf(1, 2) = std::nan("");
+  write(acf, {"lag_x", 0, 1e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
+  refused("asperity-kernel --acf table.nc", 4, "acf");
+  Dataset none;
+  set_grid(none, grid);
+  write_dataset(none, "none.nc");
+  refused("asperity-kernel --acf none.nc", 4, "acf");
+}
+
+// J0-like: an autocorrelation of a surface of one wavelength, which a few lags cannot hold.
+TEST_CASE("a table that has no kernel near it is exit 4, or the nearest with a warning",
+          "[kernel][contract]") {
+  write_text("wave.txt", "1 0.9 -0.9\n0.9 -0.9 0.9\n-0.9 0.9 0.9\n");
+  refused("asperity-kernel --acf wave.txt", 4, "acf");
+  refused("asperity-kernel --acf wave.txt --infeasible error", 4, "acf");
+  const Outcome run = shell("asperity-kernel -q --acf wave.txt --infeasible nearest -o nearest.nc");
+  CAPTURE(run.error);
+  CHECK(run.exit == 0);
+  CHECK((lines(run.error) == 1 && run.error.find("warning: no kernel of 3x3 lags") != std::string::npos));
+  const Attributes a = read_dataset("nearest.nc").attributes;
+  CHECK(a.text("kernel_answer") == "nearest");
+  CHECK(a.number("kernel_change", 0) > 1e-2);
+}
+
+// A moving average of 400 × 300 points; its own ACF, biased and so positive definite but for the cut at 24 lags, is the
+// target of the twin. The ensemble of the twin has acf_achieved, which is within kernel_error of it.
+TEST_CASE("a surface's autocorrelation flows into a kernel and on into a twin", "[kernel][law]") {
+  REQUIRE(
+      shell(
+          "asperity-generate --shape 400x300 --size 0.4mm,0.6mm --rq 0.4um --length 6px,3px --seed 3 -o s.nc")
+          .exit == 0);
+  Dataset own = read_dataset("s.nc");
+  own.attributes.set("instrument", "kept");
+  write_dataset(own, "s.nc");
+  const Outcome run = shell(
+      "asperity-acf s.nc --biased --max-lag 24x16 | asperity-kernel --acf - --infeasible nearest"
+      " | asperity-generate --seed 4 > twin.nc");
+  CAPTURE(run.error);
+  REQUIRE(run.exit == 0);
+  const Dataset twin = read_dataset("twin.nc");
+  const Grid grid = grid_of(twin);
+  CHECK(grid.shape == Shape{400, 300});
+  CHECK(grid.dx == Approx(1e-6).epsilon(1e-12));
+  CHECK(grid.dy == Approx(2e-6).epsilon(1e-12));
+  CHECK(twin.attributes.text("instrument") == "kept");
+  CHECK(twin.attributes.text("kernel_target") == "table");
+  CHECK_FALSE(twin.has("acf"));
+  CHECK(twin.attributes.find("acf_variance") == nullptr);
+  CHECK(twin.attributes.find("kernel_length") == nullptr);
+  for (const char* tool : {"asperity-acf", "asperity-kernel", "asperity-generate"})
+    CHECK_THAT(twin.attributes.text("history"), ContainsSubstring(tool));
+  CHECK_FALSE(numbers(twin.at("heights").values) == numbers(own.at("heights").values));
+
+  REQUIRE(shell("asperity-acf s.nc --biased --absolute --max-lag 24x16 -o a.nc").exit == 0);
+  const Field wanted = table_of(read_dataset("a.nc"), "acf"), achieved = table_of(twin, "acf_achieved");
+  REQUIRE(shape_of(wanted) == shape_of(achieved));
+  const double variance = wanted(0, 16), error = twin.attributes.number("kernel_error", 1);
+  CHECK((wanted - achieved).abs().maxCoeff() <= (error + 1e-12) * variance);
+  CHECK(error <= 0.02);
+}
+
+TEST_CASE("a kernel's own target is a table for --acf, which finds the same kernel again", "[kernel][law]") {
+  const Field target = target_of("--length 5px,3px --rq 1um --spacing 1um --lags 15x9");
+  REQUIRE(shell("mv solved.nc own.nc; asperity-kernel -q --acf own.nc --lags 15x9 -o again.nc").exit == 0);
+  const Dataset own = read_dataset("own.nc"), again = read_dataset("again.nc");
+  const Field a = table_of(own, "kernel"), b = table_of(again, "kernel");
+  REQUIRE(shape_of(a) == shape_of(b));
+  CHECK((a - b).abs().maxCoeff() <= 1e-8 * a.abs().maxCoeff());
+  CHECK(shape_of(target) == shape_of(table_of(again, "acf_target")));
+}

@@ -1,0 +1,214 @@
+#include "acf_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "acf/table.hpp"
+#include "cli/stream.hpp"
+#include "dataset/netcdf.hpp"
+#include "dataset/units.hpp"
+
+namespace asperity::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw DataError("acf", message); }
+
+bool counts_samples(const std::string& unit) { return unit.empty() || unit == "1" || unit == "px"; }
+
+double factor(const std::string& unit, const char* to) {
+  try {
+    return unit_factor(unit, to);
+  } catch (const std::invalid_argument& e) {
+    refuse(e.what());
+  }
+}
+
+// The rms height of a table in `unit`, none where that is no square of a length.
+double rms_of(double variance, const std::string& unit) {
+  if (counts_samples(unit)) return NAN;
+  try {
+    return std::sqrt(variance * unit_factor(unit, "m2"));
+  } catch (const std::invalid_argument&) {
+    return NAN;
+  }
+}
+
+// ---- datasets ----
+
+// The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or has one
+// point only.
+std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
+  const Variable* axis = data.find(name);
+  if (axis == nullptr) return std::nullopt;
+  const std::vector<double> lags = numbers(axis->values);
+  const auto n = static_cast<Index>(lags.size());
+  const double step = n > 1 ? (lags.back() - lags.front()) / static_cast<double>(n - 1) : 1;
+  for (Index i = 0; i < n; ++i)
+    if (!(step > 0 && std::abs(lags[static_cast<std::size_t>(i)] - static_cast<double>(i - origin) * step) <=
+                          1e-3 * step))
+      refuse("the lags " + name + " are not evenly spaced " + (origin > 0 ? "around 0" : "from 0"));
+  const std::string unit = axis->attributes.text("units");
+  if (n < 2 || counts_samples(unit)) return std::nullopt;
+  return step * factor(unit, "m");
+}
+
+// From the lags or from the grid, which must agree; a profile takes the step that is known for both.
+Spacing spacing_of_lags(const Dataset& data, std::optional<double> dx, std::optional<double> dy) {
+  if (data.has("x") && data.has("y")) {
+    const Grid grid = grid_of(data);
+    for (const auto& [lag, spacing] : {std::pair(dx, grid.dx), std::pair(dy, grid.dy)})
+      if (lag && std::abs(*lag / spacing - 1) > 1e-6)
+        refuse("its lags have a step of " + format_quantity(*lag, "m") + ", the grid one of " +
+               format_quantity(spacing, "m"));
+    return std::array{grid.dx, grid.dy};
+  }
+  if (!dx && !dy) return std::nullopt;
+  return std::array{dx.value_or(dy.value_or(1)), dy.value_or(dx.value_or(1))};
+}
+
+AcfTable from_dataset(Dataset data) {
+  const std::string name = data.has("acf") ? "acf" : "acf_target";
+  if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
+  AcfTable out;
+  out.half_plane = table_of(data, name);
+  target_of_table(out.half_plane);
+  const Variable& variable = data.at(name);
+  const Index middle = out.half_plane.cols() / 2;
+  out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
+                                step_of(data, variable.dimensions[1], middle));
+  out.rms = rms_of(out.half_plane(0, middle), variable.attributes.text("units"));
+  if (std::isnan(out.rms) && name == "acf") out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
+  forget_surface(data);
+  forget_kernel(data);
+  out.dataset = std::move(data);
+  return out;
+}
+
+// ---- text ----
+
+bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r'; }
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < line.size();) {
+    if (separates(line[i])) {
+      ++i;
+      continue;
+    }
+    const std::size_t begin = i;
+    while (i < line.size() && !separates(line[i])) ++i;
+    words.push_back(line.substr(begin, i - begin));
+  }
+  return words;
+}
+
+double number_of(std::string_view word, std::size_t line) {
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
+    refuse("line " + std::to_string(line) + " does not hold finite numbers alone");
+  return value;
+}
+
+struct HeadedColumn {
+  std::string name, unit;
+};
+
+// "# lag_x [um]  acf": the columns with their units.
+std::vector<HeadedColumn> columns_of(std::string_view header) {
+  std::vector<HeadedColumn> columns;
+  for (std::string_view word : words_of(header)) {
+    if (word.starts_with('[') && word.ends_with(']') && !columns.empty()) {
+      columns.back().unit = word.substr(1, word.size() - 2);
+    } else {
+      columns.push_back({std::string(word), {}});
+    }
+  }
+  return columns;
+}
+
+std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::string_view name) {
+  const auto found = std::ranges::find(columns, name, &HeadedColumn::name);
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+struct Text {
+  std::vector<HeadedColumn> columns;  // of the header, if there is one
+  std::vector<std::vector<double>> rows;
+};
+
+Text parse(std::string_view bytes) {
+  Text text;
+  std::size_t number = 0;
+  while (!bytes.empty()) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    const std::string_view line = bytes.substr(0, end);
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    ++number;
+    if (line.starts_with('#')) {
+      const auto columns = columns_of(line.substr(1));
+      if (place(columns, "acf") && (place(columns, "lag_x") || place(columns, "lag_y")))
+        text.columns = columns;
+      continue;
+    }
+    std::vector<double> row;
+    for (std::string_view word : words_of(line)) row.push_back(number_of(word, number));
+    if (row.empty()) continue;
+    const std::size_t width =
+        text.columns.empty() ? text.rows.empty() ? row.size() : text.rows[0].size() : text.columns.size();
+    if (row.size() != width)
+      refuse("line " + std::to_string(number) + " has " + std::to_string(row.size()) + " numbers, not " +
+             std::to_string(width));
+    text.rows.push_back(std::move(row));
+  }
+  if (text.rows.empty()) refuse("there are no numbers in it");
+  return text;
+}
+
+AcfTable from_matrix(const Text& text) {
+  Field quadrant(static_cast<Index>(text.rows.size()), static_cast<Index>(text.rows[0].size()));
+  for (Index p = 0; p < quadrant.rows(); ++p)
+    for (Index q = 0; q < quadrant.cols(); ++q)
+      quadrant(p, q) = text.rows[static_cast<std::size_t>(p)][static_cast<std::size_t>(q)];
+  AcfTable out;
+  out.half_plane = half_plane_of_quadrant(quadrant);
+  target_of_table(out.half_plane);
+  return out;
+}
+
+AcfTable from_columns(const Text& text) {
+  const auto x = place(text.columns, "lag_x"), y = place(text.columns, "lag_y"),
+             r = place(text.columns, "acf");
+  if (!x || !y) refuse(std::string("its header names no column ") + (x ? "lag_y" : "lag_x"));
+  const std::string &unit_x = text.columns[*x].unit, &unit_y = text.columns[*y].unit;
+  if (counts_samples(unit_x) != counts_samples(unit_y))
+    refuse("one lag has a unit of length, the other none");
+  std::vector<LagValue> values;
+  for (const auto& row : text.rows) values.push_back({row[*x], row[*y], row[*r]});
+  const LagTable lags = table_of_lags(values);
+  AcfTable out;
+  out.half_plane = lags.half_plane;
+  target_of_table(out.half_plane);
+  auto step = [](double value, const std::string& unit) -> std::optional<double> {
+    if (std::isnan(value) || counts_samples(unit)) return std::nullopt;
+    return value * factor(unit, "m");
+  };
+  out.spacing = spacing_of_lags({}, step(lags.step_x, unit_x), step(lags.step_y, unit_y));
+  out.rms = rms_of(lags.half_plane(0, lags.half_plane.cols() / 2), text.columns[*r].unit);
+  return out;
+}
+
+}  // namespace
+
+AcfTable read_acf_table(const std::string& name) {
+  const std::string bytes = read_all(name);
+  if (looks_like_netcdf(bytes)) return from_dataset(decode_netcdf(bytes));
+  const Text text = parse(bytes);
+  return text.columns.empty() ? from_matrix(text) : from_columns(text);
+}
+
+}  // namespace asperity::cli

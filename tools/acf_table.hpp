@@ -1,0 +1,30 @@
+/// A table of an autocorrelation as the option --acf reads it.
+///
+/// A dataset      `acf` as asperity-acf writes it, else `acf_target` of a kernel or a drawn surface.
+/// A column text  one lag a line under a header that names the columns, others being ignored:
+///                # lag_x [um]  lag_y [um]  acf [1]
+///                px, 1 or no unit at all count samples; m2 or um2 make the values heights squared.
+/// A matrix       R(p,q) of a quadrant, p = 0… down the lines, q = 0… along them, in samples; the surface
+///                is then one of R even in p and q.
+/// Numbers are separated by blanks, tabs, commas or semicolons; lines that begin with # are comments.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "dataset/dataset.hpp"
+#include "kernel_dataset.hpp"
+
+namespace asperity::cli {
+
+struct AcfTable {
+  Field half_plane;  ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
+  Spacing spacing;   ///< of the lags [m], where it is known
+  double rms = NAN;  ///< [m], where it is known
+  Dataset dataset;   ///< what came with the table, less what belongs to the surface that it was taken from
+};
+
+/// "-" is standard input. Throws DataError("acf", …).
+AcfTable read_acf_table(const std::string& name);
+
+}  // namespace asperity::cli

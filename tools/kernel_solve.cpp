@@ -1,0 +1,167 @@
+#include "kernel_solve.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "acf/newton_krylov.hpp"
+#include "acf/table.hpp"
+#include "acf_table.hpp"
+#include "cli/table.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr double negligible_change = 1e-6;
+
+// ---- what is wanted ----
+
+void describe(Attributes& a, const EllipticTarget& model, const std::string& name) {
+  a.set("kernel_target", name);
+  a.set_values("kernel_length", Values(std::vector<double>{model.length_x / model.spacing_x,
+                                                           model.length_y / model.spacing_y}));  // in samples
+  a.set("kernel_level", model.level);
+  a.set("kernel_angle", model.angle);
+  if (model.model == Model::matern) a.set("kernel_smoothness", model.smoothness);
+  if (model.model == Model::stretched_exponential) a.set("kernel_exponent", model.exponent);
+  if (model.model == Model::self_affine) a.set("kernel_hurst", model.hurst);
+  if (model.model == Model::exponential_cosine)
+    a.set("kernel_wavelength", model.wavelength / model.spacing_x);  // in samples
+}
+
+void take_model(Wanted& out, const Tool& tool, const KernelOptions& options) {
+  const EllipticTarget model = options.model(tool, out.spacing);
+  out.request.target = model.target();
+  describe(out.data.attributes, model, options.target);
+}
+
+void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
+  options.refuse_model(tool);
+  AcfTable table = read_acf_table(options.acf);
+  for (std::size_t axis : {0u, 1u})
+    if (out.spacing && table.spacing && std::abs((*out.spacing)[axis] / (*table.spacing)[axis] - 1) > 1e-6)
+      throw UsageError(tool.given("--spacing") ? "spacing" : "size",
+                       "gives samples of " + format_quantity((*out.spacing)[axis], "m") + ", the table has " +
+                           format_quantity((*table.spacing)[axis], "m"));
+  if (!out.spacing) out.spacing = table.spacing;
+  if (!out.has_height && std::isfinite(table.rms)) {
+    out.request.rms = table.rms;
+    out.has_height = true;
+  }
+  out.request.target = target_of_table(std::move(table.half_plane));
+  out.data = std::move(table.dataset);
+  out.data.attributes.set("kernel_target", "table");
+}
+
+// ---- what came out ----
+
+Values pair_of(Shape s) {
+  return std::vector<std::int32_t>{static_cast<std::int32_t>(s.nx), static_cast<std::int32_t>(s.ny)};
+}
+
+void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request) {
+  const KernelReport& report = kernel.report;
+  const bool by_kinsol = request.method == Method::newton_krylov || request.method == Method::fixed_point;
+  a.set("kernel_formulation", name_of(kernel.formulation));
+  a.set("kernel_method", name_of(request.method));
+  if (by_kinsol) a.set("kernel_solver", "KINSOL of " + sundials_version());
+  a.set_values("kernel_lags", pair_of(kernel.lags));
+  a.set("kernel_tolerance", request.tolerance);
+  if (request.lags == Shape{}) a.set("kernel_acf_tolerance", request.acf_tolerance);
+  a.set("kernel_answer", report.answer);
+  a.set("kernel_residual", report.residual);
+  a.set("kernel_change", report.change);
+  a.set("kernel_error", report.error);
+  a.set("kernel_mirrored_error", report.mirrored_error);
+  a.set("kernel_tail", report.tail);
+  a.set("kernel_feasibility", report.feasibility);
+  a.set("kernel_newton_iterations", static_cast<int>(report.newton_steps));
+  a.set("kernel_jacobian_products", static_cast<int>(report.jacobian_products));
+  a.set("kernel_preconditionings", static_cast<int>(report.preconditionings));
+  a.set("kernel_seconds", report.seconds);
+  a.set("kernel_converged", report.converged ? 1 : 0);
+  a.set("kernel_reason", report.reason);
+}
+
+std::string three_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string counts(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
+
+// "40x20 lags chosen: error over all lags 8.1e-4"
+std::string achieved(const Solved& s) {
+  return counts(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags " +
+         three_digits(s.report.error);
+}
+
+std::string what_it_is(const std::string& answer) {
+  return answer == "nearest" ? "the kernel of the nearest that was found" : "the kernel of least squares";
+}
+
+}  // namespace
+
+Wanted wanted_kernel(const Tool& tool, const KernelOptions& options, const Spacing& spacing) {
+  Wanted out;
+  out.spacing = spacing;
+  out.has_height = !std::isnan(options.rms);
+  KernelRequest& request = out.request;
+  if (out.has_height) request.rms = options.rms;
+  request.lags = options.lags;
+  request.method = method_named(options.method);
+  request.infeasible = infeasible_named(options.infeasible);
+  request.tolerance = options.tolerance;
+  request.acf_tolerance = options.acf_tolerance;
+  if (!options.formulation.empty()) request.formulation = formulation_named(options.formulation);
+  if (!tool.given("--acf"))
+    take_model(out, tool, options);
+  else
+    take_table(out, tool, options);
+  request.check();
+  return out;
+}
+
+Solved solve(Wanted wanted) {
+  const KernelRequest& request = wanted.request;
+  const Kernel kernel = solve_kernel(request);
+  set_kernel(wanted.data,
+             {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height, wanted.spacing});
+  describe(wanted.data.attributes, kernel, request);
+  return {std::move(wanted.data), kernel.report, kernel.lags, request.lags == Shape{}, request.acf_tolerance};
+}
+
+Exit tell(const Tool& tool, const Solved& s, bool aside) {
+  auto say = [&](const std::string& text) { aside ? tool.detail("kernel: " + text) : tool.note(text); };
+  const KernelReport& report = s.report;
+  tool.detail("kernel: " + report.answer + ", " + report.reason + ", residual " + shortest(report.residual) +
+              ", " + std::to_string(report.jacobian_products) + " products, " + shortest(report.seconds) +
+              " s");
+  if (s.chosen) say(achieved(s));
+  if (!report.converged) {
+    tool.warn("kernel: " + report.reason);
+    return not_converged;
+  }
+  if (report.answer == "wider")
+    say("a kernel wider than " + counts(s.lags) + " lags, for none of these has this autocorrelation");
+  const bool changed =
+      (report.answer == "nearest" || report.answer == "least-squares") && report.change > negligible_change;
+  if (changed)
+    tool.warn("no kernel of " + counts(s.lags) + " lags has this autocorrelation; " +
+              what_it_is(report.answer) + " changes it by up to " + three_digits(report.change) +
+              " of the variance");
+  else if (s.chosen && report.error > s.acf_tolerance)
+    tool.warn("the error over all lags, " + three_digits(report.error) +
+              " of the variance, exceeds --acf-tolerance " + three_digits(s.acf_tolerance));
+  return done;
+}
+
+void tell_read(const Tool& tool, const Dataset& data) {
+  const Attributes& a = data.attributes;
+  const std::string reason = a.text("kernel_reason");
+  tool.detail("kernel: " + reason + ", residual " + shortest(a.number("kernel_residual", NAN)) +
+              ", error over all lags " + shortest(a.number("kernel_error", NAN)));
+  if (a.number("kernel_converged", 1) == 0) tool.warn("kernel: " + reason);
+}
+
+}  // namespace asperity::cli
