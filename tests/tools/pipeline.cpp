@@ -78,7 +78,7 @@ TEST_CASE("a full disk is an error of every tool that writes", "[pipeline][contr
   for (const std::string& line :
        {generate, contact + " pressed.nc", stress + " pressed.nc", std::string("asperity-stats pressed.nc"),
         std::string("asperity-acf pressed.nc"), std::string("asperity-pdf pressed.nc"),
-        std::string("asperity-kernel --length 4px"), std::string("asperity-stats --help")}) {
+        std::string("asperity-kernel -q --length 4px"), std::string("asperity-stats --help")}) {
     const Outcome run = shell(line + " > /dev/full");
     CAPTURE(line, run.error);
     CHECK(run.exit == 1);
