@@ -107,7 +107,8 @@ struct KernelOptions {
 
   void declare_solution(Tool& tool, const std::string& group) {
     tool.counts("--lags", lags, 1,
-                "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or all of the table",
+                "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or as a table gives a "
+                "kernel for",
                 group);
     tool.number("--acf-tolerance", acf_tolerance,
                 "Largest error over all lags of the plane, relative to the variance, where --lags is absent",
