@@ -76,7 +76,8 @@ struct ExponentialTarget {
         throw ParameterError("length", std::to_string(length) + " samples: must be positive and finite");
   }
   double operator()(double p, double q) const {
-    return std::exp(std::log(level) * std::hypot(p / length_x, q / length_y));
+    const double x = p / length_x, y = q / length_y;
+    return std::exp(std::log(level) * std::sqrt(x * x + y * y));
   }
   double decay_length_x() const { return length_x / -std::log(level); }
   double decay_length_y() const { return length_y / -std::log(level); }

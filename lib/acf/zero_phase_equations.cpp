@@ -65,11 +65,10 @@ std::vector<double> ZeroPhaseEquations::start() {
 bool ZeroPhaseEquations::residual(std::span<const double> u, std::span<double> f) {
   double least = 1;
   const double scale = 1 / static_cast<double>(transform_->torus().cells());
-  transform_->filter(u, f, [&](Index, std::span<double> block) {
-    for (double& a : block) {
-      least = std::min(least, a);
-      a *= scale * a;
-    }
+  transform_->filter(u, f, [&](Index, std::span<double> values) {
+    Eigen::Map<Eigen::ArrayXd> block(values.data(), static_cast<Index>(values.size()));
+    least = std::min(least, block.minCoeff<Eigen::PropagateNaN>());
+    block = scale * block.square();
   });
   if (guard && !(least > 0)) return false;
   for (std::size_t i = 0; i < f.size(); ++i) f[i] -= target_[i];
