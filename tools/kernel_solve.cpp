@@ -92,8 +92,8 @@ std::string counts(Shape s) { return std::to_string(s.nx) + "x" + std::to_string
 
 // "40x20 lags chosen: error over all lags 8.1e-4"
 std::string achieved(const Solved& s) {
-  return counts(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags " +
-         three_digits(s.report.error);
+  return counts(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags" +
+         (s.table ? " of the table " : " ") + three_digits(s.report.error);
 }
 
 std::string what_it_is(const std::string& answer) {
@@ -128,7 +128,8 @@ Solved solve(Wanted wanted) {
   set_kernel(wanted.data,
              {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height, wanted.spacing});
   describe(wanted.data.attributes, kernel, request);
-  return {std::move(wanted.data), kernel.report, kernel.lags, request.lags == Shape{}, request.acf_tolerance};
+  return {std::move(wanted.data),           kernel.report,        kernel.lags, request.lags == Shape{},
+          request.target.known.has_value(), request.acf_tolerance};
 }
 
 Exit tell(const Tool& tool, const Solved& s, bool aside) {
@@ -150,7 +151,7 @@ Exit tell(const Tool& tool, const Solved& s, bool aside) {
     tool.warn("no kernel of " + counts(s.lags) + " lags has this autocorrelation; " +
               what_it_is(report.answer) + " changes it by up to " + three_digits(report.change) +
               " of the variance");
-  else if (s.chosen && report.error > s.acf_tolerance)
+  else if (s.chosen && !s.table && report.error > s.acf_tolerance)
     tool.warn("the error over all lags, " + three_digits(report.error) +
               " of the variance, exceeds --acf-tolerance " + three_digits(s.acf_tolerance));
   return done;

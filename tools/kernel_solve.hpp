@@ -25,6 +25,7 @@ struct Solved {
   KernelReport report;
   Shape lags;
   bool chosen;           ///< the lags, not given
+  bool table;            ///< the target is one, most of whose far lags may be noise
   double acf_tolerance;  ///< that they were chosen for
 };
 Solved solve(Wanted wanted);

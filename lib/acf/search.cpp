@@ -16,6 +16,9 @@ namespace {
 constexpr double hopeless_share = 0.1;  // of the spectrum, negative
 constexpr double round_off = 1e-10;     // of the windowed spectrum
 constexpr double negligible_change = 1e-6;
+// A spectrum this close to zero, of its maximum, is that of a smooth target: Newton's matrix is singular there, the
+// root of the spectrum on a wider torus nearly exact. Somewhat below zero the latter is worth trying at once.
+constexpr double smooth_spectrum = 1e-12, nearly_smooth = -1e-4;
 
 // Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
 long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
@@ -81,12 +84,22 @@ void Search::newton() {
   std::vector<double> f(u.size());
   if (!equations_->residual(u, f)) {
     reason_ = "its windowed root is no start";
+    wide_enough();
     return;
   }
+  const bool smooth = zero_phase_ && std::abs(feasibility_.least) < smooth_spectrum;
+  if (smooth && wide_enough()) return;
   const Report result = solve_newton_krylov(equations_->system(), u, options_for(request_, formulation_));
   count(result);
   if (result.converged) consider(u);
   infeasible_ = !solved();
+  if (infeasible_ && zero_phase_ && !smooth && feasibility_.least > nearly_smooth) wide_enough();
+}
+
+// Whether a wider kernel solves the equations, where one may be the answer.
+bool Search::wide_enough() {
+  if (request_.infeasible != Infeasible::error && request_.infeasible != Infeasible::least_squares) widen();
+  return best_ && solved();
 }
 
 bool Search::recognised() const {
@@ -117,7 +130,8 @@ void Search::consider(Field values, std::string answer) {
 }
 
 bool Search::better(const Kernel& candidate) const {
-  const auto measured = zero_phase_ ? &KernelReport::error : &KernelReport::residual;
+  const bool everywhere = zero_phase_ && !request_.target.known;
+  const auto measured = everywhere ? &KernelReport::error : &KernelReport::residual;
   return !best_ || candidate.report.*measured < best_->report.*measured;
 }
 
@@ -186,7 +200,7 @@ void Search::refuse(const std::string& message) const {
 }
 
 Kernel Search::finish() {
-  if (infeasible_) answer();
+  if (infeasible_ && !(best_ && solved())) answer();
   if (!best_) refuse("no finite kernel was found (" + reason_ + ")");
   Kernel kernel = std::move(best_).value();
   KernelReport& report = kernel.report;

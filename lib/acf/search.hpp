@@ -9,7 +9,9 @@
 ///     a wider kernel, of twice the lags or so: projections (acf/projections.hpp), then the least change that
 ///     meets the equations (acf/least_change.hpp), exactly where an autocorrelation with these lags exists,
 ///     or the n × m kernel of least squares (acf/least_squares.hpp),
-/// as KernelRequest::infeasible says. Of several candidates the one of the least error over all lags is kept.
+/// as KernelRequest::infeasible says. A smooth target, whose spectrum ends in round-off, is given the wider kernel at
+/// once. Of several candidates the one of the least error over all lags is kept, or of a table, which is noise at its far
+/// lags, the one of the least change.
 /// Patir's equations have no wider kernel: least squares answer for them.
 #pragma once
 
@@ -43,6 +45,7 @@ class Search {
 
   void newton();
   bool recognised() const;
+  bool wide_enough();
   void answer();
   void descend(long budget);
   void widen();
