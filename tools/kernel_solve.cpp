@@ -1,10 +1,10 @@
 #include "kernel_solve.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "acf/newton_krylov.hpp"
 #include "acf/table.hpp"
+#include "acf/wording.hpp"
 #include "acf_table.hpp"
 #include "cli/table.hpp"
 
@@ -82,18 +82,10 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   a.set("kernel_reason", report.reason);
 }
 
-std::string three_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-std::string counts(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
-
 // "40x20 lags chosen: error over all lags 8.1e-4"
 std::string achieved(const Solved& s) {
-  return counts(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags" +
-         (s.table ? " of the table " : " ") + three_digits(s.report.error);
+  return text(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags" +
+         (s.table ? " of the table " : " ") + number(s.report.error);
 }
 
 std::string what_it_is(const std::string& answer) {
@@ -144,16 +136,16 @@ Exit tell(const Tool& tool, const Solved& s, bool aside) {
     return not_converged;
   }
   if (report.answer == "wider")
-    say("a kernel wider than " + counts(s.lags) + " lags, for none of these has this autocorrelation");
+    say("a kernel wider than " + text(s.lags) + " lags, for none of these has this autocorrelation");
   const bool changed =
       (report.answer == "nearest" || report.answer == "least-squares") && report.change > negligible_change;
   if (changed)
-    tool.warn("no kernel of " + counts(s.lags) + " lags has this autocorrelation; " +
-              what_it_is(report.answer) + " changes it by up to " + three_digits(report.change) +
+    tool.warn("no kernel of " + text(s.lags) + " lags has this autocorrelation; " +
+              what_it_is(report.answer) + " changes it by up to " + number(report.change) +
               " of the variance");
   else if (s.chosen && !s.table && report.error > s.acf_tolerance)
-    tool.warn("the error over all lags, " + three_digits(report.error) +
-              " of the variance, exceeds --acf-tolerance " + three_digits(s.acf_tolerance));
+    tool.warn("the error over all lags, " + number(report.error) +
+              " of the variance, exceeds --acf-tolerance " + number(s.acf_tolerance));
   return done;
 }
 

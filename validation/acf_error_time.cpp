@@ -42,7 +42,8 @@ KernelRequest cut(Shape lags, double c, Formulation formulation, Method method =
 // One transform there and back on the torus of the formulation.
 double transform_seconds(const KernelRequest& request) {
   if (request.formulation != Formulation::patir) {
-    const auto transform = zero_phase_transform(request.lags, request.formulation == Formulation::oriented);
+    const auto transform = zero_phase_transform(request.lags, ZeroPhaseEquations::least_torus(request.lags),
+                                                request.formulation == Formulation::oriented);
     std::vector<double> part(transform->multiplicity().size(), 1.0), out(part);
     return seconds_of([&] { transform->filter(part, out, [](Index, std::span<double>) {}); });
   }

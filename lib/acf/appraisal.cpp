@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "transform/zero_phase.hpp"
 
@@ -32,18 +31,12 @@ Field table(const Target& target, Shape extent) {
 // The autocorrelation of a zero-phase kernel, by its real spectrum.
 Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows, Index columns) {
   const Shape reach = shape_of(kernel);  // of R: its lags are below
-  auto side = [](Index n) { return fast_length(std::max<Index>(2 * n, 8), 2); };
-  const Shape torus{side(reach.nx), side(reach.ny)};
-  std::unique_ptr<ZeroPhaseTransform> transform;
-  if (oriented)
-    transform = std::make_unique<HalfPlaneTransform>(reach, torus);
-  else
-    transform = std::make_unique<QuarterTransform>(reach, torus);
+  const auto transform = zero_phase_transform(reach, {2 * reach.nx, 2 * reach.ny}, oriented);
   const Index middle_x = reach.nx / 2, middle_y = reach.ny / 2;
   std::vector<double> part = transform->part([&](Index k, Index l) {
     return k <= middle_x && std::abs(l) <= middle_y ? kernel(middle_x + k, middle_y + l) : 0.0;
   });
-  const double scale = 1 / static_cast<double>(torus.cells());
+  const double scale = 1 / static_cast<double>(transform->torus().cells());
   transform->filter(part, part, [&](Index, std::span<double> block) {
     for (double& a : block) a *= scale * a;
   });

@@ -70,9 +70,6 @@ class Equations {
   std::vector<double> target_, multiplicity_;
 };
 
-/// The transform of kernels even in both indices, or under point reflection only, without wrap-around.
-std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, bool oriented);
-
 /// What can be said of a target from its spectrum, cut at the lags, before any iteration.
 struct Feasibility {
   double least = 0;  ///< min/max of the spectrum: ≥ 0 is certainly the autocorrelation of some surface
@@ -84,6 +81,8 @@ struct Feasibility {
 class ZeroPhaseEquations : public Equations {
  public:
   ZeroPhaseEquations(const Target& target, Shape lags, bool oriented);
+  /// The least torus on which R does not wrap around into the lags prescribed.
+  static Shape least_torus(Shape lags);
 
   /// Refuse iterates whose spectrum is not positive.
   bool guard = true;

@@ -17,18 +17,16 @@ std::span<const double> constant(const Vector& v) { return {v.data(), static_cas
 
 constexpr double inverse_floor = 1e-2;  ///< of α^ against its rms, in the preconditioner
 
-std::unique_ptr<ZeroPhaseTransform> make_transform(Shape kernel, Shape lags, bool oriented) {
-  auto side = [](Index k, Index n) { return fast_length(std::max<Index>(2 * k + n, 8), 2); };
-  const Shape torus{side(kernel.nx, lags.nx), side(kernel.ny, lags.ny)};
-  if (oriented) return std::make_unique<HalfPlaneTransform>(kernel, torus);
-  return std::make_unique<QuarterTransform>(kernel, torus);
-}
+// R of the kernel reaches to 2K - 2 and must not wrap around into the lags below n.
+Shape least_torus(Shape kernel, Shape lags) { return {2 * kernel.nx + lags.nx, 2 * kernel.ny + lags.ny}; }
+
+Shape half_of(const Field& kernel) { return {kernel.rows() / 2 + 1, kernel.cols() / 2 + 1}; }
 
 // Vectors are parts of the kernel; those of equations are zero beyond the lags prescribed.
 class Problem {
  public:
   Problem(const Field& kernel, const Target& target, Shape lags, bool oriented)
-      : transform_(make_transform({kernel.rows() / 2 + 1, kernel.cols() / 2 + 1}, lags, oriented)),
+      : transform_(zero_phase_transform(half_of(kernel), least_torus(half_of(kernel), lags), oriented)),
         scale_(1 / static_cast<double>(transform_->torus().cells())),
         symbol_(static_cast<std::size_t>(transform_->spectrum_size())) {
     const Index middle_x = kernel.rows() / 2, middle_y = kernel.cols() / 2;

@@ -16,13 +16,10 @@ constexpr int look_every = 10;
 class Projections {
  public:
   Projections(const Target& target, Shape lags, bool oriented) {
-    const Shape torus{fast_length(std::max<Index>(4 * lags.nx, 8), 2),
-                      fast_length(std::max<Index>(4 * lags.ny, 8), 2)};
-    const Shape half{torus.nx / 2, torus.ny / 2};
-    if (oriented)
-      transform_ = std::make_unique<HalfPlaneTransform>(half, torus);
-    else
-      transform_ = std::make_unique<QuarterTransform>(half, torus);
+    auto half = [](Index n) { return fast_length(std::max<Index>(4 * n, 8), 2) / 2; };
+    const Shape reach{half(lags.nx), half(lags.ny)};
+    transform_ = zero_phase_transform(reach, {2 * reach.nx, 2 * reach.ny}, oriented);
+    const Shape torus = transform_->torus();
     const Shape known = target.known.value_or(torus);
     scale_ = 1 / static_cast<double>(torus.cells());
     auto within = [](Index p, Index q, Shape box) { return p < box.nx && std::abs(q) < box.ny; };

@@ -35,15 +35,10 @@ double negative_share(std::span<const double> v) {
 
 }  // namespace
 
-std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, bool oriented) {
-  auto side = [](Index n) { return fast_length(std::max<Index>(3 * n - 2, ZeroPhaseTransform::width), 2); };
-  const Shape torus{side(lags.nx), side(lags.ny)};
-  if (oriented) return std::make_unique<HalfPlaneTransform>(lags, torus);
-  return std::make_unique<QuarterTransform>(lags, torus);
-}
+Shape ZeroPhaseEquations::least_torus(Shape lags) { return {3 * lags.nx - 2, 3 * lags.ny - 2}; }
 
 ZeroPhaseEquations::ZeroPhaseEquations(const Target& target, Shape lags, bool oriented)
-    : transform_(zero_phase_transform(lags, oriented)) {
+    : transform_(zero_phase_transform(lags, least_torus(lags), oriented)) {
   target_ = transform_->part(
       [&](Index p, Index q) { return target(static_cast<double>(p), static_cast<double>(q)); });
   multiplicity_ = transform_->multiplicity();

@@ -55,6 +55,13 @@ void ZeroPhaseTransform::inverse(std::span<const double> spectrum, std::span<dou
   for (double& a : part) a *= scale;
 }
 
+std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented) {
+  auto side = [](Index n, Index points) { return fast_length(std::max({points, 2 * n, width}), 2); };
+  const Shape torus{side(lags.nx, least.nx), side(lags.ny, least.ny)};
+  if (oriented) return std::make_unique<HalfPlaneTransform>(lags, torus);
+  return std::make_unique<QuarterTransform>(lags, torus);
+}
+
 // ---- even in both indices ----
 
 QuarterTransform::QuarterTransform(Shape lags, Shape torus)

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -116,6 +117,10 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
   AlignedVector<double> row_;
   AlignedVector<Complex> row_spectrum_;
 };
+
+/// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field and has at
+/// least so many points.
+std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented);
 
 template <class Work>
 void ZeroPhaseTransform::filter(std::span<const double> part, std::span<double> out, Work work) {
