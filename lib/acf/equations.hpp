@@ -118,11 +118,10 @@ class PatirEquations : public Equations {
   Field kernel(std::span<const double> u) const override;
 
  private:
-  void load(std::span<const double> u);       ///< into field_, zeros around it
-  void load_even(std::span<const double> v);  ///< v at (p,q) and at (-p,-q)
-  void forward();                             ///< field_ → spectrum_
-  void backward();                            ///< spectrum_ → field_
-  void keep_causal();                         ///< [·]₊ of field_
+  void load(std::span<const double> u);  ///< into field_, zeros around it
+  void forward();                        ///< field_ → spectrum_
+  void backward();                       ///< spectrum_ → field_
+  void keep_causal();                    ///< [·]₊ of field_
   void restrict_to(std::span<double> out, double scale) const;
 
   Shape lags_;

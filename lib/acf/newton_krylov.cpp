@@ -60,6 +60,9 @@ Vector vector_of(std::span<double> values, sundials::Context& context) {
   operation->nvdotprod = [](N_Vector x, N_Vector y) { return (array(x) * array(y)).sum(); };
   operation->nvprod = [](N_Vector x, N_Vector y, N_Vector z) { array(z) = array(x) * array(y); };
   operation->nvdiv = [](N_Vector x, N_Vector y, N_Vector z) { array(z) = array(x) / array(y); };
+  operation->nvabs = [](N_Vector x, N_Vector z) { array(z) = array(x).abs(); };
+  operation->nvinv = [](N_Vector x, N_Vector z) { array(z) = array(x).inverse(); };
+  operation->nvconst = [](sunrealtype c, N_Vector z) { array(z) = c; };
   operation->nvscale = [](sunrealtype c, N_Vector x, N_Vector z) { array(z) = c * array(x); };
   operation->nvlinearsum = [](sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z) {
     array(z) = a * array(x) + b * array(y);

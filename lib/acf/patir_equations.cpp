@@ -31,15 +31,6 @@ void PatirEquations::load(std::span<const double> u) {
   for (Index k = 0; k < lags_.nx; ++k) std::copy_n(u.data() + k * m, m, field_.data() + k * stride);
 }
 
-void PatirEquations::load_even(std::span<const double> v) {
-  load(v);
-  const auto [rows, columns] = transform_.shape();
-  const Index m = lags_.ny;
-  for (Index p = 0; p < lags_.nx; ++p)
-    for (Index q = 0; q < m; ++q)
-      field_[size((rows - p) % rows * columns + (columns - q) % columns)] = v[size(p * m + q)];
-}
-
 void PatirEquations::forward() { transform_.forward(field_.data(), spectrum_.data()); }
 void PatirEquations::backward() { transform_.inverse(spectrum_.data(), field_.data()); }
 
@@ -103,9 +94,12 @@ void PatirEquations::adjoint(std::span<const double> v, std::span<double> out) {
 }
 
 void PatirEquations::precondition(std::span<double> v) {
-  load_even(v);
+  const double middle = v[0];
+  load(v);
   forward();
-  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= inverse_[i];
+  // v at (p,q) and at (-p,-q): its spectrum is real.
+  for (std::size_t i = 0; i < spectrum_.size(); ++i)
+    spectrum_[i] = (2 * spectrum_[i].real() - middle) * inverse_[i];
   backward();
   keep_causal();
   forward();
