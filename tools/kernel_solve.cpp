@@ -75,6 +75,7 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   a.set("kernel_tail", report.tail);
   a.set("kernel_feasibility", report.feasibility);
   a.set("kernel_newton_iterations", static_cast<int>(report.newton_steps));
+  a.set("kernel_residuals", static_cast<int>(report.residuals));
   a.set("kernel_jacobian_products", static_cast<int>(report.jacobian_products));
   a.set("kernel_preconditionings", static_cast<int>(report.preconditionings));
   a.set("kernel_seconds", report.seconds);

@@ -3,14 +3,15 @@
 /// Targets of the first two tables: the exponential that has fallen to e⁻ᶜ at the last of n × m lags, oriented ones
 /// drawn out 3 : 1 and turned by 30°. `error` is the largest over all lags of the plane, `mirrored` that over the
 /// quadrant (p,-q), both against the true, uncut target; `ratio` is the time of the whole solve, plans, tables and
-/// report included, over that of the transforms that its residuals, products and preconditionings stand for, measured
-/// in the same run. Patir's preconditioning takes two transforms there and back, the others one.
+/// report included, over that of its transforms: those of its residuals, products and preconditionings as they ran,
+/// and the few others timed alone.
 ///
 /// The third table is the stability of the search: `outcome` is the report's answer, or "refused" with its exception.
 ///
 ///     acf_error_time [LARGEST_N]
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -23,54 +24,57 @@ using namespace asperity;
 namespace {
 
 KernelRequest cut(Shape lags, double c, Formulation formulation, Method method = Method::newton_krylov) {
-  const double n = static_cast<double>(lags.nx), m = static_cast<double>(lags.ny);
-  KernelRequest request;
-  request.target = ExponentialTarget{n, m, std::exp(-c)};
+  EllipticTarget target;
+  target.length_x = static_cast<double>(lags.nx);
+  target.length_y = static_cast<double>(lags.ny);
+  target.level = std::exp(-c);
   if (formulation == Formulation::oriented) {
-    request.target = [=](double p, double q) {
-      const double x = p / n, y = q / m, cosine = std::sqrt(0.75), sine = 0.5;
-      return std::exp(-c * std::hypot(cosine * x + sine * y, 3 * (cosine * y - sine * x)));
-    };
-    request.target.oriented = true;
+    target.length_y /= 3;
+    target.angle = std::numbers::pi / 6;
   }
+  KernelRequest request;
+  request.target = target.target();
   request.lags = lags;
   request.formulation = formulation;
   request.method = method;
   return request;
 }
 
-// One transform there and back on the torus of the formulation.
-double transform_seconds(const KernelRequest& request) {
-  if (request.formulation != Formulation::patir) {
-    const auto transform = zero_phase_transform(request.lags, ZeroPhaseEquations::least_torus(request.lags),
-                                                request.formulation == Formulation::oriented);
-    std::vector<double> part(transform->multiplicity().size(), 1.0), out(part);
-    return seconds_of([&] { transform->filter(part, out, [](Index, std::span<double>) {}); });
-  }
-  const RealTransform2D transform({fast_length(2 * request.lags.nx, 2), fast_length(2 * request.lags.ny, 2)});
-  AlignedVector<double> field(static_cast<std::size_t>(transform.shape().cells()));
-  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
-  return seconds_of([&] {
-    transform.forward(field.data(), spectrum.data());
-    transform.inverse(spectrum.data(), field.data());
-  });
+double zero_phase_seconds(Shape lags, Shape torus, bool oriented) {
+  const auto transform = zero_phase_transform(lags, torus, oriented);
+  std::vector<double> part(transform->multiplicity().size(), 1.0), out(part);
+  return seconds_of([&] { transform->filter(part, out, [](Index, std::span<double>) {}); });
 }
 
-// A residual and half a linearisation a step.
-double transforms(const KernelReport& r, Formulation formulation) {
-  return 1.5 * static_cast<double>(r.newton_steps) + static_cast<double>(r.jacobian_products) +
-         (formulation == Formulation::patir ? 2 : 1) * static_cast<double>(r.preconditionings);
+// What is not Newton's iteration: the look at the target's spectrum, the start, the last autocorrelation.
+double other_transform_seconds(const KernelRequest& request) {
+  const auto [n, m] = request.lags;
+  const bool patir = request.formulation == Formulation::patir,
+             oriented = request.formulation == Formulation::oriented;
+  const double spectrum = 0.5 * zero_phase_seconds({n, m}, ZeroPhaseEquations::least_torus({n, m}), oriented);
+  return patir ? spectrum + 2 * real_transform_seconds({2 * n, 2 * m})
+               : 3 * spectrum + zero_phase_seconds({2 * n - 1, 2 * m - 1}, {4 * n - 2, 4 * m - 2}, oriented);
+}
+
+KernelReport fastest(const KernelRequest& request) {
+  KernelReport best = solve_kernel(request).report;
+  if (best.seconds > 1) return best;
+  seconds_of([&] {
+    const KernelReport report = solve_kernel(request).report;
+    if (report.seconds < best.seconds) best = report;
+  });
+  return best;
 }
 
 void row(const KernelRequest& request, double c) {
-  const KernelReport r = solve_kernel(request).report;
-  const double seconds = r.seconds > 1 ? r.seconds : seconds_of([&] { solve_kernel(request); });
-  const double count = transforms(r, *request.formulation);
+  const KernelReport r = fastest(request);
   const std::string ratio =
-      count > 0 ? fmt::format("{:.2f}", seconds / (count * transform_seconds(request))) : "-";
+      r.equation_seconds > 0
+          ? fmt::format("{:.2f}", r.seconds / (r.equation_seconds + other_transform_seconds(request)))
+          : "-";
   fmt::print("{}\t{}\t{}x{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{}\t{}\t{}\t{}\n", name_of(request.method),
              name_of(*request.formulation), request.lags.nx, request.lags.ny, c, r.error, r.mirrored_error,
-             seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, r.answer);
+             r.seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, r.answer);
 }
 
 void head(const char* title) {

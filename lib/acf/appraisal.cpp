@@ -40,16 +40,19 @@ Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows,
   transform->filter(part, part, [&](Index, std::span<double> block) {
     for (double& a : block) a *= scale * a;
   });
-  return Field::NullaryExpr(rows, columns, [&](Index p, Index column) {
-    const Index q = column - columns / 2;
-    if (p >= reach.nx || std::abs(q) >= reach.ny) return 0.0;
-    return part[static_cast<std::size_t>(transform->place(p, q))];
-  });
+  Field out = Field::Zero(rows, columns);
+  const Index middle = columns / 2;
+  for (Index p = 0; p < std::min(rows, reach.nx); ++p)
+    for (Index q = 0; q < std::min(middle + 1, reach.ny); ++q) {
+      out(p, middle + q) = part[static_cast<std::size_t>(transform->place(p, q))];
+      out(p, middle - q) = part[static_cast<std::size_t>(transform->place(p, -q))];
+    }
+  return out;
 }
 
 void measure(Kernel& kernel) {
   KernelReport& report = kernel.report;
-  const Field error = (kernel.acf_achieved - kernel.acf_target).abs();
+  const auto error = (kernel.acf_achieved - kernel.acf_target).abs();  // evaluated where it is asked for
   const auto [n, m] = kernel.lags;
   const Index middle = -kernel.first_q();
   report.residual = error.block(0, middle, n, m).maxCoeff();

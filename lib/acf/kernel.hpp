@@ -19,7 +19,8 @@
 ///           from 7 × 7 lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31
 ///           (validation/acf_error_time.cpp).
 /// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
-///           points: from 31 × 31 lags on the whole takes 1.1–1.5 times its transforms. Memory: 40 vectors of
+///           points. From 31 × 31 lags on the whole takes 1.15–1.5 times its transforms, 1.7 where three steps do;
+///           below, plans and tables are 0.2 ms (validation/acf_error_time.cpp). Memory: 40 vectors of
 ///           n·m, 100 in Patir's formulation.
 ///
 /// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
@@ -85,8 +86,9 @@ struct KernelReport {
   double mirrored_error = 0;  ///< … over 0 < p < n, -m < q < 0
   double tail = 0;            ///< … over the lags that no equation prescribes
   double feasibility = 0;     ///< min/max of the spectrum of the cut target; ≥ 0 is certainly feasible
-  long newton_steps = 0, jacobian_products = 0, preconditionings = 0;
+  long newton_steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
   double seconds = 0;
+  double equation_seconds = 0;  ///< of them in residuals, products and preconditionings of Newton's iteration
 };
 
 struct Kernel {

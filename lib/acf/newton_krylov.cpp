@@ -77,6 +77,19 @@ std::span<double> unchanged(const std::vector<double>& v) {
   return {const_cast<double*>(v.data()), v.size()};
 }
 
+// Adds the seconds of its life to a sum.
+class Timer {
+ public:
+  explicit Timer(double& sum) : sum_(sum) {}
+  ~Timer() { sum_ += watch_.seconds(); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& sum_;
+  Stopwatch watch_;
+};
+
 // Refusals of ever shorter steps after which the iteration ends. KINSOL itself gives up at the fifth.
 constexpr int most_refusals = 4;
 
@@ -91,7 +104,7 @@ class Callbacks {
       : system_(system), options_(options) {}
 
   int residual(std::span<const double> u, std::span<double> f) {
-    if (!stopped() && !system_.residual(u, f)) {
+    if (!stopped() && !evaluate(u, f)) {
       if (++refusals_ < most_refusals) return 1;  // a recoverable error, in KINSOL's convention
       stop("every shorter step leaves the domain of the equations");
     }
@@ -106,18 +119,21 @@ class Callbacks {
       stop("not solved with " + std::to_string(products_) + " Jacobian products");
     if (stopped()) return 0;
     ++steps_;
+    const Timer timer(system_seconds_);
     system_.linearize(u);
     return 0;
   }
   int precondition(std::span<double> v) {
     if (stopped()) return 0;
     ++preconditionings_;
+    const Timer timer(system_seconds_);
     system_.precondition(v);
     return 0;
   }
   int jacobian(std::span<const double> v, std::span<double> out) {
     if (stopped()) return std::copy(v.begin(), v.end(), out.begin()), 0;
     ++products_;
+    const Timer timer(system_seconds_);
     system_.jacobian(v, out);
     return 0;
   }
@@ -145,9 +161,14 @@ class Callbacks {
     result.steps = steps_;
     result.jacobian_products = products_;
     result.preconditionings = preconditionings_;
+    result.system_seconds = system_seconds_;
   }
 
  private:
+  bool evaluate(std::span<const double> u, std::span<double> f) {
+    const Timer timer(system_seconds_);
+    return system_.residual(u, f);
+  }
   void stop(std::string reason) {
     if (!stopped()) reason_ = std::move(reason);
   }
@@ -156,6 +177,7 @@ class Callbacks {
   const NewtonOptions& options_;
   std::vector<double> iterate_;
   int refusals_ = 0, steps_ = 0, products_ = 0, preconditionings_ = 0;
+  double system_seconds_ = 0;
   std::string reason_;
   std::exception_ptr failure_;
 };

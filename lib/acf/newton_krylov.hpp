@@ -63,6 +63,7 @@ struct IterationResult {
   std::string reason;  ///< how it ended
   long steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
   double seconds = 0;
+  double system_seconds = 0;  ///< of them in the system's functions, of Newton's iteration
 };
 
 /// Improves `u` from the start that it holds. Whatever the outcome, u is an iterate of the last accepted

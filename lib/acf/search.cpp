@@ -82,6 +82,7 @@ void Search::newton() {
     return;
   }
   std::vector<double> f(u.size());
+  ++counts_.residuals;
   if (!equations_->residual(u, f)) {
     reason_ = "its windowed root is no start";
     wide_enough();
@@ -111,6 +112,8 @@ bool Search::recognised() const {
 
 void Search::count(const Report& result) {
   counts_.newton_steps += result.steps;
+  counts_.equation_seconds += result.system_seconds;
+  counts_.residuals += result.residuals;
   counts_.jacobian_products += result.jacobian_products;
   counts_.preconditionings += result.preconditionings;
   reason_ = result.reason;
@@ -210,6 +213,8 @@ Kernel Search::finish() {
   report.reason = report.answer == "exact" ? "solved" : infeasible_ ? excuse() : reason_;
   report.feasibility = feasibility_.least;
   report.newton_steps = counts_.newton_steps;
+  report.equation_seconds = counts_.equation_seconds;
+  report.residuals = counts_.residuals;
   report.jacobian_products = counts_.jacobian_products;
   report.preconditionings = counts_.preconditionings;
   return kernel;

@@ -17,17 +17,19 @@ void transpose(const double* in, Index from, double* out, Index to) {
 
 }  // namespace
 
-ZeroPhaseTransform::ZeroPhaseTransform(Shape lags, Shape torus, Index block_rows)
+ZeroPhaseTransform::ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane)
     : lags_(lags),
       torus_(torus),
       blocks_((torus.ny / 2 + width) / width),
-      block_rows_(block_rows),
+      block_rows_(half_plane ? torus.nx : torus.nx / 2 + 1),
+      half_plane_(half_plane),
       block_(size(torus.nx * width)) {}
 
-std::vector<double> ZeroPhaseTransform::part(const std::function<double(Index, Index)>& f) const {
-  std::vector<double> out;
-  visit([&](Index k, Index l) { out.push_back(f(k, l)); });
-  return out;
+std::vector<double> ZeroPhaseTransform::multiplicity() const {
+  return part([&](Index k, Index l) {
+    if (half_plane_) return k == 0 && l == 0 ? 1.0 : 2.0;
+    return (k == 0 ? 1.0 : 2.0) * (l == 0 ? 1.0 : 2.0);
+  });
 }
 
 Field ZeroPhaseTransform::whole(std::span<const double> part) const {
@@ -65,25 +67,12 @@ std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least
 // ---- even in both indices ----
 
 QuarterTransform::QuarterTransform(Shape lags, Shape torus)
-    : ZeroPhaseTransform(lags, torus, torus.nx / 2 + 1),
+    : ZeroPhaseTransform(lags, torus, false),
       rows_(torus.ny),
       columns_(torus.nx),
-      between_(size(blocks_ * (lags.nx + width - 1) / width * width * width)),
-      row_(size(torus.ny * width)),
-      row_blocks_((lags.nx + width - 1) / width) {
-  between_.resize(size(blocks_ * row_blocks_ * width * width));
-}
-
-void QuarterTransform::visit(const std::function<void(Index, Index)>& visit) const {
-  for (Index k = 0; k < lags_.nx; ++k)
-    for (Index l = 0; l < lags_.ny; ++l) visit(k, l);
-}
-
-std::vector<double> QuarterTransform::multiplicity() const {
-  return part([](Index k, Index l) { return (k == 0 ? 1.0 : 2.0) * (l == 0 ? 1.0 : 2.0); });
-}
-
-Index QuarterTransform::place(Index k, Index l) const { return std::abs(k) * lags_.ny + std::abs(l); }
+      row_blocks_((lags.nx + width - 1) / width),
+      between_(size(blocks_ * row_blocks_ * width * width)),
+      row_(size(torus.ny * width)) {}
 
 void QuarterTransform::load(const double* part) {
   const auto [n, m] = lags_;
@@ -127,28 +116,12 @@ void QuarterTransform::store(double* part) {
 // ---- even under point reflection ----
 
 HalfPlaneTransform::HalfPlaneTransform(Shape lags, Shape torus)
-    : ZeroPhaseTransform(lags, torus, torus.nx),
+    : ZeroPhaseTransform(lags, torus, true),
       rows_(torus.ny),
       columns_(torus.nx, width / 2),
       between_(size(blocks_ * lags.nx * width)),
       row_(size(torus.ny)),
       row_spectrum_(size(blocks_ * width)) {}
-
-void HalfPlaneTransform::visit(const std::function<void(Index, Index)>& visit) const {
-  const auto [n, m] = lags_;
-  for (Index k = 0; k < n; ++k)
-    for (Index l = k == 0 ? 0 : 1 - m; l < m; ++l) visit(k, l);
-}
-
-std::vector<double> HalfPlaneTransform::multiplicity() const {
-  return part([](Index k, Index l) { return k == 0 && l == 0 ? 1.0 : 2.0; });
-}
-
-Index HalfPlaneTransform::place(Index k, Index l) const {
-  if (k < 0 || (k == 0 && l < 0)) return place(-k, -l);
-  const Index m = lags_.ny;
-  return k == 0 ? l : m + (k - 1) * (2 * m - 1) + l + m - 1;
-}
 
 void HalfPlaneTransform::load(const double* part) {
   const auto [n, m] = lags_;

@@ -20,7 +20,7 @@
 /// Accuracy  ε log2(Px Py) Σ|a|.
 #pragma once
 
-#include <functional>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <vector>
@@ -43,13 +43,14 @@ class ZeroPhaseTransform {
   Index spectrum_size() const { return blocks() * block_size(); }
 
   /// How often each value of the given part occurs on the torus: 1, 2 or 4.
-  virtual std::vector<double> multiplicity() const = 0;
+  std::vector<double> multiplicity() const;
   /// Where the value at (k, l), |k| < n, |l| < m, stands in the part.
-  virtual Index place(Index k, Index l) const = 0;
+  Index place(Index k, Index l) const;
   /// All (2n-1) × (2m-1) values.
   Field whole(std::span<const double> part) const;
-  /// The part of a function of the lag.
-  std::vector<double> part(const std::function<double(Index k, Index l)>& f) const;
+  /// The part of a function of the lag (k, l).
+  template <class Function>
+  std::vector<double> part(Function f) const;
 
   /// Not for two threads at once on one object: it owns the work space.
   void forward(std::span<const double> part, std::span<double> spectrum);
@@ -61,19 +62,20 @@ class ZeroPhaseTransform {
   void filter(std::span<const double> part, std::span<double> out, Work work);
 
  protected:
-  ZeroPhaseTransform(Shape lags, Shape torus, Index block_rows);
+  ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane);
 
   virtual void load(const double* part) = 0;               ///< rows, transformed in y
   virtual void forward_block(Index b, double* block) = 0;  ///< columns in x; block has room for Px rows
   virtual void inverse_block(Index b, double* block) = 0;
   virtual void store(double* part) = 0;
-  /// Calls visit(k, l) for the values of the part, in order.
-  virtual void visit(const std::function<void(Index k, Index l)>& visit) const = 0;
 
   Shape lags_, torus_;
   Index blocks_, block_rows_;
 
  private:
+  Index first(Index k) const { return half_plane_ && k > 0 ? 1 - lags_.ny : 0; }  ///< the least l of row k
+
+  bool half_plane_;
   AlignedVector<double> block_;
 };
 
@@ -81,35 +83,29 @@ class QuarterTransform : public ZeroPhaseTransform {
  public:
   /// The torus has even sides, at least 8 and 2n, 2m.
   QuarterTransform(Shape lags, Shape torus);
-  std::vector<double> multiplicity() const override;
-  Index place(Index k, Index l) const override;
 
  private:
   void load(const double* part) override;
   void forward_block(Index b, double* block) override;
   void inverse_block(Index b, double* block) override;
   void store(double* part) override;
-  void visit(const std::function<void(Index, Index)>& visit) const override;
 
   MirroredTransform rows_, columns_;
+  Index row_blocks_;
   AlignedVector<double> between_;  ///< [block][k < n rounded up to 8][8]
   AlignedVector<double> row_;      ///< [Py][8]
-  Index row_blocks_;
 };
 
 class HalfPlaneTransform : public ZeroPhaseTransform {
  public:
   /// The torus has even sides, at least 8 and 2n, 2m.
   HalfPlaneTransform(Shape lags, Shape torus);
-  std::vector<double> multiplicity() const override;
-  Index place(Index k, Index l) const override;
 
  private:
   void load(const double* part) override;
   void forward_block(Index b, double* block) override;
   void inverse_block(Index b, double* block) override;
   void store(double* part) override;
-  void visit(const std::function<void(Index, Index)>& visit) const override;
 
   RealTransform rows_;
   InterleavedTransform columns_;
@@ -121,6 +117,22 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
 /// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field and has at
 /// least so many points.
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented);
+
+inline Index ZeroPhaseTransform::place(Index k, Index l) const {
+  const Index m = lags_.ny;
+  if (!half_plane_) return std::abs(k) * m + std::abs(l);
+  if (k < 0 || (k == 0 && l < 0)) return place(-k, -l);
+  return k * (2 * m - 1) + l;
+}
+
+template <class Function>
+std::vector<double> ZeroPhaseTransform::part(Function f) const {
+  std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(place(lags_.nx - 1, lags_.ny - 1) + 1));
+  for (Index k = 0; k < lags_.nx; ++k)
+    for (Index l = first(k); l < lags_.ny; ++l) out.push_back(f(k, l));
+  return out;
+}
 
 template <class Work>
 void ZeroPhaseTransform::filter(std::span<const double> part, std::span<double> out, Work work) {
