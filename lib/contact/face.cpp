@@ -41,7 +41,9 @@ void FaceGradients::begin(const Face& face, const Field& p, const Field& g) {
 
 void FaceGradients::set_residual() {
   const Blocks blocks = problem_.blocks();
-  mean_gap_ = blocks.sum([&](Block b) { return (b.of(face_->mask) * b.of(g_)).sum(); }) / face_->cells;
+  mean_gap_ = problem_.approach
+                  ? *problem_.approach
+                  : mean(blocks.sum([&](Block b) { return (b.of(face_->mask) * b.of(g_)).sum(); }));
   r_.resize(p_.rows(), p_.cols());
   const Size size = blocks.sum([&](Block b) {
     auto r = b.of(r_);
@@ -60,7 +62,7 @@ bool FaceGradients::step() {
     return Eigen::Array3d((b.of(face_->mask) * z).sum(), (z * r).sum(), steps_ > 0 ? (z * old).sum() : 0);
   });
   const double beta = steps_ > 0 ? std::max(0.0, (sums[1] - sums[2]) / zr_old_) : 0;
-  const double rd = turn(sums[0] / face_->cells, beta);
+  const double rd = turn(mean(sums[0]), beta);
 
   influence_.apply(d_, q_);
   const Eigen::Array2d q = blocks.sum([&](Block b) {
@@ -68,7 +70,7 @@ bool FaceGradients::step() {
   });
   if (!(q[0] > 0 && rd > 0)) return false;
   zr_old_ = sums[1];
-  advance(rd / q[0], q[1] / face_->cells);
+  advance(rd / q[0], mean(q[1]));
   ++steps_;
   return true;
 }

@@ -6,7 +6,8 @@
 /// that masks F and subtracts the mean over F, a step is
 ///     z = P_F M r,   β = max(0, z·(r - r_old) / (z·r)_old),   d = z + β d,                      (2)
 ///     q = K d,   a = r·d / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
-/// Σp stays as it is, and δ is never an unknown. β is Polak's and Ribière's: M need not be linear.
+/// Σp stays as it is, and δ is never an unknown. Under a given approach δ takes the place of mean_F(g), and
+/// P_F only masks. β is Polak's and Ribière's: M need not be linear.
 ///
 /// Cost: one application of K, one of M, and four passes over the cells a step.
 ///
@@ -48,6 +49,8 @@ class FaceGradients {
   bool face_too_small() const;
 
  private:
+  /// What P_F subtracts from a field whose sum over F this is.
+  double mean(double sum) const { return problem_.approach ? 0 : sum / face_->cells; }
   void set_residual();
   double turn(double mean_z, double beta);
   void advance(double a, double mean_q);

@@ -24,8 +24,9 @@ GuardedGradients::GuardedGradients(ElasticOperator& influence, const ContactProb
 
 ContactStop GuardedGradients::solve(Field start, bool near, const Observer& observe) {
   p_ = std::move(start);
-  if (!clip_and_rescale(problem_, p_)) project_onto_load(problem_, p_);
+  if (!clip_and_rescale(problem_, p_)) project(problem_, p_);
   refresh();
+  if (problem_.approach) scale_start();
   halved_from_ = best_ = infinity;
   if (!near) begin_gradient_steps(3);
   while (!finished()) {
@@ -39,6 +40,22 @@ ContactStop GuardedGradients::solve(Field start, bool near, const Observer& obse
   }
   if (observe) observe(residual_, influence_);
   return stop_;
+}
+
+// The multiple of the start that has the least energy; the overlap of the undeformed bodies takes its place
+// where the start has none above 0.
+void GuardedGradients::scale_start() {
+  const double approach = *problem_.approach;
+  auto work = [&] { return ((approach - problem_.h) * p_).sum(); };
+  if (!(work() > 0)) {
+    p_ = ((approach - problem_.h) / problem_.self_influence).max(0.0).min(problem_.cap);
+    refresh();
+  }
+  const double stored = ((g_ - problem_.h) * p_).sum(), largest = problem_.cap / p_.maxCoeff();
+  const double factor = std::min(work() / stored, largest);
+  if (!(stored > 0 && factor > 0)) return;
+  p_ *= factor;
+  g_ = problem_.h + factor * (g_ - problem_.h);
 }
 
 // g = h + K p, the load restored to round-off first.
@@ -91,14 +108,15 @@ void GuardedGradients::begin_gradient_steps(int count) {
 void GuardedGradients::gradient_step() {
   --gradient_steps_left_;
   target_ = p_ - alpha_ * (g_ - residual_.approach);
-  project_onto_load(problem_, target_);
+  project(problem_, target_);
   const Eigen::Array2d along = look_towards_target();
   const double slope = along[0], curvature = along[1];
-  if (!(curvature > 0 && slope < 0)) {
+  if (!(slope < 0)) {
     gradient_steps_left_ = 0;
     return;
   }
-  move(std::min(1.0, -slope / curvature));
+  move(curvature > 0 ? std::min(1.0, -slope / curvature) : 1);
+  if (!(curvature > 0)) return;
   // Barzilai's and Borwein's two steps in turn.
   const bool long_step = ++gradient_steps_ % 2 == 1;
   alpha_ = long_step ? d_.square().sum() / curvature : curvature / q_.square().sum();
@@ -106,7 +124,7 @@ void GuardedGradients::gradient_step() {
 
 void GuardedGradients::face_step() {
   const Face face(problem_, p_, g_, residual_.approach);
-  if (face.cells < 2) return begin_gradient_steps(3);
+  if (face.cells < (problem_.approach ? 1 : 2)) return begin_gradient_steps(3);
   minimise_on(face);
   if (face_gradients_.steps() == 0)
     begin_gradient_steps(5);

@@ -1,6 +1,6 @@
 /// Guarded conjugate gradients: the contact problem on one grid.
 ///
-///     p ← clip and rescale the start,  g ← h + K p
+///     p ← clip and rescale the start,  g ← h + K p;  under a given approach, the multiple of least energy
 ///     until ε ≤ tolerance:
 ///       face step     F ← free cells and cells that want off their bound            contact/face.hpp
 ///                     minimise on F by preconditioned conjugate gradients
@@ -69,6 +69,7 @@ class GuardedGradients {
   const CountedOperator& work() const { return influence_; }
 
  private:
+  void scale_start();
   bool finished();
   bool stalled();
   void refresh();

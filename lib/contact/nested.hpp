@@ -10,7 +10,7 @@ namespace asperity {
 
 /// Even sides, and no half below 32 cells.
 bool can_coarsen(Shape shape);
-/// The same load on a quarter of the cells; K₀₀ is doubled, as it is of cells twice the size.
+/// The same load, or approach, on a quarter of the cells; K₀₀ is doubled, as it is of cells twice the size.
 ContactProblem coarsened(const ContactProblem& problem);
 /// Pressures on the grid twice as fine; `periodic` tells what lies beyond the edge.
 Field prolonged(const Field& coarse, bool periodic);

@@ -10,6 +10,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What one pass over p and g collects.
 struct Extent {
+  double sum = 0;                                 // Σp
   double free_gap = 0;                            // Σ g over the free cells
   double lowest_open = infinity;                  // min g over p = 0
   double highest_limited = -infinity;             // max g over p = c
@@ -27,12 +28,14 @@ struct Extent {
       highest_limited = std::max(highest_limited, g);
       ++at_limit;
     }
+    sum += p;
     lowest = std::min(lowest, u);
     highest = std::max(highest, u);
     max_pressure = std::max(max_pressure, p);
   }
 
   void operator+=(const Extent& other) {
+    sum += other.sum;
     free_gap += other.free_gap;
     lowest_open = std::min(lowest_open, other.lowest_open);
     highest_limited = std::max(highest_limited, other.highest_limited);
@@ -79,9 +82,10 @@ double largest_violation(const ContactProblem& problem, const Field& p, const Fi
 ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g) {
   const Extent found = extent(problem, p, g);
   ContactResidual out;
-  out.approach = found.approach();
+  out.approach = problem.approach ? *problem.approach : found.approach();
   out.scale = std::max(found.highest - found.lowest,
-                       problem.self_influence * problem.sum / static_cast<double>(p.size()));
+                       problem.self_influence * found.sum / static_cast<double>(p.size()));
+  out.sum = found.sum;
   out.max_pressure = found.max_pressure;
   out.free = found.free;
   out.at_limit = found.at_limit;

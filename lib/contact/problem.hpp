@@ -6,13 +6,18 @@
 /// These are the conditions of the least energy ½ p·Kp + h·p under (1); the approach δ is the multiplier of
 /// the load. Where p = c the bodies overlap by δ - g, the plastic flattening. c = ∞ is elastic contact.
 ///
+/// Or δ is given in place of S: then Σp is free, and (2) are the conditions of the least
+///     ½ p·Kp + (h - δ)·p   under 0 ≤ p ≤ c.                                                  (1')
+/// δ ≤ min h leaves p = 0. Where K has no answer to a constant pressure (periodic surfaces) and c = ∞, (1')
+/// has a minimum for δ < mean h alone: in full contact the mean gap is 0 whatever the load.
+///
 /// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of max g
-/// over p = c and min g over p = 0, or the one that exists. With k = K₀₀,
+/// over p = c and min g over p = 0, or the one that exists. Within (1') it is as given. With k = K₀₀,
 ///     w = k p - clip(k p - (g - δ), 0, k c)                                                  (3)
 /// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c, as far as a cell's own
 /// pressure can mend it, and 0 everywhere in the solution alone. The residual is
-///     ε = max|w| / max(max u - min u, k S/n),   u = K p.                                     (4)
-/// k S/n, a cell's displacement under the mean pressure, counts only where surfaces are so flat and contact is
+///     ε = max|w| / max(max u - min u, k Σp/n),   u = K p.                                    (4)
+/// k Σp/n, a cell's displacement under the mean pressure, counts only where surfaces are so flat and contact is
 /// so full that u hardly varies. ε does not depend on units or on the datum of h. ε = 1e-6 leaves the greatest
 /// pressure an error of 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves
 /// 1e-10…2e-7 and none. Round-off sets a floor of 5e-14…5e-12.
@@ -22,6 +27,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "contact/blocks.hpp"
 #include "grid/field.hpp"
@@ -33,6 +39,7 @@ struct ContactProblem {
   double sum = 0;                                        ///< S [Pa]
   double cap = std::numeric_limits<double>::infinity();  ///< c [Pa]
   double self_influence = 0;                             ///< K₀₀ [m/Pa]
+  std::optional<double> approach = {};                   ///< δ [m], given in place of S
   int threads = 1;
 
   Blocks blocks() const { return {h.size(), threads}; }
@@ -43,6 +50,7 @@ struct ContactResidual {
   double epsilon = 0;       ///< ε of (4)
   double approach = 0;      ///< δ [m]
   double scale = 0;         ///< the denominator of (4) [m]
+  double sum = 0;           ///< Σp [Pa]
   double max_pressure = 0;  ///< [Pa]
   Index free = 0;           ///< cells with 0 < p < c
   Index at_limit = 0;       ///< cells with p = c

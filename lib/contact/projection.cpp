@@ -44,11 +44,12 @@ double shift_to_load(const ContactProblem& problem, const Field& p) {
 
 }  // namespace
 
-void project_onto_load(const ContactProblem& problem, Field& p) {
-  clip(problem, p, shift_to_load(problem, p));
+void project(const ContactProblem& problem, Field& p) {
+  clip(problem, p, problem.approach ? 0 : shift_to_load(problem, p));
 }
 
 bool clip_and_rescale(const ContactProblem& problem, Field& p) {
+  if (problem.approach) return clip(problem, p, 0), true;
   if (problem.sum >= (1 - saturation) * problem.cap * static_cast<double>(p.size())) {
     p.setConstant(problem.cap);
     return true;

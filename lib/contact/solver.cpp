@@ -18,17 +18,47 @@ constexpr double coarse_tolerance = 1e-3;
 constexpr double load_round_off = 1e-12;
 constexpr Index cells_to_be_trusted = 50;
 
-ContactProblem make_problem(const Grid& grid, const Field& gap, const ElasticOperator& influence,
-                            const ContactParameters& parameters) {
-  if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
-    throw DataError("heights", "the field, the grid and the operator differ in shape");
-  if (!gap.isFinite().all()) throw DataError("heights", "holds values that are not finite");
+void check_load(const Grid& grid, const ContactParameters& parameters) {
   const double largest = parameters.limit_pressure * grid.size_x() * grid.size_y();
   if (parameters.load > largest * (1 + load_round_off))
     throw ParameterError(
         "load", fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N",
                             parameters.load, largest));
-  return {gap, parameters.load / grid.cell_area(), parameters.limit_pressure, influence.self_influence(),
+}
+
+void check_approach(const Grid& grid, const Field& gap, const ContactParameters& parameters) {
+  const double approach = *parameters.approach, touch = gap.minCoeff(), mean = gap.mean();
+  if (!(approach > touch))
+    throw ParameterError(
+        "approach", fmt::format("{} m is not above {:.6g} m, where the bodies first touch", approach, touch));
+  if (grid.periodic && std::isinf(parameters.limit_pressure) && !(approach < mean))
+    throw ParameterError(
+        "approach",
+        fmt::format("{} m is not below {:.6g} m, the mean gap of a periodic surface in full contact",
+                    approach, mean));
+}
+
+void check_start(const Grid& grid, const Field& start) {
+  if (start.size() == 0) return;
+  if (!(shape_of(start) == grid.shape)) throw DataError("pressure", "the start and the grid differ in shape");
+  if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
+}
+
+ContactProblem make_problem(const Grid& grid, const Field& gap, const ElasticOperator& influence,
+                            const ContactParameters& parameters) {
+  if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
+    throw DataError("heights", "the field, the grid and the operator differ in shape");
+  if (!gap.isFinite().all()) throw DataError("heights", "holds values that are not finite");
+  if (parameters.approach)
+    check_approach(grid, gap, parameters);
+  else
+    check_load(grid, parameters);
+  check_start(grid, parameters.start);
+  return {gap,
+          parameters.load / grid.cell_area(),
+          parameters.limit_pressure,
+          influence.self_influence(),
+          parameters.approach,
           parameters.threads};
 }
 
@@ -88,11 +118,14 @@ void keep(Contact& contact, const Grid& grid, const ContactProblem& problem, con
                    return p <= 0 ? Contact::open : problem.is_free(p) ? Contact::elastic : Contact::at_limit;
                  });
   contact.approach = residual.approach;
+  contact.mean_gap = contact.gap.max(0.0).mean();
   contact.max_pressure = residual.max_pressure;
   contact.residual = residual.epsilon;
   contact.area = static_cast<double>(residual.contact()) * grid.cell_area();
   contact.plastic_area = static_cast<double>(residual.at_limit) * grid.cell_area();
-  contact.load_error = std::abs(contact.pressure.sum() / problem.sum - 1);
+  const double sum = contact.pressure.sum();
+  contact.load = sum * grid.cell_area();
+  contact.load_error = problem.approach ? 0 : std::abs(sum / problem.sum - 1);
 }
 
 bool touches_edge(const Field& p) {
@@ -113,11 +146,13 @@ void add_warnings(Contact& contact, const Grid& grid) {
 void solve_levels(Contact& contact, const Grid& grid, const std::vector<Level>& levels,
                   const ContactParameters& parameters) {
   const Shape coarsest = levels.back().influence->shape();
-  Field start = Field::Constant(coarsest.nx, coarsest.ny,
-                                levels.back().problem.sum / static_cast<double>(coarsest.cells()));
+  const bool warm = parameters.start.size() > 0;
+  Field start = warm ? parameters.start
+                     : Field::Constant(coarsest.nx, coarsest.ny,
+                                       levels.back().problem.sum / static_cast<double>(coarsest.cells()));
   for (std::size_t k = levels.size(); k-- > 0;) {
     const Level& level = levels[k];
-    const bool finest = k == 0, near = k + 1 < levels.size();
+    const bool finest = k == 0, near = warm || k + 1 < levels.size();
     GuardedGradients::Limits limits{parameters.tolerance, parameters.max_convolutions, true};
     if (!finest) limits = {std::max(coarse_tolerance, parameters.tolerance), 400, false};
     GuardedGradients gradients(*level.influence, level.problem, limits);
@@ -137,7 +172,11 @@ void solve_levels(Contact& contact, const Grid& grid, const std::vector<Level>& 
 }  // namespace
 
 void ContactParameters::check() const {
-  if (!(load > 0 && std::isfinite(load)))
+  if (approach && load != 0)
+    throw ParameterError("approach", fmt::format("{} m is given beside a load of {} N", *approach, load));
+  if (approach && !std::isfinite(*approach))
+    throw ParameterError("approach", fmt::format("{} m is not finite", *approach));
+  if (!approach && !(load > 0 && std::isfinite(load)))
     throw ParameterError("load", fmt::format("{} N is not above 0", load));
   if (!(limit_pressure > 0))
     throw ParameterError("limit-pressure", fmt::format("{} Pa is not above 0", limit_pressure));
@@ -162,8 +201,9 @@ Contact solve_contact(const Grid& grid, const Field& undeformed_gap, ElasticOper
   parameters.check();
   Contact contact;
   const Stopwatch setup;
-  const std::vector<Level> levels = make_levels(
-      influence, make_problem(grid, undeformed_gap, influence, parameters), parameters.nested_start);
+  const std::vector<Level> levels =
+      make_levels(influence, make_problem(grid, undeformed_gap, influence, parameters),
+                  parameters.nested_start && parameters.start.size() == 0);
   contact.levels = static_cast<int>(levels.size());
   contact.setup_seconds = setup.seconds();
 

@@ -2,13 +2,17 @@
 ///
 ///     const Field gap = undeformed_gap(grid, bodies) - heights;
 ///     Contact contact = solve_contact(grid, gap, bodies.composite_modulus(), {.load = 5000});
+///     Contact sunk = solve_contact(grid, gap, bodies.composite_modulus(), {.approach = 20e-6});
 ///
 /// Find the pressure that carries the load Q,
 ///     0 ≤ p ≤ p_Y,   Σ p ΔxΔy = Q,   gap = h + K p - δ,
 /// with gap ≥ 0 where p = 0 (open), gap = 0 where 0 < p < p_Y (elastic), gap ≤ 0 where p = p_Y (flattened
 /// plastically by -gap), and K of contact/influence.hpp. contact/problem.hpp states the residual ε,
 /// contact/guarded.hpp the iteration. It starts from the solutions of coarser grids (2 × 2 averages down
-/// to 32 cells a side), each to ε = 1e-3.
+/// to 32 cells a side), each to ε = 1e-3, or from a pressure that is given, as of a neighbouring load.
+///
+/// Or δ is given and Q results. δ counts from the datum of h: the bodies first touch at δ = min h. On a
+/// periodic surface without limit pressure δ stays below the mean of h, which every full contact has.
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa], about 3 σ_Y   Q load [N]   δ approach [m]
 ///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
@@ -20,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,14 +44,16 @@ struct ContactProgress {
 
 struct ContactParameters {
   double load = 0;                                                  ///< Q [N]
+  std::optional<double> approach = {};                              ///< δ [m], in place of the load
   double limit_pressure = std::numeric_limits<double>::infinity();  ///< p_Y [Pa]; infinity: elastic
   double tolerance = 1e-6;                                          ///< of ε
   int max_convolutions = 1000;                                      ///< on the finest grid
   bool nested_start = true;                                         ///< begin on coarser grids
+  Field start = {};                                                 ///< or from this pressure [Pa], if any
   int threads = 1;
   std::function<void(const ContactProgress&)> progress = {};  ///< told of every round
 
-  /// Throws ParameterError: load > 0, limit-pressure > 0, 0 < tolerance < 1, max-convolutions ≥ 1.
+  /// Throws ParameterError: load > 0 or an approach, not both; limit-pressure > 0, 0 < tolerance < 1, max-convolutions ≥ 1.
   void check() const;
 };
 
@@ -58,7 +65,9 @@ struct Contact {
   Field gap;                       ///< [m]; negative where flattened
   std::vector<std::int8_t> state;  ///< State of each cell
 
+  double load = 0;          ///< Σ p ΔxΔy [N]
   double approach = 0;      ///< δ [m]
+  double mean_gap = 0;      ///< over the domain, 0 where flattened [m]
   double max_pressure = 0;  ///< [Pa]
   double area = 0;          ///< of all cells with p > 0 [m²]
   double plastic_area = 0;  ///< of the cells with p = p_Y [m²]
@@ -66,7 +75,7 @@ struct Contact {
   bool converged = false;
   std::string reason;           ///< why it ended
   double residual = 0;          ///< ε, from a fresh convolution
-  double load_error = 0;        ///< |Σ p ΔxΔy / Q - 1|
+  double load_error = 0;        ///< |Σ p ΔxΔy / Q - 1|; 0 where the approach is given
   double convolutions = 0;      ///< applications of K; those on coarser grids by their share of the cells
   double preconditionings = 0;  ///< applications of M, counted alike
   int levels = 1;               ///< grids, the finest included
@@ -77,8 +86,9 @@ struct Contact {
 };
 
 /// Solves with the half-space's operator, the periodic one where the grid is periodic. Throws
-/// DataError("heights") when the gap is not finite, ParameterError("load") when not even p_Y on every cell
-/// carries it.
+/// DataError("heights") when the gap is not finite, DataError("pressure") when the start is not or does not
+/// fit, ParameterError("load") when not even p_Y on every cell carries it, ParameterError("approach") when the
+/// bodies do not touch at it or no contact has it.
 Contact solve_contact(const Grid& grid, const Field& undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 
