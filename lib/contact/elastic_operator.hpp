@@ -15,14 +15,19 @@ class ElasticOperator {
   virtual ~ElasticOperator() = default;
 
   virtual Shape shape() const = 0;
-  /// u = K p: displacement [m] under a pressure [Pa]. `u` is resized.
+  /// u = K p: displacement [m] under a pressure [Pa]. `u` is resized, and may be `p`.
   virtual void apply(const Field& p, Field& u) = 0;
-  /// z = M r with M ≈ K⁻¹, symmetric positive (semi)definite and cheaper than K.
+  /// z = M r with M ≈ K⁻¹, linear, symmetric positive (semi)definite and cheaper than K. `z` may be `r`.
   virtual void precondition(const Field& r, Field& z) = 0;
   /// K₀₀: the displacement of a cell under its own unit pressure [m/Pa].
   virtual double self_influence() const = 0;
   /// The same body on cells twice as long and wide; asked only of even shapes.
   virtual std::unique_ptr<ElasticOperator> coarsened() const = 0;
+  /// The same body on a rectangle of its cells, of this shape or somewhat more: K of pressures that are 0
+  /// elsewhere. Wherever the rectangle lies: bodies are uniform. None where that would not be worth it.
+  virtual std::shared_ptr<ElasticOperator> windowed(Shape) { return nullptr; }
+  /// Spent so far on coefficients, plans and spectra.
+  virtual double setup_seconds() const { return 0; }
 };
 
 }  // namespace asperity

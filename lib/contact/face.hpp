@@ -4,12 +4,13 @@
 ///     F = {0 < p < c} ∪ {p = 0, g < δ} ∪ {p = c, g > δ}.                                        (1)
 /// On it the energy is least, bounds ignored, where g is even: r = mean_F(g) - g = 0. With P_F the projection
 /// that masks F and subtracts the mean over F, a step is
-///     z = P_F M r,   β = max(0, z·(r - r_old) / (z·r)_old),   d = z + β d,                      (2)
+///     z = P_F M r,   β = z·r / (z·r)_old,   d = z + β d,                                        (2)
 ///     q = K d,   a = r·d / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
 /// Σp stays as it is, and δ is never an unknown. Under a given approach δ takes the place of mean_F(g), and
-/// P_F only masks. β is Polak's and Ribière's: M need not be linear.
+/// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's.
 ///
-/// Cost: one application of K, one of M, and four passes over the cells a step.
+/// Cost: one application of K, one of M, and four passes over the cells a step. Memory: four fields and a mask;
+/// r, z and q are never wanted at once and share one, r following from g.
 ///
 /// I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level
 /// multi-summation and conjugate gradient techniques, Wear 231 (1999) 206-219; E. A. H. Vollebregt, The
@@ -24,25 +25,34 @@ namespace asperity {
 
 /// (1): 1 for the cells of F, 0 for the others.
 struct Face {
-  Face(const ContactProblem& problem, const Field& p, const Field& g, double approach);
+  /// Builds the face of p and g, in the place of another.
+  void set(const ContactProblem& problem, const Field& p, const Field& g, double approach);
   Field mask;
   double cells = 0;
 };
 
+/// A pressure, its gap, a direction and the direction's displacement.
+struct Trial {
+  Field p;  ///< [Pa]
+  Field g;  ///< h + K p [m]
+  Field d;  ///< [Pa]
+  Field q;  ///< K d [m]; M r between
+};
+
 class FaceGradients {
  public:
-  FaceGradients(ElasticOperator& influence, const ContactProblem& problem);
+  /// Works in the fields of `trial`.
+  FaceGradients(ElasticOperator& influence, const ContactProblem& problem, Trial& trial)
+      : influence_(influence), problem_(problem), trial_(trial) {}
 
   /// Starts from p and g = h + K p.
   void begin(const Face& face, const Field& p, const Field& g);
-  /// (2). False, and nothing has changed, when the curvature or the descent along d is not positive.
+  /// (2). False, and p and g are as before, when the curvature or the descent along d is not positive.
   bool step();
 
   int steps() const { return steps_; }
   double norm() const { return norm_; }        ///< |r|₂ [m]
   double largest() const { return largest_; }  ///< max|r| [m]
-  const Field& pressure() const { return p_; }
-  const Field& gap() const { return g_; }  ///< h + K p
   /// Whether a pressure is out of its bounds.
   bool out_of_bounds() const;
   /// Whether the gap drives a cell off the bound on which the face keeps it.
@@ -57,8 +67,8 @@ class FaceGradients {
 
   ElasticOperator& influence_;
   const ContactProblem& problem_;
+  Trial& trial_;
   const Face* face_ = nullptr;
-  Field p_, g_, r_, r_old_, z_, d_, q_;
   double mean_gap_ = 0, zr_old_ = 1, norm_ = 0, largest_ = 0;
   int steps_ = 0;
 };

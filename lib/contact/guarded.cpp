@@ -20,14 +20,13 @@ constexpr double round_off_floor = 1e-11;  // of ε, where gains end
 }  // namespace
 
 GuardedGradients::GuardedGradients(ElasticOperator& influence, const ContactProblem& problem, Limits limits)
-    : influence_(influence), problem_(problem), limits_(limits), face_gradients_(influence_, problem) {}
+    : influence_(influence),
+      problem_(problem),
+      limits_(limits),
+      face_gradients_(influence_, problem, trial_) {}
 
-ContactStop GuardedGradients::solve(Field start, bool near, const Observer& observe) {
-  p_ = std::move(start);
-  if (!clip_and_rescale(problem_, p_)) project(problem_, p_);
-  refresh();
-  if (problem_.approach) scale_start();
-  halved_from_ = best_ = infinity;
+ContactStop GuardedGradients::solve(Field p, Field g, bool near, const Observer& observe) {
+  begin(std::move(p), std::move(g));
   if (!near) begin_gradient_steps(3);
   while (!finished()) {
     if (observe) observe(residual_, influence_);
@@ -42,19 +41,22 @@ ContactStop GuardedGradients::solve(Field start, bool near, const Observer& obse
   return stop_;
 }
 
-// The multiple of the start that has the least energy; the overlap of the undeformed bodies takes its place
-// where the start has none above 0.
+void GuardedGradients::begin(Field p, Field g) {
+  p_ = std::move(p);
+  g_ = std::move(g);
+  halved_from_ = best_ = infinity;
+  if (g_.size() > 0) return;
+  if (!clip_and_rescale(problem_, p_)) project(problem_, p_);
+  refresh();
+  if (problem_.approach) scale_start();
+}
+
+// The multiple of the start that has the least energy.
 void GuardedGradients::scale_start() {
-  const double approach = *problem_.approach;
-  auto work = [&] { return ((approach - problem_.h) * p_).sum(); };
-  if (!(work() > 0)) {
-    p_ = ((approach - problem_.h) / problem_.self_influence).max(0.0).min(problem_.cap);
-    refresh();
-  }
-  const double stored = ((g_ - problem_.h) * p_).sum(), largest = problem_.cap / p_.maxCoeff();
-  const double factor = std::min(work() / stored, largest);
-  if (!(stored > 0 && factor > 0)) return;
-  p_ *= factor;
+  const double work = ((*problem_.approach - problem_.h) * p_).sum(), stored = ((g_ - problem_.h) * p_).sum();
+  if (!(work > 0 && stored > 0)) return;
+  const double factor = std::min(work / stored, problem_.cap / p_.maxCoeff());
+  p_ = (factor * p_).min(problem_.cap);
   g_ = problem_.h + factor * (g_ - problem_.h);
 }
 
@@ -69,10 +71,6 @@ void GuardedGradients::refresh() {
 bool GuardedGradients::finished() {
   if (updates_ >= updates_before_refresh) refresh();
   residual_ = contact_residual(problem_, p_, g_);
-  if (residual_.epsilon <= limits_.tolerance && updates_ > 0 && limits_.confirm) {
-    refresh();
-    residual_ = contact_residual(problem_, p_, g_);
-  }
   if (residual_.epsilon <= limits_.tolerance) {
     stop_ = ContactStop::converged;
     return true;
@@ -107,9 +105,9 @@ void GuardedGradients::begin_gradient_steps(int count) {
 
 void GuardedGradients::gradient_step() {
   --gradient_steps_left_;
-  target_ = p_ - alpha_ * (g_ - residual_.approach);
-  project(problem_, target_);
-  const Eigen::Array2d along = look_towards_target();
+  trial_.p = p_ - alpha_ * (g_ - residual_.approach);
+  project(problem_, trial_.p);
+  const Eigen::Array2d along = look_towards_trial();
   const double slope = along[0], curvature = along[1];
   if (!(slope < 0)) {
     gradient_steps_left_ = 0;
@@ -119,13 +117,13 @@ void GuardedGradients::gradient_step() {
   if (!(curvature > 0)) return;
   // Barzilai's and Borwein's two steps in turn.
   const bool long_step = ++gradient_steps_ % 2 == 1;
-  alpha_ = long_step ? d_.square().sum() / curvature : curvature / q_.square().sum();
+  alpha_ = long_step ? trial_.d.square().sum() / curvature : curvature / trial_.q.square().sum();
 }
 
 void GuardedGradients::face_step() {
-  const Face face(problem_, p_, g_, residual_.approach);
-  if (face.cells < (problem_.approach ? 1 : 2)) return begin_gradient_steps(3);
-  minimise_on(face);
+  face_.set(problem_, p_, g_, residual_.approach);
+  if (face_.cells < (problem_.approach ? 1 : 2)) return begin_gradient_steps(3);
+  minimise_on_face();
   if (face_gradients_.steps() == 0)
     begin_gradient_steps(5);
   else if (face_gradients_.out_of_bounds())
@@ -134,8 +132,8 @@ void GuardedGradients::face_step() {
     take_minimum();
 }
 
-void GuardedGradients::minimise_on(const Face& face) {
-  face_gradients_.begin(face, p_, g_);
+void GuardedGradients::minimise_on_face() {
+  face_gradients_.begin(face_, p_, g_);
   const double goal = face_goal * limits_.tolerance * residual_.scale;
   double reference = face_gradients_.norm();
   while (face_gradients_.steps() < face_steps && face_gradients_.step() && face_gradients_.largest() > goal) {
@@ -146,35 +144,34 @@ void GuardedGradients::minimise_on(const Face& face) {
 }
 
 void GuardedGradients::take_minimum() {
-  p_ = face_gradients_.pressure();
-  g_ = face_gradients_.gap();
+  std::swap(p_, trial_.p);
+  std::swap(g_, trial_.g);
   updates_ += face_gradients_.steps();
 }
 
 void GuardedGradients::guarded_step() {
-  target_ = face_gradients_.pressure();
-  if (!clip_and_rescale(problem_, target_)) return begin_gradient_steps(6);
-  const Eigen::Array2d along = look_towards_target();
+  if (!clip_and_rescale(problem_, trial_.p)) return begin_gradient_steps(6);
+  const Eigen::Array2d along = look_towards_trial();
   const double slope = along[0], curvature = along[1];
   if (slope < 0 && slope + curvature / 2 <= sufficient_decrease * slope) return move(1);
   if (slope < 0 && curvature > 0) move(std::min(1.0, -slope / curvature));
   begin_gradient_steps(6);
 }
 
-Eigen::Array2d GuardedGradients::look_towards_target() {
-  d_ = target_ - p_;
-  influence_.apply(d_, q_);
+Eigen::Array2d GuardedGradients::look_towards_trial() {
+  trial_.d = trial_.p - p_;
+  influence_.apply(trial_.d, trial_.q);
   return problem_.blocks().sum([&](Block b) {
-    const auto d = b.of(d_);
-    return Eigen::Array2d(((b.of(g_) - residual_.approach) * d).sum(), (d * b.of(q_)).sum());
+    const auto d = b.of(trial_.d);
+    return Eigen::Array2d(((b.of(g_) - residual_.approach) * d).sum(), (d * b.of(trial_.q)).sum());
   });
 }
 
 void GuardedGradients::move(double lambda) {
-  if (lambda == 1) std::swap(p_, target_);  // p + d would miss the bounds by round-off
+  if (lambda == 1) std::swap(p_, trial_.p);  // p + d would miss the bounds by round-off
   problem_.blocks().each([&](Block b) {
-    if (lambda < 1) b.of(p_) = (b.of(p_) + lambda * b.of(d_)).max(0.0).min(problem_.cap);
-    b.of(g_) += lambda * b.of(q_);
+    if (lambda < 1) b.of(p_) = (b.of(p_) + lambda * b.of(trial_.d)).max(0.0).min(problem_.cap);
+    b.of(g_) += lambda * b.of(trial_.q);
   });
   ++updates_;
 }

@@ -1,4 +1,4 @@
-/// Guarded conjugate gradients: the contact problem on one grid.
+/// Guarded conjugate gradients: the contact problem on the cells of one operator.
 ///
 ///     p ← clip and rescale the start,  g ← h + K p;  under a given approach, the multiple of least energy
 ///     until ε ≤ tolerance:
@@ -14,8 +14,9 @@
 /// sets cannot cycle. The residual on a face is not driven to zero: while no bound is violated the conjugate
 /// gradients go on, and once it has fallen to a quarter they stop at the first violation.
 ///
-/// Accuracy  ε is confirmed with a fresh g = h + K p before it is reported.
-/// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells.
+/// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
+/// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells; six
+///           fields and a mask.
 ///
 /// E. G. Birgin, J. M. Martínez, M. Raydan, Nonmonotone spectral projected gradient methods on convex sets,
 /// SIAM J. Optim. 10 (2000) 1196-1211; J. J. Moré, G. Toraldo, On the solution of large quadratic programming
@@ -54,21 +55,23 @@ class GuardedGradients {
   struct Limits {
     double tolerance = 1e-6;  ///< of ε
     int convolutions = 1000;
-    bool confirm = true;  ///< refresh g before ε is believed
   };
   using Observer = std::function<void(const ContactResidual&, const CountedOperator&)>;
 
   GuardedGradients(ElasticOperator& influence, const ContactProblem& problem, Limits limits);
 
-  /// Solves from `start`; `near` says that it comes from a coarser grid.
-  ContactStop solve(Field start, bool near, const Observer& observe = {});
+  /// Solves from p and g = h + K p; an empty g is made. `near` says that p is nearly the solution.
+  ContactStop solve(Field p, Field g, bool near, const Observer& observe = {});
 
-  const Field& pressure() const { return p_; }
-  const Field& gap() const { return g_; }  ///< h + K p
+  /// The solution, to be read or moved away. Where g is not fresh it comes from recurrences.
+  Field& pressure() { return p_; }
+  Field& gap() { return g_; }  ///< h + K p
+  bool gap_is_fresh() const { return updates_ == 0; }
   const ContactResidual& residual() const { return residual_; }
   const CountedOperator& work() const { return influence_; }
 
  private:
+  void begin(Field p, Field g);
   void scale_start();
   bool finished();
   bool stalled();
@@ -78,17 +81,19 @@ class GuardedGradients {
   void face_step();
   void take_minimum();
   void guarded_step();
-  void minimise_on(const Face& face);
-  /// d = target - p, q = K d; returns the slope (g - δ)·d and the curvature d·q of the energy along d.
-  Eigen::Array2d look_towards_target();
-  /// p += λ d, g += λ q, 0 ≤ λ ≤ 1; the target itself for λ = 1.
+  void minimise_on_face();
+  /// d = trial - p, q = K d; returns the slope (g - δ)·d and the curvature d·q of the energy along d.
+  Eigen::Array2d look_towards_trial();
+  /// p += λ d, g += λ q, 0 ≤ λ ≤ 1; the trial itself for λ = 1.
   void move(double lambda);
 
   CountedOperator influence_;
   const ContactProblem& problem_;
   Limits limits_;
+  Field p_, g_;
+  Trial trial_;
+  Face face_;
   FaceGradients face_gradients_;
-  Field p_, g_, target_, d_, q_;
   ContactResidual residual_;
   ContactStop stop_ = ContactStop::converged;
   int gradient_steps_left_ = 0, gradient_steps_ = 0, updates_ = 0;

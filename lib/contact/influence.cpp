@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "grid/parallel.hpp"
+#include "grid/stopwatch.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
@@ -48,9 +49,18 @@ double gauss_rule(const std::array<Node, n>& rule, double x, double y, double a,
   return a * b * sum;
 }
 
-// K(i, j) for 0 ≤ i ≤ Px/2, 0 ≤ j ≤ Py/2 of the padded torus.
-Field love_coefficients(const Grid& grid, double composite_modulus, int threads) {
-  const Shape torus = padded_torus(grid.shape);
+// The rectangle's moments up to the fourth; the sixth leave 0.2 (size/2r)⁶.
+double multipoles(double x, double y, double a, double b) {
+  const double x2 = x * x, y2 = y * y, inverse = 1 / (x2 + y2), c = x2 * inverse, s = y2 * inverse;
+  const double A = a * a * inverse, B = b * b * inverse;
+  const double second = (A * (3 * c - 1) + B * (3 * s - 1)) / 6;
+  const double fourth = (A * A * ((105 * c - 90) * c + 9) + B * B * ((105 * s - 90) * s + 9)) / 120 +
+                        A * B * (105 * c * s - 12) / 36;
+  return 4 * a * b * std::sqrt(inverse) * (1 + second + fourth);
+}
+
+// K(i, j) for 0 ≤ i ≤ Px/2, 0 ≤ j ≤ Py/2.
+Field love_coefficients(const Grid& grid, Shape torus, double composite_modulus, int threads) {
   Field k(torus.nx / 2 + 1, torus.ny / 2 + 1);
   const double a = grid.dx / 2, b = grid.dy / 2, scale = 1 / (pi * composite_modulus);
   parallel_ranges(k.rows(), threads, [&](Index begin, Index end, int) {
@@ -69,35 +79,75 @@ Field symbol_of(const Field& coefficients, Shape torus) {
 // A torus about as large as the field, for nearest images.
 Shape unpadded_torus(Shape field) { return {fast_length(field.nx, 2), fast_length(field.ny, 2)}; }
 
+using WorkSpace = std::shared_ptr<HalfSpectrum>;
+
 class HalfSpace final : public ElasticOperator {
  public:
-  HalfSpace(Shape shape, Field coefficients, int threads)
-      : coefficients_(std::move(coefficients)),
-        influence_(shape, padded_torus(shape), symbol_of(coefficients_, padded_torus(shape)), threads),
-        inverse_(shape, unpadded_torus(shape), inverse_symbol(shape), threads),
-        threads_(threads) {}
+  HalfSpace(const Grid& grid, double modulus, int threads, WorkSpace work)
+      : grid_(grid), modulus_(modulus), threads_(threads), work_(std::move(work)) {}
 
-  Shape shape() const override { return influence_.shape(); }
-  void apply(const Field& p, Field& u) override { influence_.apply(p, u); }
-  void precondition(const Field& r, Field& z) override { inverse_.apply(r, z); }
-  double self_influence() const override { return coefficients_(0, 0); }
+  Shape shape() const override { return grid_.shape; }
+  void apply(const Field& p, Field& u) override { made(influence_, &HalfSpace::influence).apply(p, u); }
+  void precondition(const Field& r, Field& z) override { made(inverse_, &HalfSpace::inverse).apply(r, z); }
+  double self_influence() const override {
+    return love_integral(0, 0, grid_.dx / 2, grid_.dy / 2) / (pi * modulus_);
+  }
+  double setup_seconds() const override { return setup_ + (window_ ? window_->setup_seconds() : 0); }
 
-  // (1) is homogeneous: twice the lengths, twice the displacement.
   std::unique_ptr<ElasticOperator> coarsened() const override {
-    const Shape coarse{shape().nx / 2, shape().ny / 2}, torus = padded_torus(coarse);
-    return std::make_unique<HalfSpace>(
-        coarse, 2 * coefficients_.topLeftCorner(torus.nx / 2 + 1, torus.ny / 2 + 1), threads_);
+    const Grid coarse{{shape().nx / 2, shape().ny / 2}, 2 * grid_.dx, 2 * grid_.dy};
+    return std::make_unique<HalfSpace>(coarse, modulus_, threads_, work_);
+  }
+
+  std::shared_ptr<ElasticOperator> windowed(Shape least) override {
+    const Shape torus = padded_torus(least);
+    const Grid window{{torus.nx / 2, torus.ny / 2}, grid_.dx, grid_.dy};
+    if (4 * torus.cells() > 3 * padded_torus(shape()).cells() || !covers(shape(), window.shape))
+      return nullptr;
+    if (window_ && covers(window_->shape(), least) &&
+        2 * window_->shape().cells() <= 3 * window.shape.cells())
+      return window_;
+    setup_ = setup_seconds();
+    return window_ = std::make_shared<HalfSpace>(window, modulus_, threads_, work_);
   }
 
  private:
-  // The symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
-  Field inverse_symbol(Shape shape) const {
-    return symbol_of(coefficients_, unpadded_torus(shape)).max(1e-3 * self_influence()).inverse();
+  using Convolution = std::unique_ptr<EvenConvolution>;
+
+  static bool covers(Shape a, Shape b) { return a.nx >= b.nx && a.ny >= b.ny; }
+
+  EvenConvolution& made(Convolution& convolution, Convolution (HalfSpace::*make)() const) {
+    if (!convolution) {
+      const Stopwatch watch;
+      convolution = (this->*make)();
+      setup_ += watch.seconds();
+    }
+    return *convolution;
   }
 
-  Field coefficients_;
-  EvenConvolution influence_, inverse_;
+  Convolution influence() const {
+    const Shape torus = padded_torus(shape());
+    return std::make_unique<EvenConvolution>(shape(), torus, symbol(torus), threads_, work_);
+  }
+
+  // The symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
+  Convolution inverse() const {
+    const Shape torus = unpadded_torus(shape());
+    return std::make_unique<EvenConvolution>(
+        shape(), torus, symbol(torus).max(1e-3 * self_influence()).inverse(), threads_, work_);
+  }
+
+  Field symbol(Shape torus) const {
+    return symbol_of(love_coefficients(grid_, torus, modulus_, threads_), torus);
+  }
+
+  Grid grid_;
+  double modulus_;
   int threads_;
+  WorkSpace work_;
+  Convolution influence_, inverse_;
+  std::shared_ptr<HalfSpace> window_;
+  double setup_ = 0;
 };
 
 class PeriodicHalfSpace final : public ElasticOperator {
@@ -121,8 +171,8 @@ class PeriodicHalfSpace final : public ElasticOperator {
         modulus_(modulus),
         threads_(threads),
         self_(2 / modulus * mean_inverse(q, grid.shape)),
-        influence_(grid.shape, grid.shape, (q > 0).select(2 / (modulus * q), 0), threads),
-        inverse_(grid.shape, grid.shape, modulus / 2 * q, threads) {}
+        influence_(grid.shape, grid.shape, (q > 0).select(2 / (modulus * q), 0), threads, work_),
+        inverse_(grid.shape, grid.shape, modulus / 2 * q, threads, work_) {}
 
   static Field wave_numbers(const Grid& grid) {
     const double qx = 2 * pi / grid.size_x(), qy = 2 * pi / grid.size_y();
@@ -145,6 +195,7 @@ class PeriodicHalfSpace final : public ElasticOperator {
   double modulus_;
   int threads_;
   double self_;
+  WorkSpace work_ = std::make_shared<HalfSpectrum>();
   EvenConvolution influence_, inverse_;
 };
 
@@ -153,15 +204,15 @@ class PeriodicHalfSpace final : public ElasticOperator {
 double love_integral(double x, double y, double a, double b) {
   x = std::abs(x);
   y = std::abs(y);
-  const double r2 = x * x + y * y, size = 2 * std::max(a, b), near = 20 * size, far = 80 * size;
-  if (r2 < near * near) return closed_form(x, y, a, b);
-  return r2 < far * far ? gauss_rule(gauss4, x, y, a, b) : gauss_rule(gauss3, x, y, a, b);
+  const double r = std::sqrt(x * x + y * y) / (2 * std::max(a, b));
+  if (r < 20) return closed_form(x, y, a, b);
+  if (r < 80) return gauss_rule(gauss4, x, y, a, b);
+  return r < 160 ? gauss_rule(gauss3, x, y, a, b) : multipoles(x, y, a, b);
 }
 
 std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads) {
   if (grid.periodic) return std::make_unique<PeriodicHalfSpace>(grid, composite_modulus, threads);
-  return std::make_unique<HalfSpace>(grid.shape, love_coefficients(grid, composite_modulus, threads),
-                                     threads);
+  return std::make_unique<HalfSpace>(grid, composite_modulus, threads, std::make_shared<HalfSpectrum>());
 }
 
 }  // namespace asperity

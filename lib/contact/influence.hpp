@@ -12,11 +12,16 @@
 /// The preconditioner inverts K's transform on the torus of the field itself, M^ = 1/K^, where K is taken
 /// between nearest images; on a periodic surface it is (3) inverted. It costs a third of (2) or less.
 ///
+/// Where pressures vanish off a window of the grid, (2) within the window takes the window's cells alone. Windows
+/// are grown to the cells that their torus has room for; none is made for more than three quarters of the grid.
+/// Periodic surfaces have no windows. Grids, windows and M share one work space, and are made when first used.
+///
 /// Symbols   u displacement into the body [m]     p pressure [Pa]     E* composite modulus [Pa]
 ///           q wave vector [1/m]                  a, b half sides [m]
 /// Accuracy  (1): 1e-12 relative up to 16 000 cells away, where the textbook form has lost ε (r/Δx)². Beyond
-///           20 cells Gauss's rule over the rectangle takes its place: 1e-15.
-/// Cost      set-up: one even transform and 30 ns a coefficient. Apply: transform/convolution.hpp.
+///           20 cells Gauss's rule over the rectangle takes its place, beyond 160 the multipoles up to the
+///           sixteenth: 1e-15.
+/// Cost      set-up: one even transform and 10 ns a coefficient. Apply: transform/convolution.hpp.
 ///
 /// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary,
 ///     Phil. Trans. R. Soc. A 228 (1929) 377-420.

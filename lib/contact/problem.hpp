@@ -43,6 +43,7 @@ struct ContactProblem {
   int threads = 1;
 
   Blocks blocks() const { return {h.size(), threads}; }
+  bool capped() const { return cap < std::numeric_limits<double>::infinity(); }
   bool is_free(double p) const { return p > 0 && p < cap; }
 };
 

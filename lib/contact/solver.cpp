@@ -1,13 +1,14 @@
 #include "contact/solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "contact/guarded.hpp"
 #include "contact/influence.hpp"
 #include "contact/nested.hpp"
 #include "contact/problem.hpp"
+#include "contact/windowed.hpp"
 #include "grid/error.hpp"
 #include "grid/stopwatch.hpp"
 
@@ -17,6 +18,8 @@ namespace {
 constexpr double coarse_tolerance = 1e-3;
 constexpr double load_round_off = 1e-12;
 constexpr Index cells_to_be_trusted = 50;
+constexpr Index near_margin = 32,
+                warm_margin = 12;  // parts of the contact, about a start of another grid or load
 
 void check_load(const Grid& grid, const ContactParameters& parameters) {
   const double largest = parameters.limit_pressure * grid.size_x() * grid.size_y();
@@ -44,7 +47,7 @@ void check_start(const Grid& grid, const Field& start) {
   if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
 }
 
-ContactProblem make_problem(const Grid& grid, const Field& gap, const ElasticOperator& influence,
+ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& influence,
                             const ContactParameters& parameters) {
   if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
     throw DataError("heights", "the field, the grid and the operator differ in shape");
@@ -54,7 +57,7 @@ ContactProblem make_problem(const Grid& grid, const Field& gap, const ElasticOpe
   else
     check_load(grid, parameters);
   check_start(grid, parameters.start);
-  return {gap,
+  return {std::move(gap),
           parameters.load / grid.cell_area(),
           parameters.limit_pressure,
           influence.self_influence(),
@@ -80,19 +83,13 @@ std::vector<Level> make_levels(ElasticOperator& influence, ContactProblem proble
   return levels;
 }
 
-GuardedGradients::Observer observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
+WindowedGradients::Observer observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
   if (!parameters.progress) return {};
   const double cell = grid.size_x() * grid.size_y() / static_cast<double>(shape.cells());
-  return [&parameters, shape, cell](const ContactResidual& residual, const CountedOperator& work) {
+  return [&parameters, shape, cell](const ContactResidual& residual, double convolutions) {
     parameters.progress({shape, residual.epsilon, static_cast<double>(residual.contact()) * cell,
-                         residual.max_pressure, work.convolutions});
+                         residual.max_pressure, static_cast<int>(std::ceil(convolutions))});
   };
-}
-
-void add_work(Contact& contact, const CountedOperator& work, Index finest_cells) {
-  const double share = static_cast<double>(work.shape().cells()) / static_cast<double>(finest_cells);
-  contact.convolutions += share * work.convolutions;
-  contact.preconditionings += share * work.preconditionings;
 }
 
 std::string describe(ContactStop stop, const ContactParameters& parameters) {
@@ -107,11 +104,14 @@ std::string describe(ContactStop stop, const ContactParameters& parameters) {
   return fmt::format("the limit of {} convolutions is reached", parameters.max_convolutions);
 }
 
-void keep(Contact& contact, const Grid& grid, const ContactProblem& problem, const GuardedGradients& solved) {
+// Everything that the solution on the finest grid tells; its fields become the result's.
+void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedGradients& solved) {
   const ContactResidual& residual = solved.residual();
-  contact.pressure = solved.pressure();
-  contact.displacement = solved.gap() - problem.h;
-  contact.gap = solved.gap() - residual.approach;
+  contact.pressure = std::move(solved.pressure());
+  contact.displacement = std::move(problem.h);
+  contact.displacement = solved.gap() - contact.displacement;
+  contact.gap = std::move(solved.gap());
+  contact.gap -= residual.approach;
   contact.state.resize(static_cast<std::size_t>(grid.shape.cells()));
   std::transform(contact.pressure.data(), contact.pressure.data() + contact.pressure.size(),
                  contact.state.begin(), [&](double p) {
@@ -142,31 +142,44 @@ void add_warnings(Contact& contact, const Grid& grid) {
     contact.warnings.push_back("the contact touches the edge of the domain: enlarge it");
 }
 
+Field flat_start(const ContactProblem& problem) {
+  return Field::Constant(problem.h.rows(), problem.h.cols(),
+                         problem.sum / static_cast<double>(problem.h.size()));
+}
+
+// Counts a level's work by its share of the finest cells; returns its solution.
+Field solve_level(Contact& contact, Level& level, Field start, bool near, WindowedGradients::Limits limits,
+                  const Grid& grid, const ContactParameters& parameters, bool finest) {
+  const Shape shape = level.influence->shape();
+  WindowedGradients gradients(*level.influence, level.problem, limits);
+  const ContactStop stop = gradients.solve(std::move(start), near, observer(grid, shape, parameters));
+  const double share = static_cast<double>(shape.cells()) / static_cast<double>(grid.shape.cells());
+  contact.convolutions += share * gradients.convolutions();
+  contact.preconditionings += share * gradients.preconditionings();
+  if (!finest) return std::move(gradients.pressure());
+  contact.converged = stop == ContactStop::converged;
+  contact.reason = describe(stop, parameters);
+  keep(contact, grid, level.problem, gradients);
+  return {};
+}
+
 // From the coarsest grid to the finest, each starting from the solution before it.
-void solve_levels(Contact& contact, const Grid& grid, const std::vector<Level>& levels,
+void solve_levels(Contact& contact, const Grid& grid, std::vector<Level> levels,
                   const ContactParameters& parameters) {
-  const Shape coarsest = levels.back().influence->shape();
   const bool warm = parameters.start.size() > 0;
-  Field start = warm ? parameters.start
-                     : Field::Constant(coarsest.nx, coarsest.ny,
-                                       levels.back().problem.sum / static_cast<double>(coarsest.cells()));
-  for (std::size_t k = levels.size(); k-- > 0;) {
-    const Level& level = levels[k];
-    const bool finest = k == 0, near = warm || k + 1 < levels.size();
-    GuardedGradients::Limits limits{parameters.tolerance, parameters.max_convolutions, true};
-    if (!finest) limits = {std::max(coarse_tolerance, parameters.tolerance), 400, false};
-    GuardedGradients gradients(*level.influence, level.problem, limits);
-    const ContactStop stop =
-        gradients.solve(std::move(start), near, observer(grid, level.influence->shape(), parameters));
-    add_work(contact, gradients.work(), grid.shape.cells());
-    if (!finest) {
-      start = prolonged(gradients.pressure(), grid.periodic);
-      continue;
-    }
-    contact.converged = stop == ContactStop::converged;
-    contact.reason = describe(stop, parameters);
-    keep(contact, grid, level.problem, gradients);
+  Field start = warm ? parameters.start : flat_start(levels.back().problem);
+  bool near = warm;
+  for (; levels.size() > 1; levels.pop_back(), near = true) {
+    const WindowedGradients::Limits limits{std::max(coarse_tolerance, parameters.tolerance), 400, false};
+    Level& level = levels.back();
+    start = prolonged(solve_level(contact, level, std::move(start), near, limits, grid, parameters, false),
+                      grid.periodic);
+    contact.setup_seconds += level.influence->setup_seconds();
   }
+  const WindowedGradients::Limits limits{parameters.tolerance,
+                                         static_cast<double>(parameters.max_convolutions), true,
+                                         warm ? warm_margin : near_margin};
+  solve_level(contact, levels.front(), std::move(start), near, limits, grid, parameters, true);
 }
 
 }  // namespace
@@ -186,30 +199,29 @@ void ContactParameters::check() const {
     throw ParameterError("max-convolutions", fmt::format("{} is less than 1", max_convolutions));
 }
 
-Contact solve_contact(const Grid& grid, const Field& undeformed_gap, double composite_modulus,
+Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters) {
   const Stopwatch setup;
   const auto influence = make_influence(grid, composite_modulus, parameters.threads);
   const double seconds = setup.seconds();
-  Contact contact = solve_contact(grid, undeformed_gap, *influence, parameters);
+  Contact contact = solve_contact(grid, std::move(undeformed_gap), *influence, parameters);
   contact.setup_seconds += seconds;
   return contact;
 }
 
-Contact solve_contact(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& influence,
                       const ContactParameters& parameters) {
   parameters.check();
   Contact contact;
-  const Stopwatch setup;
-  const std::vector<Level> levels =
-      make_levels(influence, make_problem(grid, undeformed_gap, influence, parameters),
+  const Stopwatch watch;
+  const double setup_before = influence.setup_seconds();
+  std::vector<Level> levels =
+      make_levels(influence, make_problem(grid, std::move(undeformed_gap), influence, parameters),
                   parameters.nested_start && parameters.start.size() == 0);
   contact.levels = static_cast<int>(levels.size());
-  contact.setup_seconds = setup.seconds();
-
-  const Stopwatch solution;
-  solve_levels(contact, grid, levels, parameters);
-  contact.seconds = solution.seconds();
+  solve_levels(contact, grid, std::move(levels), parameters);
+  contact.setup_seconds += influence.setup_seconds() - setup_before;
+  contact.seconds = watch.seconds() - contact.setup_seconds;
   add_warnings(contact, grid);
   return contact;
 }

@@ -8,7 +8,7 @@
 ///     0 ≤ p ≤ p_Y,   Σ p ΔxΔy = Q,   gap = h + K p - δ,
 /// with gap ≥ 0 where p = 0 (open), gap = 0 where 0 < p < p_Y (elastic), gap ≤ 0 where p = p_Y (flattened
 /// plastically by -gap), and K of contact/influence.hpp. contact/problem.hpp states the residual ε,
-/// contact/guarded.hpp the iteration. It starts from the solutions of coarser grids (2 × 2 averages down
+/// contact/guarded.hpp the iteration, contact/windowed.hpp where it runs. It starts from the solutions of coarser grids (2 × 2 averages down
 /// to 32 cells a side), each to ε = 1e-3, or from a pressure that is given, as of a neighbouring load.
 ///
 /// Or δ is given and Q results. δ counts from the datum of h: the bodies first touch at δ = min h. On a
@@ -39,7 +39,7 @@ struct ContactProgress {
   double residual = 0;      ///< ε
   double area = 0;          ///< [m²]
   double max_pressure = 0;  ///< [Pa]
-  int convolutions = 0;     ///< on the present grid
+  int convolutions = 0;     ///< on the present grid, by their share of its cells
 };
 
 struct ContactParameters {
@@ -73,10 +73,10 @@ struct Contact {
   double plastic_area = 0;  ///< of the cells with p = p_Y [m²]
 
   bool converged = false;
-  std::string reason;           ///< why it ended
-  double residual = 0;          ///< ε, from a fresh convolution
-  double load_error = 0;        ///< |Σ p ΔxΔy / Q - 1|; 0 where the approach is given
-  double convolutions = 0;      ///< applications of K; those on coarser grids by their share of the cells
+  std::string reason;       ///< why it ended
+  double residual = 0;      ///< ε, from a fresh convolution
+  double load_error = 0;    ///< |Σ p ΔxΔy / Q - 1|; 0 where the approach is given
+  double convolutions = 0;  ///< applications of K; on windows and coarser grids by their share of the cells
   double preconditionings = 0;  ///< applications of M, counted alike
   int levels = 1;               ///< grids, the finest included
   double setup_seconds = 0;     ///< influence coefficients and plans
@@ -89,11 +89,11 @@ struct Contact {
 /// DataError("heights") when the gap is not finite, DataError("pressure") when the start is not or does not
 /// fit, ParameterError("load") when not even p_Y on every cell carries it, ParameterError("approach") when the
 /// bodies do not touch at it or no contact has it.
-Contact solve_contact(const Grid& grid, const Field& undeformed_gap, double composite_modulus,
+Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 
 /// With any other operator on the grid's cells.
-Contact solve_contact(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& influence,
                       const ContactParameters& parameters);
 
 }  // namespace asperity

@@ -32,8 +32,13 @@ Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel
   return symbol;
 }
 
-EvenConvolution::EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads)
-    : transform_(field, torus), half_(transform_.half_spectrum()), threads_(useful_threads(field, threads)) {
+EvenConvolution::EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads,
+                                 std::shared_ptr<HalfSpectrum> work)
+    : transform_(field, torus),
+      half_(work ? std::move(work) : std::make_shared<HalfSpectrum>()),
+      threads_(useful_threads(field, threads)) {
+  const auto room = static_cast<std::size_t>(transform_.blocks() * field.nx * width);
+  if (half_->size() < room) *half_ = HalfSpectrum(room);
   const Index rows = torus.nx / 2 + 1;
   symbol_.resize(static_cast<std::size_t>(transform_.blocks() * rows * width));
   const double scale = 1.0 / static_cast<double>(torus.cells());
@@ -53,17 +58,17 @@ void EvenConvolution::multiply(Index b, Complex* block) const {
 }
 
 void EvenConvolution::apply(const Field& in, Field& out) {
-  transform_.forward_rows(in, half_, threads_);
+  transform_.forward_rows(in, *half_, threads_);
   parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
     AlignedVector<Complex> block(static_cast<std::size_t>(transform_.block_size()));
     for (Index b = begin; b < end; ++b) {
-      transform_.forward_block(half_, b, block.data());
+      transform_.forward_block(*half_, b, block.data());
       multiply(b, block.data());
-      transform_.inverse_block(block.data(), b, half_);
+      transform_.inverse_block(block.data(), b, *half_);
     }
   });
   out.resize(shape().nx, shape().ny);
-  transform_.inverse_rows(half_, out, threads_);
+  transform_.inverse_rows(*half_, out, threads_);
 }
 
 }  // namespace asperity

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "grid/field.hpp"
 #include "transform/pruned.hpp"
@@ -26,11 +27,13 @@ Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel
 
 class EvenConvolution {
  public:
-  /// `symbol` as even_symbol returns it, for this torus.
-  EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1);
+  /// `symbol` as even_symbol returns it, for this torus. Convolutions that never work at the same time may share
+  /// a work space, which is grown to what the largest needs.
+  EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1,
+                  std::shared_ptr<HalfSpectrum> work = nullptr);
 
   Shape shape() const { return transform_.field(); }
-  /// (1); `out` may be `in`. Not for two threads at once on one object: it owns the work space.
+  /// (1); `out` may be `in`. Not for two threads at once on one work space.
   void apply(const Field& in, Field& out);
 
  private:
@@ -38,7 +41,7 @@ class EvenConvolution {
 
   PrunedTransform transform_;
   AlignedVector<double> symbol_;  ///< [block][kx ≤ Px/2][8], divided by Px Py
-  HalfSpectrum half_;
+  std::shared_ptr<HalfSpectrum> half_;
   int threads_;
 };
 

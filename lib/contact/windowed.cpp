@@ -1,0 +1,107 @@
+#include "contact/windowed.hpp"
+
+#include <cmath>
+
+#include "contact/projection.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index least_margin = 4;
+constexpr double spare_cells = 1.25;       // of those that the limit pressure needs for the load
+constexpr double round_off_floor = 1e-11;  // of ε, where gains end
+
+ContactProblem on_window(const ContactProblem& problem, const Window& window) {
+  return {window.of(problem.h),   problem.sum,      problem.cap,
+          problem.self_influence, problem.approach, problem.threads};
+}
+
+// Under a given approach a contact lies where the undeformed bodies overlap: a start for want of one that they
+// push back.
+void overlap(const ContactProblem& problem, Field& p) {
+  if (!problem.approach || ((*problem.approach - problem.h) * p).sum() > 0) return;
+  p = ((*problem.approach - problem.h) / problem.self_influence).max(0.0);
+}
+
+}  // namespace
+
+ContactStop WindowedGradients::solve(Field start, bool near, const Observer& observe) {
+  p_ = std::move(start);
+  p_ = p_.max(0.0);
+  overlap(problem_, p_);
+  choose(contact_window(p_));
+  while (true) {
+    const ContactStop stop = minimise(near, observe);
+    if (is_whole() && !limits_.confirm) return stop;
+    confirm();
+    if (residual_.epsilon <= limits_.tolerance) return ContactStop::converged;
+    if (stop != ContactStop::converged) return stop;
+    if (at_round_off()) return ContactStop::round_off;
+    choose(united(contact_, overlap_window(g_, residual_.approach)));
+    near = true;
+  }
+}
+
+// W for a contact of this extent.
+void WindowedGradients::choose(const Window& contact) {
+  const Shape domain = influence_.shape();
+  if (!window_.empty() && united(window_, contact) == window_) return;
+  contact_ = contact;
+  on_window_.reset();
+  window_ = whole(domain);
+  if (contact.empty()) return;
+  const Index margin = least_margin + std::max(contact.shape.nx, contact.shape.ny) / limits_.margin_part;
+  const Window least = widened(contact, margin, domain);
+  const bool carries = problem_.approach ||
+                       spare_cells * problem_.sum < problem_.cap * static_cast<double>(least.shape.cells());
+  if (carries) on_window_ = influence_.windowed(least.shape);
+  if (on_window_) window_ = enlarged(least, on_window_->shape(), domain);
+}
+
+ContactStop WindowedGradients::minimise(bool near, const Observer& observe) {
+  if (is_whole()) return minimise(influence_, problem_, p_, g_, near, observe);
+  const ContactProblem problem = on_window(problem_, window_);
+  Field p = window_.of(p_), g = g_.size() > 0 ? window_.of(g_) : Field();
+  const ContactStop stop = minimise(*on_window_, problem, p, g, near, observe);
+  window_.put(p, p_);
+  fresh_ = false;
+  return stop;
+}
+
+ContactStop WindowedGradients::minimise(ElasticOperator& influence, const ContactProblem& problem, Field& p,
+                                        Field& g, bool near, const Observer& observe) {
+  const double share = static_cast<double>(p.size()) / static_cast<double>(problem_.h.size());
+  const auto limit = static_cast<int>(std::ceil((limits_.convolutions - convolutions_) / share));
+  GuardedGradients gradients(influence, problem, {limits_.tolerance, limit});
+  const ContactStop stop = gradients.solve(std::move(p), std::move(g), near,
+                                           [&](const ContactResidual& residual, const CountedOperator& work) {
+                                             if (observe)
+                                               observe(residual, convolutions_ + share * work.convolutions);
+                                           });
+  convolutions_ += share * gradients.work().convolutions;
+  preconditionings_ += share * gradients.work().preconditionings;
+  fresh_ = gradients.gap_is_fresh();
+  residual_ = gradients.residual();
+  p = std::move(gradients.pressure());
+  g = std::move(gradients.gap());
+  return stop;
+}
+
+// ε of g = h + K p on the whole grid, the load restored to round-off.
+void WindowedGradients::confirm() {
+  if (fresh_) return;
+  clip_and_rescale(problem_, p_);
+  influence_.apply(p_, g_);
+  g_ += problem_.h;
+  ++convolutions_;
+  residual_ = contact_residual(problem_, p_, g_);
+  fresh_ = true;
+}
+
+bool WindowedGradients::at_round_off() {
+  rounds_without_gain_ = residual_.epsilon < best_ ? 0 : rounds_without_gain_ + 1;
+  best_ = std::min(best_, residual_.epsilon);
+  return best_ < round_off_floor && rounds_without_gain_ > 3;
+}
+
+}  // namespace asperity
