@@ -1,0 +1,122 @@
+#include "contact/window.hpp"
+#include "scenes.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// A half-space that is only ever asked as a whole.
+class Whole final : public ElasticOperator {
+ public:
+  explicit Whole(std::unique_ptr<ElasticOperator> body) : body_(std::move(body)) {}
+  Shape shape() const override { return body_->shape(); }
+  void apply(const Field& p, Field& u) override { body_->apply(p, u); }
+  void precondition(const Field& r, Field& z) override { body_->precondition(r, z); }
+  double self_influence() const override { return body_->self_influence(); }
+  std::unique_ptr<ElasticOperator> coarsened() const override {
+    return std::make_unique<Whole>(body_->coarsened());
+  }
+
+ private:
+  std::unique_ptr<ElasticOperator> body_;
+};
+
+Contact press_whole(const Grid& grid, const Field& gap, const ContactParameters& parameters) {
+  Whole body(make_influence(grid, modulus));
+  return solve_contact(grid, gap, body, parameters);
+}
+
+// Two spheres of 10 mm on one side of the domain, the second 5 µm behind the first.
+Field two_peaks(const Grid& grid) {
+  return sample(grid, [](double x, double y) {
+    auto sphere = [&](double at) { return ((x - at) * (x - at) + y * y) / (2 * 10e-3); };
+    return std::min(sphere(-1e-3), sphere(1e-3) + 5e-6);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the least window of a contact holds its cells and no other row or column", "[window][exact]") {
+  Field p = Field::Zero(9, 12);
+  CHECK(contact_window(p).empty());
+  p(2, 7) = p(5, 4) = p(3, 9) = 1;
+  CHECK(contact_window(p) == Window{2, 4, {4, 6}});
+  CHECK(overlap_window(1 - p, 0.5) == Window{2, 4, {4, 6}});
+  CHECK(contact_window(Field::Ones(9, 12)) == whole({9, 12}));
+}
+
+TEST_CASE("windows are united, widened and enlarged within their domain", "[window][exact]") {
+  const Shape domain{20, 30};
+  CHECK(united({2, 3, {4, 5}}, {10, 1, {2, 3}}) == Window{2, 1, {10, 7}});
+  CHECK(united({}, {10, 1, {2, 3}}) == Window{10, 1, {2, 3}});
+  CHECK(widened({1, 20, {4, 8}}, 3, domain) == Window{0, 17, {8, 13}});
+  CHECK(enlarged({1, 20, {4, 8}}, {10, 12}, domain) == Window{0, 18, {10, 12}});
+}
+
+TEST_CASE("a body on a window displaces it as the whole body does", "[window][exact]") {
+  const Grid grid{{64, 80}, 2e-5, 3e-5};
+  const auto body = make_influence(grid, modulus);
+  const auto part = body->windowed({20, 30});
+  REQUIRE(part);
+  const Window window{30, 41, part->shape()};
+  Field p = Field::Zero(64, 80), u, on_window;
+  window.put(random_waves(window.shape, 1), p);
+  body->apply(p, u);
+  part->apply(window.of(p), on_window);
+  CHECK((window.of(u) - on_window).abs().maxCoeff() <= 1e-14 * u.abs().maxCoeff());
+  CHECK(part->self_influence() == body->self_influence());
+}
+
+TEST_CASE("windows are shared while they fit, and none is made for most of the grid", "[window][contract]") {
+  const auto body = make_influence(square(64), modulus);
+  const auto part = body->windowed({20, 30});
+  CHECK(body->windowed({20, 30}) == part);
+  CHECK(body->windowed({19, 29}) == part);
+  CHECK(body->windowed({5, 5}) != part);
+  CHECK(body->windowed({60, 60}) == nullptr);
+  Grid periodic = square(64);
+  periodic.periodic = true;
+  CHECK(make_influence(periodic, modulus)->windowed({5, 5}) == nullptr);
+}
+
+// ε of two solutions bounds their pressures' difference by some 10 ε of the greatest pressure.
+TEST_CASE("a contact solved on its window is that solved on the whole grid, for fewer convolutions",
+          "[window][law]") {
+  const Grid grid = square(128);
+  for (double q : {10.0, 500.0, 5000.0})
+    for (double limit : {3.6e9, std::numeric_limits<double>::infinity()}) {
+      const ContactParameters parameters{.load = q, .limit_pressure = limit, .tolerance = 1e-8};
+      const Contact part = solve_contact(grid, rough_gap(grid), modulus, parameters),
+                    all = press_whole(grid, rough_gap(grid), parameters);
+      CAPTURE(q, limit, part.convolutions, all.convolutions);
+      CHECK((part.pressure - all.pressure).abs().maxCoeff() <= 1e-6 * all.max_pressure);
+      CHECK(part.area == all.area);
+      CHECK(part.approach == Approx(all.approach).epsilon(1e-7));
+      CHECK(part.convolutions < all.convolutions);
+    }
+}
+
+// The levels' confirmations are 1 + 1/4 + 1/16 + …; the coarsest is solved on the whole, 1/64 of the cells.
+TEST_CASE("a contact of a hundred cells in 256 x 256 costs two convolutions", "[window][law]") {
+  const Grid grid = square(256);
+  const Contact contact = press(grid, undeformed_gap(grid, spheres), {.load = 1});
+  CHECK(contact.converged);
+  CHECK(contact.area >= 50 * grid.cell_area());
+  CHECK(contact.area <= 150 * grid.cell_area());
+  CHECK(contact.convolutions <= 2);
+}
+
+TEST_CASE("a contact that begins far from the window of the start is found", "[window][law]") {
+  const Grid grid = square(128);
+  const Field gap = two_peaks(grid);
+  const Contact first = solve_contact(grid, gap, modulus, {.load = 5, .tolerance = 1e-8});
+  REQUIRE((first.pressure.bottomRows(64) == 0).all());
+  const ContactParameters more{.load = 500, .tolerance = 1e-8};
+  ContactParameters warm = more;
+  warm.start = first.pressure;
+  const Contact near = solve_contact(grid, gap, modulus, warm), all = press_whole(grid, gap, more);
+  REQUIRE((all.pressure.bottomRows(64) > 0).any());
+  CHECK((near.pressure - all.pressure).abs().maxCoeff() <= 1e-6 * all.max_pressure);
+  CHECK(near.area == all.area);
+}
