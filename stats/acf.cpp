@@ -27,11 +27,11 @@ HalfSpectrum correlate(const PrunedTransform& transform, const Field& d, int thr
   HalfSpectrum half = transform.half_spectrum();
   transform.forward_rows(d, half, threads);
   parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size()));
+    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size())), work(block.size());
     for (Index b = begin; b < end; ++b) {
-      transform.forward_block(half, b, block.data());
+      transform.forward_block(half, b, block.data(), work.data());
       to_power(block.data(), transform.block_size());
-      transform.inverse_block(block.data(), b, half);
+      transform.inverse_block(block.data(), b, half, work.data());
     }
   });
   return half;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "stress/corner_tile.hpp"
+#include "transform/columns.hpp"
 #include "transform/mirrored.hpp"
 
 namespace asperity {
@@ -38,11 +39,14 @@ class HalfSpaceInfluence : public LayerInfluence {
         poisson_(poisson),
         along_x_(torus.nx),
         along_y_(torus.ny),
-        blocks_(blocks_of(torus.ny / 2 + 1)) {}
+        blocks_(blocks_of(torus.ny / 2 + 1)),
+        rows_(size(grid.shape.nx * width)),
+        work_(size(std::max(along_x_.size(), along_y_.size()))),
+        pairs_(work_.size()) {}
 
   void descend(double z, stress::Set asked) override {
     for (Component c : stress::components) {
-      tile_[c].resize(asked[c] ? size(std::max(along_y_.period(), blocks_ * width) * width) : 0);
+      tile_[c].resize(asked[c] ? size(grid_.shape.ny * width) : 0);
       columns_[c].resize(asked[c] ? size(blocks_ * grid_.shape.nx * width) : 0);
     }
     for (Index i = 0; i < grid_.shape.nx; i += width) {
@@ -52,11 +56,12 @@ class HalfSpaceInfluence : public LayerInfluence {
     }
   }
 
-  void symbol(Component c, Index b, double* symbol) override {
+  Symbol symbol(Component c, Index b) override {
     const Index nx = grid_.shape.nx;
-    std::copy_n(columns_[c].data() + b * nx * width, nx * width, symbol);
-    difference(parity(odd_in_x(c)), symbol, nx);
-    along_x_.apply(parity(odd_in_x(c)), symbol, nx);
+    std::copy_n(columns_[c].data() + b * nx * width, nx * width, rows_.data());
+    difference(parity(odd_in_x(c)), rows_.data(), nx);
+    transform(along_x_, parity(odd_in_x(c)), rows_.data(), nx);
+    return {pairs_.data(), along_x_.stride()};
   }
 
  private:
@@ -70,32 +75,46 @@ class HalfSpaceInfluence : public LayerInfluence {
   void transform_along_y(Component c, Index first_row) {
     double* tile = tile_[c].data();
     difference(parity(odd_in_y(c)), tile, grid_.shape.ny);
-    along_y_.apply(parity(odd_in_y(c)), tile, grid_.shape.ny);
+    transform(along_y_, parity(odd_in_y(c)), tile, grid_.shape.ny);
     const Index rows = std::min(width, grid_.shape.nx - first_row);
     for (Index b = 0; b < blocks_; ++b)
       for (Index l = 0; l < rows; ++l) {
+        const auto* row =
+            reinterpret_cast<const double*>(pairs_.data() + l / 2 * along_y_.stride() + b * width);
         double* column = columns_[c].data() + (b * grid_.shape.nx + first_row + l) * width;
-        for (Index q = 0; q < width; ++q) column[q] = scale * tile[(b * width + q) * width + l];
+        for (Index q = 0; q < width; ++q) column[q] = scale * row[2 * q + l % 2];
       }
+  }
+
+  // Eight interleaved sequences into pairs_.
+  void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given) {
+    columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
+                                                work_.data(), along.stride());
+    along.apply(parity, work_.data(), given, pairs_.data());
   }
 
   Grid grid_;
   double poisson_;
   MirroredTransform along_x_, along_y_;
   Index blocks_;
-  std::array<AlignedVector<double>, 6> tile_;     ///< eight rows: [j or ky][8]
+  std::array<AlignedVector<double>, 6> tile_;     ///< eight rows: [j][8]
   std::array<AlignedVector<double>, 6> columns_;  ///< [block][i][8], transformed along y only
+  AlignedVector<double> rows_;
+  AlignedVector<Complex> work_, pairs_;
 };
 
 class PeriodicInfluence : public LayerInfluence {
  public:
-  PeriodicInfluence(const Grid& grid, double poisson) : grid_(grid), poisson_(poisson) {}
+  PeriodicInfluence(const Grid& grid, double poisson)
+      : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1), pairs_(size(stride_ * width / 2)) {}
 
   void descend(double z, stress::Set) override { z_ = z; }
 
-  void symbol(Component c, Index b, double* symbol) override {
-    for (Index kx = 0; kx <= grid_.shape.nx / 2; ++kx)
-      for (Index q = 0; q < width; ++q) symbol[kx * width + q] = mode(c, kx, b * width + q);
+  Symbol symbol(Component c, Index b) override {
+    for (Index q = 0; q < width; q += 2)
+      for (Index kx = 0; kx < stride_; ++kx)
+        pairs_[size(q / 2 * stride_ + kx)] = {mode(c, kx, b * width + q), mode(c, kx, b * width + q + 1)};
+    return {pairs_.data(), stride_};
   }
 
  private:
@@ -130,6 +149,8 @@ class PeriodicInfluence : public LayerInfluence {
 
   Grid grid_;
   double poisson_, z_ = 0;
+  Index stride_;
+  AlignedVector<Complex> pairs_;
 };
 
 }  // namespace

@@ -25,6 +25,7 @@
 
 #include "grid/field.hpp"
 #include "stress/component.hpp"
+#include "transform/plan.hpp"
 
 namespace asperity {
 
@@ -33,12 +34,18 @@ class LayerInfluence {
  public:
   static constexpr Index width = 8;  ///< columns ky in a block
 
+  /// S for the columns of a block, by pairs: column 8b + 2c is the real, 8b + 2c+1 the imaginary part of
+  /// pairs[c·stride + kx], 0 ≤ kx ≤ Px/2.
+  struct Symbol {
+    const Complex* pairs;
+    Index stride;
+  };
+
   virtual ~LayerInfluence() = default;
   /// Goes to depth z [m] for the components asked.
   virtual void descend(double z, stress::Set asked) = 0;
-  /// S of component c for the columns 8b … 8b+7: symbol[kx][8], 0 ≤ kx ≤ Px/2. `symbol` is aligned and has
-  /// room for Px rows.
-  virtual void symbol(stress::Component c, Index b, double* symbol) = 0;
+  /// S of component c for the columns 8b … 8b+7; good until it is asked for again.
+  virtual Symbol symbol(stress::Component c, Index b) = 0;
 };
 
 /// (3) when the grid is periodic, else (2). The torus is Px × Py; a periodic grid is its own.

@@ -40,14 +40,15 @@ StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poiss
   check(grid, pressure, poisson);
   HalfSpectrum half = transform_.half_spectrum();
   transform_.forward_rows(pressure_ / static_cast<double>(transform_.torus().cells()), half, threads);
+  AlignedVector<Complex> work(size(transform_.block_size()));
   for (Index b = 0; b < transform_.blocks(); ++b)
-    transform_.forward_block(half, b, pressure_spectrum_.data() + b * transform_.block_size());
+    transform_.forward_block(half, b, pressure_spectrum_.data() + b * transform_.block_size(), work.data());
 }
 
 StressSolver::Workspace::Workspace(const StressSolver& solver)
     : influence_(make_layer_influence(solver.grid_, solver.transform_.torus(), solver.poisson_)),
-      symbol_(size(solver.transform_.block_size())),
       block_(size(solver.transform_.block_size())),
+      work_(block_.size()),
       row_spectrum_(size(solver.transform_.blocks() * width)) {}
 
 void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
@@ -68,25 +69,27 @@ void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work)
   for (Index b = 0; b < transform_.blocks(); ++b)
     for (Component c : stress::components) {
       if (!asked[c]) continue;
-      work.influence_->symbol(c, b, work.symbol_.data());
-      multiply(c, b, work.symbol_.data(), work.block_.data());
-      transform_.inverse_block(work.block_.data(), b, work.half_[c]);
+      multiply(c, b, work.influence_->symbol(c, b), work.block_.data());
+      transform_.inverse_block(work.block_.data(), b, work.half_[c], work.work_.data());
     }
 }
 
 // product = (-i)^m S p^, where S(-kx) = ±S(kx); -i (a + ib) = b - ia.
-void StressSolver::multiply(Component c, Index b, const double* symbol, Complex* product) const {
-  const Complex* p = pressure_spectrum_.data() + b * transform_.block_size();
+void StressSolver::multiply(Component c, Index b, LayerInfluence::Symbol symbol, Complex* product) const {
   const Index nx = transform_.torus().nx;
-  const bool imaginary = odd_in_x(c) != odd_in_y(c);
   const double sign = odd_in_x(c) && odd_in_y(c) ? -1 : 1, mirrored = odd_in_x(c) ? -sign : sign;
-  for (Index k = 0; k < nx; ++k, p += width, product += width) {
-    const double* s = symbol + std::min(k, nx - k) * width;
-    const double f = 2 * k <= nx ? sign : mirrored;
-    if (imaginary)
-      for (Index q = 0; q < width; ++q) product[q] = {f * s[q] * p[q].imag(), -f * s[q] * p[q].real()};
+  for (Index q = 0; q < width; ++q) {
+    const Complex* p = pressure_spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
+    Complex* out = product + q * transform_.stride();
+    const auto* s = reinterpret_cast<const double*>(symbol.pairs + q / 2 * symbol.stride) + q % 2;
+    auto times = [&](auto factor) {
+      for (Index k = 0; 2 * k <= nx; ++k) out[k] = factor(sign * s[2 * k], p[k]);
+      for (Index k = nx / 2 + 1; k < nx; ++k) out[k] = factor(mirrored * s[2 * (nx - k)], p[k]);
+    };
+    if (odd_in_x(c) != odd_in_y(c))
+      times([](double f, const Complex& x) { return Complex{f * x.imag(), -f * x.real()}; });
     else
-      for (Index q = 0; q < width; ++q) product[q] = f * s[q] * p[q];
+      times([](double f, const Complex& x) { return f * x; });
   }
 }
 

@@ -52,8 +52,7 @@ class StressSolver {
    private:
     friend class StressSolver;
     std::unique_ptr<LayerInfluence> influence_;
-    AlignedVector<double> symbol_;
-    AlignedVector<Complex> block_, row_spectrum_;
+    AlignedVector<Complex> block_, work_, row_spectrum_;
     std::array<HalfSpectrum, 6> half_;
     std::array<AlignedVector<double>, 6> row_;
   };
@@ -72,7 +71,7 @@ class StressSolver {
 
  private:
   void transform_layer(double z, stress::Set asked, Workspace& work) const;
-  void multiply(stress::Component c, Index b, const double* symbol, Complex* product) const;
+  void multiply(stress::Component c, Index b, LayerInfluence::Symbol symbol, Complex* product) const;
   StressRow inverse_row(Index i, stress::Set asked, Workspace& work) const;
 
   Grid grid_;
@@ -80,7 +79,7 @@ class StressSolver {
   double poisson_;
   int threads_;
   PrunedTransform transform_;
-  AlignedVector<Complex> pressure_spectrum_;  ///< [block][kx][8], divided by Px Py
+  AlignedVector<Complex> pressure_spectrum_;  ///< [block][8][kx], divided by Px Py
 };
 
 /// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz

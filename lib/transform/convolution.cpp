@@ -43,28 +43,27 @@ EvenConvolution::EvenConvolution(Shape field, Shape torus, const Field& symbol, 
   symbol_.resize(static_cast<std::size_t>(transform_.blocks() * rows * width));
   const double scale = 1.0 / static_cast<double>(torus.cells());
   for (Index k = 0; k < transform_.columns(); ++k)
-    for (Index i = 0; i < rows; ++i)
-      symbol_[static_cast<std::size_t>(((k / width) * rows + i) * width + k % width)] = scale * symbol(i, k);
+    for (Index i = 0; i < rows; ++i) symbol_[static_cast<std::size_t>(k * rows + i)] = scale * symbol(i, k);
 }
 
 void EvenConvolution::multiply(Index b, Complex* block) const {
   const Index nx = transform_.torus().nx, rows = nx / 2 + 1;
-  const double* symbol = symbol_.data() + b * rows * width;
-  for (Index i = 0; i < nx; ++i) {
-    const double* s = symbol + std::min(i, nx - i) * width;
-    Complex* x = block + i * width;
-    for (Index q = 0; q < width; ++q) x[q] *= s[q];
+  for (Index q = 0; q < width; ++q) {
+    const double* s = symbol_.data() + (b * width + q) * rows;
+    Complex* x = block + q * transform_.stride();
+    for (Index i = 0; i < rows; ++i) x[i] *= s[i];
+    for (Index i = rows; i < nx; ++i) x[i] *= s[nx - i];
   }
 }
 
 void EvenConvolution::apply(const Field& in, Field& out) {
   transform_.forward_rows(in, *half_, threads_);
   parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform_.block_size()));
+    AlignedVector<Complex> block(static_cast<std::size_t>(transform_.block_size())), work(block.size());
     for (Index b = begin; b < end; ++b) {
-      transform_.forward_block(*half_, b, block.data());
+      transform_.forward_block(*half_, b, block.data(), work.data());
       multiply(b, block.data());
-      transform_.inverse_block(block.data(), b, *half_);
+      transform_.inverse_block(block.data(), b, *half_, work.data());
     }
   });
   out.resize(shape().nx, shape().ny);

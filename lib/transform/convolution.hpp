@@ -40,7 +40,7 @@ class EvenConvolution {
   void multiply(Index b, Complex* block) const;
 
   PrunedTransform transform_;
-  AlignedVector<double> symbol_;  ///< [block][kx ≤ Px/2][8], divided by Px Py
+  AlignedVector<double> symbol_;  ///< [column][kx ≤ Px/2], divided by Px Py
   std::shared_ptr<HalfSpectrum> half_;
   int threads_;
 };

@@ -1,5 +1,6 @@
 #include "transform/plan.hpp"
 
+#include <array>
 #include <mutex>
 #include <stdexcept>
 
@@ -39,14 +40,16 @@ void detail::DestroyPlan::operator()(FftwPlan* plan) const {
 }
 
 Index fast_length(Index n, Index multiple) {
-  auto smooth = [](Index k) {
+  auto fast = [](Index length) {
+    Index k = length;
+    std::array<int, 6> exponent{};
     for (Index p : {2, 3, 5})
-      while (k % p == 0) k /= p;
-    return k == 1;
+      for (; k % p == 0; k /= p) ++exponent[size(p)];
+    return k == 1 && exponent[5] <= 2 && exponent[3] <= (length < 768 ? 0 : 1);
   };
   Index k = std::max<Index>(n, 1);
   k += (multiple - k % multiple) % multiple;
-  while (!smooth(k)) k += multiple;
+  while (!fast(k)) k += multiple;
   return k;
 }
 
@@ -75,24 +78,26 @@ void RealTransform::inverse(Complex* in, double* out) const {
   fftw_execute_dft_c2r(get(inverse_), raw(in), out);
 }
 
-InterleavedTransform::InterleavedTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
-  const int points = static_cast<int>(n), sequences = static_cast<int>(width);
+ColumnTransform::ColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
+  const int points = static_cast<int>(n), columns = static_cast<int>(width),
+            apart = static_cast<int>(stride());
   auto plan = [&](int sign) {
-    return make_plan(2 * size(n * width), [&](double* a) {
-      auto* c = reinterpret_cast<fftw_complex*>(a);
-      return fftw_plan_many_dft(1, &points, sequences, c, nullptr, sequences, 1, c, nullptr, sequences, 1,
-                                sign, FFTW_ESTIMATE);
+    const std::size_t doubles = aligned(2 * size());
+    return make_plan(2 * doubles, [&](double* a) {
+      auto *in = reinterpret_cast<fftw_complex*>(a), *out = reinterpret_cast<fftw_complex*>(a + doubles);
+      return fftw_plan_many_dft(1, &points, columns, in, nullptr, 1, apart, out, nullptr, 1, apart, sign,
+                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
     });
   };
   forward_ = plan(FFTW_FORWARD);
   if (ways == Ways::both) inverse_ = plan(FFTW_BACKWARD);
 }
 
-void InterleavedTransform::forward(Complex* data) const {
-  fftw_execute_dft(get(forward_), raw(data), raw(data));
+void ColumnTransform::forward(const Complex* in, Complex* out) const {
+  fftw_execute_dft(get(forward_), raw(const_cast<Complex*>(in)), raw(out));
 }
-void InterleavedTransform::inverse(Complex* data) const {
-  fftw_execute_dft(get(inverse_), raw(data), raw(data));
+void ColumnTransform::inverse(const Complex* in, Complex* out) const {
+  fftw_execute_dft(get(inverse_), raw(const_cast<Complex*>(in)), raw(out));
 }
 
 RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grid/parallel.hpp"
+#include "transform/columns.hpp"
 
 namespace asperity {
 namespace {
@@ -48,15 +49,16 @@ void PrunedTransform::inverse_rows(HalfSpectrum& half, Field& out, int threads) 
   });
 }
 
-void PrunedTransform::forward_block(const HalfSpectrum& half, Index b, Complex* block) const {
-  std::copy_n(half.data() + b * field_.nx * width, field_.nx * width, block);
-  std::fill(block + field_.nx * width, block + block_size(), Complex{});
-  columns_.forward(block);
+void PrunedTransform::forward_block(const HalfSpectrum& half, Index b, Complex* block, Complex* work) const {
+  columns_from_rows<width>(half.data() + b * field_.nx * width, field_.nx, work, stride());
+  for (Index c = 0; c < width; ++c)
+    std::fill(work + c * stride() + field_.nx, work + c * stride() + torus_.nx, Complex{});
+  columns_.forward(work, block);
 }
 
-void PrunedTransform::inverse_block(Complex* block, Index b, HalfSpectrum& half) const {
-  columns_.inverse(block);
-  std::copy_n(block, field_.nx * width, half.data() + b * field_.nx * width);
+void PrunedTransform::inverse_block(const Complex* block, Index b, HalfSpectrum& half, Complex* work) const {
+  columns_.inverse(block, work);
+  rows_from_columns<width>(work, stride(), field_.nx, half.data() + b * field_.nx * width);
 }
 
 }  // namespace asperity

@@ -2,8 +2,8 @@
 ///
 /// A linear convolution of an nx × ny field pads it to Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1. Three quarters of
 /// the padded field are zeros, and three quarters of the result are thrown away. Here the rows that hold data
-/// are transformed in y, alone; the columns of the half spectrum follow in blocks of eight that stay in the
-/// cache while they are transformed in x, multiplied and transformed back; only nx rows are kept and return
+/// are transformed in y, alone; the columns of the half spectrum follow in blocks of eight, one column after the
+/// other, that stay in the cache while they are transformed in x, multiplied and transformed back; only nx rows are kept and return
 /// from y.
 ///
 ///     rows → half spectrum → (per block: load, forward, multiply, inverse, store) → half spectrum → rows
@@ -32,7 +32,8 @@ class PrunedTransform {
   Shape torus() const { return torus_; }
   Index columns() const { return torus_.ny / 2 + 1; }
   Index blocks() const { return (columns() + width - 1) / width; }
-  Index block_size() const { return torus_.nx * width; }
+  Index stride() const { return columns_.stride(); }  ///< from one column of a block to the next
+  Index block_size() const { return columns_.size(); }
   HalfSpectrum half_spectrum() const;
 
   /// The rows of `in` into the half spectrum.
@@ -42,15 +43,16 @@ class PrunedTransform {
   /// One row, row i, from the half spectrum; `row` has room for Py + 2 doubles and is aligned.
   void inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row) const;
 
-  /// Block b of the half spectrum, zeros below it, transformed in x: `block` [kx][8] of Px rows.
-  void forward_block(const HalfSpectrum& half, Index b, Complex* block) const;
-  /// Back again: transforms `block` in place and keeps the first nx rows.
-  void inverse_block(Complex* block, Index b, HalfSpectrum& half) const;
+  /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points, as
+  /// `work` has.
+  void forward_block(const HalfSpectrum& half, Index b, Complex* block, Complex* work) const;
+  /// Back again: transforms `block` and keeps the first nx rows.
+  void inverse_block(const Complex* block, Index b, HalfSpectrum& half, Complex* work) const;
 
  private:
   Shape field_, torus_;
   RealTransform rows_;
-  InterleavedTransform columns_;
+  ColumnTransform columns_;
 };
 
 }  // namespace asperity

@@ -9,10 +9,11 @@ constexpr Index width = ZeroPhaseTransform::width;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
-// An 8 × 8 tile, transposed; rows `from` and `to` apart.
-void transpose(const double* in, Index from, double* out, Index to) {
-  for (Index i = 0; i < width; ++i)
-    for (Index j = 0; j < width; ++j) out[j * to + i] = in[i * from + j];
+// The real and the imaginary parts of two complex numbers, as two complex numbers: a 2 × 2 tile, transposed.
+void turn(const Complex& a, const Complex& b, Complex& real, Complex& imaginary) {
+  const Complex x = a, y = b;
+  real = {x.real(), y.real()};
+  imaginary = {x.imag(), y.imag()};
 }
 
 }  // namespace
@@ -21,9 +22,11 @@ ZeroPhaseTransform::ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane)
     : lags_(lags),
       torus_(torus),
       blocks_((torus.ny / 2 + width) / width),
-      block_rows_(half_plane ? torus.nx : torus.nx / 2 + 1),
+      stride_(ColumnTransform::stride_of(torus.nx)),
+      block_(size(pairs * stride_)),
+      work_(block_.size()),
       half_plane_(half_plane),
-      block_(size(torus.nx * width)) {}
+      column_(half_plane ? torus.nx : torus.nx / 2 + 1) {}
 
 std::vector<double> ZeroPhaseTransform::multiplicity() const {
   return part([&](Index k, Index l) {
@@ -42,15 +45,17 @@ Field ZeroPhaseTransform::whole(std::span<const double> part) const {
 void ZeroPhaseTransform::forward(std::span<const double> part, std::span<double> spectrum) {
   load(part.data());
   for (Index b = 0; b < blocks_; ++b) {
-    forward_block(b, block_.data());
-    std::copy_n(block_.data(), block_size(), spectrum.data() + b * block_size());
+    forward_block(b);
+    for (Index c = 0; c < pairs; ++c)
+      std::copy_n(pair(c).begin(), pair_size(), spectrum.data() + b * block_size() + c * pair_size());
   }
 }
 
 void ZeroPhaseTransform::inverse(std::span<const double> spectrum, std::span<double> part) {
   for (Index b = 0; b < blocks_; ++b) {
-    std::copy_n(spectrum.data() + b * block_size(), block_size(), block_.data());
-    inverse_block(b, block_.data());
+    for (Index c = 0; c < pairs; ++c)
+      std::copy_n(spectrum.data() + b * block_size() + c * pair_size(), pair_size(), pair(c).begin());
+    inverse_block(b);
   }
   const double scale = 1 / static_cast<double>(torus_.cells());
   store(part.data());
@@ -71,45 +76,57 @@ QuarterTransform::QuarterTransform(Shape lags, Shape torus)
       rows_(torus.ny),
       columns_(torus.nx),
       row_blocks_((lags.nx + width - 1) / width),
-      between_(size(blocks_ * row_blocks_ * width * width)),
-      row_(size(torus.ny * width)) {}
+      between_stride_(ColumnTransform::stride_of(row_blocks_ * width)),
+      between_(size(blocks_ * pairs * between_stride_)),
+      row_(size(rows_.size())),
+      row_spectrum_(row_.size()) {}
 
 void QuarterTransform::load(const double* part) {
   const auto [n, m] = lags_;
-  const Index block_stride = row_blocks_ * width * width;
-  for (Index r = 0; r < row_blocks_; ++r) {
-    const Index rows = std::min(width, n - r * width);
-    std::fill_n(row_.data(), m * width, 0.0);
-    for (Index i = 0; i < rows; ++i)
-      for (Index l = 0; l < m; ++l) row_[size(l * width + i)] = part[(r * width + i) * m + l];
-    rows_.apply(Parity::even, row_.data(), m);
+  for (Index first = 0; first < n; first += width) {
+    for (Index c = 0; c < pairs; ++c) {
+      const Index k = first + 2 * c;
+      Complex* row = row_.data() + c * rows_.stride();
+      for (Index l = 0; l < m; ++l)
+        row[l] = {k < n ? part[k * m + l] : 0, k + 1 < n ? part[(k + 1) * m + l] : 0};
+    }
+    rows_.apply(Parity::even, row_.data(), m, row_spectrum_.data());
     for (Index b = 0; b < blocks_; ++b)
-      transpose(row_.data() + b * width * width, width,
-                between_.data() + b * block_stride + r * width * width, width);
+      for (Index c = 0; c < pairs; ++c)
+        for (Index r = 0; r < pairs; ++r) {
+          const Complex* in = row_spectrum_.data() + r * rows_.stride() + b * width + 2 * c;
+          Complex* out = between(b, c) + first + 2 * r;
+          turn(in[0], in[1], out[0], out[1]);
+        }
   }
 }
 
-void QuarterTransform::forward_block(Index b, double* block) {
-  std::copy_n(between_.data() + b * row_blocks_ * width * width, lags_.nx * width, block);
-  columns_.apply(Parity::even, block, lags_.nx);
+void QuarterTransform::forward_block(Index b) {
+  for (Index c = 0; c < pairs; ++c) std::copy_n(between(b, c), lags_.nx, work_.data() + c * stride_);
+  columns_.apply(Parity::even, work_.data(), lags_.nx, block_.data());
 }
 
-void QuarterTransform::inverse_block(Index b, double* block) {
-  columns_.apply(Parity::even, block, torus_.nx / 2 + 1);
-  std::copy_n(block, lags_.nx * width, between_.data() + b * row_blocks_ * width * width);
+void QuarterTransform::inverse_block(Index b) {
+  columns_.apply(Parity::even, block_.data(), torus_.nx / 2 + 1, work_.data());
+  for (Index c = 0; c < pairs; ++c) std::copy_n(work_.data() + c * stride_, lags_.nx, between(b, c));
 }
 
 void QuarterTransform::store(double* part) {
   const auto [n, m] = lags_;
-  const Index block_stride = row_blocks_ * width * width, columns = torus_.ny / 2 + 1;
-  for (Index r = 0; r < row_blocks_; ++r) {
+  for (Index first = 0; first < n; first += width) {
     for (Index b = 0; b < blocks_; ++b)
-      transpose(between_.data() + b * block_stride + r * width * width, width,
-                row_.data() + b * width * width, width);
-    rows_.apply(Parity::even, row_.data(), columns);
-    const Index rows = std::min(width, n - r * width);
-    for (Index i = 0; i < rows; ++i)
-      for (Index l = 0; l < m; ++l) part[(r * width + i) * m + l] = row_[size(l * width + i)];
+      for (Index c = 0; c < pairs; ++c)
+        for (Index r = 0; r < pairs; ++r) {
+          const Complex* in = between(b, c) + first + 2 * r;
+          Complex* out = row_.data() + r * rows_.stride() + b * width + 2 * c;
+          turn(in[0], in[1], out[0], out[1]);
+        }
+    rows_.apply(Parity::even, row_.data(), torus_.ny / 2 + 1, row_spectrum_.data());
+    for (Index k = first; k < std::min(first + width, n); ++k) {
+      const auto* row =
+          reinterpret_cast<const double*>(row_spectrum_.data() + (k - first) / 2 * rows_.stride());
+      for (Index l = 0; l < m; ++l) part[k * m + l] = row[2 * l + k % 2];
+    }
   }
 }
 
@@ -118,7 +135,7 @@ void QuarterTransform::store(double* part) {
 HalfPlaneTransform::HalfPlaneTransform(Shape lags, Shape torus)
     : ZeroPhaseTransform(lags, torus, true),
       rows_(torus.ny),
-      columns_(torus.nx, width / 2),
+      columns_(torus.nx, pairs),
       between_(size(blocks_ * lags.nx * width)),
       row_(size(torus.ny)),
       row_spectrum_(size(blocks_ * width)) {}
@@ -140,32 +157,33 @@ void HalfPlaneTransform::load(const double* part) {
 
 // Two Hermitian columns c, d are the halves of c + i d, whose transform has theirs as real and imaginary
 // part.
-void HalfPlaneTransform::forward_block(Index b, double* block) {
+void HalfPlaneTransform::forward_block(Index b) {
   const auto [n, period] = Shape{lags_.nx, torus_.nx};
-  std::fill_n(block, period * width, 0.0);
-  const Complex* in = between_.data() + b * n * width;
-  for (Index k = 0; k < n; ++k, in += width)
-    for (Index w = 0; w < width; w += 2) {
-      const Complex c = in[w], d = in[w + 1];
-      double* ahead = block + k * width + w;
-      double* behind = block + (k == 0 ? 0 : period - k) * width + w;
-      ahead[0] = c.real() - d.imag(), ahead[1] = c.imag() + d.real();
-      behind[0] = c.real() + d.imag(), behind[1] = d.real() - c.imag();
+  for (Index w = 0; w < pairs; ++w) {
+    const Complex* in = between_.data() + b * n * width + 2 * w;
+    Complex* column = work_.data() + w * stride_;
+    std::fill(column + n, column + period - n + 1, Complex{});
+    for (Index k = 0; k < n; ++k, in += width) {
+      const Complex c = in[0], d = in[1];
+      column[k] = {c.real() - d.imag(), c.imag() + d.real()};
+      column[k == 0 ? 0 : period - k] = {c.real() + d.imag(), d.real() - c.imag()};
     }
-  columns_.forward(reinterpret_cast<Complex*>(block));
+  }
+  columns_.forward(work_.data(), block_.data());
 }
 
-void HalfPlaneTransform::inverse_block(Index b, double* block) {
-  columns_.inverse(reinterpret_cast<Complex*>(block));
+void HalfPlaneTransform::inverse_block(Index b) {
+  columns_.inverse(block_.data(), work_.data());
   const auto [n, period] = Shape{lags_.nx, torus_.nx};
-  Complex* out = between_.data() + b * n * width;
-  for (Index k = 0; k < n; ++k, out += width)
-    for (Index w = 0; w < width; w += 2) {
-      const double* ahead = block + k * width + w;
-      const double* behind = block + (k == 0 ? 0 : period - k) * width + w;
-      out[w] = {(ahead[0] + behind[0]) / 2, (ahead[1] - behind[1]) / 2};
-      out[w + 1] = {(ahead[1] + behind[1]) / 2, (behind[0] - ahead[0]) / 2};
+  for (Index w = 0; w < pairs; ++w) {
+    const Complex* column = work_.data() + w * stride_;
+    Complex* out = between_.data() + b * n * width + 2 * w;
+    for (Index k = 0; k < n; ++k, out += width) {
+      const Complex ahead = column[k], behind = column[k == 0 ? 0 : period - k];
+      out[0] = {(ahead.real() + behind.real()) / 2, (ahead.imag() - behind.imag()) / 2};
+      out[1] = {(ahead.imag() + behind.imag()) / 2, (behind.real() - ahead.real()) / 2};
     }
+  }
 }
 
 void HalfPlaneTransform::store(double* part) {

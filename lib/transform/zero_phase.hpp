@@ -7,16 +7,15 @@
 ///                         the rows 1 … n-1.
 /// Rows that hold data are transformed in y; then columns in x, in blocks of eight that stay in the cache
 /// while they are transformed, worked on and transformed back; of the way back only the n × m part is done.
-/// Eight real (or Hermitian) sequences are four complex ones, interleaved, which come apart without
-/// arithmetic, or with one addition.
+/// Two real (or Hermitian) sequences are one complex one, and come apart without arithmetic, or with one addition.
 ///
-/// A spectrum is [block][kx][8] doubles: column 8·block + lane, kx = 0 … Px/2 of a quarter, 0 … Px-1 of a
-/// half plane. Lanes beyond the last column, Py/2, repeat values of other columns, so that minima and maxima
-/// may be taken over all of it.
+/// A spectrum is [block][pair][kx][2] doubles: column 8·block + 2·pair + 0 or 1, kx = 0 … Px/2 of a quarter,
+/// 0 … Px-1 of a half plane. Columns beyond the last, Py/2, repeat values of others, so that minima and maxima may
+/// be taken over all of it.
 ///
 /// Cost      there and back of a quarter: about 0.25, of a half plane 0.4, of a real transform of the torus
-///           there and back (validation/acf_error_time.cpp). Memory: 8 n Py/8 doubles between rows and
-///           columns, 8 Px for a block.
+///           there and back (validation/acf_error_time.cpp). Memory: n Py doubles between rows and columns, 16 Px for
+///           a block.
 /// Accuracy  ε log2(Px Py) Σ|a|.
 #pragma once
 
@@ -33,13 +32,14 @@ namespace asperity {
 
 class ZeroPhaseTransform {
  public:
-  static constexpr Index width = 8;
+  static constexpr Index width = MirroredTransform::width, pairs = MirroredTransform::pairs;
 
   virtual ~ZeroPhaseTransform() = default;
   Shape lags() const { return lags_; }    ///< n × m
   Shape torus() const { return torus_; }  ///< Px × Py
   Index blocks() const { return blocks_; }
-  Index block_size() const { return block_rows_ * width; }
+  Index pair_size() const { return 2 * column_; }
+  Index block_size() const { return pairs * pair_size(); }
   Index spectrum_size() const { return blocks() * block_size(); }
 
   /// How often each value of the given part occurs on the torus: 1, 2 or 4.
@@ -56,7 +56,7 @@ class ZeroPhaseTransform {
   void forward(std::span<const double> part, std::span<double> spectrum);
   /// The part of the inverse transform; `spectrum` is left alone.
   void inverse(std::span<const double> spectrum, std::span<double> part);
-  /// part → spectrum → work(offset, block) on each block of it, where block[i] is the spectrum's value at
+  /// part → spectrum → work(offset, values) on each pair of columns, where values[i] is the spectrum's value at
   /// offset + i → `out`, by one pass over the columns. `out` may be `part`.
   template <class Work>
   void filter(std::span<const double> part, std::span<double> out, Work work);
@@ -64,19 +64,24 @@ class ZeroPhaseTransform {
  protected:
   ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane);
 
-  virtual void load(const double* part) = 0;               ///< rows, transformed in y
-  virtual void forward_block(Index b, double* block) = 0;  ///< columns in x; block has room for Px rows
-  virtual void inverse_block(Index b, double* block) = 0;
+  virtual void load(const double* part) = 0;  ///< rows, transformed in y
+  virtual void forward_block(Index b) = 0;    ///< columns in x, into block_
+  virtual void inverse_block(Index b) = 0;    ///< out of block_, which it may spoil
   virtual void store(double* part) = 0;
 
   Shape lags_, torus_;
-  Index blocks_, block_rows_;
+  Index blocks_, stride_;
+  AlignedVector<Complex> block_, work_;  ///< four columns, stride_ apart: pairs of real ones
 
  private:
   Index first(Index k) const { return half_plane_ && k > 0 ? 1 - lags_.ny : 0; }  ///< the least l of row k
 
+  std::span<double> pair(Index c) {
+    return {reinterpret_cast<double*>(block_.data() + c * stride_), static_cast<std::size_t>(pair_size())};
+  }
+
   bool half_plane_;
-  AlignedVector<double> block_;
+  Index column_;  ///< points of a column that make the spectrum
 };
 
 class QuarterTransform : public ZeroPhaseTransform {
@@ -86,14 +91,17 @@ class QuarterTransform : public ZeroPhaseTransform {
 
  private:
   void load(const double* part) override;
-  void forward_block(Index b, double* block) override;
-  void inverse_block(Index b, double* block) override;
+  void forward_block(Index b) override;
+  void inverse_block(Index b) override;
   void store(double* part) override;
 
+  /// Where pair c of block b begins in between_.
+  Complex* between(Index b, Index c) { return between_.data() + (b * pairs + c) * between_stride_; }
+
   MirroredTransform rows_, columns_;
-  Index row_blocks_;
-  AlignedVector<double> between_;  ///< [block][k < n rounded up to 8][8]
-  AlignedVector<double> row_;      ///< [Py][8]
+  Index row_blocks_, between_stride_;
+  AlignedVector<Complex> between_;             ///< [block][pair][k < n], transformed in y only
+  AlignedVector<Complex> row_, row_spectrum_;  ///< eight rows: four pairs
 };
 
 class HalfPlaneTransform : public ZeroPhaseTransform {
@@ -103,12 +111,12 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
 
  private:
   void load(const double* part) override;
-  void forward_block(Index b, double* block) override;
-  void inverse_block(Index b, double* block) override;
+  void forward_block(Index b) override;
+  void inverse_block(Index b) override;
   void store(double* part) override;
 
   RealTransform rows_;
-  InterleavedTransform columns_;
+  ColumnTransform columns_;
   AlignedVector<Complex> between_;  ///< [block][k < n][8]
   AlignedVector<double> row_;
   AlignedVector<Complex> row_spectrum_;
@@ -138,9 +146,9 @@ template <class Work>
 void ZeroPhaseTransform::filter(std::span<const double> part, std::span<double> out, Work work) {
   load(part.data());
   for (Index b = 0; b < blocks_; ++b) {
-    forward_block(b, block_.data());
-    work(b * block_size(), std::span<double>(block_.data(), static_cast<std::size_t>(block_size())));
-    inverse_block(b, block_.data());
+    forward_block(b);
+    for (Index c = 0; c < pairs; ++c) work(b * block_size() + c * pair_size(), pair(c));
+    inverse_block(b);
   }
   store(out.data());
 }

@@ -181,6 +181,6 @@ TEST_CASE("the working set stays below 43 MB for a surface of any length", "[syn
 TEST_CASE("less memory than one strip takes is refused, and the least is named", "[synthesis][contract]") {
   const Field kernel = Field::Ones(61, 61);
   CHECK_THROWS_MATCHES(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 1'500'000}),
-                       ParameterError, Message("1500kB does not hold one strip of this surface: 21MB do"));
-  CHECK_NOTHROW(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 21'000'000}));
+                       ParameterError, Message("1500kB does not hold one strip of this surface: 22MB do"));
+  CHECK_NOTHROW(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 22'000'000}));
 }
