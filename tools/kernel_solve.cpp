@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "acf/newton_krylov.hpp"
+#include "acf/nonlinear_system.hpp"
 #include "acf/table.hpp"
 #include "acf/wording.hpp"
 #include "acf_table.hpp"

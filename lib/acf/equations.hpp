@@ -36,7 +36,7 @@
 #include <span>
 #include <vector>
 
-#include "acf/newton_krylov.hpp"
+#include "acf/nonlinear_system.hpp"
 #include "acf/target.hpp"
 #include "grid/field.hpp"
 #include "transform/zero_phase.hpp"

@@ -1,81 +1,17 @@
 #include "acf/newton_krylov.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
-#include <limits>
 #include <memory>
-#include <stdexcept>
 
-#include <Eigen/Core>
-#include <kinsol/kinsol.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.hpp>
-#include <sundials/sundials_version.h>
-#include <sunlinsol/sunlinsol_spgmr.h>
-
-#include "grid/field.hpp"
+#include "acf/kinsol.hpp"
 #include "grid/stopwatch.hpp"
 
 namespace asperity {
 namespace {
 
-struct FreeVector {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
-};
-struct FreeSolver {
-  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-};
-struct FreeKinsol {
-  void operator()(void* memory) const { KINFree(&memory); }
-};
-using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, FreeVector>;
-using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, FreeSolver>;
-using Kinsol = std::unique_ptr<void, FreeKinsol>;
-
-void check(int flag, const char* call) {
-  if (flag < 0) throw std::runtime_error(std::string(call) + " failed with " + std::to_string(flag));
-}
-
-template <class Pointer>
-Pointer made(Pointer pointer, const char* call) {
-  if (!pointer) throw std::runtime_error(std::string(call) + " failed");
-  return pointer;
-}
-
-std::span<double> values(N_Vector v) {
-  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
-}
-
-using Array = Eigen::Map<Eigen::ArrayXd>;
-Array array(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<Index>(N_VGetLength(v))}; }
-
-// SUNDIALS' serial vector over `values`, with the operations of GMRES by vector instructions: as the library
-// is packaged they would take as long as the transforms.
-Vector vector_of(std::span<double> values, sundials::Context& context) {
-  Vector v = made(Vector(N_VMake_Serial(static_cast<sunindextype>(values.size()), values.data(), context)),
-                  "N_VMake_Serial");
-  auto* operation = v->ops;
-  operation->nvdotprod = [](N_Vector x, N_Vector y) { return (array(x) * array(y)).sum(); };
-  operation->nvprod = [](N_Vector x, N_Vector y, N_Vector z) { array(z) = array(x) * array(y); };
-  operation->nvdiv = [](N_Vector x, N_Vector y, N_Vector z) { array(z) = array(x) / array(y); };
-  operation->nvabs = [](N_Vector x, N_Vector z) { array(z) = array(x).abs(); };
-  operation->nvinv = [](N_Vector x, N_Vector z) { array(z) = array(x).inverse(); };
-  operation->nvconst = [](sunrealtype c, N_Vector z) { array(z) = c; };
-  operation->nvscale = [](sunrealtype c, N_Vector x, N_Vector z) { array(z) = c * array(x); };
-  operation->nvlinearsum = [](sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z) {
-    array(z) = a * array(x) + b * array(y);
-  };
-  operation->nvwl2norm = [](N_Vector x, N_Vector w) {
-    return std::sqrt((array(x) * array(w)).square().sum());
-  };
-  operation->nvmaxnorm = [](N_Vector x) { return array(x).abs().maxCoeff<Eigen::PropagateNaN>(); };
-  return v;
-}
-std::span<double> unchanged(const std::vector<double>& v) {
-  return {const_cast<double*>(v.data()), v.size()};
-}
+using namespace kinsol;
 
 // Adds the seconds of its life to a sum.
 class Timer {
@@ -199,66 +135,6 @@ int jacobian(N_Vector v, N_Vector out, N_Vector, Boolean*, void* data) {
   return Callbacks::guarded(data, [&](Callbacks& c) { return c.jacobian(values(v), values(out)); });
 }
 
-// G(u) = u - M F(u) for KINSOL's fixed point, with the best iterate. An iteration that has ended, well or
-// badly, is given G(u) = u and takes itself for converged.
-class FixedPoint {
- public:
-  FixedPoint(const NonlinearSystem& system, const FixedPointOptions& options)
-      : system_(system), options_(options) {}
-
-  int map(std::span<const double> u, std::span<double> g) try {
-    if (reason_.empty()) advance(u, g);
-    if (!reason_.empty()) std::copy(u.begin(), u.end(), g.begin());
-    return 0;
-  } catch (...) {
-    failure_ = std::current_exception();
-    reason_ = "exception";
-    std::copy(u.begin(), u.end(), g.begin());
-    return 0;
-  }
-
-  void finish(std::span<double> u, IterationResult& result) const {
-    if (failure_) std::rethrow_exception(failure_);
-    if (!best_.empty()) std::copy(best_.begin(), best_.end(), u.begin());
-    result.steps = result.preconditionings = steps_;
-    result.converged = least_ <= options_.tolerance;
-    result.reason = result.converged ? "solved" : reason_;
-  }
-
- private:
-  void advance(std::span<const double> u, std::span<double> g) {
-    if (!system_.residual(u, g)) return end("an iterate left the domain of the equations");
-    double largest = 0;
-    for (double f : g) largest = std::max(largest, std::isfinite(f) ? std::abs(f) : infinity);
-    if (largest < least_) {
-      least_ = largest;
-      best_.assign(u.begin(), u.end());
-    }
-    if (largest <= options_.tolerance) return end("solved");
-    if (!(largest <= 1e6 * least_ && largest < infinity)) return end("the iteration diverges");
-    if (steps_ == options_.max_iterations)
-      return end("not solved in " + std::to_string(steps_) + " iterations");
-    ++steps_;
-    system_.linearize(u);
-    system_.precondition(g);
-    for (std::size_t i = 0; i < g.size(); ++i) g[i] = u[i] - g[i];
-  }
-  void end(std::string reason) { reason_ = std::move(reason); }
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  const NonlinearSystem& system_;
-  const FixedPointOptions& options_;
-  std::vector<double> best_;
-  double least_ = infinity;
-  long steps_ = 0;
-  std::string reason_;
-  std::exception_ptr failure_;
-};
-
-int fixed_point(N_Vector u, N_Vector g, void* data) {
-  return static_cast<FixedPoint*>(data)->map(values(u), values(g));
-}
-
 std::string flag_name(int flag) {
   const std::unique_ptr<char, decltype(&std::free)> name(KINGetReturnFlagName(flag), &std::free);
   return name ? name.get() : std::to_string(flag);
@@ -341,28 +217,5 @@ IterationResult solve_newton_krylov(const NonlinearSystem& system, std::span<dou
   result.seconds = watch.seconds();
   return result;
 }
-
-IterationResult solve_fixed_point(const NonlinearSystem& system, std::span<double> u,
-                                  const FixedPointOptions& options) {
-  const Stopwatch watch;
-  FixedPoint iteration(system, options);
-  sundials::Context context;
-  const Vector iterate = vector_of(u, context), scale = vector_of(unchanged(system.scale), context);
-  const Kinsol kinsol = made(Kinsol(KINCreate(context)), "KINCreate");
-  check(KINSetMAA(kinsol.get(), std::min<long>(options.depth, static_cast<long>(u.size()))), "KINSetMAA");
-  check(KINInit(kinsol.get(), fixed_point, iterate.get()), "KINInit");
-  check(KINSetUserData(kinsol.get(), &iteration), "KINSetUserData");
-  check(KINSetNumMaxIters(kinsol.get(), options.max_iterations + 2), "KINSetNumMaxIters");
-  // FixedPoint decides on convergence: here it is G(u) = u to the last bit.
-  check(KINSetFuncNormTol(kinsol.get(), std::numeric_limits<double>::min()), "KINSetFuncNormTol");
-  check(KINSol(kinsol.get(), iterate.get(), KIN_FP, scale.get(), scale.get()), "KINSol");
-  IterationResult result;
-  iteration.finish(u, result);
-  check(KINGetNumFuncEvals(kinsol.get(), &result.residuals), "KINGetNumFuncEvals");
-  result.seconds = watch.seconds();
-  return result;
-}
-
-std::string sundials_version() { return std::string("SUNDIALS ") + SUNDIALS_VERSION; }
 
 }  // namespace asperity

@@ -5,8 +5,10 @@
 
 #include "acf/appraisal.hpp"
 #include "acf/conjugate_gradient.hpp"
+#include "acf/fixed_point.hpp"
 #include "acf/least_change.hpp"
 #include "acf/least_squares.hpp"
+#include "acf/newton_krylov.hpp"
 #include "acf/projections.hpp"
 #include "acf/wording.hpp"
 

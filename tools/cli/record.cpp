@@ -7,7 +7,7 @@
 #include <gsl/gsl_version.h>
 #include <nlohmann/json.hpp>
 
-#include "acf/newton_krylov.hpp"
+#include "acf/nonlinear_system.hpp"
 #include "dataset/netcdf.hpp"
 #include "transform/plan.hpp"
 
