@@ -42,14 +42,15 @@ double shift_to_load(const ContactProblem& problem, const Field& p) {
   return shift;
 }
 
-}  // namespace
-
-void project(const ContactProblem& problem, Field& p) {
-  clip(problem, p, problem.approach ? 0 : shift_to_load(problem, p));
+// Without a limit pressure one factor does it.
+bool rescale_uncapped(const ContactProblem& problem, Field& p) {
+  const double sum = problem.blocks().sum([&](Block b) { return b.of(p).max(0.0).sum(); });
+  const double factor = sum > 0 ? problem.sum / sum : 1;
+  problem.blocks().each([&](Block b) { b.of(p) = factor * b.of(p).max(0.0); });
+  return sum > 0;
 }
 
-bool clip_and_rescale(const ContactProblem& problem, Field& p) {
-  if (problem.approach) return clip(problem, p, 0), true;
+bool rescale_capped(const ContactProblem& problem, Field& p) {
   if (problem.sum >= (1 - saturation) * problem.cap * static_cast<double>(p.size())) {
     p.setConstant(problem.cap);
     return true;
@@ -68,6 +69,17 @@ bool clip_and_rescale(const ContactProblem& problem, Field& p) {
     });
   }
   return true;
+}
+
+}  // namespace
+
+void project(const ContactProblem& problem, Field& p) {
+  clip(problem, p, problem.approach ? 0 : shift_to_load(problem, p));
+}
+
+bool clip_and_rescale(const ContactProblem& problem, Field& p) {
+  if (problem.approach) return clip(problem, p, 0), true;
+  return problem.capped() ? rescale_capped(problem, p) : rescale_uncapped(problem, p);
 }
 
 }  // namespace asperity
