@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "grid/parallel.hpp"
 #include "grid/stopwatch.hpp"
 #include "transform/convolution.hpp"
 
@@ -59,21 +58,16 @@ double multipoles(double x, double y, double a, double b) {
   return 4 * a * b * std::sqrt(inverse) * (1 + second + fourth);
 }
 
-// K(i, j) for 0 ≤ i ≤ Px/2, 0 ≤ j ≤ Py/2.
-Field love_coefficients(const Grid& grid, Shape torus, double composite_modulus, int threads) {
-  Field k(torus.nx / 2 + 1, torus.ny / 2 + 1);
+// The transform of (2) on a torus, K between nearest images.
+Field love_symbol(const Grid& grid, Shape torus, double composite_modulus, int threads) {
   const double a = grid.dx / 2, b = grid.dy / 2, scale = 1 / (pi * composite_modulus);
-  parallel_ranges(k.rows(), threads, [&](Index begin, Index end, int) {
-    for (Index i = begin; i < end; ++i)
-      for (Index j = 0; j < k.cols(); ++j)
-        k(i, j) =
-            scale * love_integral(static_cast<double>(i) * grid.dx, static_cast<double>(j) * grid.dy, a, b);
-  });
-  return k;
-}
-
-Field symbol_of(const Field& coefficients, Shape torus) {
-  return even_symbol(torus, [&](Index i, Index j) { return coefficients(i, j); });
+  return even_symbol(
+      torus,
+      [&](Index i, Index j) {
+        return scale *
+               love_integral(static_cast<double>(i) * grid.dx, static_cast<double>(j) * grid.dy, a, b);
+      },
+      threads);
 }
 
 // A torus about as large as the field, for nearest images.
@@ -137,9 +131,7 @@ class HalfSpace final : public ElasticOperator {
         shape(), torus, symbol(torus).max(1e-3 * self_influence()).inverse(), threads_, work_);
   }
 
-  Field symbol(Shape torus) const {
-    return symbol_of(love_coefficients(grid_, torus, modulus_, threads_), torus);
-  }
+  Field symbol(Shape torus) const { return love_symbol(grid_, torus, modulus_, threads_); }
 
   Grid grid_;
   double modulus_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grid/parallel.hpp"
+#include "transform/mirrored.hpp"
 
 namespace asperity {
 namespace {
@@ -14,21 +15,44 @@ constexpr Index cells_worth_a_thread = 128 * 128;
 
 int useful_threads(Shape field, int threads) { return field.cells() < cells_worth_a_thread ? 1 : threads; }
 
+// Even sequences s = 0 … count-1 of this period, eight at a time: read(s, j) gives, write(s, k, value) takes.
+template <class Read, class Write>
+void transform_even(Index period, Index count, int threads, Read read, Write write) {
+  const MirroredTransform transform(period);
+  constexpr Index pairs = MirroredTransform::pairs, eight = MirroredTransform::width;
+  parallel_ranges((count + eight - 1) / eight, threads, [&](Index begin, Index end, int) {
+    AlignedVector<Complex> x(static_cast<std::size_t>(transform.size())), spectrum(x.size());
+    auto at = [&](AlignedVector<Complex>& v, Index pair, Index j) -> Complex& {
+      return v[static_cast<std::size_t>(pair * transform.stride() + j)];
+    };
+    for (Index first = begin * eight; first < std::min(end * eight, count); first += eight) {
+      auto of_pair = [&](Index pair) { return std::min(first + 2 * pair, count - 1); };
+      for (Index j = 0; j <= period / 2; ++j)
+        for (Index c = 0; c < pairs; ++c)
+          at(x, c, j) = {read(of_pair(c), j), read(std::min(of_pair(c) + 1, count - 1), j)};
+      transform.apply(Parity::even, x.data(), period / 2 + 1, spectrum.data());
+      for (Index k = 0; k <= period / 2; ++k)
+        for (Index c = 0; c < pairs && first + 2 * c < count; ++c) {
+          write(of_pair(c), k, at(spectrum, c, k).real());
+          if (of_pair(c) + 1 < count) write(of_pair(c) + 1, k, at(spectrum, c, k).imag());
+        }
+    }
+  });
+}
+
 }  // namespace
 
 Shape padded_torus(Shape field) {
   return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)};
 }
 
-Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel) {
-  const EvenTransform2D transform(torus);
-  const Shape quarter = transform.quarter();
-  Field symbol(quarter.nx, quarter.ny);
-  for (Index i = 0; i < quarter.nx; ++i)
-    for (Index j = 0; j < quarter.ny; ++j) symbol(i, j) = kernel(i, j);
-  AlignedVector<double> data(symbol.data(), symbol.data() + symbol.size());
-  transform.apply(data.data());
-  std::copy(data.begin(), data.end(), symbol.data());
+Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel, int threads) {
+  Field symbol(torus.nx / 2 + 1, torus.ny / 2 + 1);
+  transform_even(torus.ny, symbol.rows(), threads, kernel,
+                 [&](Index i, Index k, double value) { symbol(i, k) = value; });
+  transform_even(
+      torus.nx, symbol.cols(), threads, [&](Index j, Index i) { return symbol(i, j); },
+      [&](Index j, Index k, double value) { symbol(k, j) = value; });
   return symbol;
 }
 

@@ -22,8 +22,8 @@ namespace asperity {
 Shape padded_torus(Shape field);
 
 /// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is asked for 0 ≤ i ≤ Px/2, 0 ≤ j ≤
-/// Py/2. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
-Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel);
+/// Py/2, by several threads at once. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
+Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1);
 
 class EvenConvolution {
  public:
