@@ -15,11 +15,12 @@ constexpr double face_reduction = 0.25;       // of |r| before violations are lo
 constexpr double face_goal = 0.9;             // of the tolerance, for max|r| on a face
 constexpr int face_steps = 200;
 constexpr int updates_before_refresh = 50;
+constexpr double far_from_datum = 100;     // displacements: round-off of g is then 1e-14 of them
 constexpr double round_off_floor = 1e-11;  // of ε, where gains end
 
 }  // namespace
 
-GuardedGradients::GuardedGradients(ElasticOperator& influence, const ContactProblem& problem, Limits limits)
+GuardedGradients::GuardedGradients(ElasticOperator& influence, ContactProblem& problem, Limits limits)
     : influence_(influence),
       problem_(problem),
       limits_(limits),
@@ -68,9 +69,19 @@ void GuardedGradients::refresh() {
   updates_ = 0;
 }
 
+// ε, with δ near the datum.
+void GuardedGradients::look() {
+  residual_ = contact_residual(problem_, p_, g_);
+  const double far = residual_.approach;
+  if (!(std::abs(far) > far_from_datum * residual_.scale && residual_.scale > 0)) return;
+  problem_.shift(far);
+  g_ -= far;
+  residual_ = contact_residual(problem_, p_, g_);
+}
+
 bool GuardedGradients::finished() {
   if (updates_ >= updates_before_refresh) refresh();
-  residual_ = contact_residual(problem_, p_, g_);
+  look();
   if (residual_.epsilon <= limits_.tolerance) {
     stop_ = ContactStop::converged;
     return true;

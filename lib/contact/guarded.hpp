@@ -58,7 +58,8 @@ class GuardedGradients {
   };
   using Observer = std::function<void(const ContactResidual&, const CountedOperator&)>;
 
-  GuardedGradients(ElasticOperator& influence, const ContactProblem& problem, Limits limits);
+  /// Shifts the problem's datum where round-off demands it.
+  GuardedGradients(ElasticOperator& influence, ContactProblem& problem, Limits limits);
 
   /// Solves from p and g = h + K p; an empty g is made. `near` says that p is nearly the solution.
   ContactStop solve(Field p, Field g, bool near, const Observer& observe = {});
@@ -73,6 +74,7 @@ class GuardedGradients {
  private:
   void begin(Field p, Field g);
   void scale_start();
+  void look();
   bool finished();
   bool stalled();
   void refresh();
@@ -88,7 +90,7 @@ class GuardedGradients {
   void move(double lambda);
 
   CountedOperator influence_;
-  const ContactProblem& problem_;
+  ContactProblem& problem_;
   Limits limits_;
   Field p_, g_;
   Trial trial_;

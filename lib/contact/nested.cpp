@@ -11,8 +11,13 @@ bool can_coarsen(Shape shape) {
 
 ContactProblem coarsened(const ContactProblem& problem) {
   const Field& h = problem.h;
-  ContactProblem coarse{Field(h.rows() / 2, h.cols() / 2), problem.sum / 4,  problem.cap,
-                        2 * problem.self_influence,        problem.approach, problem.threads};
+  ContactProblem coarse{Field(h.rows() / 2, h.cols() / 2),
+                        problem.sum / 4,
+                        problem.cap,
+                        2 * problem.self_influence,
+                        problem.approach,
+                        problem.threads,
+                        problem.datum};
   for (Index i = 0; i < coarse.h.rows(); ++i)
     for (Index j = 0; j < coarse.h.cols(); ++j) coarse.h(i, j) = h.block<2, 2>(2 * i, 2 * j).mean();
   return coarse;

@@ -79,6 +79,12 @@ double largest_violation(const ContactProblem& problem, const Field& p, const Fi
 
 }  // namespace
 
+void ContactProblem::shift(double by) {
+  h -= by;
+  datum += by;
+  if (approach) *approach -= by;
+}
+
 ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g) {
   const Extent found = extent(problem, p, g);
   ContactResidual out;

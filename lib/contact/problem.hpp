@@ -12,7 +12,8 @@
 /// has a minimum for δ < mean h alone: in full contact the mean gap is 0 whatever the load.
 ///
 /// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of max g
-/// over p = c and min g over p = 0, or the one that exists. Within (1') it is as given. With k = K₀₀,
+/// over p = c and min g over p = 0, or the one that exists. Within (1') it is as given. p is unique, K being
+/// definite; δ is where a cell is free, and else any value between those two. With k = K₀₀,
 ///     w = k p - clip(k p - (g - δ), 0, k c)                                                  (3)
 /// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c, as far as a cell's own
 /// pressure can mend it, and 0 everywhere in the solution alone. The residual is
@@ -20,7 +21,7 @@
 /// k Σp/n, a cell's displacement under the mean pressure, counts only where surfaces are so flat and contact is
 /// so full that u hardly varies. ε does not depend on units or on the datum of h. ε = 1e-6 leaves the greatest
 /// pressure an error of 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves
-/// 1e-10…2e-7 and none. Round-off sets a floor of 5e-14…5e-12.
+/// 1e-10…2e-7 and none. Round-off sets a floor of 5e-14…5e-12, with h counted from about δ.
 ///
 /// Symbols   p pressure [Pa]   c limit pressure [Pa]   S load over cell area [Pa]   h undeformed gap [m]
 ///           g gap but for the approach [m]   δ approach [m]   K elastic operator [m/Pa]
@@ -41,7 +42,10 @@ struct ContactProblem {
   double self_influence = 0;                             ///< K₀₀ [m/Pa]
   std::optional<double> approach = {};                   ///< δ [m], given in place of S
   int threads = 1;
+  double datum = 0;  ///< what h, g and δ count from [m]
 
+  /// Counts from `by` further up. Round-off of g is ε of its largest value in contact: none where δ is about 0.
+  void shift(double by);
   Blocks blocks() const { return {h.size(), threads}; }
   bool capped() const { return cap < std::numeric_limits<double>::infinity(); }
   bool is_free(double p) const { return p > 0 && p < cap; }

@@ -57,12 +57,14 @@ ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& 
   else
     check_load(grid, parameters);
   check_start(grid, parameters.start);
-  return {std::move(gap),
-          parameters.load / grid.cell_area(),
-          parameters.limit_pressure,
-          influence.self_influence(),
-          parameters.approach,
-          parameters.threads};
+  ContactProblem problem{std::move(gap),
+                         parameters.load / grid.cell_area(),
+                         parameters.limit_pressure,
+                         influence.self_influence(),
+                         parameters.approach,
+                         parameters.threads};
+  if (parameters.approach) problem.shift(*parameters.approach);
+  return problem;
 }
 
 // One grid of the nested start, the finest first.
@@ -117,7 +119,7 @@ void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedG
                  contact.state.begin(), [&](double p) {
                    return p <= 0 ? Contact::open : problem.is_free(p) ? Contact::elastic : Contact::at_limit;
                  });
-  contact.approach = residual.approach;
+  contact.approach = residual.approach + problem.datum;
   contact.mean_gap = contact.gap.max(0.0).mean();
   contact.max_pressure = residual.max_pressure;
   contact.residual = residual.epsilon;

@@ -12,8 +12,8 @@ constexpr double spare_cells = 1.25;       // of those that the limit pressure n
 constexpr double round_off_floor = 1e-11;  // of ε, where gains end
 
 ContactProblem on_window(const ContactProblem& problem, const Window& window) {
-  return {window.of(problem.h),   problem.sum,      problem.cap,
-          problem.self_influence, problem.approach, problem.threads};
+  return {window.of(problem.h), problem.sum,     problem.cap,  problem.self_influence,
+          problem.approach,     problem.threads, problem.datum};
 }
 
 // Under a given approach a contact lies where the undeformed bodies overlap: a start for want of one that they
@@ -60,15 +60,16 @@ void WindowedGradients::choose(const Window& contact) {
 
 ContactStop WindowedGradients::minimise(bool near, const Observer& observe) {
   if (is_whole()) return minimise(influence_, problem_, p_, g_, near, observe);
-  const ContactProblem problem = on_window(problem_, window_);
+  ContactProblem problem = on_window(problem_, window_);
   Field p = window_.of(p_), g = g_.size() > 0 ? window_.of(g_) : Field();
   const ContactStop stop = minimise(*on_window_, problem, p, g, near, observe);
   window_.put(p, p_);
+  if (problem.datum != problem_.datum) problem_.shift(problem.datum - problem_.datum);
   fresh_ = false;
   return stop;
 }
 
-ContactStop WindowedGradients::minimise(ElasticOperator& influence, const ContactProblem& problem, Field& p,
+ContactStop WindowedGradients::minimise(ElasticOperator& influence, ContactProblem& problem, Field& p,
                                         Field& g, bool near, const Observer& observe) {
   const double share = static_cast<double>(p.size()) / static_cast<double>(problem_.h.size());
   const auto limit = static_cast<int>(std::ceil((limits_.convolutions - convolutions_) / share));

@@ -33,7 +33,8 @@ class WindowedGradients {
   /// Told of every round.
   using Observer = std::function<void(const ContactResidual&, double convolutions)>;
 
-  WindowedGradients(ElasticOperator& influence, const ContactProblem& problem, Limits limits)
+  /// Shifts the problem's datum where round-off demands it.
+  WindowedGradients(ElasticOperator& influence, ContactProblem& problem, Limits limits)
       : influence_(influence), problem_(problem), limits_(limits) {}
 
   /// Solves from `start`; `near` says that it is nearly the solution.
@@ -50,13 +51,13 @@ class WindowedGradients {
   void choose(const Window& contact);
   bool is_whole() const { return window_ == whole(influence_.shape()); }
   ContactStop minimise(bool near, const Observer& observe);
-  ContactStop minimise(ElasticOperator& influence, const ContactProblem& problem, Field& p, Field& g,
-                       bool near, const Observer& observe);
+  ContactStop minimise(ElasticOperator& influence, ContactProblem& problem, Field& p, Field& g, bool near,
+                       const Observer& observe);
   void confirm();
   bool at_round_off();
 
   ElasticOperator& influence_;
-  const ContactProblem& problem_;
+  ContactProblem& problem_;
   Limits limits_;
   Field p_, g_;
   Window contact_, window_;                     // what W must hold, and W

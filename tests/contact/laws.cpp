@@ -248,3 +248,15 @@ TEST_CASE("a single cell and a flat periodic surface have their trivial solution
   CHECK(contact.converged);
   CHECK((contact.pressure / (load / 9e-6) - 1).abs().maxCoeff() <= 1e-12);
 }
+
+// A sphere of 3 mm on a domain of 3 mm × 146 mm stands 0.9 m back at the ends; plastic all over at some kPa it is
+// displaced by 1e-11 m, which g = h + u of 0.9 m resolves to 1e-5.
+TEST_CASE("displacements far below the round-off of the gap are resolved", "[contact][law]") {
+  const Grid grid{{32, 64}, 3e-3 / 32, 48 * 3e-3 / 32};
+  const Field gap = sample(grid, [](double x, double y) { return (x * x + y * y) / (2 * 3e-3); });
+  const Contact contact = solve_contact(
+      grid, gap, modulus, {.load = 1, .limit_pressure = 2 * 1 / (3e-3 * 0.288), .tolerance = 1e-8});
+  CAPTURE(contact.convolutions);
+  CHECK(contact.converged);
+  CHECK(contact.approach > 1e8 * contact.displacement.maxCoeff());
+}
