@@ -142,18 +142,6 @@ cli::KernelTables tables_for(cli::Tool& tool, const Options& o, const Dataset& d
   return tables;
 }
 
-// "surface_%04d.nc" and 7 → "surface_0007.nc".
-std::string numbered(const std::string& pattern, std::int64_t number) {
-  const auto percent = pattern.find('%'), end = pattern.find('d', percent);
-  const std::string width = percent < end ? pattern.substr(percent + 1, end - percent - 1) : "?";
-  if (end == pattern.npos || width.find_first_not_of("0123456789") != width.npos || width.size() > 2)
-    throw cli::UsageError("output", "'" + pattern + "' has no place for the number: write s_%04d.nc");
-  std::string digits = std::to_string(number);
-  const std::size_t least = width.empty() ? 0 : std::stoul(width);
-  if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
-  return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -162,7 +150,7 @@ int main(int argc, char** argv) {
   declare(tool, options);
 
   return tool.run(argc, argv, [&] {
-    if (options.count > 1) numbered(tool.output_name(), 0);
+    if (options.count > 1) cli::numbered("output", tool.output_name(), 0);
     if (options.count > 1 && tool.given("--report"))
       throw cli::UsageError("report", "is of one surface; each dataset of an ensemble carries its own");
     cli::Exit code = cli::done;
@@ -177,7 +165,7 @@ int main(int argc, char** argv) {
       const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(i));
       const cli::Drawing drawing{synthesis,        noise,         tables.rms(),
                                  options.exact_rq, options.noise, options.memory};
-      drawing.write(tool, base, options.count > 1 ? numbered(tool.output_name(), i) : tool.output_name());
+      drawing.write(tool, base, options.count > 1 ? cli::numbered("output", tool.output_name(), i) : tool.output_name());
     }
     return code;
   });

@@ -1,5 +1,6 @@
 #include "contact/bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,9 +9,26 @@
 
 namespace asperity {
 
+namespace {
+
+void check_radius(const char* name, double r) {
+  if (std::isnan(r) || r == 0) throw ParameterError(name, fmt::format("{} m is no radius", r));
+}
+
+void check_curvature(const char* name, double first, double second) {
+  if (!(1 / first + 1 / second >= 0))
+    throw ParameterError(name, fmt::format("the hollow of {} m is narrower than the other body, {} m",
+                                           std::min(first, second), std::max(first, second)));
+}
+
+}  // namespace
+
 void Bodies::check() const {
-  for (double r : radius)
-    if (!(r > 0)) throw ParameterError("radius", fmt::format("{} m is not above 0", r));
+  const bool spheres = radius[0].x == radius[0].y && radius[1].x == radius[1].y;
+  const char *along_x = spheres ? "radius" : "radius-x", *along_y = spheres ? "radius" : "radius-y";
+  for (const Radii& r : radius) check_radius(along_x, r.x), check_radius(along_y, r.y);
+  check_curvature(along_x, radius[0].x, radius[1].x);
+  check_curvature(along_y, radius[0].y, radius[1].y);
   for (double e : young)
     if (!(e > 0)) throw ParameterError("young", fmt::format("{} Pa is not above 0", e));
   if (std::isinf(young[0]) && std::isinf(young[1])) throw ParameterError("young", "both bodies are rigid");
@@ -22,11 +40,13 @@ double Bodies::composite_modulus() const {
   return 1 / ((1 - poisson[0] * poisson[0]) / young[0] + (1 - poisson[1] * poisson[1]) / young[1]);
 }
 
-double Bodies::composite_curvature() const { return 1 / radius[0] + 1 / radius[1]; }
+double Bodies::curvature_x() const { return 1 / radius[0].x + 1 / radius[1].x; }
+
+double Bodies::curvature_y() const { return 1 / radius[0].y + 1 / radius[1].y; }
 
 Field undeformed_gap(const Grid& grid, const Bodies& bodies) {
-  const double half = bodies.composite_curvature() / 2;
-  return sample(grid, [half](double x, double y) { return half * (x * x + y * y); });
+  const double half_x = bodies.curvature_x() / 2, half_y = bodies.curvature_y() / 2;
+  return sample(grid, [=](double x, double y) { return half_x * x * x + half_y * y * y; });
 }
 
 }  // namespace asperity

@@ -1,13 +1,18 @@
-/// Two elastic bodies of revolution and the gap between them before they touch.
+/// Two elastic bodies and the gap between them before they touch.
 ///
 /// Under the half-space approximation the two act as one elastic half-space against one rigid profile, with
-///     1/E* = (1 - ν₁²)/E₁ + (1 - ν₂²)/E₂        composite modulus                              (1)
-///     1/R  = 1/R₁ + 1/R₂                        composite curvature                            (2)
-///     h    = (x² + y²)/(2R) - z                 undeformed gap                                 (3)
-/// where z are heights above the smooth profile, positive towards the other body, of both bodies together.
+///     1/E* = (1 - ν₁²)/E₁ + (1 - ν₂²)/E₂                 composite modulus                     (1)
+///     1/Rx = 1/Rx₁ + 1/Rx₂,   1/Ry = 1/Ry₁ + 1/Ry₂       composite curvatures                  (2)
+///     h    = x²/(2Rx) + y²/(2Ry) - z₁ - z₂               undeformed gap                        (3)
+/// where z₁ and z₂ are the heights of either body above its smooth form at the same point (x, y) of the one
+/// grid, each positive towards the other body. A counter body that was measured face up, as it lies before the
+/// instrument, is to be mirrored in x or y before it faces the first. Rx is the radius of the section along x,
+/// Ry of that along y; the principal axes of both bodies lie along x and y. A sphere has Rx = Ry, a cylinder
+/// along y has Ry = ∞, a flat both; a hollow has a negative radius, no
+/// smaller than that of the body in it.
 ///
-/// Symbols   E Young's modulus [Pa]     ν Poisson's ratio     R radius [m]     h gap [m]     z heights [m]
-/// Scope     (3) is the paraboloid of the sphere: relative error (x² + y²)/(4R²).
+/// Symbols   E Young's modulus [Pa]   ν Poisson's ratio   R radius of curvature [m]   h gap [m]   z heights [m]
+/// Scope     (3) is the paraboloid of the bodies: relative error x²/(4R²).
 ///
 /// K. L. Johnson, Contact Mechanics, Cambridge University Press (1985), sections 4.1, 4.2.
 #pragma once
@@ -19,20 +24,30 @@
 
 namespace asperity {
 
+/// Radii of curvature along x and y [m]; infinity is straight. A sphere is one number.
+struct Radii {
+  double x = std::numeric_limits<double>::infinity(), y = std::numeric_limits<double>::infinity();
+
+  Radii() = default;
+  Radii(double sphere) : x(sphere), y(sphere) {}
+  Radii(double along_x, double along_y) : x(along_x), y(along_y) {}
+};
+
 struct Bodies {
-  /// Radius [m]; infinity is a flat.
-  std::array<double, 2> radius{std::numeric_limits<double>::infinity(),
-                               std::numeric_limits<double>::infinity()};
+  std::array<Radii, 2> radius{};              ///< flats unless given
   std::array<double, 2> young{208e9, 208e9};  ///< Young's modulus [Pa]; infinity is a rigid body
   std::array<double, 2> poisson{0.3, 0.3};    ///< Poisson's ratio
 
-  /// Throws ParameterError: radius > 0, young > 0 and not both infinite, -1 < poisson ≤ 1/2.
+  /// Throws ParameterError: radius ≠ 0 and the composite curvatures not negative, young > 0 and not both
+  /// infinite, -1 < poisson ≤ 1/2.
   void check() const;
-  double composite_modulus() const;    ///< E* of (1) [Pa]
-  double composite_curvature() const;  ///< 1/R of (2) [1/m]; 0 between flats
+  double composite_modulus() const;  ///< E* of (1) [Pa]
+  double curvature_x() const;        ///< 1/Rx of (2) [1/m]; 0 between flats
+  double curvature_y() const;        ///< 1/Ry of (2) [1/m]
+  bool flat() const { return curvature_x() == 0 && curvature_y() == 0; }
 };
 
-/// (3) for z = 0 at the cell centres: the bodies touch in the middle of the domain.
+/// (3) for z₁ = z₂ = 0 at the cell centres: the bodies touch in the middle of the domain.
 Field undeformed_gap(const Grid& grid, const Bodies& bodies);
 
 }  // namespace asperity

@@ -1,32 +1,53 @@
-/// Hertz's point contact of two spheres: the closed form that a smooth solution is measured against.
+/// Hertz's contacts: the closed forms that a smooth solution is measured against.
 ///
-///     a = (3QR / 4E*)^⅓      p₀ = 3Q / (2πa²)      δ = a²/R                                     (1)
-///     p(r) = p₀ √(1 - r²/a²)                                                                    (2)
+/// A point contact, the undeformed gap h = A x² + B y² with A = 1/(2Rx) ≤ B = 1/(2Ry), is an ellipse with the
+/// semi-axes a along x and b = k a along y. With m = 1 - k² and the complete elliptic integrals K(m), E(m),
+///     B/A = [E/k² - K] / [K - E]                    gives k                                      (1)
+///     a³  = 3Q (K - E) / (2π E* m A)                p₀ = 3Q / (2πab)       δ = p₀ b K / E*       (2)
+///     p   = p₀ √(1 - x²/a² - y²/b²)                                                              (3)
+/// and where A > B, x and y change places. For k → 1 numerators and denominators vanish together; in Carlson's
+/// forms [2], K = R_F(0, k², 1), K - E = m R_D(0, k², 1)/3, E/k² - K = m R_D(0, 1, k²)/3, nothing cancels:
+///     B/A = R_D(0, 1, k²) / R_D(0, k², 1)           a³ = Q R_D(0, k², 1) / (2π E* A)             (4)
+/// For k = 1 these are the sphere's a = (3QR / 4E*)^⅓, δ = a²/R.
 ///
-/// Symbols   Q load [N]   E* composite modulus [Pa]   R composite radius [m]   a contact radius [m]
-///           p₀ greatest pressure [Pa]   δ approach [m]
+/// A line contact of two parallel cylinders, of load q per length in plane strain, has the half-width and
+/// greatest pressure
+///     b = √(4qR / πE*)      p₀ = 2q / (πb)      p = p₀ √(1 - x²/b²)                              (5)
+/// and no approach: that of a half-space under a line load grows without bound with its depth.
 ///
-/// H. Hertz, Über die Berührung fester elastischer Körper, J. reine angew. Math. 92 (1881) 156-171.
+/// Symbols   Q load [N]   q load per length [N/m]   E* composite modulus [Pa]   Rx, Ry, R composite radii [m]
+///           a, b semi-axes of the contact [m]   p₀ greatest pressure [Pa]   δ approach [m]
+/// Scope     (2): both curvatures above 0. (5): infinite length; a cylinder that ends with the domain presses
+///           harder at its ends.
+/// Accuracy  round-off, some 10 ε.
+///
+/// [1] H. Hertz, Über die Berührung fester elastischer Körper, J. reine angew. Math. 92 (1881) 156-171;
+///     K. L. Johnson, Contact Mechanics, Cambridge University Press (1985), sections 3.3, 4.2.
+/// [2] B. C. Carlson, Computing elliptic integrals by duplication, Numer. Math. 33 (1979) 1-16.
 #pragma once
-
-#include <cmath>
-#include <numbers>
 
 #include "contact/bodies.hpp"
 
 namespace asperity {
 
+/// A point contact.
 struct Hertz {
-  double radius = 0;    ///< a [m]
+  double radius = 0;    ///< √(ab) [m]: of the circle of equal area
   double pressure = 0;  ///< p₀ [Pa]
   double approach = 0;  ///< δ [m]
+  double radius_x = 0;  ///< semi-axis along x [m]
+  double radius_y = 0;  ///< semi-axis along y [m]
 };
 
-/// (1); the composite curvature must not be 0.
-inline Hertz hertz(const Bodies& bodies, double load) {
-  const double curvature = bodies.composite_curvature();
-  const double a = std::cbrt(0.75 * load / (bodies.composite_modulus() * curvature));
-  return {a, 1.5 * load / (std::numbers::pi * a * a), a * a * curvature};
-}
+/// (2); both composite curvatures must be above 0.
+Hertz hertz(const Bodies& bodies, double load);
+
+struct HertzLine {
+  double half_width = 0;  ///< b [m]
+  double pressure = 0;    ///< p₀ [Pa]
+};
+
+/// (5) for the composite curvature 1/R [1/m] and the load per length [N/m].
+HertzLine hertz_line(double composite_modulus, double curvature, double load_per_length);
 
 }  // namespace asperity

@@ -94,6 +94,25 @@ void refuse_masked_points(const Dataset& dataset, std::string_view name) {
                     std::to_string(hidden) + " of its points are masked and none is made up for them");
 }
 
+void refuse_missing_points(const Variable& variable) {
+  for (const char* attribute : {"_FillValue", "missing_value"}) {
+    const double mark = variable.attributes.number(attribute, NAN);
+    if (std::isnan(mark)) continue;
+    const std::vector<double> values = numbers(variable.values);
+    const auto missing = std::ranges::count(values, mark);
+    if (missing > 0)
+      throw DataError(variable.name, std::to_string(missing) + " of its points are missing (" + attribute +
+                                         ") and none is made up for them");
+  }
+}
+
+Field field_times(const Dataset& dataset, const Variable& variable, double factor) {
+  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
+  refuse_masked_points(dataset, variable.name);
+  refuse_missing_points(variable);
+  return finite_matrix(dataset, variable, factor);
+}
+
 }  // namespace
 
 Grid grid_of(const Dataset& dataset) {
@@ -122,10 +141,12 @@ void set_grid(Dataset& dataset, const Grid& grid) {
 
 Field field_of(const Dataset& dataset, std::string_view name) {
   const Variable& variable = dataset.at(name);
-  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
-  refuse_masked_points(dataset, name);
-  const bool length = variable.name == "heights";
-  return finite_matrix(dataset, variable, length ? factor_to_metres(variable) : 1.0);
+  return field_times(dataset, variable, name == "heights" ? factor_to_metres(variable) : 1.0);
+}
+
+Field heights_of(const Dataset& dataset, std::string_view name) {
+  const Variable& variable = dataset.at(name);
+  return field_times(dataset, variable, factor_to_metres(variable));
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {

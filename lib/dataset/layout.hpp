@@ -6,8 +6,8 @@
 /// downwards. A field is name(x, y), a volume name(z, x, y). All numbers are SI; a reader's other units of
 /// length are converted.
 ///
-/// Masked points: a variable `mask(x, y)`, non-zero where the height is missing. Every reader here refuses to
-/// invent a value for them.
+/// Masked points: a variable `mask(x, y)`, non-zero where the height is missing, or the value that the attribute
+/// _FillValue or missing_value names. Every reader here refuses to invent a value for them.
 #pragma once
 
 #include <string>
@@ -27,6 +27,8 @@ void set_grid(Dataset& dataset, const Grid& grid);
 /// name(x, y) in SI. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not
 /// finite, or a mask hides some of its points.
 Field field_of(const Dataset& dataset, std::string_view name);
+/// The same of a variable that must be a length, whatever its name, in metres.
+Field heights_of(const Dataset& dataset, std::string_view name);
 
 struct Meaning {
   std::string_view units;      ///< SI, as UDUNITS writes it: "m", "Pa", "1"

@@ -10,6 +10,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "grid/error.hpp"
+
 namespace asperity::cli {
 namespace {
 
@@ -81,7 +83,8 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
     name_ = "standard output";
     fd_ = STDOUT_FILENO;
   } else if (const auto target = replaceable(name_)) {
-    open_replacement(*target);
+    target_ = *target;
+    open_replacement();
   } else {
     fd_ = ::open(name_.c_str(), O_WRONLY | O_CLOEXEC);
   }
@@ -91,20 +94,19 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
                 (::fcntl(fd_, F_GETFL) & O_APPEND) == 0;
 }
 
-void OutputFile::open_replacement(const std::string& target) {
-  const auto folder = std::filesystem::path(target).parent_path();
-  target_ = target;
-  temporary_ = target + ".part" + std::to_string(::getpid());
+std::string OutputFile::temporary_path() const { return target_ + ".part" + std::to_string(::getpid()); }
+
+void OutputFile::open_replacement() {
+  const auto folder = std::filesystem::path(target_).parent_path();
   if (::access(own_descriptors, X_OK) == 0)
     fd_ = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
   if (fd_ >= 0) return;
-  fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  named_ = fd_ >= 0;
+  temporary_.emplace(temporary_path());
+  fd_ = ::open(temporary_->path(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 }
 
 OutputFile::~OutputFile() {
   if (fd_ > STDOUT_FILENO) ::close(fd_);
-  if (named_) ::unlink(temporary_.c_str());
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -124,22 +126,31 @@ void OutputFile::rewrite(std::string_view bytes) {
 }
 
 void OutputFile::close() {
-  if (!target_.empty() && !named_) {
-    ::unlink(temporary_.c_str());  // of a process that had this number and died here
+  if (!target_.empty() && !temporary_) {
+    temporary_.emplace(temporary_path());
+    ::unlink(temporary_->path());  // of a process that had this number and died here
     const std::string own = std::string(own_descriptors) + "/" + std::to_string(fd_);
-    if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail(name_);
-    named_ = true;
+    if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, temporary_->path(), AT_SYMLINK_FOLLOW) != 0) fail(name_);
   }
   if (::close(std::exchange(fd_, -1)) != 0) fail(name_);
-  if (target_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(name_);
-  named_ = false;
+  if (temporary_ && !temporary_->replace(target_)) fail(name_);
 }
 
 void write_all(const std::string& name, std::string_view bytes) {
   OutputFile file(name);
   file.write(bytes);
   file.close();
+}
+
+std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number) {
+  const auto percent = pattern.find('%'), end = pattern.find('d', percent);
+  const std::string width = percent < end ? pattern.substr(percent + 1, end - percent - 1) : "?";
+  if (end == pattern.npos || width.find_first_not_of("0123456789") != width.npos || width.size() > 2)
+    throw ParameterError(option, "'" + pattern + "' has no place for the number: write s_%04d.nc");
+  std::string digits = std::to_string(number);
+  const std::size_t least = width.empty() ? 0 : std::stoul(width);
+  if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
+  return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
 bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) == 1; }

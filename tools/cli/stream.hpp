@@ -1,13 +1,16 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
 /// A named file comes into being when it is whole: until then it has no name, or, where the file system knows no
-/// files without one, a temporary name beside its own. Nobody ever sees half of it, and a program that is killed leaves
-/// nothing behind. Every write is checked, the last flush too; failures are std::system_error with the file's name.
+/// files without one, a temporary name beside its own (cli/temporary.hpp). Nobody ever sees half of it, and a program
+/// that is interrupted leaves nothing behind. Every write is checked, the last flush too; failures are std::system_error with the file's name.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "cli/temporary.hpp"
 
 namespace asperity::cli {
 
@@ -31,13 +34,19 @@ class OutputFile {
   void close();
 
  private:
-  void open_replacement(const std::string& target);
+  void open_replacement();
+  std::string temporary_path() const;
 
   std::string name_;
-  std::string target_, temporary_;  ///< of a file that is to be replaced
+  std::string target_;  ///< of a file that is to be replaced
+  std::optional<TemporaryName> temporary_;
   int fd_ = -1;
-  bool rewritable_ = false, named_ = false;
+  bool rewritable_ = false;
 };
+
+/// One of several files: "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) when the
+/// pattern has no place for the number.
+std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
 bool stdin_is_terminal();
 bool stdout_is_terminal();

@@ -1,0 +1,30 @@
+/// What a contact at its limit pressure leaves behind when the load is taken off.
+///
+/// Where p = p_Y the undeformed bodies overlap, pressed together, by δ - g > 0 (contact/problem.hpp): by that
+/// much they have yielded. The bodies keep it, the elastic displacement springs back entirely, and p = 0:
+///     w  = max(0, -gap) where p = p_Y, 0 elsewhere      plastic flattening                     (1)
+///     z' = z - w                                        heights of the unloaded surface        (2)
+/// Pressed again by the same load, z' carries it elastically under the same pressure, for the undeformed gap is
+/// now h + w, and the former p and δ satisfy
+///     h + w + K p - δ = gap + w,  which is gap ≥ 0 where p = 0,  0 where 0 < p < p_Y,  0 where p = p_Y,  (3)
+/// the conditions of elastic contact, whose solution is unique. No pressure is above p_Y: the surface has shaken
+/// down.
+///
+/// Symbols   z heights [m]   w flattening [m]   gap, p, p_Y, δ, h, K as in contact/solver.hpp
+/// Scope     no residual stress, no pile-up: what yields is gone from between the bodies.
+/// Accuracy  (3) holds with the residual ε of the contact.
+#pragma once
+
+#include "contact/solver.hpp"
+
+namespace asperity {
+
+/// w of (1) [m].
+inline Field plastic_flattening(const Contact& contact) {
+  Field out = (-contact.gap).max(0.0);
+  for (Index i = 0; i < out.size(); ++i)
+    if (contact.state[static_cast<std::size_t>(i)] != Contact::at_limit) out.data()[i] = 0;
+  return out;
+}
+
+}  // namespace asperity

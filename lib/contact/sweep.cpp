@@ -1,0 +1,78 @@
+#include "contact/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double round_off = 1e-12;
+
+void check_loads(const std::vector<double>& loads, double largest) {
+  for (std::size_t i = 1; i < loads.size(); ++i)
+    if (!(loads[i] > loads[i - 1] && std::isfinite(loads[i])))
+      throw ParameterError("loads",
+                           fmt::format("{} N is not above {} N, the one before", loads[i], loads[i - 1]));
+  if (loads.back() > largest * (1 + round_off))
+    throw ParameterError(
+        "loads", fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N",
+                             loads.back(), largest));
+}
+
+// The derivative at t[at] of the polynomial through (t, y), by Lagrange's weights.
+double derivative(const double* t, const double* y, std::size_t n, std::size_t at) {
+  auto weight = [&](std::size_t j) {
+    double product = 1;
+    for (std::size_t k = 0; k < n; ++k)
+      if (k != j) product *= t[j] - t[k];
+    return 1 / product;
+  };
+  double sum = 0;
+  for (std::size_t j = 0; j < n; ++j)
+    if (j != at) sum += weight(j) / weight(at) * (y[j] - y[at]) / (t[at] - t[j]);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> geometric_loads(double from, double to, int count) {
+  std::vector<double> loads;
+  for (int i = 0; i < count; ++i)
+    loads.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
+  loads.back() = to;
+  return loads;
+}
+
+void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+                   ContactParameters parameters, const std::vector<double>& loads,
+                   const std::function<void(const Contact&)>& take) {
+  if (loads.empty()) return;
+  parameters.load = loads.front();
+  parameters.check();
+  check_loads(loads, parameters.limit_pressure * grid.size_x() * grid.size_y());
+  for (double load : loads) {
+    parameters.start *= load / parameters.load;
+    parameters.load = load;
+    const Contact contact = solve_contact(grid, undeformed_gap, influence, parameters);
+    parameters.start = contact.pressure;
+    take(contact);
+  }
+}
+
+std::vector<double> stiffness(const std::vector<double>& loads, const std::vector<double>& approaches) {
+  const std::size_t n = loads.size(), points = std::min<std::size_t>(n, 5);
+  if (n < 2) return std::vector<double>(n, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> t, out;
+  for (double load : loads) t.push_back(std::log(load));
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t first = std::clamp<std::size_t>(i, points / 2, n - points + points / 2) - points / 2;
+    out.push_back(loads[i] / derivative(&t[first], &approaches[first], points, i - first));
+  }
+  return out;
+}
+
+}  // namespace asperity

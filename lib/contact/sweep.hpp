@@ -1,0 +1,37 @@
+/// The same bodies under one load after another.
+///
+/// Elastic contact has no memory, and neither has one whose pressure is merely limited: the solution depends on
+/// the load, not on those before. They serve as a start: the pressure under Q₁, times Q₂/Q₁, is where the
+/// iteration under Q₂ begins; influence coefficients and plans are made once.
+///
+/// The stiffness dQ/dδ is had from the loads themselves, by differentiating the polynomial in t = ln Q through
+/// each load and its nearest four (three or fewer points at hand: a parabola or a line),
+///     dQ/dδ = Q / (dδ/dt).                                                                      (1)
+///
+/// Symbols   Q load [N]   δ approach [m]
+/// Accuracy  of (1) for δ ~ Q^n and steps s = ln(Q₂/Q₁), relative: (ns)⁴/30 between, (ns)⁴/5 at both ends;
+///           for spheres (n = ⅔) 4e-5 and 3e-4 with eight loads a decade.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "contact/elastic_operator.hpp"
+#include "contact/solver.hpp"
+
+namespace asperity {
+
+/// `count` ≥ 2 loads from `from` to `to`, each the same multiple of the one before.
+std::vector<double> geometric_loads(double from, double to, int count);
+
+/// Presses with each of the loads, which increase, in place of parameters.load, and hands the solutions on as
+/// they come. Throws before the first: ParameterError("loads") when one is not above the load before it, or more
+/// than the limit pressure carries, and as ContactParameters::check does.
+void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+                   ContactParameters parameters, const std::vector<double>& loads,
+                   const std::function<void(const Contact&)>& take);
+
+/// (1) at each load [N/m]; of a single load it is not known (NaN).
+std::vector<double> stiffness(const std::vector<double>& loads, const std::vector<double>& approaches);
+
+}  // namespace asperity

@@ -1,0 +1,119 @@
+#include "contact_record.hpp"
+
+#include <cmath>
+
+#include "contact/flattening.hpp"
+#include "contact/hertz.hpp"
+#include "contact/sweep.hpp"
+#include "dataset/layout.hpp"
+
+namespace asperity::cli {
+namespace {
+
+void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
+  auto set_pair = [&a](const char* name, double first, double second) {
+    a.set_values(name, std::vector<double>{first, second});
+  };
+  const Bodies& b = o.bodies;
+  a.erase("contact_radius");
+  set_pair("contact_radius_x", b.radius[0].x, b.radius[1].x);
+  set_pair("contact_radius_y", b.radius[0].y, b.radius[1].y);
+  set_pair("contact_young", b.young[0], b.young[1]);
+  set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
+  a.set("contact_composite_modulus", b.composite_modulus());
+  a.set("contact_boundary", grid.periodic ? "periodic" : "free");
+  a.erase("contact_counter");
+  if (!o.counter.empty()) a.set("contact_counter", o.counter);
+  a.set("contact_limit_pressure", o.contact.limit_pressure);
+  a.set("contact_tolerance", o.contact.tolerance);
+}
+
+// What the bodies would do were they smooth, where that has a closed form.
+void record_hertz(Attributes& a, const Bodies& bodies, double load) {
+  for (const char* name : {"contact_hertz_pressure", "contact_hertz_radius", "contact_hertz_radius_x",
+                           "contact_hertz_radius_y", "contact_hertz_approach"})
+    a.erase(name);
+  if (!(bodies.curvature_x() > 0 && bodies.curvature_y() > 0)) return;
+  const Hertz smooth = hertz(bodies, load);
+  a.set("contact_hertz_pressure", smooth.pressure);
+  a.set("contact_hertz_radius", smooth.radius);
+  a.set("contact_hertz_radius_x", smooth.radius_x);
+  a.set("contact_hertz_radius_y", smooth.radius_y);
+  a.set("contact_hertz_approach", smooth.approach);
+}
+
+void record_result(Attributes& a, const Contact& c) {
+  a.set("contact_load", c.load);
+  a.set("contact_approach", c.approach);
+  a.set("contact_max_pressure", c.max_pressure);
+  a.set("contact_area", c.area);
+  a.set("contact_plastic_area", c.plastic_area);
+  a.set("contact_mean_gap", c.mean_gap);
+  a.set("contact_residual", c.residual);
+  a.set("contact_load_error", c.load_error);
+  a.set("contact_converged", c.converged ? 1 : 0);
+  a.set("contact_convolutions", c.convolutions);
+  a.set("contact_preconditionings", c.preconditionings);
+  a.set("contact_levels", c.levels);
+  a.set("contact_setup_seconds", c.setup_seconds);
+  a.set("contact_seconds", c.seconds);
+}
+
+void record_fields(Dataset& data, const Contact& c) {
+  set_field(data, "pressure", c.pressure, {"Pa", "contact pressure"});
+  set_field(data, "gap", c.gap, {"m", "gap between the pressed bodies, negative where flattened"});
+  set_field(data, "displacement", c.displacement, {"m", "elastic displacement of both bodies together"});
+  set_flags(data, "contact", c.state, "state of contact", "open elastic at_limit_pressure");
+}
+
+void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c) {
+  data.erase("displacement_plastic");
+  if (std::isinf(o.contact.limit_pressure)) return;
+  const Field flattened = plastic_flattening(c);
+  set_field(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
+  if (!o.unload) return;
+  const Field before =
+      o.smooth ? Field::Zero(flattened.rows(), flattened.cols()) : heights_of(data, o.variable);
+  set_field(data, "heights_residual", before - flattened, {"m", "heights after the load is removed"});
+}
+
+}  // namespace
+
+void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
+  Attributes& a = scene.data.attributes;
+  record_bodies(a, options, scene.grid);
+  record_hertz(a, options.bodies, contact.load);
+  record_result(a, contact);
+  record_fields(scene.data, contact);
+  record_flattening(scene.data, options, contact);
+}
+
+void LoadTable::add(const Contact& c) {
+  rows_.push_back({c.load, c.approach, c.area, c.plastic_area, c.mean_gap, c.max_pressure, c.residual,
+                   c.convolutions, c.converged ? 1.0 : 0.0});
+}
+
+Table LoadTable::table() const {
+  std::vector<double> loads, approaches;
+  for (const Row& r : rows_) loads.push_back(r.load), approaches.push_back(r.approach);
+  const std::vector<double> slopes = stiffness(loads, approaches);
+  Table out{{{"load", "N"},
+             {"approach", "m"},
+             {"area", "m2"},
+             {"plastic_area", "m2"},
+             {"mean_gap", "m"},
+             {"stiffness", "N/m"},
+             {"max_pressure", "Pa"},
+             {"residual", "1"},
+             {"convolutions", "1"},
+             {"converged", "1"}},
+            {}};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& r = rows_[i];
+    out.rows.push_back({r.load, r.approach, r.area, r.plastic_area, r.mean_gap, slopes[i], r.max_pressure,
+                        r.residual, r.convolutions, r.converged});
+  }
+  return out;
+}
+
+}  // namespace asperity::cli

@@ -1,0 +1,76 @@
+#include "contact_scene.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dataset/layout.hpp"
+
+namespace asperity::cli {
+namespace {
+
+Grid smooth_grid(const ContactOptions& o) {
+  if (o.shape.cells() == 0) throw UsageError("shape", "is needed with --smooth");
+  for (double side : o.size)
+    if (!(side > 0 && std::isfinite(side)))
+      throw UsageError("size", "is needed with --smooth, both sides above 0");
+  return {o.shape, o.size[0] / static_cast<double>(o.shape.nx), o.size[1] / static_cast<double>(o.shape.ny),
+          o.boundary == "periodic"};
+}
+
+// A periodic surface may be pressed as a single patch; one that is not does not become periodic by being told so.
+bool periodic(const ContactOptions& o, const Grid& grid) {
+  if (o.boundary == "periodic" && !grid.periodic)
+    throw UsageError("boundary",
+                     "periodic needs a surface that continues itself at its edges, and the grid says that "
+                     "this one does not (asperity-generate --periodic draws one)");
+  const bool out = o.boundary.empty() ? grid.periodic : o.boundary == "periodic";
+  if (out && !o.bodies.flat())
+    throw UsageError(o.radius_option,
+                     "a periodic surface has no radius: leave it out, or press with --boundary free");
+  return out;
+}
+
+std::string described(const Grid& grid) {
+  return fmt::format("{}x{} cells on {} x {}{}", grid.shape.nx, grid.shape.ny,
+                     format_quantity(grid.size_x(), "m"), format_quantity(grid.size_y(), "m"),
+                     grid.periodic ? ", periodic" : "");
+}
+
+bool same(const Grid& one, const Grid& other) {
+  constexpr double printed = 1e-6;  // sizes may come from texts
+  return one.shape == other.shape && one.periodic == other.periodic &&
+         std::abs(one.dx / other.dx - 1) <= printed && std::abs(one.dy / other.dy - 1) <= printed;
+}
+
+Field counter_heights(const std::string& name, const Grid& grid) try {
+  const Dataset data = Tool::read(name);
+  const Grid own = grid_of(data);
+  if (!same(own, grid))
+    throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
+                                           described(grid)));
+  return heights_of(data, "heights");
+} catch (const DataError& e) {
+  throw DataError(e.name, fmt::format("in {}: {}", name, e.what()));
+}
+
+}  // namespace
+
+ContactScene read_scene(const ContactOptions& o) {
+  ContactScene scene;
+  if (o.smooth)
+    set_grid(scene.data, scene.grid = smooth_grid(o));
+  else
+    scene.grid = grid_of(scene.data = Tool::read(o.input));
+  const Grid given = scene.grid;
+  scene.grid.periodic = periodic(o, given);
+  for (const char* axis : {"x", "y"})
+    scene.data.find(axis)->attributes.set("periodic", scene.grid.periodic ? 1 : 0);
+
+  scene.gap = undeformed_gap(scene.grid, o.bodies);
+  if (!o.smooth) scene.gap -= heights_of(scene.data, o.variable);
+  if (!o.counter.empty()) scene.gap -= counter_heights(o.counter, given);
+  return scene;
+}
+
+}  // namespace asperity::cli
