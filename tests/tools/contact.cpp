@@ -72,17 +72,16 @@ TEST_CASE("a barrel is pressed as Hertz's ellipse and carries his numbers", "[co
   CHECK(relative_error(a.number("contact_approach", 0), 15.48254e-6) <= 0.03 * s);
 }
 
-TEST_CASE(
-    "a cylinder has no point contact to compare with, and presses the same along its length but for its ends",
-    "[contact][contract]") {
+TEST_CASE("a cylinder has no point contact to compare with, and presses hardest at its ends",
+          "[contact][contract]") {
   require(smooth + "--radius-x 50mm,inf --load 5000N -o cylinder.nc");
   const Dataset data = read_dataset("cylinder.nc");
   for (const char* name : {"pressure", "radius", "radius_x", "radius_y", "approach"})
     CHECK(data.attributes.find(std::string("contact_hertz_") + name) == nullptr);
   const Field p = field_of(data, "pressure");
-  CHECK((p.col(0) > p.col(32))(32));
+  // The edges of a punch, as far as cells show them.
+  CHECK(p(32, 0) > 1.2 * p(32, 32));
   CHECK(relative_error(p(32, 28), p(32, 35)) <= tolerance);
-  CHECK(relative_error(p(32, 20), p(32, 32)) <= 0.02);
 }
 
 TEST_CASE("an approach in place of the load ends in the load that has this approach", "[contact][law]") {

@@ -19,6 +19,8 @@ template <class Deed>
 int fate(Deed deed) {
   const pid_t child = ::fork();
   if (child == 0) {
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM})
+      std::signal(signal, SIG_DFL);  // not Catch2's
     deed();
     ::_exit(0);
   }
