@@ -24,7 +24,8 @@ void check_curvature(const char* name, double first, double second) {
 }  // namespace
 
 void Bodies::check() const {
-  const bool spheres = radius[0].x == radius[0].y && radius[1].x == radius[1].y;
+  auto round = [](Radii r) { return r.x == r.y || (std::isnan(r.x) && std::isnan(r.y)); };
+  const bool spheres = round(radius[0]) && round(radius[1]);
   const char *along_x = spheres ? "radius" : "radius-x", *along_y = spheres ? "radius" : "radius-y";
   for (const Radii& r : radius) check_radius(along_x, r.x), check_radius(along_y, r.y);
   check_curvature(along_x, radius[0].x, radius[1].x);
