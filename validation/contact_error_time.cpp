@@ -1,118 +1,115 @@
-/// Error of the contact solution against its cost.
+/// Error of the contact solution against its cost, on the scenes of contact_scenes.hpp.
 ///
-/// Scene A: two smooth steel spheres, R = 50 mm, E = 208 GPa, ν = 0.3, Q = 5000 N, on 3 mm × 3 mm; errors
-/// against Hertz, so that the discretisation shows. Scene B: A with Gaussian roughness of 0.4 µm rms and
-/// exponential autocorrelation, 10 % length 0.328 mm; errors against the same grid's solution at ε = 1e-11,
-/// so that the tolerance shows. Scene B2: B with the pressure limited to 3600 MPa.
+///     contact_error_time [LARGEST_N [N]]
 ///
-///     contact_error_time [LARGEST_N] [THREADS]
+/// First table: scene A for N = 32 … LARGEST_N (1024) to ε = 1e-8, against Hertz, so that the discretisation shows; on
+/// one and on two threads. The area's error is that of cells on a circle.
+/// Second table: every scene on N × N (256), to ε = 1e-4 … 1e-10, against its solution at ε = 1e-11, so that the
+/// tolerance shows; and by the yardsticks of contact_yardsticks.hpp, given up after 600 convolutions.
 ///
-/// `convolutions` and `preconditionings` count coarser grids by their share of the cells;
-/// `ratio_to_padded_r2c` is the time of one convolution over that of one real transform of the padded size.
-#include <algorithm>
+/// convolutions, preconditionings  by their share of the finest cells, coarser grids included
+/// setup_seconds                   coefficients, spectra and plans
+/// seconds                         the solution, the nested start included
+/// over_convolutions               seconds over (convolutions × the time of one)
+/// convolution_over_r2c            the time of one convolution over that of one padded real transform
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <random>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "contact/bodies.hpp"
 #include "contact/hertz.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
+#include "contact_scenes.hpp"
+#include "contact_yardsticks.hpp"
 #include "timing.hpp"
 
 using namespace asperity;
 
 namespace {
 
-constexpr double side = 3e-3, load = 5000, limit = 3.6e9;
-const Bodies bodies{.radius = {50e-3, 50e-3}};
+constexpr int give_up = 600;
 
-/// Gaussian heights of unit rms on the n × n points of one realisation that is drawn on 1024 × 1024 (or n ×
-/// n).
-Field roughness(Index n) {
-  const Index fine = std::max<Index>(n, 1024);
-  const RealTransform2D transform({fine, fine});
-  const double length = 0.328125e-3, step = side / static_cast<double>(fine);
-  auto lag = [&](Index k) { return step * static_cast<double>(std::min(k, fine - k)); };
-  const Field acf = Field::NullaryExpr(fine, fine, [&](Index i, Index j) {
-    return std::exp(-std::numbers::ln10 * std::hypot(lag(i), lag(j)) / length);
+Contact solve(const ContactScene& s, double tolerance, int threads) {
+  return solve_contact(
+      s.grid, s.gap, s.composite_modulus,
+      {.load = s.load, .limit_pressure = s.limit_pressure, .tolerance = tolerance, .threads = threads});
+}
+
+double convolution_seconds(const ContactScene& s, int threads) {
+  const auto influence = make_influence(s.grid, s.composite_modulus, threads);
+  Field p = Field::Ones(s.grid.shape.nx, s.grid.shape.ny), u;
+  return seconds_of([&] { influence->apply(p, u); });
+}
+
+double error(double value, double exact) { return value / exact - 1; }
+
+void discretisation(Index largest) {
+  fmt::print(
+      "# case\tn\tthreads\tp0_error\tapproach_error\tarea_error\tconvolutions\tpreconditionings\t"
+      "setup_seconds\tseconds\tover_convolutions\tconvolution_over_r2c\tresidual\n");
+  const Hertz exact = hertz(scene_bodies, scene_load);
+  for (Index n = 32; n <= largest; n *= 2) {
+    const ContactScene scene = contact_scene("A", n);
+    const double transform = real_transform_seconds({2 * n, 2 * n});
+    for (int threads : {1, 2}) {
+      const double one = convolution_seconds(scene, threads);
+      const Contact c = solve(scene, 1e-8, threads);
+      fmt::print(
+          "A\t{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2f}\t{:.2f}\t{:.4f}\t{:.4f}\t{:.2f}\t{:.2f}\t{:.1e}\n", n,
+          threads, error(c.max_pressure, exact.pressure), error(c.approach, exact.approach),
+          error(c.area, std::numbers::pi * exact.radius * exact.radius), c.convolutions, c.preconditionings,
+          c.setup_seconds, c.seconds, c.seconds / (c.convolutions * one), one / transform, c.residual);
+      std::fflush(stdout);
+    }
+  }
+}
+
+using Solver = void (*)(ElasticOperator&, const ContactProblem&, const Watch&);
+
+// Its convolutions and seconds when each tolerance is first met.
+void yardstick(const ContactScene& s, const char* name, Solver run) {
+  const auto influence = make_influence(s.grid, s.composite_modulus);
+  const ContactProblem problem{s.gap, s.load / s.grid.cell_area(), s.limit_pressure,
+                               influence->self_influence()};
+  Field warm_up = s.gap;
+  influence->apply(s.gap, warm_up);
+  const Stopwatch clock;
+  double tolerance = 1e-4;
+  run(*influence, problem, [&](const ContactResidual& residual, int convolutions) {
+    for (; residual.epsilon <= tolerance && tolerance > 1e-11; tolerance /= 100)
+      fmt::print("{}\t{}\t{}\t{:.0e}\t\t\t{}\t\t\t{:.4f}\t\t{:.1e}\n", s.name, s.grid.shape.ny, name,
+                 tolerance, convolutions, clock.seconds(), residual.epsilon);
+    return tolerance > 1e-11 && convolutions < give_up;
   });
-  std::mt19937_64 generator(5);
-  std::normal_distribution<double> normal;
-  Field noise = Field::NullaryExpr(fine, fine, [&](Index, Index) { return normal(generator); });
-  const auto size = static_cast<std::size_t>(transform.spectrum_size());
-  AlignedVector<Complex> power(size), amplitude(size);
-  transform.forward(acf.data(), power.data());
-  transform.forward(noise.data(), amplitude.data());
-  for (std::size_t k = 0; k < size; ++k) amplitude[k] *= std::sqrt(std::max(0.0, power[k].real()));
-  transform.inverse(amplitude.data(), noise.data());
-  noise -= noise.mean();
-  noise /= std::sqrt(noise.square().mean());
-  return noise(Eigen::seqN(0, n, fine / n), Eigen::seqN(0, n, fine / n));
+  if (tolerance > 1e-11) fmt::print("# {} by {}: {:.0e} not met\n", s.name, name, tolerance);
 }
 
-Grid square(Index n) { return {{n, n}, side / static_cast<double>(n), side / static_cast<double>(n)}; }
-
-double convolution_over_transform(const Grid& grid, int threads) {
-  const auto influence = make_influence(grid, bodies.composite_modulus(), threads);
-  const Field p = Field::Ones(grid.shape.nx, grid.shape.ny);
-  Field u;
-  return seconds_of([&] { influence->apply(p, u); }) /
-         real_transform_seconds({2 * grid.shape.nx, 2 * grid.shape.ny});
-}
-
-struct Reference {
-  double pressure, approach, area;
-};
-
-struct Scene {
-  std::string name;
-  double rms, limit_pressure;
-};
-
-void run(const Scene& scene, Index n, int threads) {
-  const Grid grid = square(n);
-  Field gap = undeformed_gap(grid, bodies);
-  if (scene.rms > 0) gap -= scene.rms * roughness(n);
-  auto solve = [&](double tolerance) {
-    return solve_contact(
-        grid, gap, bodies.composite_modulus(),
-        {.load = load, .limit_pressure = scene.limit_pressure, .tolerance = tolerance, .threads = threads});
-  };
-  const Hertz smooth = hertz(bodies, load);
-  Reference reference{smooth.pressure, smooth.approach, std::numbers::pi * smooth.radius * smooth.radius};
-  if (scene.rms > 0) {
-    const Contact exact = solve(1e-11);
-    reference = {exact.max_pressure, exact.approach, exact.area};
-  }
-  const double ratio = convolution_over_transform(grid, threads);
+void tolerances(const std::string& name, Index n) {
+  const ContactScene scene = contact_scene(name, n);
+  const double one = convolution_seconds(scene, 1);
+  const Contact exact = solve(scene, 1e-11, 1);
   for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Contact c = solve(tolerance);
-    fmt::print("{}\t{}\t{:.0e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2f}\t{:.2f}\t{:.4f}\t{:.4f}\t{:.3f}\t{:.1e}{}\n",
-               scene.name, n, tolerance, c.max_pressure / reference.pressure - 1,
-               c.approach / reference.approach - 1, c.area / reference.area - 1, c.convolutions,
-               c.preconditionings, c.setup_seconds, c.seconds, ratio, c.residual,
-               c.converged ? "" : "\t" + c.reason);
-    std::fflush(stdout);
+    const Contact c = solve(scene, tolerance, 1);
+    fmt::print("{}\t{}\tguarded\t{:.0e}\t{:.1e}\t{:.1e}\t{:.2f}\t{:.2f}\t{:.4f}\t{:.4f}\t{:.2f}\t{:.1e}{}\n",
+               name, n, tolerance, error(c.max_pressure, exact.max_pressure), error(c.area, exact.area),
+               c.convolutions, c.preconditionings, c.setup_seconds, c.seconds,
+               c.seconds / (c.convolutions * one), c.residual, c.converged ? "" : "\t" + c.reason);
   }
+  yardstick(scene, "polonsky-keer", polonsky_keer);
+  yardstick(scene, "projected-gradient", projected_gradient);
+  std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   print_conditions();
-  const Index largest = argc > 1 ? std::atol(argv[1]) : 512;
-  const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
+  const Index largest = argc > 1 ? std::atol(argv[1]) : 1024, n = argc > 2 ? std::atol(argv[2]) : 256;
+  discretisation(largest);
   fmt::print(
-      "# "
-      "case\tn\ttol\tp_error\tapproach_error\tarea_error\tconvolutions\tpreconditionings\tsetup_"
-      "seconds\tseconds\t"
-      "ratio_to_padded_r2c\tresidual\n");
-  for (const Scene& scene : {Scene{"A", 0, 1 / 0.0}, Scene{"B", 0.4e-6, 1 / 0.0}, Scene{"B2", 0.4e-6, limit}})
-    for (Index n = 128; n <= largest; n *= 2) run(scene, n, threads);
+      "# case\tn\tmethod\ttol\tp_error\tarea_error\tconvolutions\tpreconditionings\tsetup_seconds\tseconds\t"
+      "over_convolutions\tresidual\n");
+  for (const char* name : {"A", "B", "B2", "C10", "C90", "D"}) tolerances(name, n);
 }
