@@ -5,7 +5,7 @@
 /// On it the energy is least, bounds ignored, where g is even: r = mean_F(g) - g = 0. With P_F the projection
 /// that masks F and subtracts the mean over F, a step is
 ///     z = P_F M r,   β = z·r / (z·r)_old,   d = z + β d,                                        (2)
-///     q = K d,   a = r·d / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
+///     q = K d,   a = z·r / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
 /// Σp stays as it is, and δ is never an unknown. Under a given approach δ takes the place of mean_F(g), and
 /// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's.
 ///
@@ -18,6 +18,8 @@
 /// 931-953.
 #pragma once
 
+#include <algorithm>
+
 #include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
 
@@ -28,7 +30,7 @@ struct Face {
   /// Builds the face of p and g, in the place of another.
   void set(const ContactProblem& problem, const Field& p, const Field& g, double approach);
   Field mask;
-  double cells = 0;
+  double cells = 0, gap_sum = 0;  ///< Σ g over F [m]
 };
 
 /// A pressure, its gap, a direction and the direction's displacement.
@@ -39,6 +41,15 @@ struct Trial {
   Field q;  ///< K d [m]; M r between
 };
 
+/// |r|² and max|r|, of all cells or some.
+struct FaceResidual {
+  double squared = 0, largest = 0;
+  void operator+=(const FaceResidual& other) {
+    squared += other.squared;
+    largest = std::max(largest, other.largest);
+  }
+};
+
 class FaceGradients {
  public:
   /// Works in the fields of `trial`.
@@ -47,7 +58,7 @@ class FaceGradients {
 
   /// Starts from p and g = h + K p.
   void begin(const Face& face, const Field& p, const Field& g);
-  /// (2). False, and p and g are as before, when the curvature or the descent along d is not positive.
+  /// (2). False, and p and g are as before, when the curvature along d or z·r is not positive.
   bool step();
 
   int steps() const { return steps_; }
@@ -61,8 +72,8 @@ class FaceGradients {
  private:
   /// What P_F subtracts from a field whose sum over F this is.
   double mean(double sum) const { return problem_.approach ? 0 : sum / face_->cells; }
-  void set_residual();
-  double turn(double mean_z, double beta);
+  void keep(const FaceResidual& residual);
+  void turn(double mean_z, double beta);
   void advance(double a, double mean_q);
 
   ElasticOperator& influence_;

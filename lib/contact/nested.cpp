@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grid/parallel.hpp"
+
 namespace asperity {
 
 bool can_coarsen(Shape shape) {
@@ -11,33 +13,39 @@ bool can_coarsen(Shape shape) {
 
 ContactProblem coarsened(const ContactProblem& problem) {
   const Field& h = problem.h;
-  ContactProblem coarse{Field(h.rows() / 2, h.cols() / 2),
-                        problem.sum / 4,
-                        problem.cap,
-                        2 * problem.self_influence,
-                        problem.approach,
-                        problem.threads,
-                        problem.datum};
-  for (Index i = 0; i < coarse.h.rows(); ++i)
-    for (Index j = 0; j < coarse.h.cols(); ++j) coarse.h(i, j) = h.block<2, 2>(2 * i, 2 * j).mean();
+  ContactProblem coarse = problem.without_gap();
+  coarse.sum /= 4;
+  coarse.self_influence *= 2;
+  coarse.h.resize(h.rows() / 2, h.cols() / 2);
+  parallel_ranges(coarse.h.rows(), problem.threads, [&](Index begin, Index end, int) {
+    for (Index i = begin; i < end; ++i)
+      for (Index j = 0; j < coarse.h.cols(); ++j) {
+        const double *upper = &h(2 * i, 2 * j), *lower = &h(2 * i + 1, 2 * j);
+        coarse.h(i, j) = (upper[0] + upper[1] + lower[0] + lower[1]) / 4;
+      }
+  });
   return coarse;
 }
 
-Field prolonged(const Field& coarse, bool periodic) {
+Field prolonged(const Field& coarse, bool periodic, int threads) {
   auto beyond = [periodic](Index i, Index n) {
     return periodic ? (i + n) % n : std::clamp<Index>(i, 0, n - 1);
   };
   Field fine(2 * coarse.rows(), 2 * coarse.cols());
-  for (Index i = 0; i < fine.rows(); ++i)
-    for (Index j = 0; j < fine.cols(); ++j) {
-      const Index I = i / 2, J = j / 2;
-      const Index near_i = beyond(i % 2 ? I + 1 : I - 1, coarse.rows());
-      const Index near_j = beyond(j % 2 ? J + 1 : J - 1, coarse.cols());
-      const double here = coarse(I, J);
-      fine(i, j) =
-          here > 0 ? (9 * here + 3 * coarse(near_i, J) + 3 * coarse(I, near_j) + coarse(near_i, near_j)) / 16
-                   : 0;
+  parallel_ranges(fine.rows(), threads, [&](Index begin, Index end, int) {
+    for (Index i = begin; i < end; ++i) {
+      const Index I = i / 2, beside = beyond(i % 2 ? I + 1 : I - 1, coarse.rows());
+      for (Index J = 0; J < coarse.cols(); ++J) {
+        const Index left = beyond(J - 1, coarse.cols()), right = beyond(J + 1, coarse.cols());
+        auto blend = [&](Index j) {
+          return (9 * coarse(I, J) + 3 * (coarse(beside, J) + coarse(I, j)) + coarse(beside, j)) / 16;
+        };
+        const bool touches = coarse(I, J) > 0;
+        fine(i, 2 * J) = touches ? blend(left) : 0;
+        fine(i, 2 * J + 1) = touches ? blend(right) : 0;
+      }
     }
+  });
   return fine;
 }
 

@@ -13,6 +13,6 @@ bool can_coarsen(Shape shape);
 /// The same load, or approach, on a quarter of the cells; K₀₀ is doubled, as it is of cells twice the size.
 ContactProblem coarsened(const ContactProblem& problem);
 /// Pressures on the grid twice as fine; `periodic` tells what lies beyond the edge.
-Field prolonged(const Field& coarse, bool periodic);
+Field prolonged(const Field& coarse, bool periodic, int threads = 1);
 
 }  // namespace asperity

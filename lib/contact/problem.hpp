@@ -46,6 +46,8 @@ struct ContactProblem {
 
   /// Counts from `by` further up. Round-off of g is ε of its largest value in contact: none where δ is about 0.
   void shift(double by);
+  /// All but h.
+  ContactProblem without_gap() const { return {{}, sum, cap, self_influence, approach, threads, datum}; }
   Blocks blocks() const { return {h.size(), threads}; }
   bool capped() const { return cap < std::numeric_limits<double>::infinity(); }
   bool is_free(double p) const { return p > 0 && p < cap; }

@@ -175,7 +175,7 @@ void solve_levels(Contact& contact, const Grid& grid, std::vector<Level> levels,
     const WindowedGradients::Limits limits{std::max(coarse_tolerance, parameters.tolerance), 400, false};
     Level& level = levels.back();
     start = prolonged(solve_level(contact, level, std::move(start), near, limits, grid, parameters, false),
-                      grid.periodic);
+                      grid.periodic, parameters.threads);
     contact.setup_seconds += level.influence->setup_seconds();
   }
   const WindowedGradients::Limits limits{parameters.tolerance,

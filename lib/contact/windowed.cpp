@@ -12,8 +12,9 @@ constexpr double spare_cells = 1.25;       // of those that the limit pressure n
 constexpr double round_off_floor = 1e-11;  // of ε, where gains end
 
 ContactProblem on_window(const ContactProblem& problem, const Window& window) {
-  return {window.of(problem.h), problem.sum,     problem.cap,  problem.self_influence,
-          problem.approach,     problem.threads, problem.datum};
+  ContactProblem part = problem.without_gap();
+  part.h = window.of(problem.h);
+  return part;
 }
 
 // Under a given approach a contact lies where the undeformed bodies overlap: a start for want of one that they
