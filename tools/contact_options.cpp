@@ -132,9 +132,9 @@ void ContactOptions::declare_load(Tool& tool) {
 void ContactOptions::check(const Tool& tool) {
   if (!tool.given("--radius") && (tool.given("--radius-x") || tool.given("--radius-y"))) {
     radius_option = tool.given("--radius-x") ? "radius-x" : "radius-y";
-    for (std::size_t i : {0, 1}) bodies.radius[i] = {radius_x_[i], radius_y_[i]};
+    for (std::size_t i = 0; i < 2; ++i) bodies.radius[i] = {radius_x_[i], radius_y_[i]};
   } else {
-    for (std::size_t i : {0, 1}) bodies.radius[i] = radius_[i];
+    for (std::size_t i = 0; i < 2; ++i) bodies.radius[i] = radius_[i];
   }
   bodies.check();
   check_load(tool);

@@ -90,14 +90,13 @@ TEST_CASE("the stiffness of spheres pressed in turn is 2 E* a", "[sweep][exact]"
   }
 }
 
-TEST_CASE("loads pressed in turn end in the solutions of each alone, with fewer convolutions",
+TEST_CASE("loads pressed in turn end in the solutions of each alone, the first alone from coarser grids",
           "[sweep][law]") {
   const Grid grid = square(64);
   const Field gap = rough_gap(grid);
   for (double cap : {std::numeric_limits<double>::infinity(), 3.6e9}) {
     const ContactParameters parameters{.limit_pressure = cap, .tolerance = 1e-10};
     const std::vector<double> loads = geometric_loads(100, 5000, 12);
-    double warm = 0, cold = 0;
     const std::vector<Contact> turns = sweep(grid, gap, parameters, loads);
     REQUIRE(turns.size() == loads.size());
     for (std::size_t i = 0; i < loads.size(); ++i) {
@@ -108,10 +107,8 @@ TEST_CASE("loads pressed in turn end in the solutions of each alone, with fewer 
       CHECK(turns[i].load_error <= 1e-12);
       CHECK(turns[i].area == single.area);
       CHECK((turns[i].pressure - single.pressure).abs().maxCoeff() <= 1e-7 * single.max_pressure);
-      warm += turns[i].convolutions, cold += single.convolutions;
+      CHECK(turns[i].levels == (i == 0 ? single.levels : 1));
     }
-    CAPTURE(cap, warm, cold);
-    CHECK(warm <= cold);
   }
 }
 

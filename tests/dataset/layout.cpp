@@ -97,6 +97,27 @@ TEST_CASE("masked points are refused and an empty mask is not", "[layout][contra
   CHECK_THROWS_AS(field_of(data, "heights"), DataError);
 }
 
+TEST_CASE("points with the value that _FillValue or missing_value names are refused, in a file's own units",
+          "[layout][contract]") {
+  for (const char* mark : {"_FillValue", "missing_value"}) {
+    Dataset data = with_heights(random_field(grid.shape, 4));
+    data.find("heights")->attributes.set("units", "nm");
+    data.find("heights")->attributes.set(mark, -9999.0);
+    CHECK_NOTHROW(field_of(data, "heights"));
+    std::get<std::vector<double>>(data.find("heights")->values)[5] = -9999;
+    CHECK_THROWS_AS(field_of(data, "heights"), DataError);
+  }
+}
+
+TEST_CASE("heights of any name are read in metres, and must be a length", "[layout][exact]") {
+  Dataset data = with_heights(random_field(grid.shape, 5));
+  set_field(data, "heights_residual", 1e6 * field_of(data, "heights"), {"um", "heights left"});
+  const Field read = heights_of(data, "heights_residual"), exact = field_of(data, "heights");
+  CHECK((read - exact).abs().maxCoeff() <= 4 * epsilon * exact.abs().maxCoeff());
+  data.find("heights_residual")->attributes.set("units", "Pa");
+  CHECK_THROWS_AS(heights_of(data, "heights_residual"), DataError);
+}
+
 TEST_CASE("points that are not evenly spaced, or have no unit, are refused", "[layout][contract]") {
   Dataset data = with_heights(random_field(grid.shape, 7));
   std::get<std::vector<double>>(data.find("x")->values)[2] += 0.1e-6;
