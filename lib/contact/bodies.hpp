@@ -8,8 +8,7 @@
 /// grid, each positive towards the other body. A counter body that was measured face up, as it lies before the
 /// instrument, is to be mirrored in x or y before it faces the first. Rx is the radius of the section along x,
 /// Ry of that along y; the principal axes of both bodies lie along x and y. A sphere has Rx = Ry, a cylinder
-/// along y has Ry = ∞, a flat both; a hollow has a negative radius, no
-/// smaller than that of the body in it.
+/// along y has Ry = ∞, a flat both; a hollow has a negative radius, of no less magnitude than that of the body in it.
 ///
 /// Symbols   E Young's modulus [Pa]   ν Poisson's ratio   R radius of curvature [m]   h gap [m]   z heights [m]
 /// Scope     (3) is the paraboloid of the bodies: relative error x²/(4R²).

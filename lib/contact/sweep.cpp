@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,6 +38,24 @@ double derivative(const double* t, const double* y, std::size_t n, std::size_t a
   return sum;
 }
 
+// (1), from one solution or from two; before the first it is empty.
+class Prediction {
+ public:
+  Field at(double load) const {
+    if (before_.size() == 0) return last_ * (load / last_load_);
+    const double ahead = (load - last_load_) / (last_load_ - load_before_);
+    return (last_ + ahead * (last_ - before_)).max(0.0);
+  }
+  void learn(double load, const Field& pressure) {
+    before_ = std::exchange(last_, pressure);
+    load_before_ = std::exchange(last_load_, load);
+  }
+
+ private:
+  Field last_, before_;
+  double last_load_ = 0, load_before_ = 0;
+};
+
 }  // namespace
 
 std::vector<double> geometric_loads(double from, double to, int count) {
@@ -54,11 +73,12 @@ void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperato
   parameters.load = loads.front();
   parameters.check();
   check_loads(loads, parameters.limit_pressure * grid.size_x() * grid.size_y());
+  Prediction prediction;
   for (double load : loads) {
-    parameters.start *= load / parameters.load;
+    parameters.start = prediction.at(load);
     parameters.load = load;
     const Contact contact = solve_contact(grid, undeformed_gap, influence, parameters);
-    parameters.start = contact.pressure;
+    prediction.learn(load, contact.pressure);
     take(contact);
   }
 }

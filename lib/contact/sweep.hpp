@@ -1,16 +1,20 @@
 /// The same bodies under one load after another.
 ///
 /// Elastic contact has no memory, and neither has one whose pressure is merely limited: the solution depends on
-/// the load, not on those before. They serve as a start: the pressure under Q₁, times Q₂/Q₁, is where the
-/// iteration under Q₂ begins; influence coefficients and plans are made once.
+/// the load, not on those before. They serve as a start: under Q₂ the iteration begins with
+///     p ≈ max(0, p₁ + (p₁ - p₀) (Q₂ - Q₁)/(Q₁ - Q₀)),   after the first load p ≈ p₁ Q₂/Q₁,      (1)
+/// with no coarser grids; influence coefficients and plans are made once.
 ///
 /// The stiffness dQ/dδ is had from the loads themselves, by differentiating the polynomial in t = ln Q through
-/// each load and its nearest four (three or fewer points at hand: a parabola or a line),
-///     dQ/dδ = Q / (dδ/dt).                                                                      (1)
+/// each load and its nearest four (of fewer loads, through all),
+///     dQ/dδ = Q / (dδ/dt).                                                                      (2)
 ///
-/// Symbols   Q load [N]   δ approach [m]
-/// Accuracy  of (1) for δ ~ Q^n and steps s = ln(Q₂/Q₁), relative: (ns)⁴/30 between, (ns)⁴/5 at both ends;
+/// Symbols   Q load [N]   p pressure [Pa]   δ approach [m]
+/// Accuracy  of (2) for δ ~ Q^n and steps s = ln(Q₂/Q₁), relative: (ns)⁴/30 between, (ns)⁴/5 at both ends;
 ///           for spheres (n = ⅔) 4e-5 and 3e-4 with eight loads a decade.
+/// Cost      a load about as many convolutions as from coarser grids: the edge of the contact is what takes them,
+///           and (1) knows it no better. At 256 × 256 cells, ε = 1e-8, eighteen loads a decade: 5 for smooth
+///           spheres, 10 for rough ones.
 #pragma once
 
 #include <functional>
@@ -31,7 +35,7 @@ void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperato
                    ContactParameters parameters, const std::vector<double>& loads,
                    const std::function<void(const Contact&)>& take);
 
-/// (1) at each load [N/m]; of a single load it is not known (NaN).
+/// (2) at each load [N/m]; of a single load it is not known (NaN).
 std::vector<double> stiffness(const std::vector<double>& loads, const std::vector<double>& approaches);
 
 }  // namespace asperity
