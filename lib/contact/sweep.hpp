@@ -11,7 +11,7 @@
 ///
 /// Symbols   Q load [N]   p pressure [Pa]   δ approach [m]
 /// Accuracy  of (2) for δ ~ Q^n and steps s = ln(Q₂/Q₁), relative: (ns)⁴/30 between, (ns)⁴/5 at both ends;
-///           for spheres (n = ⅔) 4e-5 and 3e-4 with eight loads a decade.
+///           for spheres (n = ⅔) 4e-5 and 3e-4 with eight loads a decade. Of two loads it is a chord: ns/2.
 /// Cost      a load about as many convolutions as from coarser grids: the edge of the contact is what takes them,
 ///           and (1) knows it no better. At 256 × 256 cells, ε = 1e-8, eighteen loads a decade: 5 for smooth
 ///           spheres, 10 for rough ones.
