@@ -165,7 +165,8 @@ int main(int argc, char** argv) {
       const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(i));
       const cli::Drawing drawing{synthesis,        noise,         tables.rms(),
                                  options.exact_rq, options.noise, options.memory};
-      drawing.write(tool, base, options.count > 1 ? cli::numbered("output", tool.output_name(), i) : tool.output_name());
+      drawing.write(tool, base,
+                    options.count > 1 ? cli::numbered("output", tool.output_name(), i) : tool.output_name());
     }
     return code;
   });
