@@ -2,14 +2,14 @@
 ///
 ///     contact_error_time [LARGEST_N [N]]
 ///
-/// First table: scene A for N = 32 … LARGEST_N (1024) to ε = 1e-8, against Hertz, so that the discretisation shows; on
-/// one and on two threads. The area's error is that of cells on a circle.
+/// First table: scene A for N = 32 … LARGEST_N (1024) to ε = 1e-8, against Hertz, so that the discretisation
+/// shows; on one and on two threads. The area's error is that of cells on a circle.
 /// Second table: every scene on N × N (256), to ε = 1e-4 … 1e-10, against its solution at ε = 1e-11, so that the
 /// tolerance shows; and by the yardsticks of contact_yardsticks.hpp, given up after 600 convolutions.
 ///
 /// convolutions, preconditionings  by their share of the finest cells, coarser grids included
 /// setup_seconds                   coefficients, spectra and plans
-/// seconds                         the solution, the nested start included
+/// seconds                         the solution, the nested start included; the fastest of three
 /// over_convolutions               seconds over (convolutions × the time of one)
 /// convolution_over_r2c            the time of one convolution over that of one padded real transform
 #include <cmath>
@@ -32,9 +32,15 @@ namespace {
 constexpr int give_up = 600;
 
 Contact solve(const ContactScene& s, double tolerance, int threads) {
-  return solve_contact(
-      s.grid, s.gap, s.composite_modulus,
-      {.load = s.load, .limit_pressure = s.limit_pressure, .tolerance = tolerance, .threads = threads});
+  auto once = [&] {
+    return solve_contact(
+        s.grid, s.gap, s.composite_modulus,
+        {.load = s.load, .limit_pressure = s.limit_pressure, .tolerance = tolerance, .threads = threads});
+  };
+  Contact fastest = once();
+  for (int again = 0; again < 2; ++again)
+    if (Contact c = once(); c.seconds < fastest.seconds) fastest = std::move(c);
+  return fastest;
 }
 
 double convolution_seconds(const ContactScene& s, int threads) {

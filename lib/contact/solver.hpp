@@ -57,7 +57,8 @@ struct ContactParameters {
   int threads = 1;
   std::function<void(const ContactProgress&)> progress = {};  ///< told of every round
 
-  /// Throws ParameterError: load > 0 or an approach, not both; limit-pressure > 0, 0 < tolerance < 1, max-convolutions ≥ 1.
+  /// Throws ParameterError: load > 0 or an approach, not both; limit-pressure > 0, 0 < tolerance < 1,
+  /// max-convolutions ≥ 1.
   void check() const;
 };
 

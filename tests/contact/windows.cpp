@@ -120,3 +120,16 @@ TEST_CASE("a contact that begins far from the window of the start is found", "[w
   CHECK((near.pressure - all.pressure).abs().maxCoeff() <= 1e-6 * all.max_pressure);
   CHECK(near.area == all.area);
 }
+
+// The nested start included. 22 convolutions are what the iteration takes on the whole grid.
+TEST_CASE("two smooth spheres take no more than 12 convolutions to 1e-8, whatever the grid",
+          "[window][law]") {
+  for (Index n : {64, 128, 256}) {
+    const Grid grid = square(n);
+    const Contact contact = press(grid, undeformed_gap(grid, spheres));
+    CAPTURE(n);
+    CHECK(contact.residual <= 1e-8);
+    CHECK(contact.convolutions <= 12);
+    CHECK(contact.preconditionings < contact.convolutions);
+  }
+}
