@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -28,9 +29,20 @@ void check(const Grid& grid, const Field& pressure, double poisson) {
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
 }
 
+// The factor s sin(a)/sin(sa), a = πk/P: (2) in one direction.
+std::vector<double> ratios(Index s, Index modes, Index period) {
+  std::vector<double> out(size(modes), 1.0);
+  for (Index k = 1; s > 1 && k < modes; ++k) {
+    const double a = std::numbers::pi * static_cast<double>(k) / static_cast<double>(period);
+    out[size(k)] = static_cast<double>(s) * std::sin(a) / std::sin(static_cast<double>(s) * a);
+  }
+  return out;
+}
+
 }  // namespace
 
-StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads)
+StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads,
+                           DepthResolution resolution)
     : grid_(grid),
       pressure_(pressure),
       poisson_(poisson),
@@ -38,6 +50,11 @@ StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poiss
       transform_(grid.shape, torus_of(grid)),
       pressure_spectrum_(size(transform_.blocks() * transform_.block_size())) {
   check(grid, pressure, poisson);
+  const Shape torus = transform_.torus();
+  for (Index s = 1; s == 1 || (resolution == DepthResolution::adapted && torus.nx % (2 * s) == 0 &&
+                               torus.ny % (2 * s) == 0 && std::min(grid.shape.nx, grid.shape.ny) / s >= 32);
+       s *= 2)
+    add_level(s);
   HalfSpectrum half = transform_.half_spectrum();
   transform_.forward_rows(pressure_ / static_cast<double>(transform_.torus().cells()), half, threads);
   AlignedVector<Complex> work(size(transform_.block_size()));
@@ -45,11 +62,40 @@ StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poiss
     transform_.forward_block(half, b, pressure_spectrum_.data() + b * transform_.block_size(), work.data());
 }
 
+void StressSolver::add_level(Index s) {
+  const auto [px, py] = transform_.torus();
+  const auto f = static_cast<double>(s);
+  Level level{s, grid_, transform_.torus(), {px / 2 + 1, py / 2 + 1}, {}, {}};
+  if (s > 1)
+    level.modes = {px / (2 * s), py / (2 * s)};  // the highest mode, whose sign is not told, left out
+  if (!grid_.periodic) {
+    level.grid = {{(grid_.shape.nx + s - 1) / s, (grid_.shape.ny + s - 1) / s}, f * grid_.dx, f * grid_.dy};
+    level.torus = {px / s, py / s};
+  }
+  level.ratio_x = ratios(grid_.periodic ? 1 : s, level.modes.nx, px);
+  level.ratio_y = ratios(grid_.periodic ? 1 : s, level.modes.ny, py);
+  levels_.push_back(std::move(level));
+}
+
+// The coarsest that is deep enough.
+std::size_t StressSolver::level_at(double z) const {
+  const double cell = std::max(grid_.dx, grid_.dy);
+  std::size_t level = 0;
+  while (level + 1 < levels_.size() && z >= 8 * static_cast<double>(levels_[level + 1].s) * cell) ++level;
+  return level;
+}
+
 StressSolver::Workspace::Workspace(const StressSolver& solver)
-    : influence_(make_layer_influence(solver.grid_, solver.transform_.torus(), solver.poisson_)),
+    : influences_(solver.levels_.size()),
       block_(size(solver.transform_.block_size())),
       work_(block_.size()),
       row_spectrum_(size(solver.transform_.blocks() * width)) {}
+
+LayerInfluence& StressSolver::Workspace::influence(const StressSolver& solver, std::size_t level) {
+  const Level& l = solver.levels_[level];
+  if (!influences_[level]) influences_[level] = make_layer_influence(l.grid, l.torus, solver.poisson_);
+  return *influences_[level];
+}
 
 void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
                           const LayerRowSink& row) const {
@@ -63,28 +109,41 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
 void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work) const {
   if (!(z >= 0 && std::isfinite(z)))
     throw ParameterError("depth", fmt::format("{} m is not a depth, 0 or more", z));
-  work.influence_->descend(z, asked);
+  const Level& level = levels_[level_at(z)];
+  LayerInfluence& influence = work.influence(*this, level_at(z));
+  influence.descend(z, asked);
   for (Component c : stress::components)
     if (asked[c] && work.half_[c].empty()) work.half_[c] = transform_.half_spectrum();
-  for (Index b = 0; b < transform_.blocks(); ++b)
+  work.filled_ = (level.modes.ny + width - 1) / width;
+  for (Index b = 0; b < work.filled_; ++b)
     for (Component c : stress::components) {
       if (!asked[c]) continue;
-      multiply(c, b, work.influence_->symbol(c, b), work.block_.data());
+      multiply(level, c, b, influence.symbol(c, b), work.block_.data());
       transform_.inverse_block(work.block_.data(), b, work.half_[c], work.work_.data());
     }
 }
 
 // product = (-i)^m S p^, where S(-kx) = ±S(kx); -i (a + ib) = b - ia.
-void StressSolver::multiply(Component c, Index b, LayerInfluence::Symbol symbol, Complex* product) const {
-  const Index nx = transform_.torus().nx;
-  const double sign = odd_in_x(c) && odd_in_y(c) ? -1 : 1, mirrored = odd_in_x(c) ? -sign : sign;
+void StressSolver::multiply(const Level& level, Component c, Index b, LayerInfluence::Symbol symbol,
+                            Complex* product) const {
+  const Index nx = transform_.torus().nx, modes = level.modes.nx;
+  const double sign = odd_in_x(c) && odd_in_y(c) ? -1 : 1, mirrored = odd_in_x(c) ? -1 : 1;
   for (Index q = 0; q < width; ++q) {
     const Complex* p = pressure_spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
     Complex* out = product + q * transform_.stride();
+    const Index ky = b * width + q;
+    if (ky >= level.modes.ny) {
+      std::fill(out, out + nx, Complex{});
+      continue;
+    }
     const auto* s = reinterpret_cast<const double*>(symbol.pairs + q / 2 * symbol.stride) + q % 2;
+    const double along_y = sign * level.ratio_y[size(ky)];
     auto times = [&](auto factor) {
-      for (Index k = 0; 2 * k <= nx; ++k) out[k] = factor(sign * s[2 * k], p[k]);
-      for (Index k = nx / 2 + 1; k < nx; ++k) out[k] = factor(mirrored * s[2 * (nx - k)], p[k]);
+      auto weight = [&](Index k) { return along_y * level.ratio_x[size(k)] * s[2 * k]; };
+      for (Index k = 0; k < modes; ++k) out[k] = factor(weight(k), p[k]);
+      if (level.s > 1) std::fill(out + modes, out + nx - modes + 1, Complex{});
+      for (Index k = std::max(nx - modes + 1, nx / 2 + 1); k < nx; ++k)
+        out[k] = factor(mirrored * weight(nx - k), p[k]);
     };
     if (odd_in_x(c) != odd_in_y(c))
       times([](double f, const Complex& x) { return Complex{f * x.imag(), -f * x.real()}; });
@@ -98,7 +157,7 @@ StressRow StressSolver::inverse_row(Index i, stress::Set asked, Workspace& work)
   for (Component c : stress::components) {
     if (!asked[c]) continue;
     work.row_[c].resize(size(transform_.torus().ny + 2));
-    transform_.inverse_row(work.half_[c], i, work.row_spectrum_.data(), work.row_[c].data());
+    transform_.inverse_row(work.half_[c], i, work.row_spectrum_.data(), work.row_[c].data(), work.filled_);
     values[c] = work.row_[c].data();
   }
   return values;

@@ -9,6 +9,13 @@
 /// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von
 /// Mises stress of a volume needs the memory of a layer.
 ///
+/// Depth multiresolution. Below the surface a mode fades as exp(-kz): at z ≥ 8 s Δ, Δ the longer side of a cell, those
+/// beyond π/sΔ are below 1e-10. Such a layer is computed from the influence of cells s times as long and wide and
+/// the pressure's modes below π/sΔ, each times
+///     ratio = sinc(kΔ/2) / sinc(k s Δ/2)  in x and in y,                                              (2)
+/// which makes of the wide cells the narrow ones; an inverse padded with zeros has the values at all cells. s is a power
+/// of two that leaves 32 cells a side.
+///
 /// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
 /// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.
 /// Accuracy  of (1): round-off, below 16 ε Σ|p|. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p in
@@ -34,11 +41,17 @@ namespace asperity {
 /// One row of a layer: for each component that was asked its ny values, else a null pointer.
 using StressRow = std::array<const double*, 6>;
 
+enum class DepthResolution {
+  full,     ///< every layer from its own cells
+  adapted,  ///< deep layers by (2)
+};
+
 class StressSolver {
  public:
   /// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, DataError("pressure") unless the pressure fits the
   /// grid and is finite.
-  StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1);
+  StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1,
+               DepthResolution resolution = DepthResolution::full);
 
   const Grid& grid() const { return grid_; }
   const Field& pressure() const { return pressure_; }
@@ -51,7 +64,10 @@ class StressSolver {
 
    private:
     friend class StressSolver;
-    std::unique_ptr<LayerInfluence> influence_;
+    LayerInfluence& influence(const StressSolver& solver, std::size_t level);
+
+    std::vector<std::unique_ptr<LayerInfluence>> influences_;  ///< of each level, made when it is used
+    Index filled_ = 0;                                         ///< blocks of the present layer
     AlignedVector<Complex> block_, work_, row_spectrum_;
     std::array<HalfSpectrum, 6> half_;
     std::array<AlignedVector<double>, 6> row_;
@@ -70,8 +86,20 @@ class StressSolver {
   void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row) const;
 
  private:
+  /// Cells s times as long and wide, for deep layers; s = 1 first.
+  struct Level {
+    Index s = 1;
+    Grid grid;  ///< of the influence
+    Shape torus;
+    Shape modes;                           ///< 0 ≤ kx < modes.nx, 0 ≤ ky < modes.ny are kept
+    std::vector<double> ratio_x, ratio_y;  ///< (2)
+  };
+
+  void add_level(Index s);
+  std::size_t level_at(double z) const;
   void transform_layer(double z, stress::Set asked, Workspace& work) const;
-  void multiply(stress::Component c, Index b, LayerInfluence::Symbol symbol, Complex* product) const;
+  void multiply(const Level& level, stress::Component c, Index b, LayerInfluence::Symbol symbol,
+                Complex* product) const;
   StressRow inverse_row(Index i, stress::Set asked, Workspace& work) const;
 
   Grid grid_;
@@ -79,6 +107,7 @@ class StressSolver {
   double poisson_;
   int threads_;
   PrunedTransform transform_;
+  std::vector<Level> levels_;
   AlignedVector<Complex> pressure_spectrum_;  ///< [block][8][kx], divided by Px Py
 };
 

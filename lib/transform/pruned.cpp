@@ -32,9 +32,11 @@ void PrunedTransform::forward_rows(const Field& in, HalfSpectrum& half, int thre
   });
 }
 
-void PrunedTransform::inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row) const {
-  for (Index b = 0; b < blocks(); ++b)
+void PrunedTransform::inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row,
+                                  Index filled) const {
+  for (Index b = 0; b < filled; ++b)
     std::copy_n(half.data() + (b * field_.nx + i) * width, width, spectrum + b * width);
+  std::fill(spectrum + filled * width, spectrum + blocks() * width, Complex{});
   rows_.inverse(spectrum, row);
 }
 

@@ -40,8 +40,12 @@ class PrunedTransform {
   void forward_rows(const Field& in, HalfSpectrum& half, int threads = 1) const;
   /// The rows of `out` from the half spectrum, multiplied by Px Py; destroys `half`.
   void inverse_rows(HalfSpectrum& half, Field& out, int threads = 1) const;
-  /// One row, row i, from the half spectrum; `row` has room for Py + 2 doubles and is aligned.
-  void inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row) const;
+  /// One row, row i, from the first `filled` blocks of the half spectrum, the others being zero; `row` has room for
+  /// Py + 2 doubles and is aligned.
+  void inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row, Index filled) const;
+  void inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row) const {
+    inverse_row(half, i, spectrum, row, blocks());
+  }
 
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points, as
   /// `work` has.
