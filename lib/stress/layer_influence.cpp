@@ -22,12 +22,13 @@ Index blocks_of(Index n) { return (n + width - 1) / width; }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
 // x[i] ← x[i] - x[i-1], where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an even
-// one.
-void difference(Parity kernel, double* x, Index rows) {
+// one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
+void difference(Parity kernel, double* x, Index rows, Index period) {
   for (Index i = rows - 1; i > 0; --i)
     for (Index q = 0; q < width; ++q) x[i * width + q] -= x[(i - 1) * width + q];
   const double first = kernel == Parity::even ? 2 : 0;
   for (Index q = 0; q < width; ++q) x[q] *= first;
+  if (kernel == Parity::odd && 2 * (rows - 1) == period) std::fill_n(x + (rows - 1) * width, width, 0.0);
 }
 
 // First along y, eight rows i at a time, as the corners are evaluated; along x when a block of columns is
@@ -59,7 +60,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   Symbol symbol(Component c, Index b) override {
     const Index nx = grid_.shape.nx;
     std::copy_n(columns_[c].data() + b * nx * width, nx * width, rows_.data());
-    difference(parity(odd_in_x(c)), rows_.data(), nx);
+    difference(parity(odd_in_x(c)), rows_.data(), nx, along_x_.period());
     transform(along_x_, parity(odd_in_x(c)), rows_.data(), nx);
     return {pairs_.data(), along_x_.stride()};
   }
@@ -74,7 +75,7 @@ class HalfSpaceInfluence : public LayerInfluence {
 
   void transform_along_y(Component c, Index first_row) {
     double* tile = tile_[c].data();
-    difference(parity(odd_in_y(c)), tile, grid_.shape.ny);
+    difference(parity(odd_in_y(c)), tile, grid_.shape.ny, along_y_.period());
     transform(along_y_, parity(odd_in_y(c)), tile, grid_.shape.ny);
     const Index rows = std::min(width, grid_.shape.nx - first_row);
     for (Index b = 0; b < blocks_; ++b)

@@ -69,8 +69,10 @@ void StressSolver::add_level(Index s) {
   if (s > 1)
     level.modes = {px / (2 * s), py / (2 * s)};  // the highest mode, whose sign is not told, left out
   if (!grid_.periodic) {
-    level.grid = {{(grid_.shape.nx + s - 1) / s, (grid_.shape.ny + s - 1) / s}, f * grid_.dx, f * grid_.dy};
     level.torus = {px / s, py / s};
+    level.grid.dx *= f, level.grid.dy *= f;
+    // What is cut off a spectrum spreads beyond the field: all lags of the torus count.
+    if (s > 1) level.grid.shape = {level.torus.nx / 2 + 1, level.torus.ny / 2 + 1};
   }
   level.ratio_x = ratios(grid_.periodic ? 1 : s, level.modes.nx, px);
   level.ratio_y = ratios(grid_.periodic ? 1 : s, level.modes.ny, py);
