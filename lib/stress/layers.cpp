@@ -39,6 +39,20 @@ std::vector<double> ratios(Index s, Index modes, Index period) {
   return out;
 }
 
+// Cells between the loaded ones and where the torus would fold them onto the far end of the field.
+Index room_beside(const Field& pressure, Shape torus) {
+  auto room = [](const auto& loaded, Index half_period) {  // of one row or column of flags
+    const Index n = loaded.size();
+    Index first = 0, last = n - 1;
+    while (first < n && !loaded(first)) ++first;
+    while (last > first && !loaded(last)) --last;
+    return half_period - std::max(n - first, last + 1);
+  };
+  const Eigen::Array<bool, Eigen::Dynamic, 1> rows = (pressure != 0).rowwise().any();
+  const Eigen::Array<bool, 1, Eigen::Dynamic> columns = (pressure != 0).colwise().any();
+  return std::min(room(rows, torus.nx / 2), room(columns, torus.ny / 2));
+}
+
 }  // namespace
 
 StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads,
@@ -50,16 +64,21 @@ StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poiss
       transform_(grid.shape, torus_of(grid)),
       pressure_spectrum_(size(transform_.blocks() * transform_.block_size())) {
   check(grid, pressure, poisson);
-  const Shape torus = transform_.torus();
-  for (Index s = 1; s == 1 || (resolution == DepthResolution::adapted && torus.nx % (2 * s) == 0 &&
-                               torus.ny % (2 * s) == 0 && std::min(grid.shape.nx, grid.shape.ny) / s >= 32);
-       s *= 2)
-    add_level(s);
+  add_level(1);
+  if (resolution == DepthResolution::adapted)
+    for (Index s = 2; may_coarsen(s); s *= 2) add_level(s);
   HalfSpectrum half = transform_.half_spectrum();
   transform_.forward_rows(pressure_ / static_cast<double>(transform_.torus().cells()), half, threads);
   AlignedVector<Complex> work(size(transform_.block_size()));
   for (Index b = 0; b < transform_.blocks(); ++b)
     transform_.forward_block(half, b, pressure_spectrum_.data() + b * transform_.block_size(), work.data());
+}
+
+bool StressSolver::may_coarsen(Index s) const {
+  const Shape torus = transform_.torus();
+  return torus.nx % (2 * s) == 0 && torus.ny % (2 * s) == 0 &&
+         std::min(grid_.shape.nx, grid_.shape.ny) / s >= 32 &&
+         (grid_.periodic || 2 * room_beside(pressure_, torus) >= 5 * s);
 }
 
 void StressSolver::add_level(Index s) {
