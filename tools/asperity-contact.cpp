@@ -26,7 +26,7 @@ int told_exit(const cli::Tool& tool, const Contact& contact, const std::string& 
 int press(cli::Tool& tool, const cli::ContactOptions& options) {
   cli::ContactScene scene = cli::read_scene(options);
   const Contact contact =
-      solve_contact(scene.grid, scene.gap, options.bodies.composite_modulus(), options.contact);
+      solve_contact(scene.grid, std::move(scene.gap), options.bodies.composite_modulus(), options.contact);
   cli::record(scene, options, contact);
   tool.write(scene.data);
   return told_exit(tool, contact, "");

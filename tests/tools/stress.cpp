@@ -1,6 +1,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "support.hpp"
+#include "tools/files.hpp"
 #include "tools/shell.hpp"
 
 using namespace asperity;
@@ -20,7 +21,7 @@ std::vector<double> von_mises(const std::string& options) {
 
 // Layers at 4, 21 and 43 cells: the first is the same to the last bit. Von Mises stress adds the errors of components,
 // each 2e-6, with weights of √3 at the most for each of six.
-TEST_CASE("--resolution full and adapted differ in deep layers only, by 2e-6 of the largest pressure",
+TEST_CASE("resolutions full and adapted differ in deep layers only, by 2e-6 of the largest pressure",
           "[stress][contract]") {
   REQUIRE(
       shell("asperity-contact --smooth --shape 128x128 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
