@@ -120,14 +120,4 @@ void RealTransform2D::inverse(Complex* in, double* out) const {
   fftw_execute_dft_c2r(get(inverse_), raw(in), out);
 }
 
-EvenTransform2D::EvenTransform2D(Shape torus) : torus_(torus) {
-  const Shape q = quarter();
-  const int nx = static_cast<int>(q.nx), ny = static_cast<int>(q.ny);
-  plan_ = make_plan(size(q.cells()), [&](double* a) {
-    return fftw_plan_r2r_2d(nx, ny, a, a, FFTW_REDFT00, FFTW_REDFT00, FFTW_ESTIMATE);
-  });
-}
-
-void EvenTransform2D::apply(double* quarter) const { fftw_execute_r2r(get(plan_), quarter, quarter); }
-
 }  // namespace asperity

@@ -109,20 +109,4 @@ class RealTransform2D {
   detail::PlanPointer forward_, inverse_;
 };
 
-/// The spectrum of a field that is even in both indices on the torus Px × Py, from its quarter and as a
-/// quarter: the discrete cosine transform of the first kind (FFTW's REDFT00) on (Px/2+1) × (Py/2+1) points,
-/// in place, its own inverse up to the factor Px Py. A fourth of the data of a real transform.
-class EvenTransform2D {
- public:
-  /// The torus has even sides, at least 2.
-  explicit EvenTransform2D(Shape torus);
-  Shape torus() const { return torus_; }
-  Shape quarter() const { return {torus_.nx / 2 + 1, torus_.ny / 2 + 1}; }
-  void apply(double* quarter) const;
-
- private:
-  Shape torus_;
-  detail::PlanPointer plan_;
-};
-
 }  // namespace asperity

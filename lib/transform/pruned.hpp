@@ -8,8 +8,8 @@
 ///
 ///     rows → half spectrum → (per block: load, forward, multiply, inverse, store) → half spectrum → rows
 ///
-/// Cost: there and back about 0.7 of one padded real-to-complex transform at 1024², where the plain way takes 2; below,
-/// where everything fits the cache, 1.5 at 512² and 1.9 at 128² (validation/contact_error_time.cpp).
+/// Cost: there and back about 0.5 of one padded real-to-complex transform at 1024², where the plain way takes 2; below,
+/// where everything fits the cache, 1.1 at 512² and 1.5 at 128² (validation/contact_error_time.cpp).
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 #pragma once
 

@@ -76,23 +76,3 @@ TEST_CASE("a wave in two dimensions is one line of its spectrum", "[transform][e
             bound(120));
     }
 }
-
-TEST_CASE("the quarter of an even field transforms as the whole does", "[transform][law]") {
-  const Shape torus{8, 12};
-  const EvenTransform2D even(torus);
-  const Shape quarter = even.quarter();
-  const Field random = random_field(quarter, 4);
-  AlignedVector<double> part(random.data(), random.data() + random.size()), whole;
-  for (Index i = 0; i < torus.nx; ++i)
-    for (Index j = 0; j < torus.ny; ++j) whole.push_back(random(std::min(i, 8 - i), std::min(j, 12 - j)));
-  const RealTransform2D transform(torus);
-  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
-  transform.forward(whole.data(), spectrum.data());
-  even.apply(part.data());
-  for (Index k = 0; k < quarter.nx; ++k)
-    for (Index l = 0; l < quarter.ny; ++l)
-      CHECK(std::abs(spectrum[static_cast<std::size_t>(k * transform.spectrum_columns() + l)] -
-                     part[static_cast<std::size_t>(k * quarter.ny + l)]) <= bound(96));
-  even.apply(part.data());
-  CHECK(std::abs(part[7] - 96 * random.data()[7]) <= bound(96 * 96));
-}
