@@ -19,7 +19,7 @@
 ///           from 7 × 7 lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31
 ///           (validation/acf_error_time.cpp).
 /// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
-///           points. From 15 × 15 lags on the whole takes 1.4–1.6 times its transforms, 1.4–2 where oriented, 1.15 in
+///           points. From 15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented, 1.15 in
 ///           Patir's formulation; below, plans and tables are 0.1 ms (validation/acf_error_time.cpp). Memory:
 ///           40 vectors of n·m, 100 in Patir's formulation.
 ///
