@@ -78,7 +78,8 @@ struct KernelRequest {
 
 struct KernelReport {
   bool converged = false;
-  std::string answer;         ///< "exact", "more-lags", "nearest", "least-squares"; "best" when not converged
+  std::string
+      answer;  ///< "exact", "wider", "nearest", "least-squares", "spectral"; "best" when not converged
   std::string reason;         ///< how the iteration ended; when it failed, what to do
   double residual = 0;        ///< max |R - target| over the equations [σ²]
   double change = 0;          ///< … over the lags prescribed, of an answer that is not exact

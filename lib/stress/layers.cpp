@@ -78,7 +78,7 @@ bool StressSolver::may_coarsen(Index s) const {
   const Shape torus = transform_.torus();
   return torus.nx % (2 * s) == 0 && torus.ny % (2 * s) == 0 &&
          std::min(grid_.shape.nx, grid_.shape.ny) / s >= 32 &&
-         (grid_.periodic || 2 * room_beside(pressure_, torus) >= 5 * s);
+         (grid_.periodic || room_beside(pressure_, torus) >= 8 * s);
 }
 
 void StressSolver::add_level(Index s) {

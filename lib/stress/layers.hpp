@@ -15,8 +15,8 @@
 ///     ratio = sinc(kΔ/2) / sinc(k s Δ/2)  in x and in y,                                              (2)
 /// which makes of the wide cells the narrow ones; an inverse padded with zeros has the values at all cells. s is a power
 /// of two that leaves 32 cells a side. What is cut off the spectrum spreads the pressure by some wide cells, for which
-/// the torus must have room beside the load: 2.5 of them, or the layer is computed in full. The error is then below
-/// 2e-6 of the largest pressure (2e-7 for a Hertz contact); a periodic layer has none.
+/// the torus must have room beside the load: eight of them, or narrower cells are taken. The error is then below
+/// 2e-6 of the largest pressure, in a periodic layer below 1e-9.
 ///
 /// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
 /// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.

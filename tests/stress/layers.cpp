@@ -233,6 +233,19 @@ TEST_CASE("deep layers from wider cells are those of the cells within 2e-6 of th
   }
 }
 
+// The worst that was found: uniform, and as near to the edge as the wide cells are allowed to be. 1.5e-6 is seen.
+TEST_CASE("a load with just the room that wide cells ask for keeps to 2e-6 of its pressure",
+          "[layers][order]") {
+  const Grid grid{{256, 256}, 1, 1};
+  for (Index room : {16, 32, 64}) {
+    Field p = Field::Zero(256, 256);
+    p.block(room, room, 256 - 2 * room, 256 - 2 * room) = 1;
+    CAPTURE(room);
+    CHECK(difference(layer(StressSolver(grid, p, 0.3), 200),
+                     layer(StressSolver(grid, p, 0.3, 1, DepthResolution::adapted), 200)) <= 2e-6);
+  }
+}
+
 TEST_CASE("layers above eight wide cells, and below a load without room beside it, are computed in full",
           "[layers][exact]") {
   const Grid grid{{128, 128}, 1, 1};
