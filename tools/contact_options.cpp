@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/series.hpp"
 #include "cli/stream.hpp"
 #include "contact/sweep.hpp"
 
@@ -12,15 +13,6 @@ namespace asperity::cli {
 namespace {
 
 constexpr double hardness = 3;  // limit pressure over yield stress
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> out;
-  for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
-    end = text.find(separator, begin);
-    out.push_back(text.substr(begin, end - begin));
-  }
-  return out;
-}
 
 double parse_load(const std::string& text) {
   const double load = parse_quantity("loads", text, "N");

@@ -57,6 +57,7 @@ class StressSolver {
 
   const Grid& grid() const { return grid_; }
   const Field& pressure() const { return pressure_; }
+  double poisson() const { return poisson_; }
   int threads() const { return threads_; }
 
   /// What one thread needs to compute layers; may be used again for any depth and components.

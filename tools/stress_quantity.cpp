@@ -1,0 +1,86 @@
+#include "stress_quantity.hpp"
+
+#include <algorithm>
+
+#include "cli/series.hpp"
+#include "cli/tool.hpp"
+#include "stress/von_mises.hpp"
+
+namespace asperity::cli {
+namespace {
+
+using stress::Component;
+
+template <Component c>
+void copy(const StressRow& stress, Index count, double* const* out) {
+  std::copy_n(stress[c], count, out[0]);
+}
+
+template <Component c>
+StressQuantity component() {
+  const std::string name(stress::names[c]);
+  return {
+      name, stress::Set().set(c), {{"stress_" + name, "stress " + name + ", positive in tension"}}, copy<c>};
+}
+
+std::vector<StressQuantity> make() {
+  return {
+      {"von_mises",
+       stress::all,
+       {{"von_mises", "von Mises equivalent stress"}},
+       [](const StressRow& stress, Index count, double* const* out) { von_mises(stress, count, out[0]); }},
+      component<stress::xx>(),
+      component<stress::yy>(),
+      component<stress::zz>(),
+      component<stress::xy>(),
+      component<stress::xz>(),
+      component<stress::yz>()};
+}
+
+bool asked(const std::vector<std::string>& words, const std::string& word) {
+  return std::ranges::any_of(words, [&](const std::string& w) { return w == word || w == "all"; });
+}
+
+}  // namespace
+
+const std::vector<StressQuantity>& stress_quantities() {
+  static const std::vector<StressQuantity> list = make();
+  return list;
+}
+
+std::string stress_words() {
+  std::string out;
+  for (const StressQuantity& q : stress_quantities()) out += (out.empty() ? "" : ", ") + q.word;
+  return out;
+}
+
+StressSelection::StressSelection(const std::string& list) {
+  const std::vector<std::string> words = split(list, ',');
+  for (const std::string& word : words)
+    if (word != "all" &&
+        std::ranges::find(stress_quantities(), word, &StressQuantity::word) == stress_quantities().end())
+      throw UsageError("components", "'" + word + "' is none of " + stress_words() + ", all");
+  for (const StressQuantity& q : stress_quantities())
+    if (asked(words, q.word)) chosen_.push_back(&q);
+}
+
+stress::Set StressSelection::needs() const {
+  stress::Set out;
+  for (const StressQuantity* q : chosen_) out |= q->needs;
+  return out;
+}
+
+std::vector<StressQuantity::Output> StressSelection::outputs() const {
+  std::vector<StressQuantity::Output> out;
+  for (const StressQuantity* q : chosen_) out.insert(out.end(), q->outputs.begin(), q->outputs.end());
+  return out;
+}
+
+void StressSelection::compute(const StressRow& stress, Index count, double* const* out) const {
+  for (const StressQuantity* q : chosen_) {
+    q->compute(stress, count, out);
+    out += q->outputs.size();
+  }
+}
+
+}  // namespace asperity::cli
