@@ -1,4 +1,4 @@
-/// The corner functions (2), (3) of stress/influence.hpp, given r, T and A.
+/// The corner functions (2), (3) of stress/influence.hpp, given r, T, A and L.
 ///
 /// Two sources share them: one exact for every argument, one compiled for vector units under looser rules of
 /// arithmetic. Internal linkage keeps their copies apart; include this header nowhere else.
@@ -18,6 +18,8 @@ static inline double G(double X, double Y, double z, double r) {
   return quotient(z * z * Y, r * (X * X + z * z));
 }
 
+namespace normal {
+
 static inline double xx(double X, double Y, double z, double r, double T, double A, double nu) {
   return -2 * nu * T + F(X, Y, z, r) - (1 - 2 * nu) * A;
 }
@@ -33,4 +35,26 @@ static inline double xy(double z, double r, double nu) {
 static inline double xz(double X, double Y, double z, double r) { return G(X, Y, z, r); }
 static inline double yz(double X, double Y, double z, double r) { return G(Y, X, z, r); }
 
+}  // namespace normal
+
+/// Under a traction along x; that along y follows by exchange of X and Y.
+namespace shear {
+
+/// What xx, yy and xy have in common: W with Y in the first two, with X in the third.
+static inline double W(double Y, double z, double r, double nu) {
+  return quotient(Y * (2 * nu * r + z), r * (r + z));
+}
+
+static inline double xx(double X, double Y, double z, double r, double L, double nu) {
+  return 2 * L + W(Y, z, r, nu) - G(X, Y, z, r);
+}
+static inline double yy(double Y, double z, double r, double L, double nu) {
+  return 2 * nu * L - W(Y, z, r, nu);
+}
+static inline double zz(double X, double Y, double z, double r) { return G(X, Y, z, r); }
+static inline double xy(double X, double z, double r, double L, double nu) { return L - W(X, z, r, nu); }
+static inline double xz(double X, double Y, double z, double r, double T) { return F(X, Y, z, r) - T; }
+static inline double yz(double z, double r) { return -quotient(z, r); }
+
+}  // namespace shear
 }  // namespace asperity::corner

@@ -10,6 +10,7 @@ namespace asperity {
 namespace {
 
 enum { xx, yy, zz, xy, xz, yz };
+enum { normal, shear_x, shear_y };
 constexpr int lanes = static_cast<int>(corner_lanes);
 using Lanes = double[lanes];
 
@@ -20,29 +21,86 @@ inline void each_lane(double* out, Function f) {
   for (int l = 0; l < lanes; ++l) out[l] = f(l);
 }
 
-}  // namespace
+// Eight corners in a row, and what their functions share.
+struct Corners {
+  alignas(64) Lanes X, r, T, A, L, L_turned;
+  double Y, z, nu;
 
-void corner_tile(double first, double height, std::ptrdiff_t rows, double depth, double nu,
-                 double* const out[6]) {
-  const bool in_plane = out[xx] != nullptr || out[yy] != nullptr, normal = in_plane || out[zz] != nullptr;
-  const double z = depth > 1e-30 ? depth : 1e-30;
-  alignas(64) Lanes X, r, T, A;
-  each_lane(X, [&](int l) { return first + l; });
-  for (std::ptrdiff_t j = 0; j < rows; ++j) {
-    const double Y = (static_cast<double>(j) + 0.5) * height;
-    auto row = [&](int c) { return out[c] == nullptr ? nullptr : out[c] + j * lanes; };
+  void place(double y) {
+    Y = y;
     each_lane(r, [&](int l) { return std::sqrt(X[l] * X[l] + Y * Y + z * z); });
-    each_lane(normal ? T : nullptr, [&](int l) { return std::atan(X[l] * Y / (z * r[l])); });
-    each_lane(in_plane ? A : nullptr, [&](int l) {
+  }
+  void arc(bool wanted) {
+    each_lane(wanted ? T : nullptr, [&](int l) { return std::atan(X[l] * Y / (z * r[l])); });
+  }
+
+  void pressed(double* const out[6]) {
+    each_lane(out[xx] || out[yy] ? A : nullptr, [&](int l) {
       const double X2 = X[l] * X[l];
       return std::atan(X[l] * Y * (X2 + Y * Y) / ((r[l] + z) * (X2 * r[l] + z * Y * Y)));
     });
-    each_lane(row(xx), [&](int l) { return corner::xx(X[l], Y, z, r[l], T[l], A[l], nu); });
-    each_lane(row(yy), [&](int l) { return corner::yy(X[l], Y, z, r[l], T[l], A[l], nu); });
-    each_lane(row(zz), [&](int l) { return corner::zz(X[l], Y, z, r[l], T[l]); });
-    each_lane(row(xy), [&](int l) { return corner::xy(z, r[l], nu); });
-    each_lane(row(xz), [&](int l) { return corner::xz(X[l], Y, z, r[l]); });
-    each_lane(row(yz), [&](int l) { return corner::yz(X[l], Y, z, r[l]); });
+    using namespace corner;
+    each_lane(out[xx], [&](int l) { return normal::xx(X[l], Y, z, r[l], T[l], A[l], nu); });
+    each_lane(out[yy], [&](int l) { return normal::yy(X[l], Y, z, r[l], T[l], A[l], nu); });
+    each_lane(out[zz], [&](int l) { return normal::zz(X[l], Y, z, r[l], T[l]); });
+    each_lane(out[xy], [&](int l) { return normal::xy(z, r[l], nu); });
+    each_lane(out[xz], [&](int l) { return normal::xz(X[l], Y, z, r[l]); });
+    each_lane(out[yz], [&](int l) { return normal::yz(X[l], Y, z, r[l]); });
+  }
+
+  void logarithms(bool straight, bool turned) {
+    each_lane(straight ? L : nullptr,
+              [&](int l) { return std::log((Y + r[l]) / std::sqrt(X[l] * X[l] + z * z)); });
+    each_lane(turned ? L_turned : nullptr,
+              [&](int l) { return std::log((X[l] + r[l]) / std::sqrt(Y * Y + z * z)); });
+  }
+
+  void sheared_along_x(double* const out[6]) {
+    logarithms(out[xx] || out[yy], out[xy]);
+    using namespace corner;
+    each_lane(out[xx], [&](int l) { return shear::xx(X[l], Y, z, r[l], L[l], nu); });
+    each_lane(out[yy], [&](int l) { return shear::yy(Y, z, r[l], L[l], nu); });
+    each_lane(out[zz], [&](int l) { return shear::zz(X[l], Y, z, r[l]); });
+    each_lane(out[xy], [&](int l) { return shear::xy(X[l], z, r[l], L_turned[l], nu); });
+    each_lane(out[xz], [&](int l) { return shear::xz(X[l], Y, z, r[l], T[l]); });
+    each_lane(out[yz], [&](int l) { return shear::yz(z, r[l]); });
+  }
+
+  void sheared_along_y(double* const out[6]) {
+    logarithms(out[xy], out[xx] || out[yy]);
+    using namespace corner;
+    each_lane(out[xx], [&](int l) { return shear::yy(X[l], z, r[l], L_turned[l], nu); });
+    each_lane(out[yy], [&](int l) { return shear::xx(Y, X[l], z, r[l], L_turned[l], nu); });
+    each_lane(out[zz], [&](int l) { return shear::zz(Y, X[l], z, r[l]); });
+    each_lane(out[xy], [&](int l) { return shear::xy(Y, z, r[l], L[l], nu); });
+    each_lane(out[xz], [&](int l) { return shear::yz(z, r[l]); });
+    each_lane(out[yz], [&](int l) { return shear::xz(Y, X[l], z, r[l], T[l]); });
+  }
+};
+
+// The rows j of six arrays.
+struct Rows {
+  double* out[6];
+  Rows(double* const from[6], std::ptrdiff_t j) {
+    for (int c = 0; c < 6; ++c) out[c] = from[c] == nullptr ? nullptr : from[c] + j * lanes;
+  }
+};
+
+}  // namespace
+
+void corner_tile(double first, double height, std::ptrdiff_t rows, double depth, double nu,
+                 double* const out[3][6]) {
+  Corners corners;
+  corners.z = depth > 1e-30 ? depth : 1e-30, corners.nu = nu;
+  each_lane(corners.X, [&](int l) { return first + l; });
+  const bool arcs =
+      out[normal][xx] || out[normal][yy] || out[normal][zz] || out[shear_x][xz] || out[shear_y][yz];
+  for (std::ptrdiff_t j = 0; j < rows; ++j) {
+    corners.place((static_cast<double>(j) + 0.5) * height);
+    corners.arc(arcs);
+    corners.pressed(Rows(out[normal], j).out);
+    corners.sheared_along_x(Rows(out[shear_x], j).out);
+    corners.sheared_along_y(Rows(out[shear_y], j).out);
   }
 }
 

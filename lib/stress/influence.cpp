@@ -2,59 +2,134 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "stress/corner.hpp"
 
 namespace asperity {
 namespace {
 
+using stress::Tensor;
+
 constexpr double two_pi = 2 * std::numbers::pi;
 
-stress::Tensor corner_functions(double X, double Y, double z, double nu) {
-  const double r = std::sqrt(X * X + Y * Y + z * z), XY = X * Y;
-  const double T = XY == 0 ? 0 : std::atan2(XY, z * r);
-  const double A = XY == 0 ? 0 : std::atan2(XY * (X * X + Y * Y) / (r + z), X * X * r + z * Y * Y);
-  return {corner::xx(X, Y, z, r, T, A, nu), corner::yy(X, Y, z, r, T, A, nu),
-          corner::zz(X, Y, z, r, T),        corner::xy(z, r, nu),
-          corner::xz(X, Y, z, r),           corner::yz(X, Y, z, r)};
+Tensor exchanged(const Tensor& s) {
+  Tensor out;
+  for (stress::Component c : stress::components) out[c] = s[stress::exchanged(c)];
+  return out;
 }
 
-}  // namespace
+double arc(double X, double Y, double z, double r) { return X * Y == 0 ? 0 : std::atan2(X * Y, z * r); }
 
-stress::Tensor rectangle_stress(double x, double y, double z, double a, double b, double poisson) {
-  stress::Tensor sum{};
+// `distance` stands for 0 at the corner itself.
+Tensor pressed_corner(double X, double Y, double z, double nu, double distance) {
+  using namespace corner::normal;
+  const double r = std::sqrt(X * X + Y * Y + z * z), XY = X * Y, T = arc(X, Y, z, r);
+  const double A = XY == 0 ? 0 : std::atan2(XY * (X * X + Y * Y) / (r + z), X * X * r + z * Y * Y);
+  return {xx(X, Y, z, r, T, A, nu),        yy(X, Y, z, r, T, A, nu), zz(X, Y, z, r, T),
+          xy(z, r > 0 ? r : distance, nu), xz(X, Y, z, r),           yz(X, Y, z, r)};
+}
+
+// All but L, whose difference between two corners is taken at once.
+Tensor sheared_corner(double X, double Y, double z, double nu) {
+  using namespace corner::shear;
+  const double r = std::sqrt(X * X + Y * Y + z * z);
+  return {xx(X, Y, z, r, 0, nu),
+          yy(Y, z, r, 0, nu),
+          zz(X, Y, z, r),
+          xy(X, z, r, 0, nu),
+          xz(X, Y, z, r, arc(X, Y, z, r)),
+          yz(z, r)};
+}
+
+// asinh(top/h) - asinh(bottom/h), top > bottom; `distance` stands for h = 0.
+double arsinh_step(double bottom, double top, double h, double distance) {
+  const double r1 = std::hypot(bottom, h), r2 = std::hypot(top, h);
+  if (bottom > 0) return std::log((top + r2) / (bottom + r1));
+  if (top < 0) return std::log((r1 - bottom) / (r2 - top));
+  if (h == 0) return arsinh_step(bottom, top, distance, distance);
+  return std::log((top + r2) / h) + std::log((r1 - bottom) / h);
+}
+
+template <class Corner>
+Tensor corner_sum(double x, double y, double a, double b, Corner corner) {
+  Tensor sum{};
   for (int sx : {-1, 1})
     for (int sy : {-1, 1}) {
-      const stress::Tensor f = corner_functions(x + sx * a, y + sy * b, z, poisson);
+      const Tensor f = corner(x + sx * a, y + sy * b);
       for (stress::Component c : stress::components) sum[c] += sx * sy * f[c];
     }
-  for (double& s : sum) s /= two_pi;
   return sum;
 }
 
-stress::Tensor point_load_stress(double x, double y, double z, double poisson) {
-  const double r2 = x * x + y * y + z * z, r = std::sqrt(r2), r3 = r * r2, k = 1 - 2 * poisson;
+Tensor sheared(double x, double y, double z, double a, double b, double nu) {
+  Tensor sum = corner_sum(x, y, a, b, [&](double X, double Y) { return sheared_corner(X, Y, z, nu); });
+  auto L = [&](double X) { return arsinh_step(y - b, y + b, std::hypot(X, z), a / std::numbers::pi); };
+  auto L_turned = [&](double Y) { return arsinh_step(x - a, x + a, std::hypot(Y, z), b / std::numbers::pi); };
+  const double along = L(x + a) - L(x - a);
+  sum[stress::xx] += 2 * along;
+  sum[stress::yy] += 2 * nu * along;
+  sum[stress::xy] += L_turned(y + b) - L_turned(y - b);
+  return sum;
+}
+
+Tensor boussinesq(double x, double y, double z, double nu) {
+  const double r2 = x * x + y * y + z * z, r = std::sqrt(r2), r3 = r * r2, k = 1 - 2 * nu;
   const double V_z = -z / r3, slope = 1 / (r * (r + z)), bend = (2 * r + z) / (r3 * (r + z) * (r + z));
   auto V = [&](double u, double v, double same) { return (3 * u * v / r2 - same) / r3; };
   auto chi = [&](double u, double v, double same) { return slope * same - u * v * bend; };
-  stress::Tensor s{2 * poisson * V_z - z * V(x, x, 1) - k * chi(x, x, 1),
-                   2 * poisson * V_z - z * V(y, y, 1) - k * chi(y, y, 1),
-                   V_z - z * V(z, z, 1),
-                   -z * V(x, y, 0) - k * chi(x, y, 0),
-                   -z * V(x, z, 0),
-                   -z * V(y, z, 0)};
+  return {2 * nu * V_z - z * V(x, x, 1) - k * chi(x, x, 1),
+          2 * nu * V_z - z * V(y, y, 1) - k * chi(y, y, 1),
+          V_z - z * V(z, z, 1),
+          -z * V(x, y, 0) - k * chi(x, y, 0),
+          -z * V(x, z, 0),
+          -z * V(y, z, 0)};
+}
+
+Tensor cerruti(double x, double y, double z, double nu) {
+  const double r2 = x * x + y * y + z * z, r = std::sqrt(r2), r3 = r * r2, s = r + z, k = 1 - 2 * nu;
+  const double C = 1 / (r * s * s), B = (3 * r + z) / (r3 * s * s * s), D = -3 * x / (r3 * r2);
+  return {D * x * x + k * x * (1 / r3 - 3 * C + x * x * B),
+          D * y * y + k * x * (1 / r3 - C + y * y * B),
+          D * z * z,
+          D * x * y + k * y * (x * x * B - C),
+          D * x * z,
+          D * y * z};
+}
+
+Tensor over_two_pi(Tensor s) {
   for (double& component : s) component /= two_pi;
   return s;
 }
 
-stress::Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z,
-                         double poisson) {
-  stress::Tensor sum{};
+}  // namespace
+
+Tensor rectangle_stress(double x, double y, double z, double a, double b, double nu, stress::Traction load) {
+  if (load == stress::shear_x) return over_two_pi(sheared(x, y, z, a, b, nu));
+  if (load == stress::shear_y) return exchanged(over_two_pi(sheared(y, x, z, b, a, nu)));
+  const double distance = std::sqrt(a * b) / std::numbers::pi;
+  return over_two_pi(
+      corner_sum(x, y, a, b, [&](double X, double Y) { return pressed_corner(X, Y, z, nu, distance); }));
+}
+
+Tensor point_load_stress(double x, double y, double z, double nu, stress::Traction load) {
+  if (load == stress::shear_x) return over_two_pi(cerruti(x, y, z, nu));
+  if (load == stress::shear_y) return exchanged(over_two_pi(cerruti(y, x, z, nu)));
+  return over_two_pi(boussinesq(x, y, z, nu));
+}
+
+Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z, double poisson,
+                 const Friction& friction) {
+  const auto weights = friction.weights();
+  Tensor sum{};
   for (Index i = 0; i < grid.shape.nx; ++i)
-    for (Index j = 0; j < grid.shape.ny; ++j) {
-      const auto s = rectangle_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, poisson);
-      for (stress::Component c : stress::components) sum[c] += pressure(i, j) * s[c];
-    }
+    for (Index j = 0; j < grid.shape.ny; ++j)
+      for (stress::Traction t : stress::tractions) {
+        if (weights[t] == 0) continue;
+        const Tensor s =
+            rectangle_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, poisson, t);
+        for (stress::Component c : stress::components) sum[c] += weights[t] * pressure(i, j) * s[c];
+      }
   return sum;
 }
 

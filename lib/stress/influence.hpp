@@ -1,19 +1,30 @@
 /// Stress below a uniformly loaded rectangle on the surface of an elastic half-space.
 ///
-/// Under the pressure p = 1 on |x| ≤ a, |y| ≤ b the stress at (x, y, z) is a sum over four corners [1, 2],
+/// Under the pressure p = 1 or the traction q_x = 1 on |x| ≤ a, |y| ≤ b the stress at (x, y, z) is a sum over four
+/// corners [1, 2],
 ///     2π σ = S[f] = f(x+a, y+b) - f(x-a, y+b) - f(x+a, y-b) + f(x-a, y-b),                        (1)
 /// of the corner functions f(X, Y), with r² = X² + Y² + z²,
-///     xx   -2νT + F(X,Y) - (1-2ν) A            xy   -z/r - (1-2ν) ln(r+z)
-///     yy   -2νT + F(Y,X) - (1-2ν) (T-A)        xz   G(X,Y)                                        (2)
-///     zz   -T - F(X,Y) - F(Y,X)                yz   G(Y,X)
-///     T = atan2(XY, zr)                        F(X,Y) = zXY / (r(X²+z²))
-///     A = atan2(XY(X²+Y²)/(r+z), X²r + zY²)    G(X,Y) = z²Y / (r(X²+z²))                          (3)
-/// Written so, nothing cancels inside a corner: r-z never occurs, and T, A stay within their branches. At the
-/// surface F = G = z/r = 0 and T = ±π/2, its mean 0 on an edge: σzz is -1 inside, -½ on an edge, -¼ at a corner.
+///          pressure                              traction along x
+///     xx   -2νT + F(X,Y) - (1-2ν) A              2 L(X,Y) + W(Y) - G(X,Y)
+///     yy   -2νT + F(Y,X) - (1-2ν) (T-A)          2ν L(X,Y) - W(Y)
+///     zz   -T - F(X,Y) - F(Y,X)                  G(X,Y)                                            (2)
+///     xy   -z/r - (1-2ν) ln(r+z)                 L(Y,X) - W(X)
+///     xz   G(X,Y)                                F(X,Y) - T
+///     yz   G(Y,X)                                -z/r
+///     T = atan2(XY, zr)                          F(X,Y) = zXY / (r(X²+z²))
+///     A = atan2(XY(X²+Y²)/(r+z), X²r + zY²)      G(X,Y) = z²Y / (r(X²+z²))                          (3)
+///     L(X,Y) = asinh(Y/√(X²+z²))                 W(Y) = Y (2νr + z) / (r(r+z)).
+/// A traction along y is that along x with x and y exchanged. Written so, nothing cancels inside a corner: r-z
+/// never occurs, and T, A stay within their branches. At the surface F = G = z/r = 0 and T = ±π/2, its mean 0 on
+/// an edge: σzz of a pressure is -1 inside, -½ on an edge, -¼ at a corner, and so is σxz of a traction.
+///
+/// At the surface the step of the load makes some components grow as the logarithm of the distance to it: σxx and
+/// σyy of a traction at the edges across it, σxy at those along it, σxy of a pressure at a corner. On the line
+/// itself half a side over π stands for the distance 0: neighbouring rectangles of one load and size still cancel
+/// there, and the stress of a smooth load cut into cells stays finite and right to order 2.
 ///
 /// Symbols   a, b  half sides [m]     z  depth, ≥ 0 [m]     ν  Poisson's number     σ  stress over pressure
-/// Scope     everywhere but τxy at a corner itself, where it has a logarithmic singularity (ν < ½).
-/// Accuracy  |error| ≤ 1e-15; relative to the largest component 1e-13 near the rectangle, growing as its
+/// Accuracy  |error| ≤ 2e-15; relative to the largest component 1e-13 near the rectangle, growing as its
 ///           distance cubed, since (1) cancels: 1e-9 at a hundred half sides.
 ///
 /// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary,
@@ -24,20 +35,27 @@
 
 #include "grid/field.hpp"
 #include "stress/component.hpp"
+#include "stress/friction.hpp"
 
 namespace asperity {
 
-/// (1): the stress at (x, y, z) under unit pressure on the rectangle |x| ≤ a, |y| ≤ b.
-stress::Tensor rectangle_stress(double x, double y, double z, double a, double b, double poisson);
+/// (1): the stress at (x, y, z) under a unit load on the rectangle |x| ≤ a, |y| ≤ b.
+stress::Tensor rectangle_stress(double x, double y, double z, double a, double b, double poisson,
+                                stress::Traction load = stress::normal);
 
-/// The stress at (x, y, z) ≠ 0 under a unit force at the origin along +z (Boussinesq), with V = 1/ρ, χ =
-/// ln(ρ+z):
+/// The stress at (x, y, z) ≠ 0 under a unit force at the origin, with ρ² = x² + y² + z². Along +z (Boussinesq),
+/// with V = 1/ρ, χ = ln(ρ+z):
 ///     2π σxx = 2ν V_z - z V_xx - (1-2ν) χ_xx,   2π σxy = -z V_xy - (1-2ν) χ_xy,
 ///     2π σzz = V_z - z V_zz,                    2π σxz = -z V_xz;   yy and yz likewise.
-stress::Tensor point_load_stress(double x, double y, double z, double poisson);
+/// Along +x (Cerruti), with C = 1/(ρ(ρ+z)²), B = (3ρ+z)/(ρ³(ρ+z)³):
+///     2π σxx = -3x³/ρ⁵  + (1-2ν) x (1/ρ³ - 3C + x² B),   2π σxy = -3x²y/ρ⁵ + (1-2ν) y (x² B - C),
+///     2π σyy = -3xy²/ρ⁵ + (1-2ν) x (1/ρ³ - C + y² B),    2π σiz = -3 x i z/ρ⁵,  i = x, y, z.
+stress::Tensor point_load_stress(double x, double y, double z, double poisson,
+                                 stress::Traction load = stress::normal);
 
-/// The stress at one point under a pressure constant in each cell: the sum over the cells, O(nx ny).
+/// The stress at one point under a pressure constant in each cell, and its friction: the sum over the cells,
+/// O(nx ny).
 stress::Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z,
-                         double poisson);
+                         double poisson, const Friction& friction = {});
 
 }  // namespace asperity

@@ -12,6 +12,7 @@ namespace asperity {
 namespace {
 
 using stress::Component;
+using stress::Traction;
 
 constexpr Index width = LayerInfluence::width;
 constexpr double scale = 0.5 / std::numbers::pi;  // of the corner sum
@@ -35,115 +36,170 @@ void difference(Parity kernel, double* x, Index rows, Index period) {
 // asked for.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
-  HalfSpaceInfluence(const Grid& grid, Shape torus, double poisson)
+  HalfSpaceInfluence(const Grid& grid, Shape torus, double poisson, stress::Tractions acting)
       : grid_(grid),
         poisson_(poisson),
+        acting_(acting),
         along_x_(torus.nx),
         along_y_(torus.ny),
         blocks_(blocks_of(torus.ny / 2 + 1)),
         rows_(size(grid.shape.nx * width)),
         work_(size(std::max(along_x_.size(), along_y_.size()))),
-        pairs_(work_.size()) {}
+        along_y_pairs_(size(along_y_.size())) {
+    for (Traction t : stress::tractions)
+      if (acting[t]) symbols_[t].resize(size(along_x_.size()));
+  }
 
   void descend(double z, stress::Set asked) override {
-    for (Component c : stress::components) {
-      tile_[c].resize(asked[c] ? size(grid_.shape.ny * width) : 0);
-      columns_[c].resize(asked[c] ? size(blocks_ * grid_.shape.nx * width) : 0);
-    }
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components) {
+        const bool needed = acting_[t] && asked[c];
+        kernels_[t][c].tile.resize(needed ? size(grid_.shape.ny * width) : 0);
+        kernels_[t][c].columns.resize(needed ? size(blocks_ * grid_.shape.nx * width) : 0);
+      }
     for (Index i = 0; i < grid_.shape.nx; i += width) {
       evaluate_corners(i, z);
-      for (Component c : stress::components)
-        if (asked[c]) transform_along_y(c, i);
+      for (Traction t : stress::tractions)
+        for (Component c : stress::components)
+          if (acting_[t] && asked[c]) transform_along_y(t, c, i);
     }
   }
 
-  Symbol symbol(Component c, Index b) override {
+  Symbol symbol(Traction t, Component c, Index b) override {
     const Index nx = grid_.shape.nx;
-    std::copy_n(columns_[c].data() + b * nx * width, nx * width, rows_.data());
-    difference(parity(odd_in_x(c)), rows_.data(), nx, along_x_.period());
-    transform(along_x_, parity(odd_in_x(c)), rows_.data(), nx);
-    return {pairs_.data(), along_x_.stride()};
+    const Parity along = parity(odd_in_x(c, t));
+    std::copy_n(kernels_[t][c].columns.data() + b * nx * width, nx * width, rows_.data());
+    difference(along, rows_.data(), nx, along_x_.period());
+    transform(along_x_, along, rows_.data(), nx, symbols_[t].data());
+    return {symbols_[t].data(), along_x_.stride()};
   }
 
  private:
+  struct Kernel {
+    AlignedVector<double> tile;     ///< eight rows: [j][8]
+    AlignedVector<double> columns;  ///< [block][i][8], transformed along y only
+  };
+
   void evaluate_corners(Index i, double z) {
-    double* out[6];
-    for (Component c : stress::components) out[c] = tile_[c].empty() ? nullptr : tile_[c].data();
+    double* out[3][6];
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components)
+        out[t][c] = kernels_[t][c].tile.empty() ? nullptr : kernels_[t][c].tile.data();
     corner_tile(static_cast<double>(i) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z / grid_.dx, poisson_,
                 out);
   }
 
-  void transform_along_y(Component c, Index first_row) {
-    double* tile = tile_[c].data();
-    difference(parity(odd_in_y(c)), tile, grid_.shape.ny, along_y_.period());
-    transform(along_y_, parity(odd_in_y(c)), tile, grid_.shape.ny);
+  void transform_along_y(Traction t, Component c, Index first_row) {
+    double* tile = kernels_[t][c].tile.data();
+    const Parity along = parity(odd_in_y(c, t));
+    difference(along, tile, grid_.shape.ny, along_y_.period());
+    transform(along_y_, along, tile, grid_.shape.ny, along_y_pairs_.data());
     const Index rows = std::min(width, grid_.shape.nx - first_row);
     for (Index b = 0; b < blocks_; ++b)
       for (Index l = 0; l < rows; ++l) {
         const auto* row =
-            reinterpret_cast<const double*>(pairs_.data() + l / 2 * along_y_.stride() + b * width);
-        double* column = columns_[c].data() + (b * grid_.shape.nx + first_row + l) * width;
+            reinterpret_cast<const double*>(along_y_pairs_.data() + l / 2 * along_y_.stride() + b * width);
+        double* column = kernels_[t][c].columns.data() + (b * grid_.shape.nx + first_row + l) * width;
         for (Index q = 0; q < width; ++q) column[q] = scale * row[2 * q + l % 2];
       }
   }
 
-  // Eight interleaved sequences into pairs_.
-  void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given) {
+  // Eight interleaved sequences, transformed, by pairs.
+  void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
+                 Complex* pairs) {
     columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
                                                 work_.data(), along.stride());
-    along.apply(parity, work_.data(), given, pairs_.data());
+    along.apply(parity, work_.data(), given, pairs);
   }
 
   Grid grid_;
   double poisson_;
+  stress::Tractions acting_;
   MirroredTransform along_x_, along_y_;
   Index blocks_;
-  std::array<AlignedVector<double>, 6> tile_;     ///< eight rows: [j][8]
-  std::array<AlignedVector<double>, 6> columns_;  ///< [block][i][8], transformed along y only
+  std::array<std::array<Kernel, 6>, 3> kernels_;  ///< [traction][component]
   AlignedVector<double> rows_;
-  AlignedVector<Complex> work_, pairs_;
+  AlignedVector<Complex> work_, along_y_pairs_;
+  std::array<AlignedVector<Complex>, 3> symbols_;  ///< of the block last asked for, by traction
 };
 
-class PeriodicInfluence : public LayerInfluence {
- public:
-  PeriodicInfluence(const Grid& grid, double poisson)
-      : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1), pairs_(size(stride_ * width / 2)) {}
+// A mode of unit load: (3), (4) of the header.
+struct Wave {
+  double qx, qy, z, nu;
+  double q = std::hypot(qx, qy), e = std::exp(-q * z);
 
-  void descend(double z, stress::Set) override { z_ = z; }
-
-  Symbol symbol(Component c, Index b) override {
-    for (Index q = 0; q < width; q += 2)
-      for (Index kx = 0; kx < stride_; ++kx)
-        pairs_[size(q / 2 * stride_ + kx)] = {mode(c, kx, b * width + q), mode(c, kx, b * width + q + 1)};
-    return {pairs_.data(), stride_};
-  }
-
- private:
-  double mode(Component c, Index kx, Index ky) const {
-    if (kx == 0 && ky == 0) return mean(c);
-    const bool nyquist_x = 2 * kx == grid_.shape.nx, nyquist_y = 2 * ky == grid_.shape.ny;
-    if ((odd_in_x(c) && nyquist_x) || (odd_in_y(c) && nyquist_y)) return 0;
-    const double qx = 2 * std::numbers::pi * static_cast<double>(kx) / grid_.size_x();
-    const double qy = 2 * std::numbers::pi * static_cast<double>(ky) / grid_.size_y();
-    const double q = std::hypot(qx, qy), e = std::exp(-q * z_), bend = ((1 - 2 * poisson_) / q - z_) / q;
+  double pressed(Component c) const {
+    const double bend = ((1 - 2 * nu) / q - z) / q;
     switch (c) {
       case stress::xx:
-        return -(2 * poisson_ + qx * qx * bend) * e;
+        return -(2 * nu + qx * qx * bend) * e;
       case stress::yy:
-        return -(2 * poisson_ + qy * qy * bend) * e;
+        return -(2 * nu + qy * qy * bend) * e;
       case stress::zz:
-        return -(1 + q * z_) * e;
+        return -(1 + q * z) * e;
       case stress::xy:
         return qx * qy * bend * e;
       case stress::xz:
-        return -qx * z_ * e;
+        return -qx * z * e;
       case stress::yz:
-        return -qy * z_ * e;
+        return -qy * z * e;
     }
     return 0;
   }
 
-  double mean(Component c) const {
+  double sheared(Component c) const {
+    const double k = z + 2 * nu / q, w = e / q;
+    switch (c) {
+      case stress::xx:
+        return -qx * (2 + 2 * nu - k * qx * qx / q) * w;
+      case stress::yy:
+        return -qx * (2 * nu - k * qy * qy / q) * w;
+      case stress::zz:
+        return -qx * q * z * w;
+      case stress::xy:
+        return -qy * (1 - k * qx * qx / q) * w;
+      case stress::xz:
+        return -(q - z * qx * qx) * w;
+      case stress::yz:
+        return -qx * qy * z * w;
+    }
+    return 0;
+  }
+};
+
+class PeriodicInfluence : public LayerInfluence {
+ public:
+  PeriodicInfluence(const Grid& grid, double poisson, stress::Tractions acting)
+      : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1) {
+    for (Traction t : stress::tractions)
+      if (acting[t]) symbols_[t].resize(size(stride_ * width / 2));
+  }
+
+  void descend(double z, stress::Set) override { z_ = z; }
+
+  Symbol symbol(Traction t, Component c, Index b) override {
+    for (Index q = 0; q < width; q += 2)
+      for (Index kx = 0; kx < stride_; ++kx)
+        symbols_[t][size(q / 2 * stride_ + kx)] = {mode(t, c, kx, b * width + q),
+                                                   mode(t, c, kx, b * width + q + 1)};
+    return {symbols_[t].data(), stride_};
+  }
+
+ private:
+  double mode(Traction t, Component c, Index kx, Index ky) const {
+    if (kx == 0 && ky == 0) return mean(t, c);
+    const bool nyquist_x = 2 * kx == grid_.shape.nx, nyquist_y = 2 * ky == grid_.shape.ny;
+    if ((odd_in_x(c, t) && nyquist_x) || (odd_in_y(c, t) && nyquist_y)) return 0;
+    const double qx = 2 * std::numbers::pi * static_cast<double>(kx) / grid_.size_x();
+    const double qy = 2 * std::numbers::pi * static_cast<double>(ky) / grid_.size_y();
+    if (t == stress::normal) return Wave{qx, qy, z_, poisson_}.pressed(c);
+    if (t == stress::shear_x) return Wave{qx, qy, z_, poisson_}.sheared(c);
+    return Wave{qy, qx, z_, poisson_}.sheared(stress::exchanged(c));
+  }
+
+  double mean(Traction t, Component c) const {
+    if (t == stress::shear_x) return c == stress::xz ? -1 : 0;
+    if (t == stress::shear_y) return c == stress::yz ? -1 : 0;
     if (c == stress::zz) return -1;
     return c == stress::xx || c == stress::yy ? -poisson_ / (1 - poisson_) : 0;
   }
@@ -151,14 +207,15 @@ class PeriodicInfluence : public LayerInfluence {
   Grid grid_;
   double poisson_, z_ = 0;
   Index stride_;
-  AlignedVector<Complex> pairs_;
+  std::array<AlignedVector<Complex>, 3> symbols_;  ///< of the block last asked for, by traction
 };
 
 }  // namespace
 
-std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson) {
-  if (grid.periodic) return std::make_unique<PeriodicInfluence>(grid, poisson);
-  return std::make_unique<HalfSpaceInfluence>(grid, torus, poisson);
+std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson,
+                                                     stress::Tractions acting) {
+  if (grid.periodic) return std::make_unique<PeriodicInfluence>(grid, poisson, acting);
+  return std::make_unique<HalfSpaceInfluence>(grid, torus, poisson, acting);
 }
 
 }  // namespace asperity

@@ -1,22 +1,25 @@
-/// How a layer at depth z answers to the surface pressure, mode by mode.
+/// How a layer at depth z answers to a load on the surface, mode by mode.
 ///
-/// In a layer every stress component is a convolution of the pressure with a kernel that is even or odd in
-/// each direction, so its spectrum is a real symbol S times a power of -i:
+/// In a layer every stress component is a convolution of the pressure, or of a traction, with a kernel that is
+/// even or odd in each direction, so its spectrum is a real symbol S times a power of -i:
 ///     σ^(kx,ky) = (-i)^m S(kx,ky) p^(kx,ky),   m = [odd in x] + [odd in y]  (stress/component.hpp).      (1)
 ///
 /// Free half-space, loaded on a bounded domain: the kernel is the stress below a loaded cell,
 ///     K(i,j) = S[f] / 2π  at x = iΔx, y = jΔy  (stress/influence.hpp),                                  (2)
-/// on a torus that keeps the convolution linear. Exact for a pressure constant in each cell.
+/// on a torus that keeps the convolution linear. Exact for a load constant in each cell.
 ///
 /// Periodic half-space, loaded by a pressure that repeats itself: the potential theory of one wave [1] gives
 ///     zz  -(1+qz) e                xz  -qx z e                xy  (qx qy/q) ((1-2ν)/q - z) e
-///     xx  -2ν e - (qx²/q) ((1-2ν)/q - z) e,   yy, yz likewise,   e = exp(-qz), q² = qx² + qy².          (3)
-/// Exact for a pressure that is a trigonometric polynomial. Its mean p̄ acts on a body held laterally:
-/// σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄.
+///     xx  -2ν e - (qx²/q) ((1-2ν)/q - z) e,   yy, yz likewise,   e = exp(-qz), q² = qx² + qy²;          (3)
+/// by a traction along x, with k = z + 2ν/q, w = e/q,
+///     xx  -qx (2 + 2ν - k qx²/q) w   zz  -qx q z w            xz  -(q - z qx²) w
+///     yy  -qx (2ν - k qy²/q) w       xy  -qy (1 - k qx²/q) w  yz  -qx qy z w;                           (4)
+/// along y, x and y are exchanged. Exact for a trigonometric polynomial. A mean pressure p̄ acts on a body held
+/// laterally, σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄; a mean traction is met by itself, σxz = -q̄.
 ///
 /// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of p
-/// Cost      (2): nx ny corners and, per component, half the complex transforms of the kernel;
-///           (3): one exponential a mode and component.
+/// Cost      (2): nx ny corners and, per component and traction, half the complex transforms of the kernel;
+///           (3), (4): one exponential a mode, component and traction.
 ///
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 13.
 #pragma once
@@ -44,11 +47,13 @@ class LayerInfluence {
   virtual ~LayerInfluence() = default;
   /// Goes to depth z [m] for the components asked.
   virtual void descend(double z, stress::Set asked) = 0;
-  /// S of component c for the columns 8b … 8b+7; good until it is asked for again.
-  virtual Symbol symbol(stress::Component c, Index b) = 0;
+  /// S of component c under traction t for the columns 8b … 8b+7; good until the next of the same traction.
+  virtual Symbol symbol(stress::Traction t, stress::Component c, Index b) = 0;
 };
 
-/// (3) when the grid is periodic, else (2). The torus is Px × Py; a periodic grid is its own.
-std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson);
+/// (3), (4) when the grid is periodic, else (2), for the tractions that act. The torus is Px × Py; a periodic grid
+/// is its own.
+std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson,
+                                                     stress::Tractions acting);
 
 }  // namespace asperity

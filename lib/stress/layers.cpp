@@ -22,7 +22,8 @@ std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 Shape torus_of(const Grid& grid) { return grid.periodic ? grid.shape : padded_torus(grid.shape); }
 
-void check(const Grid& grid, const Field& pressure, double poisson) {
+void check(const Grid& grid, const Field& pressure, const Friction& friction, double poisson) {
+  friction.check();
   if (!(poisson >= 0 && poisson <= 0.5))
     throw ParameterError("poisson", fmt::format("{} is not between 0 and 0.5", poisson));
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
@@ -53,17 +54,52 @@ Index room_beside(const Field& pressure, Shape torus) {
   return std::min(room(rows, torus.nx / 2), room(columns, torus.ny / 2));
 }
 
+// -i a z.
+Complex turn(double a, const Complex& z) { return {a * z.imag(), -a * z.real()}; }
+
 }  // namespace
+
+// The symbols of a column ky: S of the pressure, and T = ±μx X ± μy Y of its friction, where X and Y stand a quarter
+// turn from S for the one parity in which they differ. In -kx what is odd in x changes sign.
+class StressSolver::Column {
+ public:
+  Column(const std::array<LayerInfluence::Symbol, 3>& symbols, const std::array<double, 3>& weights,
+         Component c, Index q)
+      : weights_{1, odd_in_x(c) ? weights[1] : -weights[1], odd_in_y(c) ? weights[2] : -weights[2]} {
+    for (stress::Traction t : stress::tractions)
+      if (symbols[t].pairs != nullptr)
+        first_[t] = reinterpret_cast<const double*>(symbols[t].pairs + q / 2 * symbols[t].stride) + q % 2;
+  }
+
+  bool friction() const { return first_[stress::shear_x] != nullptr || first_[stress::shear_y] != nullptr; }
+  double pressed(Index k) const { return first_[stress::normal][2 * k]; }
+  /// side: 1 in kx, -1 in -kx.
+  double sheared(Index k, int side) const {
+    double sum = 0;
+    if (first_[stress::shear_x]) sum += side * weights_[stress::shear_x] * first_[stress::shear_x][2 * k];
+    if (first_[stress::shear_y]) sum += weights_[stress::shear_y] * first_[stress::shear_y][2 * k];
+    return sum;
+  }
+
+ private:
+  std::array<const double*, 3> first_{};
+  std::array<double, 3> weights_;
+};
 
 StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads,
                            DepthResolution resolution)
+    : StressSolver(grid, pressure, Friction{}, poisson, threads, resolution) {}
+
+StressSolver::StressSolver(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
+                           int threads, DepthResolution resolution)
     : grid_(grid),
       pressure_(pressure),
+      weights_(friction.weights()),
       poisson_(poisson),
       threads_(threads),
       transform_(grid.shape, torus_of(grid)),
       pressure_spectrum_(size(transform_.blocks() * transform_.block_size())) {
-  check(grid, pressure, poisson);
+  check(grid, pressure, friction, poisson);
   add_level(1);
   if (resolution == DepthResolution::adapted)
     for (Index s = 2; may_coarsen(s); s *= 2) add_level(s);
@@ -114,7 +150,8 @@ StressSolver::Workspace::Workspace(const StressSolver& solver)
 
 LayerInfluence& StressSolver::Workspace::influence(const StressSolver& solver, std::size_t level) {
   const Level& l = solver.levels_[level];
-  if (!influences_[level]) influences_[level] = make_layer_influence(l.grid, l.torus, solver.poisson_);
+  if (!influences_[level])
+    influences_[level] = make_layer_influence(l.grid, l.torus, solver.poisson_, acting(solver.weights_));
   return *influences_[level];
 }
 
@@ -139,38 +176,51 @@ void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work)
   for (Index b = 0; b < work.filled_; ++b)
     for (Component c : stress::components) {
       if (!asked[c]) continue;
-      multiply(level, c, b, influence.symbol(c, b), work.block_.data());
+      multiply(level, c, b, influence, work.block_.data());
       transform_.inverse_block(work.block_.data(), b, work.half_[c], work.work_.data());
     }
 }
 
-// product = (-i)^m S p^, where S(-kx) = ±S(kx); -i (a + ib) = b - ia.
-void StressSolver::multiply(const Level& level, Component c, Index b, LayerInfluence::Symbol symbol,
+// product = (-i)^m (S + iT) p^, S and T of Column.
+void StressSolver::multiply(const Level& level, Component c, Index b, LayerInfluence& influence,
                             Complex* product) const {
-  const Index nx = transform_.torus().nx, modes = level.modes.nx;
-  const double sign = odd_in_x(c) && odd_in_y(c) ? -1 : 1, mirrored = odd_in_x(c) ? -1 : 1;
+  std::array<LayerInfluence::Symbol, 3> symbols{};
+  for (stress::Traction t : stress::tractions)
+    if (weights_[t] != 0) symbols[t] = influence.symbol(t, c, b);
   for (Index q = 0; q < width; ++q) {
     const Complex* p = pressure_spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
     Complex* out = product + q * transform_.stride();
     const Index ky = b * width + q;
-    if (ky >= level.modes.ny) {
-      std::fill(out, out + nx, Complex{});
-      continue;
-    }
-    const auto* s = reinterpret_cast<const double*>(symbol.pairs + q / 2 * symbol.stride) + q % 2;
-    const double along_y = sign * level.ratio_y[size(ky)];
-    auto times = [&](auto factor) {
-      auto weight = [&](Index k) { return along_y * level.ratio_x[size(k)] * s[2 * k]; };
-      for (Index k = 0; k < modes; ++k) out[k] = factor(weight(k), p[k]);
-      if (level.s > 1) std::fill(out + modes, out + nx - modes + 1, Complex{});
-      for (Index k = std::max(nx - modes + 1, nx / 2 + 1); k < nx; ++k)
-        out[k] = factor(mirrored * weight(nx - k), p[k]);
-    };
-    if (odd_in_x(c) != odd_in_y(c))
-      times([](double f, const Complex& x) { return Complex{f * x.imag(), -f * x.real()}; });
+    if (ky >= level.modes.ny)
+      std::fill_n(out, transform_.torus().nx, Complex{});
     else
-      times([](double f, const Complex& x) { return f * x; });
+      multiply_column(level, c, Column(symbols, weights_, c, q), level.ratio_y[size(ky)], p, out);
   }
+}
+
+void StressSolver::multiply_column(const Level& level, Component c, const Column& column, double ratio_y,
+                                   const Complex* p, Complex* out) const {
+  const Index nx = transform_.torus().nx, modes = level.modes.nx;
+  const bool turned = odd_in_x(c) != odd_in_y(c);
+  const double ahead = odd_in_x(c) && odd_in_y(c) ? -ratio_y : ratio_y, back = odd_in_x(c) ? -ahead : ahead;
+  auto each_mode = [&](auto response) {
+    for (Index k = 0; k < modes; ++k) out[k] = response(k, 1, ahead * level.ratio_x[size(k)], p[k]);
+    if (level.s > 1) std::fill(out + modes, out + nx - modes + 1, Complex{});
+    for (Index k = std::max(nx - modes + 1, nx / 2 + 1); k < nx; ++k)
+      out[k] = response(nx - k, -1, back * level.ratio_x[size(nx - k)], p[k]);
+  };
+  auto S = [&](Index k, double factor) { return factor * column.pressed(k); };
+  auto T = [&](Index k, int side, double factor) { return factor * column.sheared(k, side); };
+  if (!column.friction() && !turned)
+    each_mode([&](Index k, int, double f, const Complex& z) { return S(k, f) * z; });
+  else if (!column.friction())
+    each_mode([&](Index k, int, double f, const Complex& z) { return turn(S(k, f), z); });
+  else if (!turned)
+    each_mode(
+        [&](Index k, int side, double f, const Complex& z) { return S(k, f) * z - turn(T(k, side, f), z); });
+  else
+    each_mode(
+        [&](Index k, int side, double f, const Complex& z) { return turn(S(k, f), z) + T(k, side, f) * z; });
 }
 
 StressRow StressSolver::inverse_row(Index i, stress::Set asked, Workspace& work) const {

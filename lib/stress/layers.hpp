@@ -2,8 +2,9 @@
 ///
 /// In the layer at depth z each component is a convolution of the surface pressure with its influence,
 ///     σ_c(x_i, y_j, z) = Σ_{i',j'} K_c(i-i', j-j'; z) p(i',j'),                                       (1)
-/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). The pressure is
-/// transformed once. Then, for a layer:
+/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). Friction (stress/friction.hpp)
+/// adds its own influence to K_c; being in proportion to the pressure it needs no transform of its own, and of the
+/// product, then a complex one, no more. The pressure is transformed once. Then, for a layer:
 ///     influence of the layer → per block of eight columns: symbol, product with p^, transform back in x
 ///                            → per row: transform back in y, six components of one row hand over while hot.
 /// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von
@@ -35,6 +36,7 @@
 
 #include "grid/field.hpp"
 #include "stress/component.hpp"
+#include "stress/friction.hpp"
 #include "stress/layer_influence.hpp"
 #include "transform/pruned.hpp"
 
@@ -54,6 +56,9 @@ class StressSolver {
   /// grid and is finite.
   StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
+  /// With the traction of sliding friction. Throws ParameterError("friction") or ("friction-angle") too.
+  StressSolver(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
+               int threads = 1, DepthResolution resolution = DepthResolution::full);
 
   const Grid& grid() const { return grid_; }
   const Field& pressure() const { return pressure_; }
@@ -102,12 +107,16 @@ class StressSolver {
   void add_level(Index s);
   std::size_t level_at(double z) const;
   void transform_layer(double z, stress::Set asked, Workspace& work) const;
-  void multiply(const Level& level, stress::Component c, Index b, LayerInfluence::Symbol symbol,
+  class Column;
+  void multiply(const Level& level, stress::Component c, Index b, LayerInfluence& influence,
                 Complex* product) const;
+  void multiply_column(const Level& level, stress::Component c, const Column& column, double ratio_y,
+                       const Complex* p, Complex* out) const;
   StressRow inverse_row(Index i, stress::Set asked, Workspace& work) const;
 
   Grid grid_;
   Field pressure_;
+  std::array<double, 3> weights_;  ///< of the tractions, per pressure
   double poisson_;
   int threads_;
   PrunedTransform transform_;
