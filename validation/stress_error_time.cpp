@@ -50,7 +50,7 @@ int main() {
     const Field pressure = hertz_pressure(grid);
     const Stopwatch clock;
     const StressSolver solver(grid, pressure, poisson);
-    StressSolver::Workspace work(solver);
+    StressSolver::Workspace work;
     const double setup = clock.seconds();
     const double error = largest_error(solver, work), seconds = layer_seconds(solver, work);
     const StressMaximum top = maximum_von_mises(solver);

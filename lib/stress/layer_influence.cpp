@@ -18,15 +18,19 @@ constexpr Index width = LayerInfluence::width;
 constexpr double scale = 0.5 / std::numbers::pi;  // of the corner sum
 static_assert(width == corner_lanes && width == MirroredTransform::width);
 
+using Taper = std::array<std::vector<double>, 2>;
+
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 Index blocks_of(Index n) { return (n + width - 1) / width; }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
-// x[i] ← x[i] - x[i-1], where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an even
-// one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
-void difference(Parity kernel, double* x, Index rows, Index period) {
+// x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an
+// even one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
+void difference(Parity kernel, double* x, const std::vector<double>& taper, Index period) {
+  const auto rows = static_cast<Index>(taper.size());
   for (Index i = rows - 1; i > 0; --i)
-    for (Index q = 0; q < width; ++q) x[i * width + q] -= x[(i - 1) * width + q];
+    for (Index q = 0; q < width; ++q)
+      x[i * width + q] = taper[size(i)] * (x[i * width + q] - x[(i - 1) * width + q]);
   const double first = kernel == Parity::even ? 2 : 0;
   for (Index q = 0; q < width; ++q) x[q] *= first;
   if (kernel == Parity::odd && 2 * (rows - 1) == period) std::fill_n(x + (rows - 1) * width, width, 0.0);
@@ -36,8 +40,10 @@ void difference(Parity kernel, double* x, Index rows, Index period) {
 // asked for.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
-  HalfSpaceInfluence(const Grid& grid, Shape torus, double poisson, stress::Tractions acting)
+  HalfSpaceInfluence(const Grid& grid, Shape torus, double poisson, stress::Tractions acting,
+                     const Taper& taper)
       : grid_(grid),
+        taper_(taper),
         poisson_(poisson),
         acting_(acting),
         along_x_(torus.nx),
@@ -69,7 +75,7 @@ class HalfSpaceInfluence : public LayerInfluence {
     const Index nx = grid_.shape.nx;
     const Parity along = parity(odd_in_x(c, t));
     std::copy_n(kernels_[t][c].columns.data() + b * nx * width, nx * width, rows_.data());
-    difference(along, rows_.data(), nx, along_x_.period());
+    difference(along, rows_.data(), taper_[0], along_x_.period());
     transform(along_x_, along, rows_.data(), nx, symbols_[t].data());
     return {symbols_[t].data(), along_x_.stride()};
   }
@@ -92,7 +98,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   void transform_along_y(Traction t, Component c, Index first_row) {
     double* tile = kernels_[t][c].tile.data();
     const Parity along = parity(odd_in_y(c, t));
-    difference(along, tile, grid_.shape.ny, along_y_.period());
+    difference(along, tile, taper_[1], along_y_.period());
     transform(along_y_, along, tile, grid_.shape.ny, along_y_pairs_.data());
     const Index rows = std::min(width, grid_.shape.nx - first_row);
     for (Index b = 0; b < blocks_; ++b)
@@ -113,6 +119,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   }
 
   Grid grid_;
+  Taper taper_;
   double poisson_;
   stress::Tractions acting_;
   MirroredTransform along_x_, along_y_;
@@ -213,9 +220,9 @@ class PeriodicInfluence : public LayerInfluence {
 }  // namespace
 
 std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson,
-                                                     stress::Tractions acting) {
+                                                     stress::Tractions acting, const Taper& taper) {
   if (grid.periodic) return std::make_unique<PeriodicInfluence>(grid, poisson, acting);
-  return std::make_unique<HalfSpaceInfluence>(grid, torus, poisson, acting);
+  return std::make_unique<HalfSpaceInfluence>(grid, torus, poisson, acting, taper);
 }
 
 }  // namespace asperity

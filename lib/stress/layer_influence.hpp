@@ -24,7 +24,9 @@
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 13.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "grid/field.hpp"
 #include "stress/component.hpp"
@@ -52,8 +54,10 @@ class LayerInfluence {
 };
 
 /// (3), (4) when the grid is periodic, else (2), for the tractions that act. The torus is Px × Py; a periodic grid
-/// is its own.
+/// is its own. The kernel (2) is multiplied with taper[0][|i|] taper[1][|j|], of as many numbers as the grid has
+/// cells.
 std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson,
-                                                     stress::Tractions acting);
+                                                     stress::Tractions acting,
+                                                     const std::array<std::vector<double>, 2>& taper);
 
 }  // namespace asperity

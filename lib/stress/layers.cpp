@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "grid/error.hpp"
 #include "grid/parallel.hpp"
-#include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
@@ -20,38 +18,12 @@ static_assert(width == LayerInfluence::width);
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
-Shape torus_of(const Grid& grid) { return grid.periodic ? grid.shape : padded_torus(grid.shape); }
-
 void check(const Grid& grid, const Field& pressure, const Friction& friction, double poisson) {
   friction.check();
   if (!(poisson >= 0 && poisson <= 0.5))
     throw ParameterError("poisson", fmt::format("{} is not between 0 and 0.5", poisson));
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
-}
-
-// The factor s sin(a)/sin(sa), a = πk/P: (2) in one direction.
-std::vector<double> ratios(Index s, Index modes, Index period) {
-  std::vector<double> out(size(modes), 1.0);
-  for (Index k = 1; s > 1 && k < modes; ++k) {
-    const double a = std::numbers::pi * static_cast<double>(k) / static_cast<double>(period);
-    out[size(k)] = static_cast<double>(s) * std::sin(a) / std::sin(static_cast<double>(s) * a);
-  }
-  return out;
-}
-
-// Cells between the loaded ones and where the torus would fold them onto the far end of the field.
-Index room_beside(const Field& pressure, Shape torus) {
-  auto room = [](const auto& loaded, Index half_period) {  // of one row or column of flags
-    const Index n = loaded.size();
-    Index first = 0, last = n - 1;
-    while (first < n && !loaded(first)) ++first;
-    while (last > first && !loaded(last)) --last;
-    return half_period - std::max(n - first, last + 1);
-  };
-  const Eigen::Array<bool, Eigen::Dynamic, 1> rows = (pressure != 0).rowwise().any();
-  const Eigen::Array<bool, 1, Eigen::Dynamic> columns = (pressure != 0).colwise().any();
-  return std::min(room(rows, torus.nx / 2), room(columns, torus.ny / 2));
 }
 
 // -i a z.
@@ -97,68 +69,54 @@ StressSolver::StressSolver(const Grid& grid, const Field& pressure, const Fricti
       weights_(friction.weights()),
       poisson_(poisson),
       threads_(threads),
-      transform_(grid.shape, torus_of(grid)),
-      pressure_spectrum_(size(transform_.blocks() * transform_.block_size())) {
+      levels_(1) {
   check(grid, pressure, friction, poisson);
-  add_level(1);
-  if (resolution == DepthResolution::adapted)
-    for (Index s = 2; may_coarsen(s); s *= 2) add_level(s);
-  HalfSpectrum half = transform_.half_spectrum();
-  transform_.forward_rows(pressure_ / static_cast<double>(transform_.torus().cells()), half, threads);
-  AlignedVector<Complex> work(size(transform_.block_size()));
-  for (Index b = 0; b < transform_.blocks(); ++b)
-    transform_.forward_block(half, b, pressure_spectrum_.data() + b * transform_.block_size(), work.data());
-}
-
-bool StressSolver::may_coarsen(Index s) const {
-  const Shape torus = transform_.torus();
-  return torus.nx % (2 * s) == 0 && torus.ny % (2 * s) == 0 &&
-         std::min(grid_.shape.nx, grid_.shape.ny) / s >= 32 &&
-         (grid_.periodic || room_beside(pressure_, torus) >= 8 * s);
-}
-
-void StressSolver::add_level(Index s) {
-  const auto [px, py] = transform_.torus();
-  const auto f = static_cast<double>(s);
-  Level level{s, grid_, transform_.torus(), {px / 2 + 1, py / 2 + 1}, {}, {}};
-  if (s > 1)
-    level.modes = {px / (2 * s), py / (2 * s)};  // the highest mode, whose sign is not told, left out
-  if (!grid_.periodic) {
-    level.torus = {px / s, py / s};
-    level.grid.dx *= f, level.grid.dy *= f;
-    // What is cut off a spectrum spreads beyond the field: all lags of the torus count.
-    if (s > 1) level.grid.shape = {level.torus.nx / 2 + 1, level.torus.ny / 2 + 1};
-  }
-  level.ratio_x = ratios(grid_.periodic ? 1 : s, level.modes.nx, px);
-  level.ratio_y = ratios(grid_.periodic ? 1 : s, level.modes.ny, py);
-  levels_.push_back(std::move(level));
+  if (resolution == DepthResolution::full) return;
+  for (Index s = 2; Resolution::possible(grid, s); s *= 2) levels_.emplace_back().s = s;
 }
 
 // The coarsest that is deep enough.
 std::size_t StressSolver::level_at(double z) const {
-  const double cell = std::max(grid_.dx, grid_.dy);
   std::size_t level = 0;
-  while (level + 1 < levels_.size() && z >= 8 * static_cast<double>(levels_[level + 1].s) * cell) ++level;
+  while (level + 1 < levels_.size() && z >= Resolution::least_depth(grid_, levels_[level + 1].s)) ++level;
   return level;
 }
 
-StressSolver::Workspace::Workspace(const StressSolver& solver)
-    : influences_(solver.levels_.size()),
-      block_(size(solver.transform_.block_size())),
-      work_(block_.size()),
-      row_spectrum_(size(solver.transform_.blocks() * width)) {}
+const Resolution& StressSolver::resolution(std::size_t level) const {
+  Level& l = levels_[level];
+  std::call_once(l.asked, [&] { l.made = std::make_unique<Resolution>(grid_, pressure_, l.s, threads_); });
+  return *l.made;
+}
 
-LayerInfluence& StressSolver::Workspace::influence(const StressSolver& solver, std::size_t level) {
-  const Level& l = solver.levels_[level];
-  if (!influences_[level])
-    influences_[level] = make_layer_influence(l.grid, l.torus, solver.poisson_, acting(solver.weights_));
-  return *influences_[level];
+StressSolver::Workspace::Level& StressSolver::prepared(Workspace& work, std::size_t level,
+                                                       stress::Set asked) const {
+  const Resolution& r = resolution(level);
+  const PrunedTransform& t = r.transform();
+  work.present_ = level;
+  work.levels_.resize(levels_.size());
+  Workspace::Level& w = work.levels_[level];
+  if (!w.influence) {
+    w.influence = make_layer_influence(r.cells(), t.torus(), poisson_, acting(weights_), r.taper());
+    w.block.resize(size(t.block_size()));
+    w.work.resize(size(t.block_size()));
+    w.row_spectrum.resize(size(t.blocks() * width));
+    w.stride = t.torus().ny + 2 * width;
+  }
+  for (Component c : stress::components) {
+    if (!asked[c]) continue;
+    if (w.half[c].empty()) w.half[c] = t.half_spectrum();
+    if (r.s() > 1) w.points[c].resize(size(t.torus().nx * w.stride));
+    work.row_[c].resize(std::max(work.row_[c].size(),
+                                 size(std::max(t.torus().ny + 2, r.interpolation().padded(grid_.shape.ny)))));
+  }
+  work.across_.resize(std::max(work.across_.size(), size(w.stride)));
+  return w;
 }
 
 void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
                           const LayerRowSink& row) const {
   parallel_ranges(static_cast<Index>(depths.size()), threads_, [&](Index begin, Index end, int) {
-    Workspace work(*this);
+    Workspace work;
     for (Index l = begin; l < end; ++l)
       layer(depths[size(l)], asked, work, [&](Index i, const StressRow& values) { row(l, i, values); });
   });
@@ -167,47 +125,36 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
 void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work) const {
   if (!(z >= 0 && std::isfinite(z)))
     throw ParameterError("depth", fmt::format("{} m is not a depth, 0 or more", z));
-  const Level& level = levels_[level_at(z)];
-  LayerInfluence& influence = work.influence(*this, level_at(z));
-  influence.descend(z, asked);
-  for (Component c : stress::components)
-    if (asked[c] && work.half_[c].empty()) work.half_[c] = transform_.half_spectrum();
-  work.filled_ = (level.modes.ny + width - 1) / width;
-  for (Index b = 0; b < work.filled_; ++b)
+  const Resolution& r = resolution(level_at(z));
+  Workspace::Level& w = prepared(work, level_at(z), asked);
+  w.influence->descend(z, asked);
+  for (Index b = 0; b < r.transform().blocks(); ++b)
     for (Component c : stress::components) {
       if (!asked[c]) continue;
-      multiply(level, c, b, influence, work.block_.data());
-      transform_.inverse_block(work.block_.data(), b, work.half_[c], work.work_.data());
+      multiply(r, c, b, *w.influence, w.block.data());
+      r.transform().inverse_block(w.block.data(), b, w.half[c], w.work.data());
     }
+  if (r.s() > 1) invert_points(r, asked, w);
 }
 
 // product = (-i)^m (S + iT) p^, S and T of Column.
-void StressSolver::multiply(const Level& level, Component c, Index b, LayerInfluence& influence,
+void StressSolver::multiply(const Resolution& r, Component c, Index b, LayerInfluence& influence,
                             Complex* product) const {
   std::array<LayerInfluence::Symbol, 3> symbols{};
   for (stress::Traction t : stress::tractions)
     if (weights_[t] != 0) symbols[t] = influence.symbol(t, c, b);
-  for (Index q = 0; q < width; ++q) {
-    const Complex* p = pressure_spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
-    Complex* out = product + q * transform_.stride();
-    const Index ky = b * width + q;
-    if (ky >= level.modes.ny)
-      std::fill_n(out, transform_.torus().nx, Complex{});
-    else
-      multiply_column(level, c, Column(symbols, weights_, c, q), level.ratio_y[size(ky)], p, out);
-  }
+  const Index nx = r.transform().torus().nx, stride = r.transform().stride();
+  for (Index q = 0; q < width; ++q)
+    multiply_column(nx, c, Column(symbols, weights_, c, q), r.pressure(b) + q * stride, product + q * stride);
 }
 
-void StressSolver::multiply_column(const Level& level, Component c, const Column& column, double ratio_y,
-                                   const Complex* p, Complex* out) const {
-  const Index nx = transform_.torus().nx, modes = level.modes.nx;
+void StressSolver::multiply_column(Index nx, Component c, const Column& column, const Complex* p,
+                                   Complex* out) const {
   const bool turned = odd_in_x(c) != odd_in_y(c);
-  const double ahead = odd_in_x(c) && odd_in_y(c) ? -ratio_y : ratio_y, back = odd_in_x(c) ? -ahead : ahead;
+  const double ahead = odd_in_x(c) && odd_in_y(c) ? -1 : 1, back = odd_in_x(c) ? -ahead : ahead;
   auto each_mode = [&](auto response) {
-    for (Index k = 0; k < modes; ++k) out[k] = response(k, 1, ahead * level.ratio_x[size(k)], p[k]);
-    if (level.s > 1) std::fill(out + modes, out + nx - modes + 1, Complex{});
-    for (Index k = std::max(nx - modes + 1, nx / 2 + 1); k < nx; ++k)
-      out[k] = response(nx - k, -1, back * level.ratio_x[size(nx - k)], p[k]);
+    for (Index k = 0; k <= nx / 2; ++k) out[k] = response(k, 1, ahead, p[k]);
+    for (Index k = nx / 2 + 1; k < nx; ++k) out[k] = response(nx - k, -1, back, p[k]);
   };
   auto S = [&](Index k, double factor) { return factor * column.pressed(k); };
   auto T = [&](Index k, int side, double factor) { return factor * column.sheared(k, side); };
@@ -223,15 +170,50 @@ void StressSolver::multiply_column(const Level& level, Component c, const Column
         [&](Index k, int side, double f, const Complex& z) { return turn(S(k, f), z) + T(k, side, f) * z; });
 }
 
-StressRow StressSolver::inverse_row(Index i, stress::Set asked, Workspace& work) const {
+// The rows of a coarse layer, each with what stands before and behind it on the torus.
+void StressSolver::invert_points(const Resolution& r, stress::Set asked, Workspace::Level& w) const {
+  const auto [px, py] = r.transform().torus();
+  const Index last = (grid_.shape.nx - 1) / r.s() + Interpolation::taps - 1;
+  for (Component c : stress::components) {
+    if (!asked[c]) continue;
+    for (Index m = 0; m <= std::min(last, px - 1); ++m) {
+      double* row = w.points[c].data() + m * w.stride;
+      const Index i = (m + px - Interpolation::before) % px;
+      r.transform().inverse_row(w.half[c], i, w.row_spectrum.data(), row);
+      std::rotate(row, row + py - Interpolation::before, row + py);
+      for (Index j = py; j < w.stride; ++j) row[j] = row[j - py];
+    }
+  }
+}
+
+StressRow StressSolver::row_of(Index i, stress::Set asked, Workspace& work) const {
+  const Resolution& r = resolution(work.present_);
+  Workspace::Level& w = work.levels_[work.present_];
   StressRow values{};
   for (Component c : stress::components) {
     if (!asked[c]) continue;
-    work.row_[c].resize(size(transform_.torus().ny + 2));
-    transform_.inverse_row(work.half_[c], i, work.row_spectrum_.data(), work.row_[c].data(), work.filled_);
+    if (r.s() == 1)
+      r.transform().inverse_row(w.half[c], i, w.row_spectrum.data(), work.row_[c].data());
+    else
+      interpolate_row(r, i, w.points[c].data(), w.stride, work.across_.data(), work.row_[c].data());
     values[c] = work.row_[c].data();
   }
   return values;
+}
+
+void StressSolver::interpolate_row(const Resolution& r, Index i, const double* points, Index stride,
+                                   double* across, double* row) const {
+  const double* weights = r.interpolation().weights(i % r.s());
+  const Index px = r.transform().torus().nx, m = i / r.s();
+  const Index samples = std::min((grid_.shape.ny - 1) / r.s() + 2 * Interpolation::taps, stride);
+  std::array<const double*, Interpolation::taps> rows;
+  for (Index t = 0; t < Interpolation::taps; ++t) rows[size(t)] = points + (m + t) % px * stride;
+  for (Index j = 0; j < samples; ++j) {
+    double sum = 0;
+    for (Index t = 0; t < Interpolation::taps; ++t) sum += weights[t] * rows[size(t)][j];
+    across[j] = sum;
+  }
+  r.interpolation().refine(across, grid_.shape.ny, row);
 }
 
 double accurate_depth(const Grid& grid) { return 2 * std::max(grid.dx, grid.dy); }

@@ -10,14 +10,7 @@
 /// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von
 /// Mises stress of a volume needs the memory of a layer.
 ///
-/// Depth multiresolution. Below the surface a mode fades as exp(-kz): at z ≥ 8 s Δ, Δ the longer side of a cell, those
-/// beyond π/sΔ are below 1e-10. Such a layer is computed from the influence of cells s times as long and wide and
-/// the pressure's modes below π/sΔ, each times
-///     ratio = sinc(kΔ/2) / sinc(k s Δ/2)  in x and in y,                                              (2)
-/// which makes of the wide cells the narrow ones; an inverse padded with zeros has the values at all cells. s is a power
-/// of two that leaves 32 cells a side. What is cut off the spectrum spreads the pressure by some wide cells, for which
-/// the torus must have room beside the load: eight of them, or narrower cells are taken. The error is then below
-/// 2e-6 of the largest pressure, in a periodic layer below 1e-9.
+/// Deep layers are computed from wider cells (stress/resolution.hpp) where that is allowed.
 ///
 /// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
 /// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.
@@ -31,13 +24,17 @@
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
 #pragma once
 
+#include <deque>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "grid/field.hpp"
 #include "stress/component.hpp"
 #include "stress/friction.hpp"
 #include "stress/layer_influence.hpp"
+#include "stress/resolution.hpp"
 #include "transform/pruned.hpp"
 
 namespace asperity {
@@ -47,7 +44,7 @@ using StressRow = std::array<const double*, 6>;
 
 enum class DepthResolution {
   full,     ///< every layer from its own cells
-  adapted,  ///< deep layers by (2)
+  adapted,  ///< deep layers from wider cells
 };
 
 class StressSolver {
@@ -67,25 +64,28 @@ class StressSolver {
 
   /// What one thread needs to compute layers; may be used again for any depth and components.
   class Workspace {
-   public:
-    explicit Workspace(const StressSolver& solver);
-
    private:
     friend class StressSolver;
-    LayerInfluence& influence(const StressSolver& solver, std::size_t level);
+    /// Of one resolution, grown when it is used.
+    struct Level {
+      std::unique_ptr<LayerInfluence> influence;
+      AlignedVector<Complex> block, work, row_spectrum;
+      std::array<HalfSpectrum, 6> half;
+      std::array<AlignedVector<double>, 6> points;  ///< a coarse layer: rows of stride doubles
+      Index stride = 0;
+    };
 
-    std::vector<std::unique_ptr<LayerInfluence>> influences_;  ///< of each level, made when it is used
-    Index filled_ = 0;                                         ///< blocks of the present layer
-    AlignedVector<Complex> block_, work_, row_spectrum_;
-    std::array<HalfSpectrum, 6> half_;
+    std::size_t present_ = 0;  ///< the resolution of the present layer
+    std::vector<Level> levels_;
     std::array<AlignedVector<double>, 6> row_;
+    AlignedVector<double> across_;
   };
 
   /// The layer at depth z, row after row: row(i, values). Throws ParameterError("depth") unless 0 ≤ z < ∞.
   template <class RowSink>
   void layer(double z, stress::Set asked, Workspace& work, RowSink row) const {
     transform_layer(z, asked, work);
-    for (Index i = 0; i < grid_.shape.nx; ++i) row(i, inverse_row(i, asked, work));
+    for (Index i = 0; i < grid_.shape.nx; ++i) row(i, row_of(i, asked, work));
   }
 
   /// Many layers on all threads: row(layer, i, values) is called from several threads at once, for one layer
@@ -94,34 +94,33 @@ class StressSolver {
   void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row) const;
 
  private:
-  /// Cells s times as long and wide, for deep layers; s = 1 first.
+  /// Made when the first layer needs it.
   struct Level {
     Index s = 1;
-    Grid grid;  ///< of the influence
-    Shape torus;
-    Shape modes;                           ///< 0 ≤ kx < modes.nx, 0 ≤ ky < modes.ny are kept
-    std::vector<double> ratio_x, ratio_y;  ///< (2)
+    std::once_flag asked;
+    std::unique_ptr<const Resolution> made;
   };
 
-  bool may_coarsen(Index s) const;
-  void add_level(Index s);
   std::size_t level_at(double z) const;
+  const Resolution& resolution(std::size_t level) const;
+  Workspace::Level& prepared(Workspace& work, std::size_t level, stress::Set asked) const;
   void transform_layer(double z, stress::Set asked, Workspace& work) const;
   class Column;
-  void multiply(const Level& level, stress::Component c, Index b, LayerInfluence& influence,
+  void multiply(const Resolution& r, stress::Component c, Index b, LayerInfluence& influence,
                 Complex* product) const;
-  void multiply_column(const Level& level, stress::Component c, const Column& column, double ratio_y,
-                       const Complex* p, Complex* out) const;
-  StressRow inverse_row(Index i, stress::Set asked, Workspace& work) const;
+  void multiply_column(Index nx, stress::Component c, const Column& column, const Complex* p,
+                       Complex* out) const;
+  void invert_points(const Resolution& r, stress::Set asked, Workspace::Level& level) const;
+  StressRow row_of(Index i, stress::Set asked, Workspace& work) const;
+  void interpolate_row(const Resolution& r, Index i, const double* points, Index stride, double* across,
+                       double* row) const;
 
   Grid grid_;
   Field pressure_;
   std::array<double, 3> weights_;  ///< of the tractions, per pressure
   double poisson_;
   int threads_;
-  PrunedTransform transform_;
-  std::vector<Level> levels_;
-  AlignedVector<Complex> pressure_spectrum_;  ///< [block][8][kx], divided by Px Py
+  mutable std::deque<Level> levels_;
 };
 
 /// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz

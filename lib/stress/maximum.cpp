@@ -58,7 +58,7 @@ struct Sample {
 class Probe {
  public:
   explicit Probe(const StressSolver& solver)
-      : solver_(solver), work_(solver), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
+      : solver_(solver), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
 
   Sample at(double log_depth) {
     solver_.layer(std::exp(log_depth), stress::all, work_, [&](Index i, const StressRow& row) {

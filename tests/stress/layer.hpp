@@ -14,7 +14,7 @@ inline TensorField layer(const StressSolver& solver, double z, stress::Set asked
   TensorField out;
   for (auto c : stress::components)
     if (asked[c]) out[c].resize(shape.nx, shape.ny);
-  StressSolver::Workspace work(solver);
+  StressSolver::Workspace work;
   solver.layer(z, asked, work, [&](Index i, const StressRow& row) {
     for (auto c : stress::components)
       if (asked[c]) std::copy_n(row[c], shape.ny, out[c].row(i).data());

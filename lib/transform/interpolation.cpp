@@ -1,0 +1,52 @@
+#include "transform/interpolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+constexpr double width = Interpolation::taps;
+constexpr double beta = 0.75 * std::numbers::pi * width;  // the bell's spectrum falls until 3π/2
+
+double bell(double x) {
+  const double u = 2 * x / width;
+  return std::abs(u) < 1 ? std::cyl_bessel_i(0.0, beta * std::sqrt(1 - u * u)) : 0;
+}
+
+std::size_t size(Index n) { return static_cast<std::size_t>(n); }
+
+}  // namespace
+
+double Interpolation::prepared(double k) {
+  const double g = std::sqrt(beta * beta - k * k * width * width / 4);
+  return g / (width * std::sinh(g));
+}
+
+Interpolation::Interpolation(Index s)
+    : s_(s),
+      lanes_(std::max<Index>(s, 8)),
+      weights_(size(s * taps)),
+      matrix_(size(lanes_ * (taps + lanes_ / s - 1))) {
+  for (Index q = 0; q < s; ++q)
+    for (Index t = 0; t < taps; ++t)
+      weights_[size(q * taps + t)] =
+          bell(static_cast<double>(q) / static_cast<double>(s) + static_cast<double>(before - t));
+  for (Index lane = 0; lane < lanes_; ++lane)
+    for (Index t = 0; t < taps; ++t)
+      matrix_[size((lane / s + t) * lanes_ + lane)] = weights_[size(lane % s * taps + t)];
+}
+
+void Interpolation::refine(const double* samples, Index count, double* out) const {
+  const Index around = taps + lanes_ / s_ - 1;
+  for (Index j = 0; j < count; j += lanes_, samples += lanes_ / s_)
+    for (Index first = 0; first < lanes_; first += 8) {
+      double sum[8] = {};
+      for (Index t = 0; t < around; ++t)
+        for (Index l = 0; l < 8; ++l) sum[l] += matrix_[size(t * lanes_ + first + l)] * samples[t];
+      std::copy_n(sum, 8, out + j + first);
+    }
+}
+
+}  // namespace asperity
