@@ -18,13 +18,14 @@ Shape extent(const Target& target, Shape lags, const Field& kernel) {
 
 Field table(const Target& target, Shape extent) {
   Field out(extent.nx, 2 * extent.ny - 1);
-  const Index middle = extent.ny - 1;
-  auto at = [&](Index p, Index q) { return target(static_cast<double>(p), static_cast<double>(q)); };
-  for (Index p = 0; p < extent.nx; ++p)
-    for (Index q = 0; q < extent.ny; ++q) {
-      out(p, middle + q) = at(p, q);
-      out(p, middle - q) = target.oriented ? at(p, -q) : out(p, middle + q);
-    }
+  const Index middle = extent.ny - 1, columns = out.cols();
+  for (Index p = 0; p < extent.nx; ++p) {
+    const Index first = target.oriented ? 0 : middle;
+    const std::span row(out.data() + p * columns, static_cast<std::size_t>(columns));
+    target.row(static_cast<double>(p), static_cast<double>(first - middle),
+               row.subspan(static_cast<std::size_t>(first)));
+    if (!target.oriented) std::reverse_copy(row.end() - middle, row.end(), row.begin());
+  }
   return out;
 }
 

@@ -15,9 +15,9 @@ std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 PatirEquations::PatirEquations(const Target& target, Shape lags)
     : lags_(lags), transform_({fast_length(2 * lags.nx, 2), fast_length(2 * lags.ny, 2)}) {
+  target_.resize(size(lags.cells()));
   for (Index p = 0; p < lags.nx; ++p)
-    for (Index q = 0; q < lags.ny; ++q)
-      target_.push_back(target(static_cast<double>(p), static_cast<double>(q)));
+    target.row(static_cast<double>(p), 0, std::span(target_).subspan(size(p * lags.ny), size(lags.ny)));
   multiplicity_.assign(target_.size(), 1.0);
   field_.resize(size(transform_.shape().cells()));
   spectrum_.resize(size(transform_.spectrum_size()));

@@ -39,8 +39,9 @@ Shape ZeroPhaseEquations::least_torus(Shape lags) { return {3 * lags.nx - 2, 3 *
 
 ZeroPhaseEquations::ZeroPhaseEquations(const Target& target, Shape lags, bool oriented)
     : transform_(zero_phase_transform(lags, least_torus(lags), oriented)) {
-  target_ = transform_->part(
-      [&](Index p, Index q) { return target(static_cast<double>(p), static_cast<double>(q)); });
+  target_ = transform_->rows_of_part([&](Index p, Index q, std::span<double> row) {
+    target.row(static_cast<double>(p), static_cast<double>(q), row);
+  });
   multiplicity_ = transform_->multiplicity();
   window_ = transform_->part([&](Index k, Index l) { return fejer(k, lags.nx) * fejer(l, lags.ny); });
   symbol_.resize(static_cast<std::size_t>(transform_->spectrum_size()));

@@ -1,36 +1,49 @@
 #include "transform/plan.hpp"
 
 #include <array>
+#include <map>
 #include <mutex>
 #include <stdexcept>
+#include <tuple>
 
 #include <fftw3.h>
 
 namespace asperity {
 namespace {
 
-// FFTW's planner keeps global state; executing a plan does not.
-std::mutex planner;
-
 fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
-
-// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, and an aligned one may be
-// executed on any other aligned array.
-template <class Make>
-detail::PlanPointer make_plan(std::size_t doubles, Make make) {
-  AlignedVector<double> scratch(doubles);
-  const std::lock_guard lock(planner);
-  const fftw_plan plan = make(scratch.data());
-  if (plan == nullptr) throw std::runtime_error("FFTW could not make a plan");
-  return detail::PlanPointer(reinterpret_cast<detail::FftwPlan*>(plan));
-}
-
 fftw_plan get(const detail::PlanPointer& p) { return reinterpret_cast<fftw_plan>(p.get()); }
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 // The next multiple of eight doubles, so that a second array behind the first is aligned too.
 std::size_t aligned(Index n) { return (size(n) + 7) / 8 * 8; }
+
+// FFTW's planner keeps global state; executing a plan does not.
+std::mutex planner;
+
+enum Kind { real_forward, real_inverse, columns_forward, columns_inverse, plane_forward, plane_inverse };
+
+// What distinguishes a plan: the kind and its two lengths.
+using Key = std::tuple<Kind, Index, Index>;
+
+// The plans of late, shared by all transforms of the same size.
+std::map<Key, detail::PlanPointer> recent;
+constexpr std::size_t most_recent = 64;
+
+// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory, and an
+// aligned one may be executed on any other aligned array.
+template <class Make>
+detail::PlanPointer plan(const Key& key, std::size_t doubles, Make make) {
+  std::map<Key, detail::PlanPointer> forgotten;  // destroyed after the lock is released
+  const std::lock_guard lock(planner);
+  if (const auto known = recent.find(key); known != recent.end()) return known->second;
+  const std::unique_ptr<double, decltype(&fftw_free)> scratch(fftw_alloc_real(doubles), &fftw_free);
+  const fftw_plan made = make(scratch.get());
+  if (made == nullptr) throw std::runtime_error("FFTW could not make a plan");
+  if (recent.size() == most_recent) recent.swap(forgotten);
+  return recent[key] = detail::PlanPointer(reinterpret_cast<detail::FftwPlan*>(made), detail::DestroyPlan());
+}
 
 }  // namespace
 
@@ -62,10 +75,10 @@ std::string transform_version() {
 RealTransform::RealTransform(Index n) : n_(n) {
   const int points = static_cast<int>(n);
   const std::size_t doubles = aligned(n + 2);
-  forward_ = make_plan(2 * doubles, [&](double* a) {
+  forward_ = plan({real_forward, n, 1}, 2 * doubles, [&](double* a) {
     return fftw_plan_dft_r2c_1d(points, a, reinterpret_cast<fftw_complex*>(a + doubles), FFTW_ESTIMATE);
   });
-  inverse_ = make_plan(2 * doubles, [&](double* a) {
+  inverse_ = plan({real_inverse, n, 1}, 2 * doubles, [&](double* a) {
     return fftw_plan_dft_c2r_1d(points, reinterpret_cast<fftw_complex*>(a + doubles), a, FFTW_ESTIMATE);
   });
 }
@@ -81,16 +94,16 @@ void RealTransform::inverse(Complex* in, double* out) const {
 ColumnTransform::ColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
   const int points = static_cast<int>(n), columns = static_cast<int>(width),
             apart = static_cast<int>(stride());
-  auto plan = [&](int sign) {
+  auto one_way = [&](Kind kind, int sign) {
     const std::size_t doubles = aligned(2 * size());
-    return make_plan(2 * doubles, [&](double* a) {
+    return plan({kind, n, width}, 2 * doubles, [&](double* a) {
       auto *in = reinterpret_cast<fftw_complex*>(a), *out = reinterpret_cast<fftw_complex*>(a + doubles);
       return fftw_plan_many_dft(1, &points, columns, in, nullptr, 1, apart, out, nullptr, 1, apart, sign,
                                 FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
     });
   };
-  forward_ = plan(FFTW_FORWARD);
-  if (ways == Ways::both) inverse_ = plan(FFTW_BACKWARD);
+  forward_ = one_way(columns_forward, FFTW_FORWARD);
+  if (ways == Ways::both) inverse_ = one_way(columns_inverse, FFTW_BACKWARD);
 }
 
 void ColumnTransform::forward(const Complex* in, Complex* out) const {
@@ -103,11 +116,11 @@ void ColumnTransform::inverse(const Complex* in, Complex* out) const {
 RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
   const int nx = static_cast<int>(shape.nx), ny = static_cast<int>(shape.ny);
   const std::size_t offset = aligned(shape.cells()), doubles = offset + 2 * size(spectrum_size());
-  forward_ = make_plan(doubles, [&](double* a) {
+  forward_ = plan({plane_forward, shape.nx, shape.ny}, doubles, [&](double* a) {
     return fftw_plan_dft_r2c_2d(nx, ny, a, reinterpret_cast<fftw_complex*>(a + offset),
                                 FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   });
-  inverse_ = make_plan(doubles, [&](double* a) {
+  inverse_ = plan({plane_inverse, shape.nx, shape.ny}, doubles, [&](double* a) {
     return fftw_plan_dft_c2r_2d(nx, ny, reinterpret_cast<fftw_complex*>(a + offset), a, FFTW_ESTIMATE);
   });
 }

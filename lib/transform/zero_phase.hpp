@@ -51,6 +51,9 @@ class ZeroPhaseTransform {
   /// The part of a function of the lag (k, l).
   template <class Function>
   std::vector<double> part(Function f) const;
+  /// The same, row by row: row(k, l, values) at l, l + 1, …
+  template <class Row>
+  std::vector<double> rows_of_part(Row row) const;
 
   /// Not for two threads at once on one object: it owns the work space.
   void forward(std::span<const double> part, std::span<double> spectrum);
@@ -133,13 +136,21 @@ inline Index ZeroPhaseTransform::place(Index k, Index l) const {
   return k * (2 * m - 1) + l;
 }
 
+template <class Row>
+std::vector<double> ZeroPhaseTransform::rows_of_part(Row row) const {
+  std::vector<double> out(static_cast<std::size_t>(place(lags_.nx - 1, lags_.ny - 1) + 1));
+  for (Index k = 0; k < lags_.nx; ++k) {
+    const auto from = static_cast<std::size_t>(place(k, first(k)));
+    row(k, first(k), std::span(out).subspan(from, static_cast<std::size_t>(lags_.ny - first(k))));
+  }
+  return out;
+}
+
 template <class Function>
 std::vector<double> ZeroPhaseTransform::part(Function f) const {
-  std::vector<double> out;
-  out.reserve(static_cast<std::size_t>(place(lags_.nx - 1, lags_.ny - 1) + 1));
-  for (Index k = 0; k < lags_.nx; ++k)
-    for (Index l = first(k); l < lags_.ny; ++l) out.push_back(f(k, l));
-  return out;
+  return rows_of_part([&](Index k, Index l, std::span<double> values) {
+    for (double& value : values) value = f(k, l++);
+  });
 }
 
 template <class Work>
