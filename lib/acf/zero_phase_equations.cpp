@@ -96,7 +96,7 @@ void ZeroPhaseEquations::precondition(std::span<double> v) {
 }
 
 Feasibility ZeroPhaseEquations::feasibility() {
-  AlignedVector<double> spectrum(symbol_.size());
+  AlignedVector<double>& spectrum = symbol_;  // not in use before the first linearisation
   transform_->forward(target_, spectrum);
   Feasibility out{least_over_most(spectrum), negative_share(spectrum), 0};
   if (out.least >= 0) return out;
