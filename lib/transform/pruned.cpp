@@ -19,16 +19,30 @@ HalfSpectrum PrunedTransform::half_spectrum() const {
   return HalfSpectrum(size(blocks() * field_.nx * width));
 }
 
+// visit(first, count, row, spectra) for groups of neighbouring rows, whose parts of a block lie side by side.
+template <class Visit>
+void PrunedTransform::by_groups(int threads, Visit visit) const {
+  constexpr Index group = 8;
+  parallel_ranges((field_.nx + group - 1) / group, threads, [&](Index begin, Index end, int) {
+    AlignedVector<double> row(size(torus_.ny + 2));
+    AlignedVector<Complex> spectra(size(group * blocks() * width));
+    for (Index first = begin * group; first < std::min(end * group, field_.nx); first += group)
+      visit(first, std::min(group, field_.nx - first), row.data(), spectra.data());
+  });
+}
+
 void PrunedTransform::forward_rows(const Field& in, HalfSpectrum& half, int threads) const {
-  parallel_ranges(field_.nx, threads, [&](Index begin, Index end, int) {
-    AlignedVector<double> row(size(torus_.ny));
-    AlignedVector<Complex> spectrum(size(blocks() * width));
-    for (Index i = begin; i < end; ++i) {
-      std::copy_n(in.data() + i * field_.ny, field_.ny, row.data());
-      rows_.forward(row.data(), spectrum.data());
-      for (Index b = 0; b < blocks(); ++b)
-        std::copy_n(spectrum.data() + b * width, width, half.data() + (b * field_.nx + i) * width);
+  const Index stride = blocks() * width;
+  by_groups(threads, [&](Index first, Index count, double* row, Complex* spectra) {
+    std::fill(row + field_.ny, row + torus_.ny, 0.0);
+    for (Index r = 0; r < count; ++r) {
+      std::copy_n(in.data() + (first + r) * field_.ny, field_.ny, row);
+      rows_.forward(row, spectra + r * stride);
     }
+    for (Index b = 0; b < blocks(); ++b)
+      for (Index r = 0; r < count; ++r)
+        std::copy_n(spectra + r * stride + b * width, width,
+                    half.data() + (b * field_.nx + first + r) * width);
   });
 }
 
@@ -41,12 +55,15 @@ void PrunedTransform::inverse_row(const HalfSpectrum& half, Index i, Complex* sp
 }
 
 void PrunedTransform::inverse_rows(HalfSpectrum& half, Field& out, int threads) const {
-  parallel_ranges(field_.nx, threads, [&](Index begin, Index end, int) {
-    AlignedVector<double> row(size(torus_.ny));
-    AlignedVector<Complex> spectrum(size(blocks() * width));
-    for (Index i = begin; i < end; ++i) {
-      inverse_row(half, i, spectrum.data(), row.data());
-      std::copy_n(row.data(), field_.ny, out.data() + i * field_.ny);
+  const Index stride = blocks() * width;
+  by_groups(threads, [&](Index first, Index count, double* row, Complex* spectra) {
+    for (Index b = 0; b < blocks(); ++b)
+      for (Index r = 0; r < count; ++r)
+        std::copy_n(half.data() + (b * field_.nx + first + r) * width, width,
+                    spectra + r * stride + b * width);
+    for (Index r = 0; r < count; ++r) {
+      rows_.inverse(spectra + r * stride, row);
+      std::copy_n(row, field_.ny, out.data() + (first + r) * field_.ny);
     }
   });
 }
