@@ -31,14 +31,13 @@ void Face::set(const ContactProblem& problem, const Field& p, const Field& g, do
 
 void FaceGradients::begin(const Face& face, const Field& p, const Field& g) {
   face_ = &face;
-  trial_.p = p;
-  trial_.g = g;
-  trial_.d.resize(p.rows(), p.cols());
-  trial_.q.resize(p.rows(), p.cols());
+  for (Field* field : {&trial_.p, &trial_.g, &trial_.d, &trial_.q}) field->resize(p.rows(), p.cols());
   steps_ = 0;
   mean_gap_ = problem_.approach ? *problem_.approach : mean(face.gap_sum);
   keep(problem_.blocks().sum([&](Block b) {
     auto r = b.of(trial_.q);
+    b.of(trial_.p) = b.of(p);
+    b.of(trial_.g) = b.of(g);
     b.of(trial_.d).setZero();
     r = b.of(face_->mask) * (mean_gap_ - b.of(g));
     return size_of(r);
