@@ -32,13 +32,14 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     const cli::StressSelection selection(options.components);
+    const Friction friction = options.sliding();
     Dataset data = tool.read();
     const Grid grid = grid_of(data);
     const std::vector<double> depths = options.depths_on(grid);
     const double poisson = options.poisson_of(data);
 
     const Stopwatch clock;
-    const StressSolver solver(grid, field_of(data, "pressure"), poisson, tool.thread_count(),
+    const StressSolver solver(grid, field_of(data, "pressure"), friction, poisson, tool.thread_count(),
                               options.depth_resolution());
     cli::forget_stress(data);
     cli::record_volumes(data, solver, depths, selection);

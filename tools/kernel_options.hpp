@@ -3,9 +3,7 @@
 /// Their groups in --help, "Autocorrelation" and "Solution", are also how asperity-generate knows them.
 #pragma once
 
-#include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "acf/kernel.hpp"
@@ -15,20 +13,6 @@ namespace asperity::cli {
 
 /// Spacing of the samples in x and y [m], where it is known.
 using Spacing = std::optional<std::array<double, 2>>;
-
-/// An angle in radians: a bare number and "30deg" count degrees, "0.5rad" carries its unit.
-inline double parse_angle(const std::string& option, const std::string& text) {
-  const auto end = text.data() + text.size();
-  double degrees = 0;
-  const auto [rest, error] = std::from_chars(text.data(), end, degrees);
-  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  // UDUNITS has no "deg".
-  if (error == std::errc() && std::isfinite(degrees) && (unit.empty() || unit == "deg"))
-    return degrees * std::numbers::pi / 180;
-  const double radians = parse_quantity(option, text, "rad");
-  if (!std::isfinite(radians)) throw UsageError(option, "'" + text + "' is not finite");
-  return radians;
-}
 
 struct KernelOptions {
   std::string target = "exponential", acf, angle = "0deg", wavelength;

@@ -25,7 +25,7 @@ std::vector<double> listed_depths(const std::string& list) {
 }  // namespace
 
 void StressOptions::declare(Tool& tool) {
-  const std::string where = "Depths", content = "Content", which = "Body";
+  const std::string where = "Depths", content = "Content", which = "Body", load = "Friction";
   tool.input();
   CLI::Option* lowest = tool.quantity("--depth", depth, "m", "Depth of the lowest layer", where);
   CLI::Option* count =
@@ -43,6 +43,12 @@ void StressOptions::declare(Tool& tool) {
   tool.flag("--no-maximum", no_maximum, "Do not search for the largest von Mises stress", content);
   tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
   tool.integer("--body", body, 1, "Which body's ratio to take from the dataset, 1 or 2", which);
+  CLI::Option* slides =
+      tool.number("--friction", friction,
+                  "Coefficient of friction: a traction of so much of the pressure acts too", load);
+  tool.text("--friction-angle", friction_angle, "ANGLE",
+            "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
+      ->needs(slides);
   tool.output();
   tool.report();
   tool.threads();
@@ -72,6 +78,12 @@ double StressOptions::poisson_of(const Dataset& data) const {
   if (body > static_cast<int>(both.size()))
     throw UsageError("body", fmt::format("{}: the dataset knows Poisson's ratio of {}", body, both.size()));
   return both[static_cast<std::size_t>(body - 1)];
+}
+
+Friction StressOptions::sliding() const {
+  const Friction out{friction, parse_angle("friction-angle", friction_angle)};
+  out.check();
+  return out;
 }
 
 }  // namespace asperity::cli

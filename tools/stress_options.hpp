@@ -17,7 +17,8 @@ struct StressOptions {
   double depth = none;
   int layers = 32;
   std::string spacing = "uniform", depths, components = "von_mises";
-  double poisson = none;
+  double poisson = none, friction = 0;
+  std::string friction_angle = "0deg";
   int body = 1;
   bool no_maximum = false;
   std::string resolution = "adapted";
@@ -27,6 +28,7 @@ struct StressOptions {
   // What the options mean for a dataset; ParameterError where they do not go with it.
   std::vector<double> depths_on(const Grid& grid) const;
   double poisson_of(const Dataset& data) const;
+  Friction sliding() const;
   DepthResolution depth_resolution() const {
     return resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
   }

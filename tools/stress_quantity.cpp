@@ -2,8 +2,13 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "cli/series.hpp"
 #include "cli/tool.hpp"
+#include "stress/octahedral.hpp"
+#include "stress/principal.hpp"
+#include "stress/tresca.hpp"
 #include "stress/von_mises.hpp"
 
 namespace asperity::cli {
@@ -23,12 +28,41 @@ StressQuantity component() {
       name, stress::Set().set(c), {{"stress_" + name, "stress " + name + ", positive in tension"}}, copy<c>};
 }
 
+StressQuantity principal() {
+  StressQuantity out{
+      "principal", stress::all, {}, [](const StressRow& stress, Index count, double* const* to) {
+        principal_stress(stress, count, to);
+      }};
+  for (int k = 1; k <= 3; ++k)
+    out.outputs.push_back(
+        {fmt::format("stress_{}", k), fmt::format("principal stress {}, positive in tension", k)});
+  for (int k = 1; k <= 3; ++k)
+    for (char axis : {'x', 'y', 'z'})
+      out.outputs.push_back(
+          {fmt::format("direction_{}_{}", k, axis),
+           fmt::format("{} component of the unit vector along principal stress {}", axis, k), "1"});
+  return out;
+}
+
 std::vector<StressQuantity> make() {
   return {
       {"von_mises",
        stress::all,
        {{"von_mises", "von Mises equivalent stress"}},
        [](const StressRow& stress, Index count, double* const* out) { von_mises(stress, count, out[0]); }},
+      {"tresca",
+       stress::all,
+       {{"max_shear", "largest shear stress"}},
+       [](const StressRow& stress, Index count, double* const* out) {
+         max_shear_stress(stress, count, out[0]);
+       }},
+      {"octahedral",
+       stress::all,
+       {{"octahedral_shear", "octahedral shear stress"}},
+       [](const StressRow& stress, Index count, double* const* out) {
+         octahedral_shear(stress, count, out[0]);
+       }},
+      principal(),
       component<stress::xx>(),
       component<stress::yy>(),
       component<stress::zz>(),

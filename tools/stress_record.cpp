@@ -38,6 +38,10 @@ void record_parameters(Attributes& a, const StressOptions& options, const Stress
   a.set("stress_poisson", solver.poisson());
   a.set("stress_resolution", options.resolution);
   a.set("stress_accurate_depth", accurate_depth(solver.grid()));
+  const Friction friction = options.sliding();
+  a.set("stress_friction", friction.coefficient);
+  a.erase("stress_friction_angle");
+  if (friction.coefficient > 0) a.set("stress_friction_angle", friction.angle);
 }
 
 }  // namespace asperity::cli

@@ -37,3 +37,64 @@ TEST_CASE("resolutions full and adapted differ in deep layers only, by 2e-6 of t
   CHECK(deep > 0);
   CHECK(deep <= 6 * std::sqrt(3.0) * 2e-6 * largest);
 }
+
+TEST_CASE("friction adds its traction at the surface, along its angle, and is recorded",
+          "[stress][contract]") {
+  const std::string press =
+      "asperity-contact --smooth --shape 32x32 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 --load "
+      "5000N | ";
+  const std::string stress = "asperity-stress --depths 0mm --components zz,xz,yz --no-maximum ";
+  for (const auto& [angle, in_x, in_y] :
+       {std::tuple{"", 1.0, 0.0}, std::tuple{"--friction-angle 90", 0.0, 1.0},
+        std::tuple{"--friction-angle 0.5rad", std::cos(0.5), std::sin(0.5)}}) {
+    REQUIRE(shell(press + stress + "--friction 0.25 " + angle + " -o sliding.nc").exit == 0);
+    const Dataset data = read_dataset("sliding.nc");
+    CHECK(data.attributes.number("stress_friction", -1) == 0.25);
+    CHECK(data.attributes.number("stress_friction_angle", -1) == Approx(std::atan2(in_y, in_x)));
+    const auto zz = numbers(data.at("stress_zz").values), xz = numbers(data.at("stress_xz").values),
+               yz = numbers(data.at("stress_yz").values);
+    const double largest = -*std::min_element(zz.begin(), zz.end());
+    for (std::size_t i = 0; i < zz.size(); ++i) {
+      CHECK(std::abs(xz[i] - 0.25 * in_x * zz[i]) <= 1e-12 * largest);
+      CHECK(std::abs(yz[i] - 0.25 * in_y * zz[i]) <= 1e-12 * largest);
+    }
+  }
+  REQUIRE(shell(stress + "sliding.nc -o resting.nc").exit == 0);
+  CHECK(read_dataset("resting.nc").attributes.number("stress_friction", -1) == 0);
+  CHECK(read_dataset("resting.nc").attributes.find("stress_friction_angle") == nullptr);
+  for (const auto& [wrong, named] :
+       {std::pair{"--friction=-0.1", "--friction"}, std::pair{"--friction-angle 30", "--friction"},
+        std::pair{"--friction 0.1 --friction-angle north", "--friction-angle"}}) {
+    const Outcome run = shell(stress + wrong + " sliding.nc");
+    CHECK(run.exit == 2);
+    CHECK_THAT(run.error, ContainsSubstring(named));
+  }
+}
+
+// Components are written in double precision: what follows from them is to their round-off.
+TEST_CASE("principal, tresca and octahedral are written with the components that they follow from",
+          "[stress][contract]") {
+  REQUIRE(
+      shell("asperity-contact --smooth --shape 24x20 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
+            "--load 5000N | asperity-stress --depths 0.1mm,0.45mm --friction 0.2 --components "
+            "principal,tresca,octahedral,von_mises,xx,yy,zz --no-maximum -o derived.nc")
+          .exit == 0);
+  const Dataset data = read_dataset("derived.nc");
+  auto values = [&](const std::string& name) { return numbers(data.at(name).values); };
+  const auto first = values("stress_1"), second = values("stress_2"), third = values("stress_3");
+  const auto shear = values("max_shear"), octahedral = values("octahedral_shear"),
+             mises = values("von_mises");
+  const auto xx = values("stress_xx"), yy = values("stress_yy"), zz = values("stress_zz");
+  const auto x = values("direction_3_x"), y = values("direction_3_y"), z = values("direction_3_z");
+  const double bound = 1e-13 * *std::max_element(mises.begin(), mises.end());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    CHECK(first[i] >= second[i]);
+    CHECK(second[i] >= third[i]);
+    CHECK(std::abs(first[i] + second[i] + third[i] - xx[i] - yy[i] - zz[i]) <= bound);
+    CHECK(std::abs(shear[i] - 0.5 * (first[i] - third[i])) <= bound);
+    CHECK(std::abs(octahedral[i] - std::sqrt(2.0) / 3 * mises[i]) <= bound);
+    CHECK(std::abs(x[i] * x[i] + y[i] * y[i] + z[i] * z[i] - 1) <= 1e-14);
+  }
+  CHECK(data.at("direction_3_x").attributes.text("units") == "1");
+  CHECK(data.at("stress_1").attributes.text("units") == "Pa");
+}

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
@@ -109,6 +110,15 @@ Shape parse_counts(const std::string& option, const std::string& text, Index lea
   read(text.data(), text.data() + cross, out.nx);
   read(text.data() + cross + 1, text.data() + text.size(), out.ny);
   return out;
+}
+
+double parse_angle(const std::string& option, const std::string& text) {
+  const auto [number, given] = split(option, text);
+  // UDUNITS has no "deg".
+  const double angle =
+      given.empty() || given == "deg" ? number * std::numbers::pi / 180 : parse_quantity(option, text, "rad");
+  if (!std::isfinite(angle)) refuse(option, text, "is not finite");
+  return angle;
 }
 
 std::size_t parse_bytes(const std::string& option, const std::string& text) {
