@@ -41,4 +41,10 @@ constexpr Component exchanged(Component c) {
   return other[c];
 }
 
+inline Tensor exchanged(const Tensor& s) {
+  Tensor out;
+  for (Component c : components) out[c] = s[exchanged(c)];
+  return out;
+}
+
 }  // namespace asperity::stress

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace asperity {
 namespace {
 
-// (2) of the header.
+// (3) of the header.
 double load_within(double x, double y) {
   x = std::clamp(x, -1.0, 1.0), y = std::clamp(y, -1.0, 1.0);
   const double w = std::sqrt(std::max(0.0, 1 - x * x - y * y));
@@ -15,9 +16,8 @@ double load_within(double x, double y) {
          3;
 }
 
-}  // namespace
-
-stress::Tensor hertz_stress(double x, double y, double z, double nu) {
+// (1) of the header.
+stress::Tensor pressed(double x, double y, double z, double nu) {
   const double r = std::hypot(x, y), s = r * r + z * z - 1, root = std::hypot(s, 2 * z);
   const double u = s > 0 ? 0.5 * (s + root) : z == 0 ? 0 : 2 * z * z / (root - s), sqrt_u = std::sqrt(u);
   const bool inside = z == 0 && s < 0;
@@ -34,6 +34,49 @@ stress::Tensor hertz_stress(double x, double y, double z, double nu) {
           (srr - stt) * cosine * sine,
           srz * cosine,
           srz * sine};
+}
+
+using Complex = std::complex<double>;
+
+double H(const Complex& twice, const Complex& thrice) { return thrice.imag() - twice.real(); }
+
+// (2) of the header. What has R below it is multiplied by z, which is 0 where R is.
+stress::Tensor sheared(double x, double y, double z, double nu) {
+  const double r2 = x * x + y * y;
+  const Complex zeta{z, 1}, R = std::sqrt(Complex{r2 + z * z - 1, 2 * z}), s = R + zeta, s2 = s * s;
+  const Complex over_R = z == 0 ? 0 : 1.0 / R, F1 = std::log(s), F2 = zeta * F1 - R;
+  const Complex A2 = -1.0 / s, A3 = -0.5 * (F1 + zeta / s), B3 = -0.5 / s2,
+                B4 = (1.0 + r2 / 3 / s2) / (4.0 * s), B5 = (F1 - r2 / s2 * (2.0 / 3 + r2 / 12 / s2)) / 8.0,
+                C3 = over_R / (s * s2), C4 = -1.0 / (3.0 * s * s2), C5 = (1.0 + 0.5 * r2 / s2) / (12.0 * s2);
+  const double a = H(A2, A3), b3 = H(over_R / s2, B3), b4 = H(B3, B4), b5 = H(B4, B5), c4 = H(C3, C4),
+               c5 = H(C4, C5);
+  auto third = [&](double times, double square) {
+    return 2 * nu * (times * b5 + square * c5) - z * (times * b4 + square * c4);
+  };
+  return {x * (2 * (1 + nu) * a + third(3, x * x)),
+          x * (2 * nu * a + third(1, y * y)),
+          -z * x * H(over_R / s, A2),
+          y * (a + third(1, x * x)),
+          H(F1, F2) - z * (a + x * x * b3),
+          -z * x * y * b3};
+}
+
+}  // namespace
+
+stress::Tensor hertz_stress(double x, double y, double z, double nu, stress::Traction load) {
+  if (load == stress::normal) return pressed(x, y, z, nu);
+  if (load == stress::shear_x) return sheared(x, y, z, nu);
+  return stress::exchanged(sheared(y, x, z, nu));
+}
+
+stress::Tensor hertz_stress(double x, double y, double z, double nu, const Friction& friction) {
+  const auto weights = friction.weights();
+  stress::Tensor sum{};
+  for (stress::Traction t : stress::tractions) {
+    const stress::Tensor s = weights[t] == 0 ? stress::Tensor{} : hertz_stress(x, y, z, nu, t);
+    for (stress::Component c : stress::components) sum[c] += weights[t] * s[c];
+  }
+  return sum;
 }
 
 Field hertz_pressure(const Grid& grid) {

@@ -13,12 +13,6 @@ using stress::Tensor;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-Tensor exchanged(const Tensor& s) {
-  Tensor out;
-  for (stress::Component c : stress::components) out[c] = s[stress::exchanged(c)];
-  return out;
-}
-
 double arc(double X, double Y, double z, double r) { return X * Y == 0 ? 0 : std::atan2(X * Y, z * r); }
 
 // `distance` stands for 0 at the corner itself.
@@ -106,7 +100,7 @@ Tensor over_two_pi(Tensor s) {
 
 Tensor rectangle_stress(double x, double y, double z, double a, double b, double nu, stress::Traction load) {
   if (load == stress::shear_x) return over_two_pi(sheared(x, y, z, a, b, nu));
-  if (load == stress::shear_y) return exchanged(over_two_pi(sheared(y, x, z, b, a, nu)));
+  if (load == stress::shear_y) return stress::exchanged(over_two_pi(sheared(y, x, z, b, a, nu)));
   const double distance = std::sqrt(a * b) / std::numbers::pi;
   return over_two_pi(
       corner_sum(x, y, a, b, [&](double X, double Y) { return pressed_corner(X, Y, z, nu, distance); }));
@@ -114,7 +108,7 @@ Tensor rectangle_stress(double x, double y, double z, double a, double b, double
 
 Tensor point_load_stress(double x, double y, double z, double nu, stress::Traction load) {
   if (load == stress::shear_x) return over_two_pi(cerruti(x, y, z, nu));
-  if (load == stress::shear_y) return exchanged(over_two_pi(cerruti(y, x, z, nu)));
+  if (load == stress::shear_y) return stress::exchanged(over_two_pi(cerruti(y, x, z, nu)));
   return over_two_pi(boussinesq(x, y, z, nu));
 }
 

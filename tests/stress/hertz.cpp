@@ -14,7 +14,7 @@ using stress::Tensor;
 namespace {
 
 // The point load integrated over the Hertz pressure: r = sin t, 64 Gauss points by 128 around.
-Tensor integrated(double x, double y, double z, double nu) {
+Tensor integrated(double x, double y, double z, double nu, stress::Traction traction) {
   constexpr double half = std::numbers::pi / 4;
   constexpr int around = 128;
   Tensor sum{};
@@ -22,7 +22,7 @@ Tensor integrated(double x, double y, double z, double nu) {
     const double t = half * (1 + u), r = std::sin(t), load = weight * half * std::cos(t) * std::cos(t) * r;
     for (int k = 0; k < around; ++k) {
       const double angle = 2 * std::numbers::pi * k / around;
-      const Tensor s = point_load_stress(x - r * std::cos(angle), y - r * std::sin(angle), z, nu);
+      const Tensor s = point_load_stress(x - r * std::cos(angle), y - r * std::sin(angle), z, nu, traction);
       for (auto c : stress::components) sum[c] += load * 2 * std::numbers::pi / around * s[c];
     }
   }
@@ -33,13 +33,16 @@ Tensor integrated(double x, double y, double z, double nu) {
 
 // Around the circle the integrand is analytic in a strip of half-width ln(ρ+√(ρ²-1)) ≥ asinh(z) = 0.39 at z =
 // 0.4: 128 points leave exp(-128 · 0.39) = 2e-22. What is left is round-off of 8192 terms.
-TEST_CASE("Huber's field is the point load integrated over the Hertz pressure", "[hertz][exact]") {
+TEST_CASE("Huber's field and the sliding contact's are point loads integrated over the Hertz pressure",
+          "[hertz][exact]") {
   for (double nu : {0.0, 0.3, 0.5})
     for (auto [x, y, z] : {std::array{0.0, 0.0, 0.5}, std::array{0.3, -0.2, 0.4}, std::array{0.9, 0.5, 0.6},
                            std::array{-1.5, 2.0, 1.0}, std::array{0.1, 0.0, 4.0}}) {
-      const Tensor closed = hertz_stress(x, y, z, nu), sum = integrated(x, y, z, nu);
-      CAPTURE(x, y, z, nu);
-      for (auto c : stress::components) CHECK(std::abs(closed[c] - sum[c]) <= 1e-13);
+      for (auto load : stress::tractions) {
+        const Tensor closed = hertz_stress(x, y, z, nu, load), sum = integrated(x, y, z, nu, load);
+        CAPTURE(x, y, z, nu, load);
+        for (auto c : stress::components) CHECK(std::abs(closed[c] - sum[c]) <= 1e-13);
+      }
     }
 }
 
@@ -56,6 +59,70 @@ TEST_CASE("on the surface Huber's field is the pressure, hydrostatic-like inside
   CHECK(outside[stress::zz] == 0);
   for (double r : {0.2, 0.6, 0.99})
     CHECK(hertz_stress(0, r, 0, nu)[stress::zz] == Approx(-std::sqrt(1 - r * r)).epsilon(64 * epsilon));
+}
+
+// Cancellation of terms of the order of one, twice: 64 ε. At r = 1 itself, and at a depth of ε² of it, R loses half its digits.
+TEST_CASE("on the surface of a sliding Hertz contact the stress is linear in x and y", "[hertz][exact]") {
+  constexpr double pi = std::numbers::pi;
+  for (double nu : {0.0, 0.3, 0.5})
+    for (auto [x, y] :
+         {std::array{0.0, 0.0}, std::array{0.5, -0.3}, std::array{-0.7, 0.6}, std::array{-0.1, 0.9}}) {
+      const Tensor s = hertz_stress(x, y, 0, nu, stress::shear_x);
+      CAPTURE(x, y, nu);
+      CHECK(std::abs(s[stress::xx] + (4 + nu) * pi * x / 8) <= 64 * epsilon);
+      CHECK(std::abs(s[stress::yy] + 3 * nu * pi * x / 8) <= 64 * epsilon);
+      CHECK(std::abs(s[stress::xy] + (2 - nu) * pi * y / 8) <= 64 * epsilon);
+      CHECK(std::abs(s[stress::xz] + std::sqrt(1 - x * x - y * y)) <= 64 * epsilon);
+      CHECK(s[stress::zz] == 0);
+      CHECK(s[stress::yz] == 0);
+    }
+}
+
+TEST_CASE("at the trailing edge of a sliding contact the surface is in tension (1-2nu)/3 + (4+nu) pi mu/8",
+          "[hertz][exact]") {
+  for (double mu : {0.0, 0.1, 0.4}) {
+    const double exact = 0.4 / 3 + 4.3 * std::numbers::pi * mu / 8;
+    CHECK(hertz_stress(-1, 0, 0, 0.3, Friction{mu, 0})[stress::xx] == Approx(exact).epsilon(64 * epsilon));
+    CHECK(hertz_stress(0, -1, 0, 0.3, Friction{mu, std::numbers::pi / 2})[stress::yy] ==
+          Approx(exact).epsilon(64 * epsilon));
+  }
+}
+
+TEST_CASE("on the surface outside a sliding contact nothing acts", "[hertz][exact]") {
+  for (auto [x, y] : {std::array{1.2, 0.4}, std::array{-3.0, 1.0}}) {
+    const Tensor s = hertz_stress(x, y, 0, 0.3, stress::shear_x);
+    for (auto c : {stress::zz, stress::xz, stress::yz}) CHECK(std::abs(s[c]) <= 16 * epsilon);
+  }
+}
+
+// σ_vM is flat at its maximum: places are given to 5e-5, of which it keeps (5e-5)² times its curvature, about 2.
+TEST_CASE("friction raises the largest von Mises stress of a Hertz contact and moves it forward and up",
+          "[hertz][exact]") {
+  for (auto [mu, value, x, z] :
+       {std::array{0.1, 0.62444, 0.1116, 0.4749}, std::array{0.2, 0.63766, 0.2192, 0.4571},
+        std::array{0.25, 0.64759, 0.2703, 0.4440}, std::array{0.3, 0.65976, 0.3188, 0.4282},
+        std::array{0.4, 0.69094, 0.4052, 0.3883}}) {
+    auto at = [&](double dx, double dz) {
+      return von_mises(hertz_stress(x + dx, 0, z + dz, 0.3, Friction{mu, 0}));
+    };
+    CAPTURE(mu, at(0, 0));
+    CHECK(std::abs(at(0, 0) - value) <= 6e-6);
+    for (auto [dx, dz] :
+         {std::array{1e-3, 0.0}, std::array{-1e-3, 0.0}, std::array{0.0, 1e-3}, std::array{0.0, -1e-3}})
+      CHECK(at(dx, dz) < at(0, 0));
+  }
+}
+
+// There xx = (1-2ν)/3 + (4+ν)πμ/8 and yy = -(1-2ν)/3 + 3νπμ/8 alone.
+TEST_CASE(
+    "the trailing edge of a sliding Hertz contact bears more than any point below it from mu = 0.305 on",
+    "[hertz][exact]") {
+  auto edge = [](double mu) { return von_mises(hertz_stress(-1, 0, 0, 0.3, Friction{mu, 0})); };
+  for (auto [mu, value] : {std::array{0.1, 0.36130}, std::array{0.2, 0.50530}, std::array{0.3, 0.65400},
+                           std::array{0.4, 0.80479}})
+    CHECK(std::abs(edge(mu) - value) <= 6e-6);
+  CHECK(edge(0.3) < 0.65976);
+  CHECK(edge(0.305) > 0.66110);  // the largest below, at (0.3235, 0.4267)
 }
 
 // The maximum is flat: two depths 1e-3 away differ from it by ½ m'' 1e-6, m'' about 2.
