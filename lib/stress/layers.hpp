@@ -61,6 +61,7 @@ class StressSolver {
   const Field& pressure() const { return pressure_; }
   double poisson() const { return poisson_; }
   int threads() const { return threads_; }
+  bool slides() const { return acting(weights_).count() > 1; }  ///< friction acts
 
   /// What one thread needs to compute layers; may be used again for any depth and components.
   class Workspace {
@@ -124,8 +125,9 @@ class StressSolver {
 };
 
 /// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz
-/// contact (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell). Above
-/// it, cells nearer than this to an edge of the pressure may be off by up to 8 %; others keep to 1 %.
+/// contact (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell; with friction
+/// μ = 0.5 components 7e-3, von Mises 1.0e-2). Above it, cells nearer than this to an edge of the pressure may be off
+/// by up to 9 %, by 26 μ % more under friction; others by 1 %, at z = 0 by 5.5 μ % more.
 double accurate_depth(const Grid& grid);
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "grid/parallel.hpp"
@@ -49,7 +50,7 @@ Peak peak_of(const Field& f, const Grid& grid) {
   return peak;
 }
 
-// A layer looked at: its depth as ln z, and its peak.
+// A layer looked at: its depth as ln z, -∞ at the surface, and its peak.
 struct Sample {
   double log_depth = 0;
   Peak peak;
@@ -142,6 +143,11 @@ StressMaximum maximum_von_mises(const StressSolver& solver) {
   Sample best = *std::max_element(
       s.begin(), s.end(), [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
   Probe probe(solver);
+  if (solver.slides()) {
+    const Sample surface = probe.at(-std::numeric_limits<double>::infinity());
+    ++layers;
+    if (surface.peak.value > best.peak.value) best = surface;
+  }
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
     if (s[k].peak.value < s[k - 1].peak.value || s[k].peak.value < s[k + 1].peak.value) continue;
     const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;

@@ -1,6 +1,7 @@
 /// A whole layer as fields, and the grids of the tests.
 #pragma once
 
+#include "stress/hertz.hpp"
 #include "stress/layers.hpp"
 #include "stress/von_mises.hpp"
 
@@ -32,6 +33,19 @@ inline double difference(const TensorField& a, const TensorField& b) {
   double top = 0;
   for (auto c : stress::components) top = std::max(top, (a[c] - b[c]).abs().maxCoeff());
   return top;
+}
+
+/// ∂²/∂x² + ∂²/∂y² of the stress of a Hertz contact.
+inline stress::Tensor hertz_laplacian(double x, double y, double z, double nu,
+                                      const Friction& friction = {}) {
+  constexpr double h = 2e-3;
+  stress::Tensor sum{};
+  const stress::Tensor centre = hertz_stress(x, y, z, nu, friction);
+  for (auto [dx, dy] : {std::pair{h, 0.0}, std::pair{-h, 0.0}, std::pair{0.0, h}, std::pair{0.0, -h}}) {
+    const stress::Tensor s = hertz_stress(x + dx, y + dy, z, nu, friction);
+    for (auto c : stress::components) sum[c] += (s[c] - centre[c]) / (h * h);
+  }
+  return sum;
 }
 
 /// A square of side 3 around the unit contact, n × n cells.

@@ -27,17 +27,6 @@ TensorField direct(const Grid& grid, const Field& pressure, double z, double nu)
   return out;
 }
 
-Tensor hertz_laplacian(double x, double y, double z, double nu) {
-  constexpr double h = 2e-3;
-  Tensor sum{};
-  const Tensor centre = hertz_stress(x, y, z, nu);
-  for (auto [dx, dy] : {std::pair{h, 0.0}, std::pair{-h, 0.0}, std::pair{0.0, h}, std::pair{0.0, -h}}) {
-    const Tensor s = hertz_stress(x + dx, y + dy, z, nu);
-    for (auto c : stress::components) sum[c] += (s[c] - centre[c]) / (h * h);
-  }
-  return sum;
-}
-
 // Round-off of a layer: corners to 4 ulp of atan and of log, at most 16 ε per coefficient, and transforms.
 double round_off(const Field& pressure) { return 16 * epsilon * pressure.abs().sum(); }
 
@@ -62,24 +51,26 @@ TEST_CASE("a layer is the direct sum over the loaded cells, for every shape, dep
 TEST_CASE("the stress of a Hertz contact converges at order 2 with the error h^2/12 of its Laplacian",
           "[layers][order]") {
   const double z = 0.4809, nu = 0.3;
-  double coarse = 0;
-  for (Index n : {32, 64, 128}) {
-    const Grid grid = hertz_grid(n);
-    const TensorField field = layer(StressSolver(grid, hertz_pressure(grid), nu), z);
-    double error = 0, predicted = 0;
-    for (Index i = 0; i < n; ++i)
-      for (Index j = 0; j < n; ++j) {
-        const Tensor exact = hertz_stress(grid.x(i), grid.y(j), z, nu);
-        const Tensor laplacian = hertz_laplacian(grid.x(i), grid.y(j), z, nu);
-        for (auto c : stress::components) {
-          error = std::max(error, std::abs(field[c](i, j) - exact[c]));
-          predicted = std::max(predicted, std::abs(laplacian[c]) * grid.dx * grid.dx / 12);
+  for (Friction friction : {Friction{}, Friction{0.3, 0.4}}) {
+    double coarse = 0;
+    for (Index n : {32, 64, 128}) {
+      const Grid grid = hertz_grid(n);
+      const TensorField field = layer(StressSolver(grid, hertz_pressure(grid), friction, nu), z);
+      double error = 0, predicted = 0;
+      for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) {
+          const Tensor exact = hertz_stress(grid.x(i), grid.y(j), z, nu, friction);
+          const Tensor laplacian = hertz_laplacian(grid.x(i), grid.y(j), z, nu, friction);
+          for (auto c : stress::components) {
+            error = std::max(error, std::abs(field[c](i, j) - exact[c]));
+            predicted = std::max(predicted, std::abs(laplacian[c]) * grid.dx * grid.dx / 12);
+          }
         }
-      }
-    CAPTURE(n, error, predicted);
-    CHECK(error == Approx(predicted).epsilon(n == 32 ? 0.06 : 0.02));
-    if (coarse > 0) CHECK(observed_order(coarse, error) == Approx(2).margin(0.05));
-    coarse = error;
+      CAPTURE(friction.coefficient, n, error, predicted);
+      CHECK(error == Approx(predicted).epsilon(n == 32 ? 0.06 : 0.02));
+      if (coarse > 0) CHECK(observed_order(coarse, error) == Approx(2).margin(0.05));
+      coarse = error;
+    }
   }
 }
 
@@ -88,38 +79,40 @@ TEST_CASE("the stress of a Hertz contact converges at order 2 with the error h^2
 TEST_CASE("differences of the stress fulfil equilibrium at order 2, with the remainder of Huber's field",
           "[layers][order]") {
   const double z = 0.4, nu = 0.3;
-  double coarse = 0;
-  for (Index n : {32, 64, 128}) {
-    const Grid grid = hertz_grid(n);
-    const double h = grid.dx;
-    const StressSolver solver(grid, hertz_pressure(grid), nu);
-    const TensorField above = layer(solver, z - h), here = layer(solver, z), below = layer(solver, z + h);
-    auto remainder = [&](auto s_x, auto s_y, auto s_z) {
-      double top = 0;
-      for (Index i = 1; i + 1 < n; ++i)
-        for (Index j = 1; j + 1 < n; ++j) {
-          top =
-              std::max(top, std::abs(s_x(i, j, stress::xx) + s_y(i, j, stress::xy) + s_z(i, j, stress::xz)));
-          top =
-              std::max(top, std::abs(s_x(i, j, stress::xz) + s_y(i, j, stress::yz) + s_z(i, j, stress::zz)));
-        }
-      return top / (2 * h);
-    };
-    const double computed =
-        remainder([&](Index i, Index j, auto c) { return here[c](i + 1, j) - here[c](i - 1, j); },
-                  [&](Index i, Index j, auto c) { return here[c](i, j + 1) - here[c](i, j - 1); },
-                  [&](Index i, Index j, auto c) { return below[c](i, j) - above[c](i, j); });
-    auto hertz = [&](Index i, Index j, double depth, auto c) {
-      return hertz_stress(grid.x(i), grid.y(j), depth, nu)[c];
-    };
-    const double exact =
-        remainder([&](Index i, Index j, auto c) { return hertz(i + 1, j, z, c) - hertz(i - 1, j, z, c); },
-                  [&](Index i, Index j, auto c) { return hertz(i, j + 1, z, c) - hertz(i, j - 1, z, c); },
-                  [&](Index i, Index j, auto c) { return hertz(i, j, z + h, c) - hertz(i, j, z - h, c); });
-    CAPTURE(n, computed, exact);
-    CHECK(computed == Approx(exact).epsilon(20 * h * h));
-    if (n > 64) CHECK(observed_order(coarse, computed) == Approx(2).margin(0.05));
-    coarse = computed;
+  for (Friction friction : {Friction{}, Friction{0.3, 0.4}}) {
+    double coarse = 0;
+    for (Index n : {32, 64, 128}) {
+      const Grid grid = hertz_grid(n);
+      const double h = grid.dx;
+      const StressSolver solver(grid, hertz_pressure(grid), friction, nu);
+      const TensorField above = layer(solver, z - h), here = layer(solver, z), below = layer(solver, z + h);
+      auto remainder = [&](auto s_x, auto s_y, auto s_z) {
+        double top = 0;
+        for (Index i = 1; i + 1 < n; ++i)
+          for (Index j = 1; j + 1 < n; ++j) {
+            top = std::max(top,
+                           std::abs(s_x(i, j, stress::xx) + s_y(i, j, stress::xy) + s_z(i, j, stress::xz)));
+            top = std::max(top,
+                           std::abs(s_x(i, j, stress::xz) + s_y(i, j, stress::yz) + s_z(i, j, stress::zz)));
+          }
+        return top / (2 * h);
+      };
+      const double computed =
+          remainder([&](Index i, Index j, auto c) { return here[c](i + 1, j) - here[c](i - 1, j); },
+                    [&](Index i, Index j, auto c) { return here[c](i, j + 1) - here[c](i, j - 1); },
+                    [&](Index i, Index j, auto c) { return below[c](i, j) - above[c](i, j); });
+      auto hertz = [&](Index i, Index j, double depth, auto c) {
+        return hertz_stress(grid.x(i), grid.y(j), depth, nu, friction)[c];
+      };
+      const double exact =
+          remainder([&](Index i, Index j, auto c) { return hertz(i + 1, j, z, c) - hertz(i - 1, j, z, c); },
+                    [&](Index i, Index j, auto c) { return hertz(i, j + 1, z, c) - hertz(i, j - 1, z, c); },
+                    [&](Index i, Index j, auto c) { return hertz(i, j, z + h, c) - hertz(i, j, z - h, c); });
+      CAPTURE(friction.coefficient, n, computed, exact);
+      CHECK(computed == Approx(exact).epsilon(20 * h * h));
+      if (n > 64) CHECK(observed_order(coarse, computed) == Approx(2).margin(0.05));
+      coarse = computed;
+    }
   }
 }
 
