@@ -18,7 +18,8 @@
 ///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
 ///           the steps of the pressure show below its edges: see accurate_depth.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
-///           128 × 128 cells take 9-12 padded real transforms, 2-4 ms. Memory: 4 N doubles for the
+///           128 × 128 cells take 9-12 padded real transforms, 2-4 ms; with friction along an axis 1.5 times as
+///           long, in another direction twice. Memory: 4 N doubles for the
 ///           pressure, and per thread 3 N for each component asked, N = nx ny.
 ///
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
@@ -127,7 +128,10 @@ class StressSolver {
 /// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz
 /// contact (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell; with friction
 /// μ = 0.5 components 7e-3, von Mises 1.0e-2). Above it, cells nearer than this to an edge of the pressure may be off
-/// by up to 9 %, by 26 μ % more under friction; others by 1 %, at z = 0 by 5.5 μ % more.
+/// by up to 9 %, by 26 μ % more under friction; others by 1 %, at z = 0 by 5.5 μ % more: a tangential stress has the
+/// logarithm of the distance from each step of its traction q, which halfway between the steps leaves at order 1
+///     Δσxx = -(2 ln 2/π) Δx ∂qx/∂x,   Δσyy = ν Δσxx,   Δσxy = -(ln 2/π) Δy ∂qx/∂y   of qx, of qy likewise,
+/// and fades as exp(-2πz/Δx).
 double accurate_depth(const Grid& grid);
 
 }  // namespace asperity

@@ -114,7 +114,6 @@ void principal_stress(const StressRow& s, Index count, double* const* out) {
   for (Index begin = 0; begin < count; begin += lanes) {
     const Index points = std::min(lanes, count - begin);
     for (std::size_t c = 0; c < 6; ++c) std::copy_n(s[c] + begin, points, in[c]);
-#pragma GCC ivdep
     for (Index l = 0; l < lanes; ++l) {
       const PrincipalStress p = solve({in[0][l], in[1][l], in[2][l], in[3][l], in[4][l], in[5][l]});
 #pragma GCC unroll 3

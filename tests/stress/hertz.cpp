@@ -98,15 +98,17 @@ TEST_CASE("on the surface outside a sliding contact nothing acts", "[hertz][exac
 // σ_vM is flat at its maximum: places are given to 5e-5, of which it keeps (5e-5)² times its curvature, about 2.
 TEST_CASE("friction raises the largest von Mises stress of a Hertz contact and moves it forward and up",
           "[hertz][exact]") {
-  for (auto [mu, value, x, z] :
-       {std::array{0.1, 0.62444, 0.1116, 0.4749}, std::array{0.2, 0.63766, 0.2192, 0.4571},
-        std::array{0.25, 0.64759, 0.2703, 0.4440}, std::array{0.3, 0.65976, 0.3188, 0.4282},
-        std::array{0.4, 0.69094, 0.4052, 0.3883}}) {
+  struct Row {
+    double mu, value, x, z;
+  };
+  for (const Row& row : {Row{0.1, 0.62444, 0.1116, 0.4749}, Row{0.2, 0.63766, 0.2192, 0.4571},
+                         Row{0.25, 0.64759, 0.2703, 0.4440}, Row{0.3, 0.65976, 0.3188, 0.4282},
+                         Row{0.4, 0.69094, 0.4052, 0.3883}}) {
     auto at = [&](double dx, double dz) {
-      return von_mises(hertz_stress(x + dx, 0, z + dz, 0.3, Friction{mu, 0}));
+      return von_mises(hertz_stress(row.x + dx, 0, row.z + dz, 0.3, Friction{row.mu, 0}));
     };
-    CAPTURE(mu, at(0, 0));
-    CHECK(std::abs(at(0, 0) - value) <= 6e-6);
+    CAPTURE(row.mu, at(0, 0));
+    CHECK(std::abs(at(0, 0) - row.value) <= 6e-6);
     for (auto [dx, dz] :
          {std::array{1e-3, 0.0}, std::array{-1e-3, 0.0}, std::array{0.0, 1e-3}, std::array{0.0, -1e-3}})
       CHECK(at(dx, dz) < at(0, 0));

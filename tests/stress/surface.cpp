@@ -1,6 +1,9 @@
 /// How far a pressure that is constant in each cell may be trusted near the surface: at an edge of the contact, where
 /// the Hertz pressure falls as a root, it is off by a part of the pressure's last step, √(2Δ) p0.
+#include <numbers>
+
 #include "layer.hpp"
+#include "stress/influence.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -71,4 +74,47 @@ TEST_CASE("the error at the edge of a contact falls as the root of the cell", "[
       CAPTURE(friction.coefficient, z, coarse, fine);
       CHECK(0.5 * observed_order(coarse, fine) == Approx(0.5).margin(0.12));
     }
+}
+
+// The steps of qx lie at odd halves of Δx: Σ ln(k + ½) exceeds ∫ ln by ½ ln 2 to each side, and σxx has -(2/π) ln of the
+// distance from each, σxy half of that from the steps across y. Next to it stand terms of order 2, below a tenth of it here.
+TEST_CASE(
+    "at the surface under friction the cells leave -(2 ln 2/pi) h of the traction's slope in the tangential "
+    "stress",
+    "[surface][order]") {
+  const double mu = 0.4, factor = 2 * std::numbers::ln2 / std::numbers::pi;
+  for (Index n : {64, 128, 256}) {
+    const Grid grid = hertz_grid(n);
+    const TensorField with = layer(StressSolver(grid, hertz_pressure(grid), {mu, 0}, nu), 0),
+                      without = layer(StressSolver(grid, hertz_pressure(grid), nu), 0);
+    const Index i = 5 * n / 8, j = 7 * n / 16;  // about (0.38, -0.19)
+    const double x = grid.x(i), y = grid.y(j), p = std::sqrt(1 - x * x - y * y);
+    const stress::Tensor exact = hertz_stress(x, y, 0, nu, stress::shear_x);
+    auto error = [&](stress::Component c) { return with[c](i, j) - without[c](i, j) - mu * exact[c]; };
+    const double along = factor * grid.dx * mu * x / p, across = 0.5 * factor * grid.dy * mu * y / p;
+    CAPTURE(n, error(stress::xx), along, error(stress::xy), across);
+    CHECK(error(stress::xx) == Approx(along).epsilon(8.0 / static_cast<double>(n)));
+    CHECK(error(stress::yy) == Approx(nu * along).epsilon(8.0 / static_cast<double>(n)));
+    CHECK(error(stress::xy) == Approx(across).epsilon(8.0 / static_cast<double>(n)));
+  }
+}
+
+// Δx/2π is where the logarithm of a step's own place makes the sum over all steps that of a smooth traction.
+TEST_CASE("on the edges and corners of the cells the surface stress under friction converges at order 2",
+          "[surface][order]") {
+  const Friction friction{0.5, 0.5};
+  auto error = [&](Index n, double x, double y) {
+    const Grid grid = hertz_grid(n);
+    const stress::Tensor s = stress_at(grid, hertz_pressure(grid), x, y, 0, nu, friction),
+                         exact = hertz_stress(x, y, 0, nu, friction);
+    double top = 0;
+    for (auto c : stress::components) top = std::max(top, std::abs(s[c] - exact[c]));
+    return top;
+  };
+  for (auto [x, y] : {std::array{0.375, 0.25}, std::array{0.25, 0.5}}) {
+    CAPTURE(x, y, error(24, x, y));
+    CHECK(error(24, x, y) <= 0.01);
+    CHECK(observed_order(error(24, x, y), error(48, x, y)) == Approx(2).margin(0.1));
+    CHECK(observed_order(error(48, x, y), error(96, x, y)) == Approx(2).margin(0.1));
+  }
 }
