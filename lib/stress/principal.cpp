@@ -68,8 +68,10 @@ struct Plane {
     const double uu = dot(u, su), ww = dot(w, sw), uw = dot(u, sw);
     const double middle = 0.5 * (uu + ww), half = 0.5 * (uu - ww), radius = std::sqrt(half * half + uw * uw);
     larger = middle + radius, smaller = middle - radius;
-    // Half the angle 2θ of (half, uw): the larger of |cos θ| and |sin θ| first.
-    const double over = 1 / (radius > 0 ? radius : 1), big = std::sqrt(0.5 * (1 + std::abs(half) * over));
+    // Half the angle 2θ of (half, uw), or none: the larger of |cos θ| and |sin θ| first.
+    const bool apart = radius > 1e-100;
+    const double over = apart ? 1 / radius : 0,
+                 big = std::sqrt(0.5 * (1 + (apart ? std::abs(half) * over : 1)));
     const double small = 0.5 * uw * over / big;
     const double cosine = half >= 0 ? big : std::abs(small),
                  sine = half >= 0 ? small : std::copysign(big, uw);
