@@ -6,24 +6,26 @@
 namespace asperity {
 namespace {
 
-template <class Values>
-FaceResidual size_of(const Values& r) {
-  return {r.square().sum(), r.abs().maxCoeff()};
-}
+// Pairs of sums over a block.
+using Sums = Eigen::Array2d;
 
 }  // namespace
 
 void Face::set(const ContactProblem& problem, const Field& p, const Field& g, double approach) {
-  mask.resize(p.rows(), p.cols());
-  const Eigen::Array2d sums = problem.blocks().sum([&](Block block) {
-    const auto pb = block.of(p), gb = block.of(g);
-    auto in_face = block.of(mask);
-    if (problem.capped())
-      in_face =
-          (pb <= 0).select(gb < approach, (pb < problem.cap) || (gb > approach)).template cast<double>();
-    else
-      in_face = (pb > 0 || gb < approach).template cast<double>();
-    return Eigen::Array2d(in_face.sum(), (in_face * gb).sum());
+  mask.resize(static_cast<std::size_t>(p.size()));
+  const Sums sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
+    const double *pb = block.of(p).data(), *gb = block.of(g).data();
+    std::int8_t* in_face = mask.data() + block.begin;
+    double count = 0, gap = 0;
+#pragma omp simd reduction(+ : count, gap)
+    for (Index i = 0; i < block.size; ++i) {
+      const bool pushed = gb[i]<approach, pulled = gb[i]> approach;
+      const bool in = pb[i] <= 0 ? pushed : pb[i] < cap || pulled;
+      in_face[i] = static_cast<std::int8_t>(in);
+      count += in ? 1.0 : 0.0;
+      gap += in ? gb[i] : 0.0;
+    }
+    return Sums(count, gap);
   });
   cells = sums[0];
   gap_sum = sums[1];
@@ -35,13 +37,26 @@ void FaceGradients::begin(const Face& face, const Field& p, const Field& g) {
   steps_ = 0;
   mean_gap_ = problem_.approach ? *problem_.approach : mean(face.gap_sum);
   keep(problem_.blocks().sum([&](Block b) {
-    auto r = b.of(trial_.q);
     b.of(trial_.p) = b.of(p);
     b.of(trial_.g) = b.of(g);
     b.of(trial_.d).setZero();
-    r = b.of(face_->mask) * (mean_gap_ - b.of(g));
-    return size_of(r);
+    return residual(b);
   }));
+}
+
+// r = P_F (-g), in the place of q.
+FaceResidual FaceGradients::residual(Block b) {
+  const std::int8_t* in_face = mask(b);
+  const double *g = b.of(trial_.g).data(), level = mean_gap_;
+  double *r = b.of(trial_.q).data(), squared = 0, largest = 0;
+#pragma omp simd reduction(+ : squared) reduction(max : largest)
+  for (Index i = 0; i < b.size; ++i) {
+    const double ri = in_face[i] * (level - g[i]);
+    r[i] = ri;
+    squared += ri * ri;
+    largest = std::max(largest, std::abs(ri));
+  }
+  return {squared, largest};
 }
 
 void FaceGradients::keep(const FaceResidual& residual) {
@@ -51,20 +66,33 @@ void FaceGradients::keep(const FaceResidual& residual) {
 
 bool FaceGradients::step() {
   const Blocks blocks = problem_.blocks();
-  Field& z = trial_.q;
-  influence_.precondition(trial_.q, z);
-  const Eigen::Array2d sums = blocks.sum([&](Block b) {
-    const auto mask = b.of(face_->mask);
-    const auto zb = b.of(z);
-    return Eigen::Array2d((mask * zb).sum(), (mask * zb * (mean_gap_ - b.of(trial_.g))).sum());
+  influence_.precondition(trial_.q, trial_.q);
+  const Sums z = blocks.sum([&](Block b) {
+    const std::int8_t* in_face = mask(b);
+    const double *zb = b.of(trial_.q).data(), *g = b.of(trial_.g).data(), level = mean_gap_;
+    double sum = 0, zr = 0;
+#pragma omp simd reduction(+ : sum, zr)
+    for (Index i = 0; i < b.size; ++i) {
+      const double zi = in_face[i] * zb[i];
+      sum += zi;
+      zr += zi * (level - g[i]);
+    }
+    return Sums(sum, zr);
   });
-  const double mean_z = mean(sums[0]), zr = sums[1];
-  turn(mean_z, steps_ > 0 ? zr / zr_old_ : 0);
+  const double zr = z[1];
+  turn(mean(z[0]), steps_ > 0 ? zr / zr_old_ : 0);
 
   influence_.apply(trial_.d, trial_.q);
-  const Eigen::Array2d q = blocks.sum([&](Block b) {
-    const auto qb = b.of(trial_.q);
-    return Eigen::Array2d((b.of(trial_.d) * qb).sum(), (b.of(face_->mask) * qb).sum());
+  const Sums q = blocks.sum([&](Block b) {
+    const std::int8_t* in_face = mask(b);
+    const double *d = b.of(trial_.d).data(), *qb = b.of(trial_.q).data();
+    double curvature = 0, sum = 0;
+#pragma omp simd reduction(+ : curvature, sum)
+    for (Index i = 0; i < b.size; ++i) {
+      curvature += d[i] * qb[i];
+      sum += in_face[i] * qb[i];
+    }
+    return Sums(curvature, sum);
   });
   if (!(q[0] > 0 && zr > 0)) return false;
   zr_old_ = zr;
@@ -76,8 +104,11 @@ bool FaceGradients::step() {
 // d = P_F z + β d.
 void FaceGradients::turn(double mean_z, double beta) {
   problem_.blocks().each([&](Block b) {
-    auto d = b.of(trial_.d);
-    d = b.of(face_->mask) * (b.of(trial_.q) - mean_z) + beta * d;
+    const std::int8_t* in_face = mask(b);
+    const double* z = b.of(trial_.q).data();
+    double* d = b.of(trial_.d).data();
+#pragma omp simd
+    for (Index i = 0; i < b.size; ++i) d[i] = in_face[i] * (z[i] - mean_z) + beta * d[i];
   });
 }
 
@@ -85,11 +116,9 @@ void FaceGradients::turn(double mean_z, double beta) {
 void FaceGradients::advance(double a, double mean_q) {
   mean_gap_ += a * mean_q;
   keep(problem_.blocks().sum([&](Block b) {
-    auto r = b.of(trial_.q), g = b.of(trial_.g);
     b.of(trial_.p) += a * b.of(trial_.d);
-    g += a * r;
-    r = b.of(face_->mask) * (mean_gap_ - g);
-    return size_of(r);
+    b.of(trial_.g) += a * b.of(trial_.q);
+    return residual(b);
   }));
 }
 
@@ -101,12 +130,16 @@ bool FaceGradients::out_of_bounds() const {
 }
 
 bool FaceGradients::face_too_small() const {
-  return problem_.blocks().sum([&](Block b) {
-    const auto mask = b.of(face_->mask);
-    const auto p = b.of(trial_.p), g = b.of(trial_.g);
-    bool found = (mask == 0 && p <= 0 && g < mean_gap_).any();
-    if (problem_.capped()) found = found || (mask == 0 && p >= problem_.cap && g > mean_gap_).any();
-    return static_cast<int>(found);
+  return problem_.blocks().sum([&, cap = problem_.cap, level = mean_gap_](Block b) {
+    const std::int8_t* in_face = mask(b);
+    const double *p = b.of(trial_.p).data(), *g = b.of(trial_.g).data();
+    int driven = 0;
+#pragma omp simd reduction(+ : driven)
+    for (Index i = 0; i < b.size; ++i) {
+      const int off_zero = (p[i] <= 0) & (g[i] < level), off_cap = (p[i] >= cap) & (g[i] > level);
+      driven += (in_face[i] ^ 1) & (off_zero | off_cap);
+    }
+    return driven;
   }) > 0;
 }
 

@@ -16,23 +16,7 @@ struct Extent {
   double highest_limited = -infinity;             // max g over p = c
   double lowest = infinity, highest = -infinity;  // of u
   double max_pressure = 0;
-  Index free = 0, at_limit = 0;
-
-  void add(const ContactProblem& problem, double p, double g, double u) {
-    if (problem.is_free(p)) {
-      free_gap += g;
-      ++free;
-    } else if (p <= 0) {
-      lowest_open = std::min(lowest_open, g);
-    } else {
-      highest_limited = std::max(highest_limited, g);
-      ++at_limit;
-    }
-    sum += p;
-    lowest = std::min(lowest, u);
-    highest = std::max(highest, u);
-    max_pressure = std::max(max_pressure, p);
-  }
+  double free = 0, at_limit = 0;  // cells
 
   void operator+=(const Extent& other) {
     sum += other.sum;
@@ -47,18 +31,33 @@ struct Extent {
   }
 
   double approach() const {
-    if (free > 0) return free_gap / static_cast<double>(free);
+    if (free > 0) return free_gap / free;
     if (at_limit == 0) return lowest_open;
     return std::isfinite(lowest_open) ? (highest_limited + lowest_open) / 2 : highest_limited;
   }
 };
 
 Extent extent(const ContactProblem& problem, const Field& p, const Field& g) {
-  return problem.blocks().sum([&](Block block) {
-    const auto pb = block.of(p), gb = block.of(g), hb = block.of(problem.h);
-    Extent part;
-    for (Index i = 0; i < block.size; ++i) part.add(problem, pb[i], gb[i], gb[i] - hb[i]);
-    return part;
+  return problem.blocks().sum([&, cap = problem.cap](Block block) {
+    const double *pb = block.of(p).data(), *gb = block.of(g).data(), *hb = block.of(problem.h).data();
+    double sum = 0, free_gap = 0, free = 0, at_limit = 0, max_pressure = 0;
+    double lowest_open = infinity, highest_limited = -infinity, lowest = infinity, highest = -infinity;
+#pragma omp simd reduction(+ : sum, free_gap, free, at_limit) reduction(min : lowest, lowest_open) \
+    reduction(max : max_pressure, highest, highest_limited)
+    for (Index i = 0; i < block.size; ++i) {
+      const double pi = pb[i], gi = gb[i], u = gi - hb[i];
+      const int open = pi <= 0, limited = pi >= cap, is_free = (open | limited) ^ 1;
+      sum += pi;
+      free += is_free;
+      at_limit += limited;
+      free_gap += is_free * gi;
+      lowest_open = std::min(lowest_open, open != 0 ? gi : infinity);
+      highest_limited = std::max(highest_limited, limited != 0 ? gi : -infinity);
+      lowest = std::min(lowest, u);
+      highest = std::max(highest, u);
+      max_pressure = std::max(max_pressure, pi);
+    }
+    return Extent{sum, free_gap, lowest_open, highest_limited, lowest, highest, max_pressure, free, at_limit};
   });
 }
 
@@ -93,8 +92,8 @@ ContactResidual contact_residual(const ContactProblem& problem, const Field& p, 
                        problem.self_influence * found.sum / static_cast<double>(p.size()));
   out.sum = found.sum;
   out.max_pressure = found.max_pressure;
-  out.free = found.free;
-  out.at_limit = found.at_limit;
+  out.free = static_cast<Index>(found.free);
+  out.at_limit = static_cast<Index>(found.at_limit);
   const double w = largest_violation(problem, p, g, out.approach);
   out.epsilon = w > 0 ? w / out.scale : 0;
   return out;
