@@ -25,7 +25,7 @@
 /// The load on the rectangle from the centre to (x, y), both in [-1, 1], is, with w² = max(0, 1 - x² - y²),
 ///     ⅓ [xyw + ½x(3-x²) atan2(y,w) + ½y(3-y²) atan2(x,w) - atan2(xy,w)].                              (3)
 ///
-/// Accuracy  2e-14 of (1), 1e-15 of (3); of (2) 2e-14 within four radii, growing as the depth.
+/// Accuracy  2e-14 of (1), 1e-15 of (3); of (2) 1e-13 within four radii, growing as the depth.
 ///
 /// [1] M. T. Huber, Zur Theorie der Berührung fester elastischer Körper, Ann. Physik 319 (1904) 153-163.
 /// [2] G. M. Hamilton, Explicit equations for the stresses beneath a sliding spherical contact, Proc. Inst. Mech.
