@@ -7,7 +7,7 @@
 ///     R(p,q) = C(p,q) / (nx ny),                     biased: positive definite, smaller far out,   (3)
 /// and on a periodic grid, where every point has a partner at every lag, C(p,q)/(nx ny), both at once.
 ///
-/// Symbols   z  heights [m]      R  autocorrelation [m²], R(0,0) = Rq²      p, q  lags [samples]
+/// Symbols   z  heights [m]      R  autocorrelation [m²], R(0,0) = Sq²      p, q  lags [samples]
 /// Accuracy  Round-off ε log2(N) Σd²/N. As an estimate, (2) is unbiased when the level is known; the field's
 ///           own mean in its place lowers every lag by about Var[z̄] = σ² Σρ / N (stats/effective_size.hpp).
 /// Cost      one pruned transform there and back, padded only as far as the lags asked for.

@@ -52,7 +52,7 @@ double count_variance(double a, double b, double share, const EffectiveSize& siz
 }
 
 void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSize& size) {
-  const double a = (bin.lower - moments.mean) / moments.rq, b = (bin.upper - moments.mean) / moments.rq;
+  const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
   const double share = gaussian_share(a, b);
   bin.expected = size.points() * share;
   bin.count_error = std::sqrt(count_variance(a, b, share, size, 1));
@@ -62,8 +62,8 @@ void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSize
 }  // namespace
 
 int scott_bins(const Moments& moments, double points) {
-  const double width = std::cbrt(24 / std::numbers::inv_sqrtpi / points) * moments.rq;
-  return static_cast<int>(std::ceil(moments.rz() / width));
+  const double width = std::cbrt(24 / std::numbers::inv_sqrtpi / points) * moments.sq;
+  return static_cast<int>(std::ceil(moments.sz() / width));
 }
 
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins) {

@@ -1,12 +1,12 @@
-/// The distribution of heights: a histogram, its standard errors, and the Gaussian of the same mean and Rq.
+/// The distribution of heights: a histogram, its standard errors, and the Gaussian of the same mean and Sq.
 ///
 /// Bins of equal width from the lowest height to the highest, as many as Scott's rule asks for,
-///     width ≤ (24 √π / N)^{1/3} Rq = 3.49 Rq N^{-1/3},                                             (1)
+///     width ≤ (24 √π / N)^{1/3} Sq = 3.49 Sq N^{-1/3},                                             (1)
 /// the width that is best for N Gaussian heights; N, not a smaller effective number, because correlation adds
 /// to the density's error a part that no width changes. Each bin holds lower ≤ z < upper, the last one its
 /// upper edge too.
 ///
-/// The count c of a bin [a,b] in units of Rq about the mean is a sum of indicators, whose Hermite
+/// The count c of a bin [a,b] in units of Sq about the mean is a sum of indicators, whose Hermite
 /// coefficients are
 ///     c_k = He_{k-1}(a) φ(a) - He_{k-1}(b) φ(b),                                                   (2)
 ///     Var[c] = N Σ_{k≥1} (c_k²/k!) S_k            (stats/effective_size.hpp),                       (3)

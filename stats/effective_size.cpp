@@ -91,12 +91,12 @@ MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size) 
     w = k == 2 ? std::numbers::inv_pi : w * (2 * m - 1) * (2 * m - 1) / ((2 * m + 1) * (2 * m + 2));
     return w;
   };
-  const double n = size.points(), sigma = moments.rq;
+  const double n = size.points(), sigma = moments.sq;
   return {.mean = sigma * std::sqrt(size.sum(1) / n),
-          .ra = sigma * std::sqrt(size.variance_of_mean(of_absolute, 1 - 2 * std::numbers::inv_pi)),
-          .rq = sigma * std::sqrt(size.sum(2) / (2 * n)),
-          .rsk = std::sqrt(6 * size.sum(3) / n),
-          .rku = std::sqrt(24 * size.sum(4) / n)};
+          .sa = sigma * std::sqrt(size.variance_of_mean(of_absolute, 1 - 2 * std::numbers::inv_pi)),
+          .sq = sigma * std::sqrt(size.sum(2) / (2 * n)),
+          .ssk = std::sqrt(6 * size.sum(3) / n),
+          .sku = std::sqrt(24 * size.sum(4) / n)};
 }
 
 }  // namespace asperity

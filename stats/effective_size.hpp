@@ -5,11 +5,11 @@
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
 ///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (weights 1 on a periodic grid).            (2)
 /// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and
-///     Var[z̄]  = σ² S_1/N          Var[Rq²] = 2σ⁴ S_2/N          Var[Rq] = σ² S_2/(2N)               (3)
-///     Var[Rsk] = 6 S_3/N           Var[Rku] = 24 S_4/N                                               (4)
-///     Var[Ra]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
+///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
+///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
+///     Var[Sa]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
 /// to first order in 1/N; the mean and the rms height that the field itself supplies are thereby accounted
-/// for in (3)–(5). The field's own mean also lowers E[Rq²] by the factor 1 - S_1/N.
+/// for in (3)–(5). The field's own mean also lowers E[Sq²] by the factor 1 - S_1/N.
 ///
 /// An estimated ρ is mostly noise far out, of standard error √(S_2/N) (stats/acf_error.hpp); summed, that
 /// noise would be as large as S_2 itself. Therefore lags are admitted in the order of |ρ| for as long as the
@@ -20,9 +20,9 @@
 /// S_1 = Σ/(1 - K/N).
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
-/// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Rq].
+/// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].
 /// Accuracy  The 95 % intervals cover 92–99 % with a known ρ, down to N_eff = N/S_2 = 40; with an estimated one
-///           94–97 % from N_eff = 600 on, but for Ra and Rq 92 % at 150 and 84 % at 40 (1600 fields of
+///           94–97 % from N_eff = 600 on, but for Sa and Sq 92 % at 150 and 84 % at 40 (1600 fields of
 ///           128 × 128 a row, validation/statistics_coverage). An S_k that noise makes negative, which no
 ///           correlation has, counts as zero.
 /// Cost      at most 512 multiplications a lag, fewer where ρᵏ vanishes; two passes over an estimate's lags.
@@ -66,7 +66,7 @@ LagField significant_lags(const LagField& estimate, const Grid& grid);
 
 /// Standard errors (3)–(5), in the unit of the field.
 struct MomentErrors {
-  double mean = 0, ra = 0, rq = 0, rsk = 0, rku = 0;
+  double mean = 0, sa = 0, sq = 0, ssk = 0, sku = 0;
 };
 MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size);
 

@@ -47,12 +47,12 @@ Moments moments(const Field& z, std::string_view variable) {
     throw DataError(std::string(variable),
                     "every value is the same: skewness and kurtosis need some roughness");
   return {.mean = shift + level,
-          .ra = sums.absolute / n,
-          .rq = std::sqrt(variance),
-          .rsk = sums.third / n / (variance * std::sqrt(variance)),
-          .rku = sums.fourth / n / (variance * variance),
-          .rp = sums.highest,
-          .rv = -sums.lowest};
+          .sa = sums.absolute / n,
+          .sq = std::sqrt(variance),
+          .ssk = sums.third / n / (variance * std::sqrt(variance)),
+          .sku = sums.fourth / n / (variance * variance),
+          .sp = sums.highest,
+          .sv = -sums.lowest};
 }
 
 }  // namespace asperity

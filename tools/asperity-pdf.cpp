@@ -36,12 +36,12 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-pdf",
       "The histogram of the heights, a row a bin: its centre, the count with its standard error, the count "
-      "expected of the Gaussian with the same mean and Rq, the misfit (count - expected, in standard errors "
+      "expected of the Gaussian with the same mean and Sq, the misfit (count - expected, in standard errors "
       "of that difference), and the same as densities.");
   cli::MeasuredOptions options;
   int bins = 0;
   options.declare(tool);
-  tool.integer("--bins", bins, 0, "Bins of equal width over the range; 0: Scott's rule, 3.49 Rq / N^(1/3)",
+  tool.integer("--bins", bins, 0, "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)",
                "Bins");
   tool.input();
   tool.table();

@@ -14,18 +14,18 @@ cli::Quantities quantities_of(const cli::Measured& measured, const Moments& m, c
   const std::string& unit = measured.units;
   return {{
       {"mean", measured.level, unit, error.mean, "mean, subtracted from the heights below"},
-      {"Ra", m.ra, unit, error.ra, "arithmetic mean height (areal Sa)"},
-      {"Rq", m.rq, unit, error.rq, "root mean square height (areal Sq)"},
-      {"Rsk", m.rsk, "1", error.rsk, "skewness (areal Ssk), 0 for a Gaussian"},
-      {"Rku", m.rku, "1", error.rku, "kurtosis (areal Sku), 3 for a Gaussian"},
-      {"Rp", m.rp, unit, unknown, "highest peak of the whole field (areal Sp)"},
-      {"Rv", m.rv, unit, unknown, "deepest valley of the whole field (areal Sv)"},
-      {"Rz", m.rz(), unit, unknown, "maximum height Rp + Rv (areal Sz)"},
+      {"Sa", m.sa, unit, error.sa, "arithmetic mean height"},
+      {"Sq", m.sq, unit, error.sq, "root mean square height"},
+      {"Ssk", m.ssk, "1", error.ssk, "skewness, 0 for a Gaussian"},
+      {"Sku", m.sku, "1", error.sku, "kurtosis, 3 for a Gaussian"},
+      {"Sp", m.sp, unit, unknown, "highest peak of the whole field"},
+      {"Sv", m.sv, unit, unknown, "deepest valley of the whole field"},
+      {"Sz", m.sz(), unit, unknown, "maximum height Sp + Sv"},
       {"N", size.points(), "1", unknown, "points"},
       {"N_eff_mean", size.effective(1), "1", unknown, "independent points with the same error of the mean"},
-      {"N_eff", size.effective(2), "1", unknown, "independent points with the same error of Rq"},
-      {"N_eff_Rsk", size.effective(3), "1", unknown, "independent points with the same error of Rsk"},
-      {"N_eff_Rku", size.effective(4), "1", unknown, "independent points with the same error of Rku"},
+      {"N_eff", size.effective(2), "1", unknown, "independent points with the same error of Sq"},
+      {"N_eff_Ssk", size.effective(3), "1", unknown, "independent points with the same error of Ssk"},
+      {"N_eff_Sku", size.effective(4), "1", unknown, "independent points with the same error of Sku"},
   }};
 }
 
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
       "asperity-stats",
       "Height parameters of a surface, with standard errors that allow for the correlation of "
       "neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population moments of the whole "
-      "field, which profile names (Rq) and areal names (Sq) share.");
+      "field, which profile names (Sq) and areal names (Sq) share.");
   cli::MeasuredOptions options;
   options.declare(tool);
   tool.input();
@@ -48,9 +48,9 @@ int main(int argc, char** argv) {
       "field, to "
       "first order in 1/N_eff; with the correlation that a dataset carries, 95 % intervals hold 92 % and "
       "more from "
-      "N_eff = 41 on. From an estimated correlation they do from N_eff = 150; at 41 those of Ra and Rq hold "
+      "N_eff = 41 on. From an estimated correlation they do from N_eff = 150; at 41 those of Sa and Sq hold "
       "84 %. Peak "
-      "and valley have none. Rp, Rv and Rz are of the whole field, not means over sampling lengths.");
+      "and valley have none. Sp, Sv and Sz are of the whole field, not means over sampling lengths.");
 
   return tool.run(argc, argv, [&] {
     const cli::Measured measured = cli::measure(tool.read(), options);

@@ -44,7 +44,7 @@ LagField triangular_correlation(Index width) {
       width, 2 * width - 1, [&](Index p, Index column) { return share(p) * share(column - (width - 1)); }));
 }
 
-// Of the mean, Ra, Rq, Rsk and Rku.
+// Of the mean, Sa, Sq, Ssk and Sku.
 using Coverage = std::array<double, 5>;
 
 void count(Coverage& covered, const Moments& m, const MomentErrors& error) {
@@ -52,10 +52,10 @@ void count(Coverage& covered, const Moments& m, const MomentErrors& error) {
     return std::abs(deviation) <= 1.96 * standard_error;
   };
   covered[0] += hit(m.mean, error.mean);
-  covered[1] += hit(m.ra - std::sqrt(2 / M_PI), error.ra);
-  covered[2] += hit(m.rq - 1, error.rq);
-  covered[3] += hit(m.rsk, error.rsk);
-  covered[4] += hit(m.rku - 3, error.rku);
+  covered[1] += hit(m.sa - std::sqrt(2 / M_PI), error.sa);
+  covered[2] += hit(m.sq - 1, error.sq);
+  covered[3] += hit(m.ssk, error.ssk);
+  covered[4] += hit(m.sku - 3, error.sku);
 }
 
 void print(Index width, double n_eff, const char* correlation, const Coverage& covered, int fields) {
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   print_conditions();
   const int fields = argc > 1 ? std::max(1, std::atoi(argv[1])) : 400;
   fmt::print("Coverage [%] of 95 % intervals, {} fields of 128 x 128\n", fields);
-  fmt::print("width     N_eff  errors      mean     Ra     Rq    Rsk    Rku\n");
+  fmt::print("width     N_eff  errors      mean     Sa     Sq    Ssk    Sku\n");
   for (Index width : {1, 4, 8, 16, 32}) coverage({{128, 128}, 1, 1, false}, width, fields);
   fmt::print("\nCost in real transforms of the same size, one thread\n");
   fmt::print("    n  transform [s]  moments      ACF    N_eff\n");

@@ -78,7 +78,7 @@ TEST_CASE("turning the surface over x mirrors q, transposing it exchanges p and 
     }
 }
 
-TEST_CASE("the ACF at lag zero is Rq squared and bounds the biased ACF at every lag", "[acf][law]") {
+TEST_CASE("the ACF at lag zero is Sq squared and bounds the biased ACF at every lag", "[acf][law]") {
   const Field z = moving_average({40, 40}, {4, 4}, 14);
   const LagField acf = estimate_autocorrelation(z, grid(40, 40), {.max_lag = {39, 39}, .biased = true});
   const double variance = (z - z.mean()).square().mean();

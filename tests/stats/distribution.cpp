@@ -36,13 +36,13 @@ TEST_CASE("every height falls into one bin and the bins tile the range", "[distr
 
 // 512 terms of the series against its sum f(1-f), and against f(1-f) - c_1² - c_2²/2 for the fitted Gaussian.
 // All S_k are 1, so that the series is exact whatever its length.
-TEST_CASE("independent heights give binomial errors, less the part that a fitted mean and Rq explain",
+TEST_CASE("independent heights give binomial errors, less the part that a fitted mean and Sq explain",
           "[distribution][exact]") {
   const Grid g = grid(50, 50);
   const Field z = white_noise(g.shape, 22);
   const Moments m = moments(z);
   for (const Bin& bin : histogram(z, m, independent(g), 15)) {
-    const double a = (bin.lower - m.mean) / m.rq, b = (bin.upper - m.mean) / m.rq;
+    const double a = (bin.lower - m.mean) / m.sq, b = (bin.upper - m.mean) / m.sq;
     const double f = gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
     const double c1 = density(a) - density(b), c2 = a * density(a) - b * density(b);
     CAPTURE(a, b);
@@ -80,7 +80,7 @@ TEST_CASE("a correlated Gaussian field strays from its overlay by one error in e
   auto square = [](const Bin& bin, double error) { return std::pow((bin.count - bin.expected) / error, 2); };
   for (unsigned seed = 0; seed < 300; ++seed) {
     const Field z = moving_average(g.shape, window, seed);
-    const auto own = histogram(z, moments(z), size, 10), true_one = histogram(z, {.rq = 1}, size, 10);
+    const auto own = histogram(z, moments(z), size, 10), true_one = histogram(z, {.sq = 1}, size, 10);
     for (std::size_t b = 1; b < 9; ++b) {
       fitted[b].add(square(own[b], own[b].misfit_error));
       known[b].add(square(true_one[b], true_one[b].count_error));
@@ -95,7 +95,7 @@ TEST_CASE("a correlated Gaussian field strays from its overlay by one error in e
   }
 }
 
-// Scott's width 3.49 Rq N^{-1/3}, over a range of 2A = 2√2 Rq.
+// Scott's width 3.49 Sq N^{-1/3}, over a range of 2A = 2√2 Sq.
 TEST_CASE("Scott's rule makes the bins as narrow as N^(-1/3)", "[distribution][exact]") {
   const Moments m = moments(sine({50, 20}, 1, 5));
   CHECK(scott_bins(m, 1000) == static_cast<int>(std::ceil(2 * std::numbers::sqrt2 / 3.4908 * 10)));

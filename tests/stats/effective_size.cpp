@@ -10,9 +10,9 @@ namespace {
 
 // The spread of the moments over an ensemble of moving averages, and what was predicted for them.
 struct Ensemble {
-  Spread mean, ra, rq, rsk, rku;
+  Spread mean, sa, sq, ssk, sku;
 
-  void add(const Moments& m) { mean.add(m.mean), ra.add(m.ra), rq.add(m.rq), rsk.add(m.rsk), rku.add(m.rku); }
+  void add(const Moments& m) { mean.add(m.mean), sa.add(m.sa), sq.add(m.sq), ssk.add(m.ssk), sku.add(m.sku); }
 };
 
 // Σ_{|p|<a} (1 - |p|/a)², the square of a triangle of base 2a.
@@ -26,7 +26,7 @@ TEST_CASE("N independent heights are worth N points for every moment", "[effecti
 }
 
 // Sums of 7 × 9 terms, each rounded.
-TEST_CASE("a moving average over a x b points is worth N/(ab) points for the mean, N/(T(a)T(b)) for Rq",
+TEST_CASE("a moving average over a x b points is worth N/(ab) points for the mean, N/(T(a)T(b)) for Sq",
           "[effective-size][exact]") {
   const EffectiveSize size(triangular_correlation({4, 5}), grid(64, 64, true));
   CHECK(relative_error(size.effective(1), 4096.0 / 20) <= 64 * epsilon);
@@ -35,7 +35,7 @@ TEST_CASE("a moving average over a x b points is worth N/(ab) points for the mea
 }
 
 // Σ cos² over a period is half its points, so S_2 = N/2, and Σ cos = 0.
-TEST_CASE("a periodic sine is worth two points for Rq however many samples it has", "[effective-size][law]") {
+TEST_CASE("a periodic sine is worth two points for Sq however many samples it has", "[effective-size][law]") {
   for (Index n : {16, 64, 256}) {
     const Grid g = grid(n, 8, true);
     const LagField acf = estimate_autocorrelation(sine(g.shape, 1e-6, 2), g, {.max_lag = default_max_lag(g)});
@@ -56,16 +56,16 @@ TEST_CASE("Var of the mean equals the double sum of the correlation over all pai
 }
 
 // E|x| = √(2/π), E x² = 1.
-TEST_CASE("Ra of N independent Gaussian heights has the variance (1 - 2/pi)/N", "[effective-size][exact]") {
+TEST_CASE("Sa of N independent Gaussian heights has the variance (1 - 2/pi)/N", "[effective-size][exact]") {
   const EffectiveSize size(triangular_correlation({1, 1}), grid(10, 10));
-  const MomentErrors errors = standard_errors({.rq = 1}, size);
-  CHECK(relative_error(errors.ra * errors.ra, (1 - 2 / std::numbers::pi) / 100) <= 1e-13);
-  CHECK(relative_error(errors.rku, std::sqrt(0.24)) <= 4 * epsilon);
+  const MomentErrors errors = standard_errors({.sq = 1}, size);
+  CHECK(relative_error(errors.sa * errors.sa, (1 - 2 / std::numbers::pi) / 100) <= 1e-13);
+  CHECK(relative_error(errors.sku, std::sqrt(0.24)) <= 4 * epsilon);
 }
 
-// E|xy| = (2/π)(√(1-ρ²) + ρ asin ρ) for a Gaussian pair: the closed form of the series behind Ra's error. The
+// E|xy| = (2/π)(√(1-ρ²) + ρ asin ρ) for a Gaussian pair: the closed form of the series behind Sa's error. The
 // series ends at ρ⁵¹²; what it lacks of weight, O(512^{-3/2}), is counted with too large a sum.
-TEST_CASE("Ra's standard error from the Hermite series is that of the closed form",
+TEST_CASE("Sa's standard error from the Hermite series is that of the closed form",
           "[effective-size][exact]") {
   const LagField rho = triangular_correlation({6, 4});
   const Grid g = grid(50, 30, true);
@@ -74,7 +74,7 @@ TEST_CASE("Ra's standard error from the Hermite series is that of the closed for
     const double r = rho(p, q);
     sum += weight * 2 / std::numbers::pi * (std::sqrt(1 - r * r) + r * std::asin(r) - 1);
   });
-  CHECK(relative_error(standard_errors({.rq = 1}, EffectiveSize(rho, g)).ra, std::sqrt(sum / 1500)) <= 1e-6);
+  CHECK(relative_error(standard_errors({.sq = 1}, EffectiveSize(rho, g)).sa, std::sqrt(sum / 1500)) <= 1e-6);
 }
 
 // 1000 fields: the spread of a spread is 1/√2000 = 2.2 % for Gaussian numbers; four of them, and 3 % for the
@@ -86,12 +86,12 @@ TEST_CASE("the standard errors of the moments are the spread over an ensemble of
   const Grid g = grid(64, 48);
   Ensemble seen;
   for (unsigned seed = 0; seed < 1000; ++seed) seen.add(moments(moving_average(g.shape, window, seed)));
-  const MomentErrors predicted = standard_errors({.rq = 1}, EffectiveSize(triangular_correlation(window), g));
+  const MomentErrors predicted = standard_errors({.sq = 1}, EffectiveSize(triangular_correlation(window), g));
   CHECK(seen.mean.deviation() == Approx(predicted.mean).epsilon(0.12));
-  CHECK(seen.ra.deviation() == Approx(predicted.ra).epsilon(0.12));
-  CHECK(seen.rq.deviation() == Approx(predicted.rq).epsilon(0.12));
-  CHECK(seen.rsk.deviation() == Approx(predicted.rsk).epsilon(0.12));
-  CHECK(seen.rku.deviation() == Approx(predicted.rku).epsilon(0.12));
+  CHECK(seen.sa.deviation() == Approx(predicted.sa).epsilon(0.12));
+  CHECK(seen.sq.deviation() == Approx(predicted.sq).epsilon(0.12));
+  CHECK(seen.ssk.deviation() == Approx(predicted.ssk).epsilon(0.12));
+  CHECK(seen.sku.deviation() == Approx(predicted.sku).epsilon(0.12));
 }
 
 // Admitted by chance are 0.27 % of the lags, each with ρ² of about 10/N: S_2 grows by 3 % at most.
@@ -114,15 +114,15 @@ TEST_CASE("standard errors from the estimated ACF are on average those from the 
           "[effective-size][statistics]") {
   const Shape window{5, 4};
   const Grid g = grid(96, 80);
-  const MomentErrors known = standard_errors({.rq = 1}, EffectiveSize(triangular_correlation(window), g));
-  Spread mean, rq, rku;
+  const MomentErrors known = standard_errors({.sq = 1}, EffectiveSize(triangular_correlation(window), g));
+  Spread mean, sq, sku;
   for (unsigned seed = 0; seed < 100; ++seed) {
     const Field z = moving_average(g.shape, window, seed);
     const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
-    const MomentErrors errors = standard_errors({.rq = 1}, EffectiveSize::of_estimate(acf, g));
-    mean.add(errors.mean), rq.add(errors.rq), rku.add(errors.rku);
+    const MomentErrors errors = standard_errors({.sq = 1}, EffectiveSize::of_estimate(acf, g));
+    mean.add(errors.mean), sq.add(errors.sq), sku.add(errors.sku);
   }
   CHECK(mean.mean() == Approx(known.mean).epsilon(0.10));
-  CHECK(rq.mean() == Approx(known.rq).epsilon(0.05));
-  CHECK(rku.mean() == Approx(known.rku).epsilon(0.05));
+  CHECK(sq.mean() == Approx(known.sq).epsilon(0.05));
+  CHECK(sku.mean() == Approx(known.sku).epsilon(0.05));
 }

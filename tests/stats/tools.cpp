@@ -44,26 +44,26 @@ Json json_of(const std::string& command) {
 
 // 4 standard errors; S_2 of the triangular ACF from its closed form, thinned by the field's edges by less
 // than 8 %.
-TEST_CASE("asperity-stats finds the Rq that was drawn, and N_eff from the carried correlation",
+TEST_CASE("asperity-stats finds the Sq that was drawn, and N_eff from the carried correlation",
           "[stats-tool][statistics]") {
   const Json carried = json_of("asperity-stats drawn.nc --json");
-  const double rq = carried["Rq"]["value"], error = carried["Rq"]["standard_error"];
-  CHECK(std::abs(rq - 0.4e-6) <= 4 * error);
-  CHECK(std::abs(carried["Rku"]["value"].get<double>() - 3) <=
-        4 * carried["Rku"]["standard_error"].get<double>());
+  const double sq = carried["Sq"]["value"], error = carried["Sq"]["standard_error"];
+  CHECK(std::abs(sq - 0.4e-6) <= 4 * error);
+  CHECK(std::abs(carried["Sku"]["value"].get<double>() - 3) <=
+        4 * carried["Sku"]["standard_error"].get<double>());
   const double sum = (129 / 24.0) * (51 / 15.0), n_eff = carried["N_eff"]["value"];
   CHECK(n_eff >= 7680 / sum);
   CHECK(n_eff <= 1.08 * 7680 / sum);
-  CHECK(error == Approx(rq / std::sqrt(2 * n_eff)).epsilon(1e-12));
+  CHECK(error == Approx(sq / std::sqrt(2 * n_eff)).epsilon(1e-12));
 }
 
 TEST_CASE("asperity-stats estimates the errors of a field whose correlation is not carried",
           "[stats-tool][contract]") {
   const Json known = json_of("asperity-stats drawn.nc --json");
   const Json estimated = json_of("asperity-stats drawn.nc --json --correlation estimate");
-  CHECK(known["Rq"]["value"] == estimated["Rq"]["value"]);
+  CHECK(known["Sq"]["value"] == estimated["Sq"]["value"]);
   const double ratio =
-      estimated["Rq"]["standard_error"].get<double>() / known["Rq"]["standard_error"].get<double>();
+      estimated["Sq"]["standard_error"].get<double>() / known["Sq"]["standard_error"].get<double>();
   CHECK(std::abs(ratio - 1) <= 0.3);
   CHECK(ratio != 1);
 }
@@ -77,7 +77,7 @@ TEST_CASE("a plane is taken off with --form plane and the mean is reported eithe
   const Json flat = json_of("asperity-stats drawn.nc --json --form plane");
   const Json tilted = Json::parse(shell("asperity-stats tilted.nc --json --form plane").out);
   // Heights of 1e-3 m are rounded to ε 1e-3.
-  CHECK(relative_error(tilted["Rq"]["value"], flat["Rq"]["value"]) <= 10 * epsilon * 1e-3 / 0.4e-6);
+  CHECK(relative_error(tilted["Sq"]["value"], flat["Sq"]["value"]) <= 10 * epsilon * 1e-3 / 0.4e-6);
   CHECK(std::abs(tilted["mean"]["value"].get<double>() - flat["mean"]["value"].get<double>() - 1e-3) <=
         1e-17);
 }
@@ -89,9 +89,9 @@ TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside",
       run.out.starts_with("# direction\tlag [m]\tacf [1]\tstandard_error [1]\ttarget [1]\nx\t0\t1\t0\t1\n"));
   CHECK(lines(run.out) == 1 + 21 + 16);
   const Json absolute = json_of("asperity-acf drawn.nc --absolute --json");
-  const double rq = json_of("asperity-stats drawn.nc --json")["Rq"]["value"];
+  const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
   CHECK(absolute["acf"]["unit"] == "m2");
-  CHECK(relative_error(absolute["acf"]["values"][0], rq * rq) <= 100 * epsilon);
+  CHECK(relative_error(absolute["acf"]["values"][0], sq * sq) <= 100 * epsilon);
 }
 
 // A triangle falls to 10 % at 7.2 and 4.5 samples; between 7 and 8 samples, where the target reaches zero,
@@ -128,12 +128,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("acf_variance is the square of Rq, whatever the ACF is scaled to, and of heights only",
+TEST_CASE("acf_variance is the square of Sq, whatever the ACF is scaled to, and of heights only",
           "[acf-tool][contract]") {
-  const double rq = json_of("asperity-stats drawn.nc --json")["Rq"]["value"];
+  const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
   for (const std::string scale : {"", " --absolute"}) {
     REQUIRE(run_on_surface("asperity-acf drawn.nc -o with-acf.nc" + scale).exit == 0);
-    CHECK(relative_error(read_dataset("with-acf.nc").attributes.number("acf_variance", 0), rq * rq) <=
+    CHECK(relative_error(read_dataset("with-acf.nc").attributes.number("acf_variance", 0), sq * sq) <=
           100 * epsilon);
   }
   Dataset data = read_dataset("with-acf.nc");

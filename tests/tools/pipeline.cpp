@@ -23,9 +23,9 @@ TEST_CASE("generate | contact | stress | stats ends in a table with the rms roug
   const Outcome run = shell(generate + " | " + contact + " | " + stress + " | asperity-stats --json");
   INFO(run.error);
   REQUIRE(run.exit == 0);
-  const auto rq = nlohmann::json::parse(run.out)["Rq"];
+  const auto sq = nlohmann::json::parse(run.out)["Sq"];
   // A surface of a few correlation lengths: within five of the standard errors that the tool itself states.
-  CHECK(std::abs(rq["value"].get<double>() - 0.4e-6) <= 5 * rq["standard_error"].get<double>());
+  CHECK(std::abs(sq["value"].get<double>() - 0.4e-6) <= 5 * sq["standard_error"].get<double>());
   CHECK(run.error.empty());
 }
 
@@ -144,7 +144,8 @@ TEST_CASE("a load beyond what the limit pressure carries names the largest load"
 TEST_CASE("what did not converge is exit 3, a warning and a dataset that says so", "[contract]") {
   const std::pair<std::string, std::string> unsolved[] = {
       {"asperity-kernel --length 60px --lags 31x31 --method fixed-point -o unsolved.nc", "kernel_converged"},
-      {"asperity-generate --shape 64x64 --size 1mm --rq 1um --length 60px --lags 31x31 --method fixed-point -o unsolved.nc",
+      {"asperity-generate --shape 64x64 --size 1mm --rq 1um --length 60px --lags 31x31 --method fixed-point "
+       "-o unsolved.nc",
        "kernel_converged"},
       {generate + " | " + contact + " --tolerance 1e-9 --max-convolutions 2 -o unsolved.nc",
        "contact_converged"},

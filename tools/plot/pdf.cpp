@@ -30,8 +30,8 @@ Distribution distribution_of(const Case& c, const std::string& variable) {
 }
 
 double gaussian(const Moments& m, double z) {
-  const double t = (z - m.mean) / m.rq;
-  return std::exp(-0.5 * t * t) / (m.rq * std::sqrt(2 * std::numbers::pi));
+  const double t = (z - m.mean) / m.sq;
+  return std::exp(-0.5 * t * t) / (m.sq * std::sqrt(2 * std::numbers::pi));
 }
 
 struct Scales {
@@ -81,9 +81,9 @@ std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
 std::string default_title(const std::vector<Distribution>& all, const Quantity& quantity) {
   if (all.size() > 1) return "";
   const Moments& m = all[0].moments;
-  const Unit unit = unit_for(m.rq, quantity.unit);
-  return fmt::format("Rq = {} {}, Rsk = {}, Rku = {}", brief(m.rq / unit.factor), unit.name, brief(m.rsk),
-                     brief(m.rku));
+  const Unit unit = unit_for(m.sq, quantity.unit);
+  return fmt::format("Sq = {} {}, Ssk = {}, Sku = {}", brief(m.sq / unit.factor), unit.name, brief(m.ssk),
+                     brief(m.sku));
 }
 
 }  // namespace
