@@ -9,22 +9,31 @@
 ///           and 1/(8λ) for a Gaussian ρ. (Were ρ itself taken linear, ln(1/t)/(8λ) and about as much.)
 ///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/acf_error.hpp), usually far larger.
 ///
-/// Sal of ISO 25178-2 is the shortest such length over all directions, for t = 0.2.
+/// In a direction θ the profile is sampled where the ray crosses the rows of lags, or the columns when it leans
+/// that way, from the two lags beside it, again linear in ln ρ. That adds |error| ≤ h²/(8λ) for a ρ whose ln is
+/// -r or -r², h the larger spacing. The shortest and the longest over all directions: stats/acf_lobe.hpp.
 #pragma once
 
 #include <optional>
 
 #include "grid/field.hpp"
+#include "stats/lag_field.hpp"
 
 namespace asperity {
 
 struct Crossing {
-  double lag = 0;    ///< λ [samples]
-  double slope = 0;  ///< dρ/dp there [per sample], negative
+  double lag = 0;    ///< λ [samples; in a direction m]
+  double slope = 0;  ///< dρ/dλ there [per sample; in a direction per m], negative
 };
+
+/// (1) with p = 0: above > level ≥ below.
+Crossing crossing_between(double above, double below, double level);
 
 /// The first crossing of `level`, 0 < level < 1, by a profile that begins with ρ(0) = 1; nothing where the
 /// profile stays above it.
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level);
+
+/// The same in a direction, an angle from +x towards +y [rad], of a normalised ρ.
+std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, double angle, double level);
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 #include <gsl/gsl_randist.h>
 
 #include "grid/error.hpp"
+#include "stats/hermite.hpp"
 
 namespace asperity {
 namespace {
@@ -19,25 +20,9 @@ double gaussian_share(double a, double b) {
                : gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
 }
 
-// He_k(x) φ(x)/√k!, k = 0, 1, …, one a call: h_{k+1} = (x h_k - √k h_{k-1})/√(k+1).
-class HermiteFunction {
- public:
-  explicit HermiteFunction(double x) : x_(x), now_(gsl_ran_ugaussian_pdf(x)) {}
-  double next() {
-    const double value = now_;
-    now_ = (x_ * value - std::sqrt(k_) * before_) / std::sqrt(k_ + 1);
-    before_ = value;
-    ++k_;
-    return value;
-  }
-
- private:
-  double x_, now_, before_ = 0, k_ = 0;
-};
-
 // (3) for first = 1, (4) for first = 3.
 double count_variance(double a, double b, double share, const EffectiveSize& size, int first) {
-  HermiteFunction at_a(a), at_b(b);
+  HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
   double dropped = 0;
   auto weight = [&](int k) {
     const double c = at_a.next() - at_b.next(), w = c * c / k;

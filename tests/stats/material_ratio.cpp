@@ -1,0 +1,183 @@
+#include "stats/material_ratio.hpp"
+
+#include <algorithm>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include "fields.hpp"
+#include "grid/error.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// n heights whose material ratio curve is c, in an order that is none.
+template <class Curve>
+Field heights_of_curve(Index n, Curve c) {
+  Field z(n, 1);
+  for (Index k = 0; k < n; ++k) z(k) = c(static_cast<double>(k) / static_cast<double>(n - 1));
+  std::mt19937_64 generator(3);
+  std::shuffle(z.data(), z.data() + n, generator);
+  return z;
+}
+
+// Straight from (0, hill) by (0.1, 1) and (0.8, 0) to (1, -dale).
+double bent(double p, double hill, double dale) {
+  return p < 0.1 ? hill - (hill - 1) * p / 0.1 : p < 0.8 ? (0.8 - p) / 0.7 : -dale * (p - 0.8) / 0.2;
+}
+
+}  // namespace
+
+// Sums of N terms of the size of the range: N ε at the most. The slope, drawn out from 40 % to the whole, magnifies
+// a sum's error by 12 · 0.4/0.4³ = 75.
+TEST_CASE("heights spread evenly over a range H have Sk = H, no hills, no dales, and parabolic volumes",
+          "[material-ratio][exact]") {
+  const double H = 3e-6;
+  for (Index n : {2, 5, 64, 1001}) {
+    const MaterialRatioCurve curve(heights_of_curve(n, [&](double p) { return H * (1 - p); }));
+    const CoreParameters core = curve.core();
+    const double bound = static_cast<double>(n) * epsilon;
+    CAPTURE(n);
+    CHECK(relative_error(core.sk, H) <= 75 * bound);
+    CHECK(std::abs(core.spk) <= 75 * H * bound);
+    CHECK(std::abs(core.svk) <= 75 * H * bound);
+    CHECK(core.smr1 <= 75 * bound);
+    CHECK(core.smr2 >= 1 - 75 * bound);
+    for (double p : {0.1, 0.37, 0.8}) {
+      CHECK(std::abs(curve.material_volume(p) - H * p * p / 2) <= H * bound);
+      CHECK(std::abs(curve.void_volume(p) - H * (1 - p) * (1 - p) / 2) <= H * bound);
+    }
+  }
+}
+
+// The core's line is 1 - (p - 0.1)/0.7: 8/7 at p = 0 and -2/7 at p = 1. What stands above and below it are
+// triangles already.
+TEST_CASE("of a curve of three straight pieces the Sk family is what the drawing says",
+          "[material-ratio][exact]") {
+  const double hill = 2.5, dale = 1.25, u = 8.0 / 7, v = -2.0 / 7, bound = 1001 * epsilon;
+  const MaterialRatioCurve curve(heights_of_curve(1001, [&](double p) { return bent(p, hill, dale); }));
+  const CoreParameters core = curve.core();
+  CHECK(std::abs(core.sk - (u - v)) <= 75 * bound);
+  CHECK(std::abs(core.smr1 - 0.1 * (hill - u) / (hill - 1)) <= 75 * bound);
+  CHECK(std::abs(core.smr2 - (0.8 - 0.2 * v / dale)) <= 75 * bound);
+  CHECK(std::abs(core.spk - (hill - u)) <= 75 * bound);
+  CHECK(std::abs(core.svk - (v + dale)) <= 75 * bound);
+
+  const VolumeParameters volumes = curve.volumes();
+  CHECK(std::abs(volumes.vmp - 0.05 * (hill - 1)) <= bound);
+  CHECK(std::abs(volumes.vmc - (0.05 * (hill + 1) + 0.35 - volumes.vmp)) <= bound);
+  CHECK(std::abs(volumes.vvv - 0.1 * dale) <= bound);
+  CHECK(std::abs(volumes.vvc - (0.35 + 0.1 * (2 + dale) - volumes.vvv)) <= bound);
+}
+
+// The core is 30 % to 70 %, |x| < b; ∫ x (Φ - ½) φ dx over it, by parts, gives the slope. N heights at the
+// mid-ranks (k + ½)/N stand for the population: shares shift by 1/(2N), heights by that over φ, and the highest
+// 1/N of the area, at heights of √(2 ln N), is cut off: some 20/N in all.
+TEST_CASE("the Sk family of Gaussian heights tends to its closed form at order 1 in 1/N",
+          "[material-ratio][order]") {
+  const double b = gsl_cdf_ugaussian_Pinv(0.7);
+  const double numerator = std::erf(b) / (2 * std::sqrt(std::numbers::pi)) - 0.4 * gsl_ran_ugaussian_pdf(b);
+  const double sk = 12 * numerator / 0.064, u = sk / 2, share = gsl_cdf_ugaussian_Q(u);
+  const double spk = 2 * (gsl_ran_ugaussian_pdf(u) / share - u);
+  for (double n : {1e3, 1e4, 1e5}) {
+    const Index points = static_cast<Index>(n);
+    const MaterialRatioCurve curve(heights_of_curve(
+        points, [&](double p) { return gsl_cdf_ugaussian_Qinv((std::round(p * (n - 1)) + 0.5) / n); }));
+    const CoreParameters core = curve.core();
+    CAPTURE(n, sk, spk, core.sk - sk, core.spk - spk);
+    CHECK(std::abs(core.sk - sk) <= 20 / n);
+    CHECK(std::abs(core.smr1 - share) <= 20 / n);
+    CHECK(std::abs(core.smr2 - (1 - share)) <= 20 / n);
+    CHECK(std::abs(core.spk - spk) <= 40 / n / share);
+    CHECK(std::abs(core.svk - spk) <= 40 / n / share);
+    CHECK(std::abs(curve.volumes().vvv - curve.volumes().vmp) >= 0.01);  // at 80 % and 10 %, not mirrored
+    CHECK(std::abs(curve.volumes(0.2, 0.8).vvv - curve.volumes(0.2, 0.8).vmp) <= 20 / n);
+  }
+}
+
+TEST_CASE("a surface turned upside down exchanges hills and dales", "[material-ratio][law]") {
+  const Field z = random_field({40, 25}, 41).cube() + 0.2 * random_field({40, 25}, 42);
+  const double bound = 1000 * epsilon;
+  const CoreParameters up = MaterialRatioCurve(z).core(), down = MaterialRatioCurve(1 - 2 * z).core();
+  CHECK(std::abs(down.sk - 2 * up.sk) <= 150 * bound);
+  CHECK(std::abs(down.spk - 2 * up.svk) <= 150 * bound);
+  CHECK(std::abs(down.svk - 2 * up.spk) <= 150 * bound);
+  CHECK(std::abs(down.smr1 - (1 - up.smr2)) <= 75 * bound);
+  CHECK(std::abs(down.smr2 - (1 - up.smr1)) <= 75 * bound);
+}
+
+// Straight lines between the ranks end in half a step at either end: ∫ c dp is the trapezoidal rule.
+TEST_CASE("the material above a height less the void below it is the mean height less that height",
+          "[material-ratio][law]") {
+  const Field z = random_field({30, 30}, 43);
+  const MaterialRatioCurve curve(z);
+  const double mean = (z.sum() - 0.5 * (z.maxCoeff() + z.minCoeff())) / 899;
+  for (double p : {0.0, 0.01, 0.1, 0.512345, 0.8, 1.0})
+    CHECK(std::abs(curve.material_volume(p) - curve.void_volume(p) - (mean - curve.height(p))) <=
+          900 * epsilon);
+}
+
+TEST_CASE("quantiles are GSL's, and Smr undoes Smc", "[material-ratio][exact]") {
+  const Field z = random_field({31, 17}, 44).exp();
+  const MaterialRatioCurve curve(z);
+  Field sorted = z;
+  std::sort(sorted.data(), sorted.data() + sorted.size());
+  const auto n = static_cast<std::size_t>(z.size());
+  for (double p : {0.0, 1e-4, 0.025, 0.5, 0.77, 0.999, 1.0}) {
+    CHECK(relative_error(curve.quantile(p), gsl_stats_quantile_from_sorted_data(sorted.data(), 1, n, p)) <=
+          1000 * epsilon);
+    CHECK(std::abs(curve.ratio(curve.height(p)) - p) <= 1000 * epsilon);
+  }
+  CHECK(curve.ratio(z.maxCoeff() + 1) == 0);
+  CHECK(curve.ratio(z.minCoeff() - 1) == 1);
+}
+
+TEST_CASE("the material ratio curve is the same on any number of threads", "[material-ratio][law]") {
+  const Field z = random_field({50, 41}, 45);
+  const CoreParameters one = MaterialRatioCurve(z).core(), three = MaterialRatioCurve(z, 3).core();
+  CHECK((one.sk == three.sk && one.spk == three.spk && one.svk == three.svk));
+  CHECK((one.smr1 == three.smr1 && one.smr2 == three.smr2));
+}
+
+TEST_CASE("shares outside 0 to 1, shares out of order and a single height are refused",
+          "[material-ratio][contract]") {
+  const MaterialRatioCurve curve(random_field({5, 5}, 46));
+  CHECK_THROWS_AS(curve.height(1.01), ParameterError);
+  CHECK_THROWS_AS(curve.height(std::nan("")), ParameterError);
+  CHECK_THROWS_AS(curve.volumes(0.8, 0.1), ParameterError);
+  CHECK_THROWS_AS(MaterialRatioCurve(Field::Ones(1, 1)), DataError);
+}
+
+// All S_k are 1: the series is exact whatever its length. The k = 1 term, 1, is the mean's.
+TEST_CASE("the error of a quantile of independent heights is p(1-p)/phi^2 less the mean's share",
+          "[material-ratio][exact]") {
+  const EffectiveSize size(triangular_correlation({1, 1}), grid(20, 20));
+  for (double p : {0.02, 0.1, 0.5, 0.8}) {
+    const double a = gsl_cdf_ugaussian_Pinv(p), density = gsl_ran_ugaussian_pdf(a);
+    const double exact = 2 * std::sqrt((p * (1 - p) / (density * density) - 1) / 400);
+    CHECK(relative_error(material_height_error(p, {.sq = 2}, size), exact) <= 1e-10);
+  }
+}
+
+// 1000 fields: the spread of a spread is 2.2 %, four of them, and 5 % for the terms of second order in the tail,
+// where S_2/(N p) is 5 %.
+TEST_CASE("the errors of quantiles are their spread over an ensemble of correlated fields",
+          "[material-ratio][statistics]") {
+  const Shape window{4, 4};
+  const Grid g = grid(56, 56);
+  const EffectiveSize size(triangular_correlation(window), g);
+  std::array<double, 4> shares{0.05, 0.2, 0.5, 0.9};
+  std::array<Spread, 4> seen;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    const Field z = moving_average(g.shape, window, seed);
+    const MaterialRatioCurve curve(z - z.mean());
+    for (std::size_t s = 0; s < shares.size(); ++s) seen[s].add(curve.height(shares[s]));
+  }
+  for (std::size_t s = 0; s < shares.size(); ++s) {
+    CAPTURE(shares[s]);
+    CHECK(seen[s].deviation() == Approx(material_height_error(shares[s], {.sq = 1}, size)).epsilon(0.14));
+  }
+}
