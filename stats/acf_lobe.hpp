@@ -13,11 +13,10 @@
 /// Symbols   ρ  correlation, ρ(0,0) = 1      s  level      x, y  lags [m]      angles from +x towards +y [rad]
 /// Scope     A lobe that reaches the longest lags has no r_max, and no Str; it needs longer lags or a larger
 ///           field.
-/// Accuracy  For a ρ that is a function of one elliptic radius, its ln -r or -r², and h the larger spacing:
-///           of contour points h² r_max/(8 r_min²), and as much again twice for the point that is farthest, none
-///           lying where the contour is; of the nearest 3h²/(8 r_min). The sampling error of a length is
-///           SE[ρ]/|dρ/dr| in its direction, usually far larger; being the least of many lengths, Sal of an
-///           estimate is also biased low.
+/// Accuracy  For a ρ that is exp(-r) or exp(-r²) of one elliptic radius r, h the larger spacing: Sal within
+///           3h²/(8 r_min), r_max within 3h² r_max/(8 r_min²), the ellipse's axes within a third of these. The
+///           sampling error of a length is SE[ρ]/|dρ/dr| in its direction (stats/acf_error.hpp), usually far
+///           larger; being the least of many lengths, Sal of an estimate is also biased low.
 /// Cost      the lags of the lobe.
 #pragma once
 

@@ -5,6 +5,7 @@
 
 #include "stats/lag_field.hpp"
 #include "support.hpp"
+#include "transform/plan.hpp"
 
 namespace asperity::test {
 
@@ -42,6 +43,30 @@ inline LagField triangular_correlation(Shape window) {
   return LagField(Field::NullaryExpr(window.nx, 2 * window.ny - 1, [&](Index p, Index column) {
     return share(p, window.nx) * share(column - (window.ny - 1), window.ny);
   }));
+}
+
+/// A periodic Gaussian field of variance 1 with the correlation exp(-r²/length²), length in samples: white noise
+/// filtered by exp(-q² length²/8).
+inline Field gaussian_acf_field(Shape shape, double length, unsigned seed) {
+  const RealTransform2D transform(shape);
+  const Field noise = white_noise(shape, seed);
+  AlignedVector<double> z(noise.data(), noise.data() + noise.size());
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  transform.forward(z.data(), spectrum.data());
+  auto wave = [](Index k, Index n) {
+    return 2 * std::numbers::pi * static_cast<double>(2 * k > n ? k - n : k) / static_cast<double>(n);
+  };
+  double power = 0;
+  for (Index k = 0; k < shape.nx; ++k)
+    for (Index l = 0; l < transform.spectrum_columns(); ++l) {
+      const double q = std::hypot(wave(k, shape.nx), wave(l, shape.ny));
+      const double filter = std::exp(-q * q * length * length / 8);
+      spectrum[static_cast<std::size_t>(k * transform.spectrum_columns() + l)] *= filter;
+      power += (l == 0 || 2 * l == shape.ny ? 1 : 2) * filter * filter;
+    }
+  transform.inverse(spectrum.data(), z.data());
+  return Eigen::Map<const Field>(z.data(), shape.nx, shape.ny) /
+         std::sqrt(power * static_cast<double>(shape.cells()));
 }
 
 /// The mean and the variance of numbers that come one by one.

@@ -1,0 +1,97 @@
+#include "stats/slopes.hpp"
+
+#include <gsl/gsl_sf_ellint.h>
+
+#include "fields.hpp"
+#include "grid/error.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+Field plane(const Grid& g, double a, double b) {
+  return sample(g, [=](double x, double y) { return a * x + b * y; });
+}
+
+// One period of A sin x in x on [0, 2π), the same in every column.
+Grid circle(Index n) { return {{n, 3}, 2 * std::numbers::pi / static_cast<double>(n), 0.1, true}; }
+
+}  // namespace
+
+// Differences of heights up to 20, divided by spacings.
+TEST_CASE("a tilted plane has the slope that it has, and the area of its tilt", "[slopes][exact]") {
+  const Grid g{{17, 23}, 0.5, 0.25, false};
+  for (const auto& [a, b] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {0.0, -1.5}, {0.3, 0.7}}) {
+    const SlopeParameters p = slope_parameters(plane(g, a, b), g);
+    CHECK(std::abs(p.sdq - std::hypot(a, b)) <= 200 * epsilon);
+    CHECK(std::abs(p.sdr - (std::sqrt(1 + a * a + b * b) - 1)) <= 200 * epsilon);
+  }
+}
+
+// Sdr of a plane of slope 1e-9 is 5e-19, far below ε: it is not the difference of two areas.
+TEST_CASE("Sdr of small slopes is half of Sdq squared to round-off", "[slopes][law]") {
+  const Grid g{{17, 23}, 0.5, 0.25, false};
+  const SlopeParameters p = slope_parameters(plane(g, 1e-9, 2e-9), g);
+  CHECK(relative_error(p.sdr, p.sdq * p.sdq / 2) <= 400 * epsilon);
+}
+
+TEST_CASE("Sdq of a periodic sine is A q/sqrt(2) times sin(qh/2)/(qh/2)", "[slopes][exact]") {
+  for (Index n : {8, 15, 64}) {
+    const Grid g{{n, 6}, 0.1, 0.3, true};
+    for (int periods : {1, 3}) {
+      const double q = 2 * std::numbers::pi * periods / g.size_x(), u = q * g.dx / 2;
+      const Field z = sine(g.shape, 2.0, periods);
+      CHECK(relative_error(slope_parameters(z, g).sdq, 2.0 * q / std::numbers::sqrt2 * std::sin(u) / u) <=
+            1e-14);
+      const Grid turned{{6, n}, 0.3, 0.1, true};
+      CHECK(relative_error(slope_parameters(z.transpose(), turned).sdq, slope_parameters(z, g).sdq) <= 1e-14);
+    }
+  }
+}
+
+// A wave's arc is 4√(1+A²) E(k)/2π of its base, k² = A²/(1+A²); chords fall short by h²/24 mean[z''²/(1+z'²)^{3/2}],
+// here by a sum over 1000 points, exact for a smooth period.
+TEST_CASE("Sdr of a sine converges to its arc length at order 2 with the constant of its curvature",
+          "[slopes][order]") {
+  const double A = 1.3, k = A / std::sqrt(1 + A * A);
+  const double exact =
+      2 / std::numbers::pi * std::sqrt(1 + A * A) * gsl_sf_ellint_Ecomp(k, GSL_PREC_DOUBLE) - 1;
+  double constant = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = 2 * std::numbers::pi * i / 1000;
+    constant += std::pow(A * std::sin(x), 2) / std::pow(1 + std::pow(A * std::cos(x), 2), 1.5) / 24000;
+  }
+  double coarse = slope_parameters(sine({16, 3}, A, 1), circle(16)).sdr - exact;
+  for (Index n : {32, 64, 128, 256}) {
+    const Grid g = circle(n);
+    const double fine = slope_parameters(sine(g.shape, A, 1), g).sdr - exact;
+    CAPTURE(n, coarse, fine);
+    CHECK(observed_order(coarse, fine) == Approx(2).margin(0.05));
+    CHECK(-fine / (g.dx * g.dx) == Approx(constant).epsilon(0.03));
+    coarse = fine;
+  }
+}
+
+TEST_CASE(
+    "Sdq and Sdr do not change when a surface is turned over an axis, transposed or shifted in its period",
+    "[slopes][law]") {
+  const Field z = random_field({20, 31}, 61);
+  for (const bool periodic : {false, true}) {
+    const Grid g{{20, 31}, 0.7, 1.3, periodic}, turned{{31, 20}, 1.3, 0.7, periodic};
+    const SlopeParameters p = slope_parameters(z, g);
+    auto same = [&](const Field& other, const Grid& grid) {
+      const SlopeParameters o = slope_parameters(other, grid);
+      return std::max(relative_error(o.sdq, p.sdq), relative_error(o.sdr, p.sdr)) <= 100 * epsilon;
+    };
+    CHECK(same(z.colwise().reverse(), g));
+    CHECK(same(z.rowwise().reverse(), g));
+    CHECK(same(z.transpose(), turned));
+    Field shifted(20, 31);
+    for (Index i = 0; i < 20; ++i)
+      for (Index j = 0; j < 31; ++j) shifted(i, j) = z((i + 7) % 20, (j + 11) % 31);
+    CHECK(same(shifted, g) == periodic);
+    CHECK(slope_parameters(z, g, 3).sdr == p.sdr);
+  }
+  CHECK_THROWS_AS(slope_parameters(random_field({1, 5}, 1), grid(1, 5)), DataError);
+}
