@@ -12,8 +12,9 @@
 ///              mean κ = 8 √m4/(3√π),   R = 1/mean κ = 0.375 √(π/m4)                                    (4)
 ///
 /// Symbols   η  density [1/m²]      κ  curvature [1/m]      heights above the mean [m]      1 + 16/π - 3√3 = 0.8968
-/// Accuracy  (1) underrates the curvature of a smooth surface and (2)–(4), with finite differences, go along:
-///           order 2 in the spacing. Of independent heights, which have no derivatives, the ninth part are
+/// Accuracy  Order 2 in the spacing: of a surface of the correlation exp(-r²/l²) the count is low by 0.8 (h/l)²
+///           and the mean curvature by (h/l)². (2) with finite differences: by 7/6 (h/l)², the curvature by
+///           5/6 (h/l)². Of independent heights, which have no derivatives, the ninth part are
 ///           summits, whatever (2) says (Greenwood 1984): where counted and expected differ, the surface is
 ///           rough at the scale of the spacing, or not Gaussian. Points of equal height, as in coarsely
 ///           quantised data, are no summits.

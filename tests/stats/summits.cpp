@@ -39,6 +39,33 @@ TEST_CASE("of independent heights a ninth are summits, of mean height 1.485", "[
   CHECK(summits.mean_height == Approx(1.48501316).epsilon(0.008));
 }
 
+// Every second and every fourth point of the same surface: the loss is a difference of counts whose own chance is a
+// tenth of them, some 0.4 % of 1500 summits; four of that. The first count's standard error is 2 %, and its bias 0.3 %.
+TEST_CASE("the summits of a Gaussian surface are as many as Nayak's, fewer by 0.8 (h/l)^2 on coarser grids",
+          "[summits][order]") {
+  const double l = 16;
+  std::array<Spread, 3> density, curvature;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Field z = gaussian_acf_field({512, 512}, l, seed);
+    for (std::size_t level = 0; level < 3; ++level) {
+      const Index step = Index{1} << level;
+      const Field every = z(Eigen::seq(0, 511, step), Eigen::seq(0, 511, step));
+      const double h = static_cast<double>(step);
+      const CountedSummits s = counted_summits(every, {shape_of(every), h, h, true});
+      const Summits exact = expected_summits({.m0 = 1, .m2 = 2 / (l * l), .m4 = 12 / (l * l * l * l)});
+      density[level].add(s.density / exact.density);
+      curvature[level].add(s.mean_curvature / exact.mean_curvature);
+    }
+  }
+  CHECK(density[0].mean() == Approx(1).margin(0.08));
+  CHECK(curvature[0].mean() == Approx(1).margin(0.08));
+  for (std::size_t level : {1u, 2u}) {
+    const double squares = (std::pow(4.0, static_cast<double>(level)) - 1) / (l * l);
+    CHECK(1 - density[level].mean() / density[0].mean() == Approx(0.8 * squares).margin(0.016));
+    CHECK(1 - curvature[level].mean() / curvature[0].mean() == Approx(squares).margin(0.016));
+  }
+}
+
 // Nayak's integrals over t = κ/√(2 m4/3) with the density (t² - 1 + e^{-t²}) e^{-t²/2}, by the midpoint rule, and the
 // regression z = m2 κ/(2 m4/3) + remainder of variance m0 (1 - 3/(2α)).
 TEST_CASE("expected summits are the moments of Nayak's density", "[summits][exact]") {
