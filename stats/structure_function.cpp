@@ -1,0 +1,49 @@
+#include "stats/structure_function.hpp"
+
+#include <utility>
+
+#include "stats/form.hpp"
+
+namespace asperity {
+namespace {
+
+// Sums of a field over rectangles.
+class PartialSums {
+ public:
+  explicit PartialSums(const Field& f) : sums_(Field::Zero(f.rows() + 1, f.cols() + 1)) {
+    for (Index i = 0; i < f.rows(); ++i) {
+      double row = 0;
+      for (Index j = 0; j < f.cols(); ++j) sums_(i + 1, j + 1) = sums_(i, j + 1) + (row += f(i, j));
+    }
+  }
+  /// Over nx × ny points from (i, j) on.
+  double operator()(Index i, Index j, Index nx, Index ny) const {
+    return sums_(i + nx, j + ny) - sums_(i, j + ny) - sums_(i + nx, j) + sums_(i, j);
+  }
+
+ private:
+  Field sums_;
+};
+
+}  // namespace
+
+LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int threads) {
+  const Field d = without_form(z);
+  const LagField R =
+      estimate_autocorrelation(d, grid, {.max_lag = max_lag, .level = 0.0, .threads = threads});
+  if (grid.periodic) return LagField(2 * (R(0, 0) - R.half_plane()));
+
+  const PartialSums squares(d.square());
+  const auto [nx, ny] = grid.shape;
+  Field out(max_lag.nx + 1, 2 * max_lag.ny + 1);
+  for (Index p = 0; p <= max_lag.nx; ++p)
+    for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
+      const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0), rows = nx - p,
+                  columns = ny - right - left;
+      const double both = squares(0, left, rows, columns) + squares(p, right, rows, columns);
+      out(p, max_lag.ny + q) = both / static_cast<double>(rows * columns) - 2 * R(p, q);
+    }
+  return LagField(std::move(out));
+}
+
+}  // namespace asperity
