@@ -1,13 +1,11 @@
 #include "contact_options.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "cli/series.hpp"
 #include "cli/stream.hpp"
-#include "contact/sweep.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -20,28 +18,10 @@ double parse_load(const std::string& text) {
   return load;
 }
 
-int parse_count(const std::string& text) {
-  int count = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || rest != text.data() + text.size() || count < 2)
-    throw UsageError("loads", "'" + text + "' is no number of loads from 2 on");
-  return count;
-}
-
 }  // namespace
 
 std::vector<double> parse_loads(const std::string& text) {
-  std::vector<double> loads;
-  const std::vector<std::string> range = split(text, ':');
-  if (range.size() == 1) {
-    for (const std::string& load : split(text, ',')) loads.push_back(parse_load(load));
-  } else {
-    if (range.size() != 3) throw UsageError("loads", "'" + text + "' is not of the form FROM:TO:COUNT");
-    loads = geometric_loads(parse_load(range[0]), parse_load(range[1]), parse_count(range[2]));
-  }
-  for (std::size_t i = 1; i < loads.size(); ++i)
-    if (!(loads[i] > loads[i - 1])) throw UsageError("loads", "'" + text + "' does not increase");
-  return loads;
+  return parse_series("loads", text, Steps::geometric, parse_load);
 }
 
 // ---- declaration ----
@@ -111,7 +91,8 @@ void ContactOptions::declare_load(Tool& tool) {
 
   tool.text(
       "--loads", loads_, "LOADS",
-      "FROM:TO:COUNT, such as 10N:5kN:20 at equal ratios, or 10N,20N,50N: one load after the other, each "
+      "FROM:TO:COUNT, such as 10N:5kN:20 at equal ratios (10N:5kN:20:uniform: equal steps), or 10N,20N,50N: "
+      "one load after the other, each "
       "started from the last. Prints a table, a row a load; stiffness is dQ/d(approach), differentiated "
       "in ln Q through five neighbouring loads",
       sweep);

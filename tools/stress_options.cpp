@@ -1,46 +1,39 @@
 #include "stress_options.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "cli/series.hpp"
 #include "stress_quantity.hpp"
 
 namespace asperity::cli {
-namespace {
-
-std::vector<double> listed_depths(const std::string& list) {
-  std::vector<double> depths;
-  for (const std::string& word : split(list, ',')) {
-    const double z = parse_quantity("depths", word, "m");
-    if (!(z >= 0) || (!depths.empty() && z <= depths.back()))
-      throw UsageError("depths", fmt::format("{} is not below the depth before it", word));
-    depths.push_back(z);
-  }
-  return depths;
-}
-
-}  // namespace
-
 void StressOptions::declare(Tool& tool) {
-  const std::string where = "Depths", content = "Content", which = "Body", load = "Friction";
+  const std::string where = "Where", content = "What", which = "Body", load = "Friction";
   tool.input();
-  CLI::Option* lowest = tool.quantity("--depth", depth, "m", "Depth of the lowest layer", where);
-  CLI::Option* count =
-      tool.integer("--layers", layers, 1, "Layers, the first at the surface, the last at --depth", where);
-  CLI::Option* steps = tool.choice("--spacing", spacing, {"uniform", "geometric"},
-                                   "Steps between layers; geometric starts half a cell deep", where);
-  tool.text("--depths", depths, "LENGTH,...", "The depths themselves, increasing", where)
-      ->excludes(lowest)
-      ->excludes(count)
-      ->excludes(steps);
+  tool.text(
+      "--depths", depths, "DEPTHS",
+      "Layers: FROM:TO:COUNT, such as 0:1mm:32 at equal steps or 0.5px:1mm:32:geometric at equal ratios, or "
+      "0,10um,50um; px is the shorter side of a cell",
+      where);
+  tool.text("--section", section, "PLANE",
+            "Of the layers only a vertical plane, y=0 or x=0.2mm: through the cell centres nearest to it",
+            where);
+  tool.flag("--maximum", maximum,
+            "Search for the largest von Mises stress, its place and depth; needs no --depths", where);
+  tool.text(
+      "--points", points, "FILE",
+      "A table of the stress at points instead: three lengths a line, x, y and depth, in metres or with "
+      "their units; - is standard input",
+      where);
+  tool.text("--components", components, "LIST", "Of " + stress_words() + "; or all", content);
+  tool.number(
+      "--above", above,
+      "Leave out stresses whose modulus is below this share of Hertz's pressure, or of the largest where "
+      "there is none: they are _FillValue",
+      content);
   tool.choice("--resolution", resolution, {"adapted", "full"},
               "Deep layers from wider cells, within 2e-6 of the largest pressure; or every one in full",
-              where);
-  tool.text("--components", components, "LIST", "Of " + stress_words() + "; or all", content);
-  tool.flag("--no-maximum", no_maximum, "Do not search for the largest von Mises stress", content);
+              content);
   tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
   tool.integer("--body", body, 1, "Which body's ratio to take from the dataset, 1 or 2", which);
   CLI::Option* slides =
@@ -49,24 +42,32 @@ void StressOptions::declare(Tool& tool) {
   tool.text("--friction-angle", friction_angle, "ANGLE",
             "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
       ->needs(slides);
+  tool.bytes(
+      "--memory", memory,
+      "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
+      "for each variable. Into files layers go as they are made",
+      "Resources");
   tool.output();
+  tool.table();
   tool.report();
   tool.threads();
 }
 
-std::vector<double> StressOptions::depths_on(const Grid& grid) const {
-  if (!depths.empty()) return listed_depths(depths);
-  if (std::isnan(depth)) throw UsageError("depth", "is needed, or --depths");
-  const bool geometric = spacing == "geometric";
-  const double first = geometric ? 0.5 * std::min(grid.dx, grid.dy) : 0;
-  if (!(depth > first && std::isfinite(depth)))
-    throw UsageError("depth", fmt::format("{} m is not below the first layer, {} m", depth, first));
-  std::vector<double> out(static_cast<std::size_t>(layers), depth);
-  for (std::size_t k = 0; k + 1 < out.size(); ++k) {
-    const double t = static_cast<double>(k) / (layers - 1);
-    out[k] = geometric ? first * std::pow(depth / first, t) : depth * t;
-  }
-  return out;
+void StressOptions::check(const Tool& tool) const {
+  const bool layers = !depths.empty(), table = !points.empty();
+  auto refuse = [&](bool wrong, const char* option, const std::string& why) {
+    if (wrong) throw UsageError(option, why);
+  };
+  refuse(!layers && !table && !maximum, "depths", "is needed, or --maximum or --points");
+  refuse(table && (layers || maximum), "points", "is a table of its own: no --depths and no --maximum");
+  refuse(!layers && tool.given("--section"), "section", "needs --depths");
+  refuse(!layers && tool.given("--above"), "above", "needs --depths");
+  refuse(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
+  refuse(tool.given("--above") && !(above > 0 && std::isfinite(above)), "above", "it must be positive");
+  refuse(!table && tool.json(), "json", "prints the table of --points, which is not given");
+  refuse(table && tool.given("--report"), "report", "is of a dataset; --points is a table");
+  refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset already");
+  refuse(!table && tool.output_is_terminal(), "output", "a dataset is binary and does not go to a terminal");
 }
 
 double StressOptions::poisson_of(const Dataset& data) const {

@@ -14,19 +14,21 @@ namespace asperity::cli {
 struct StressOptions {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-  double depth = none;
-  int layers = 32;
-  std::string spacing = "uniform", depths, components = "von_mises";
+  std::string depths, section, components = "von_mises";
+  double above = none;
+  bool maximum = false;
+  std::string points;
   double poisson = none, friction = 0;
   std::string friction_angle = "0deg";
   int body = 1;
-  bool no_maximum = false;
   std::string resolution = "adapted";
+  std::size_t memory = std::size_t{1} << 30;
 
   void declare(Tool& tool);
+  /// After parsing: throws ParameterError when options do not go together or are out of bounds.
+  void check(const Tool& tool) const;
 
-  // What the options mean for a dataset; ParameterError where they do not go with it.
-  std::vector<double> depths_on(const Grid& grid) const;
+  /// From the options or the dataset; ParameterError where neither tells.
   double poisson_of(const Dataset& data) const;
   Friction sliding() const;
   DepthResolution depth_resolution() const {

@@ -1,30 +1,47 @@
 #include "stress_record.hpp"
 
-#include "dataset/layout.hpp"
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "grid/parallel.hpp"
+#include "stress/influence.hpp"
 
 namespace asperity::cli {
+namespace {
+
+constexpr const char* attributes[] = {"stress_max_von_mises", "stress_max_x",     "stress_max_y",
+                                      "stress_max_depth",     "stress_section_x", "stress_section_y",
+                                      "stress_above"};
+
+// A number alone counts metres, as in every table.
+double parse_place(const std::string& word) {
+  char* end = nullptr;
+  const double metres = std::strtod(word.c_str(), &end);
+  return *end == '\0' ? metres : parse_quantity("points", word, "m");
+}
+
+}  // namespace
 
 void forget_stress(Dataset& data) {
   for (const StressQuantity& quantity : stress_quantities())
     for (const auto& output : quantity.outputs) data.erase(output.name);
-  for (const char* name : {"stress_max_von_mises", "stress_max_x", "stress_max_y", "stress_max_depth"})
-    data.attributes.erase(name);
+  for (const char* name : attributes) data.attributes.erase(name);
+  for (const char* name : {"section_x", "section_y"}) data.erase(name);
 }
 
-void record_volumes(Dataset& data, const StressSolver& solver, const std::vector<double>& depths,
-                    const StressSelection& selection) {
-  const Shape shape = solver.grid().shape;
-  const auto outputs = selection.outputs();
-  std::vector<std::vector<double>> volumes(
-      outputs.size(), std::vector<double>(depths.size() * static_cast<std::size_t>(shape.cells())));
-  solver.layers(depths, selection.needs(), [&](Index l, Index i, const StressRow& row) {
-    std::vector<double*> out;
-    for (auto& volume : volumes) out.push_back(volume.data() + (l * shape.nx + i) * shape.ny);
-    selection.compute(row, shape.ny, out.data());
-  });
-  set_depths(data, depths);
-  for (std::size_t k = 0; k < outputs.size(); ++k)
-    set_volume(data, outputs[k].name, std::move(volumes[k]), {outputs[k].units, outputs[k].long_name});
+void record_parameters(StressScene& scene, const StressOptions& options) {
+  Attributes& a = scene.data.attributes;
+  a.set("stress_poisson", scene.poisson);
+  a.set("stress_resolution", options.resolution);
+  a.set("stress_accurate_depth", accurate_depth(scene.grid));
+  a.set("stress_friction", scene.friction.coefficient);
+  a.erase("stress_friction_angle");
+  if (scene.friction.coefficient > 0) a.set("stress_friction_angle", scene.friction.angle);
+  if (scene.least > 0) a.set("stress_above", scene.least);
+  if (scene.plane)
+    a.set(scene.plane->along_x ? "stress_section_y" : "stress_section_x", place_of(*scene.plane, scene.grid));
 }
 
 void record_maximum(Attributes& a, const StressMaximum& m) {
@@ -34,14 +51,55 @@ void record_maximum(Attributes& a, const StressMaximum& m) {
   a.set("stress_max_depth", m.depth);
 }
 
-void record_parameters(Attributes& a, const StressOptions& options, const StressSolver& solver) {
-  a.set("stress_poisson", solver.poisson());
-  a.set("stress_resolution", options.resolution);
-  a.set("stress_accurate_depth", accurate_depth(solver.grid()));
-  const Friction friction = options.sliding();
-  a.set("stress_friction", friction.coefficient);
-  a.erase("stress_friction_angle");
-  if (friction.coefficient > 0) a.set("stress_friction_angle", friction.angle);
+std::vector<std::array<double, 3>> parse_points(const std::string& text) {
+  std::vector<std::array<double, 3>> points;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> values;
+    for (std::string word; words >> word;) values.push_back(parse_place(word));
+    if (values.empty()) continue;
+    const bool sound = values.size() == 3 && std::isfinite(values[0]) && std::isfinite(values[1]) &&
+                       values[2] >= 0 && std::isfinite(values[2]);
+    if (!sound)
+      throw DataError("points",
+                      fmt::format("line {}: '{}' is not x, y and a depth, 0 or more", number, line));
+    points.push_back({values[0], values[1], values[2]});
+  }
+  return points;
+}
+
+Table stress_table(const StressScene& scene, const StressSelection& selection,
+                   const std::vector<std::array<double, 3>>& points, int threads) {
+  const auto count = static_cast<Index>(points.size());
+  Field components(6, count);
+  parallel_ranges(count, threads, [&](Index begin, Index end, int) {
+    for (Index k = begin; k < end; ++k) {
+      const auto [x, y, z] = points[static_cast<std::size_t>(k)];
+      const stress::Tensor s = stress_at(scene.grid, scene.pressure, x, y, z, scene.poisson, scene.friction);
+      for (stress::Component c : stress::components) components(static_cast<Index>(c), k) = s[c];
+    }
+  });
+
+  Table table{{{"x", "m"}, {"y", "m"}, {"z", "m"}}, {}};
+  const auto outputs = selection.outputs();
+  Field values(static_cast<Index>(outputs.size()), count);
+  StressRow row{};
+  for (stress::Component c : stress::components) row[c] = components.row(static_cast<Index>(c)).data();
+  std::vector<double*> out;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    table.columns.push_back({outputs[k].name, outputs[k].units});
+    out.push_back(values.row(static_cast<Index>(k)).data());
+  }
+  selection.compute(row, count, out.data());
+  for (Index k = 0; k < count; ++k) {
+    const auto [x, y, z] = points[static_cast<std::size_t>(k)];
+    table.rows.push_back({x, y, z});
+    for (Index q = 0; q < values.rows(); ++q) table.rows.back().push_back(values(q, k));
+  }
+  return table;
 }
 
 }  // namespace asperity::cli

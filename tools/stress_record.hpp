@@ -1,22 +1,25 @@
-/// What asperity-stress leaves of a solution: volumes and attributes of a dataset.
+/// What asperity-stress leaves of a solution: attributes of a dataset, and a table of points.
 #pragma once
 
-#include "dataset/dataset.hpp"
+#include "cli/table.hpp"
 #include "stress/maximum.hpp"
-#include "stress_options.hpp"
 #include "stress_quantity.hpp"
+#include "stress_scene.hpp"
 
 namespace asperity::cli {
 
 /// Removes whatever an earlier run left of any quantity.
 void forget_stress(Dataset& data);
 
-/// The selected quantities below every cell as volumes name(z, x, y).
-void record_volumes(Dataset& data, const StressSolver& solver, const std::vector<double>& depths,
-                    const StressSelection& selection);
-
-void record_maximum(Attributes& a, const StressMaximum& maximum);
 /// The effective parameters.
-void record_parameters(Attributes& a, const StressOptions& options, const StressSolver& solver);
+void record_parameters(StressScene& scene, const StressOptions& options);
+void record_maximum(Attributes& a, const StressMaximum& maximum);
+
+/// The selected quantities at each of the points (x, y, z) [m].
+Table stress_table(const StressScene& scene, const StressSelection& selection,
+                   const std::vector<std::array<double, 3>>& points, int threads);
+
+/// Three lengths a line, in metres or with units; # begins a comment. Throws DataError("points", …).
+std::vector<std::array<double, 3>> parse_points(const std::string& text);
 
 }  // namespace asperity::cli

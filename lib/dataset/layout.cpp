@@ -155,11 +155,23 @@ void set_field(Dataset& dataset, std::string_view name, const Field& values, Mea
   dataset.put(std::move(variable));
 }
 
-void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning meaning) {
-  Variable variable = make(name, {"x", "y"}, {range.low, range.high}, meaning);
+void defer_values(Dataset& dataset, std::string_view name, std::vector<std::string> dimensions, Range range,
+                  Meaning meaning) {
+  Variable variable = make(name, std::move(dimensions), {range.low, range.high}, meaning);
   variable.values = std::vector<double>();
   if (name == "heights") variable.attributes.set("unit", meaning.units);
   dataset.erase(name);
+  dataset.put(std::move(variable));
+}
+
+void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning meaning) {
+  defer_values(dataset, name, {"x", "y"}, range, meaning);
+}
+
+void set_scalar(Dataset& dataset, std::string_view name, double value, Meaning meaning) {
+  Variable variable{std::string(name), {}, std::vector<double>{value}, {}};
+  variable.attributes.set("long_name", meaning.long_name);
+  variable.attributes.set("units", meaning.units);
   dataset.put(std::move(variable));
 }
 

@@ -41,8 +41,13 @@ void set_field(Dataset& dataset, std::string_view name, const Field& values, Mea
 struct Range {
   double low, high;
 };
-/// The same but for its values, as the last variable, for encode_netcdf_head: they will follow.
+/// A variable of doubles on any dimensions but for its values, as the last variable, for encode_netcdf_head: they will
+/// follow.
+void defer_values(Dataset& dataset, std::string_view name, std::vector<std::string> dimensions, Range range,
+                  Meaning meaning);
 void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning meaning);
+/// A number with a unit that belongs to no axis, such as the place of a section.
+void set_scalar(Dataset& dataset, std::string_view name, double value, Meaning meaning);
 /// A field of small integers, such as the contact state, with the meaning of each value.
 void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
                std::string_view long_name, std::string_view flag_meanings);

@@ -1,5 +1,7 @@
 #include "stress/influence.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -96,6 +98,33 @@ Tensor over_two_pi(Tensor s) {
   return s;
 }
 
+// Gauss and Legendre's rule on [-1, 1].
+template <std::size_t n>
+struct Rule {
+  std::array<double, n> nodes, weights;
+};
+constexpr Rule<4> four_points{
+    {-0.86113631159405258, -0.33998104358485626, 0.33998104358485626, 0.86113631159405258},
+    {0.34785484513745386, 0.65214515486254614, 0.65214515486254614, 0.34785484513745386}};
+constexpr Rule<8> eight_points{
+    {-0.96028985649753623, -0.79666647741362674, -0.52553240991632899, -0.18343464249564980,
+     0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623},
+    {0.10122853629037626, 0.22238103445337447, 0.31370664587788729, 0.36268378337836198, 0.36268378337836198,
+     0.31370664587788729, 0.22238103445337447, 0.10122853629037626}};
+
+template <std::size_t n>
+Tensor integrated(const Rule<n>& rule, double x, double y, double z, double a, double b, double poisson,
+                  stress::Traction load) {
+  Tensor sum{};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const Tensor s = point_load_stress(x - a * rule.nodes[i], y - b * rule.nodes[j], z, poisson, load);
+      const double share = rule.weights[i] * rule.weights[j] * a * b;
+      for (stress::Component c : stress::components) sum[c] += share * s[c];
+    }
+  return sum;
+}
+
 }  // namespace
 
 Tensor rectangle_stress(double x, double y, double z, double a, double b, double nu, stress::Traction load) {
@@ -112,6 +141,15 @@ Tensor point_load_stress(double x, double y, double z, double nu, stress::Tracti
   return over_two_pi(boussinesq(x, y, z, nu));
 }
 
+Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
+                           stress::Traction load) {
+  constexpr double far = 5, farther = 50;  // half sides
+  const double distance = std::hypot(x, y, z) / std::max(a, b);
+  if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
+  return distance < farther ? integrated(eight_points, x, y, z, a, b, poisson, load)
+                            : integrated(four_points, x, y, z, a, b, poisson, load);
+}
+
 Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z, double poisson,
                  const Friction& friction) {
   const auto weights = friction.weights();
@@ -119,9 +157,9 @@ Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, do
   for (Index i = 0; i < grid.shape.nx; ++i)
     for (Index j = 0; j < grid.shape.ny; ++j)
       for (stress::Traction t : stress::tractions) {
-        if (weights[t] == 0) continue;
+        if (weights[t] == 0 || pressure(i, j) == 0) continue;
         const Tensor s =
-            rectangle_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, poisson, t);
+            uniform_load_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, poisson, t);
         for (stress::Component c : stress::components) sum[c] += weights[t] * pressure(i, j) * s[c];
       }
   return sum;

@@ -53,6 +53,12 @@ stress::Tensor rectangle_stress(double x, double y, double z, double a, double b
 stress::Tensor point_load_stress(double x, double y, double z, double poisson,
                                  stress::Traction load = stress::normal);
 
+/// The same at any distance without loss of digits: from five half sides on, where (1) begins to cancel, the point
+/// load is integrated over the rectangle by Gauss's rule of 8 × 8 points, of 4 × 4 from fifty on. Relative error of
+/// the largest component 4e-13.
+stress::Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
+                                   stress::Traction load = stress::normal);
+
 /// The stress at one point under a pressure constant in each cell, and its friction: the sum over the cells,
 /// O(nx ny).
 stress::Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z,

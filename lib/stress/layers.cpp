@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,15 @@ void check(const Grid& grid, const Field& pressure, const Friction& friction, do
 
 // -i a z.
 Complex turn(double a, const Complex& z) { return {a * z.imag(), -a * z.real()}; }
+
+// exp(2πi ki/n) for every mode k.
+AlignedVector<Complex> wave(Index n, Index i) {
+  AlignedVector<Complex> out(size(n));
+  for (Index k = 0; k < n; ++k)
+    out[size(k)] =
+        std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(k * i % n) / static_cast<double>(n));
+  return out;
+}
 
 }  // namespace
 
@@ -113,28 +123,73 @@ StressSolver::Workspace::Level& StressSolver::prepared(Workspace& work, std::siz
   return w;
 }
 
-void StressSolver::layers(const std::vector<double>& depths, stress::Set asked,
-                          const LayerRowSink& row) const {
-  parallel_ranges(static_cast<Index>(depths.size()), threads_, [&](Index begin, Index end, int) {
-    Workspace work;
-    for (Index l = begin; l < end; ++l)
-      layer(depths[size(l)], asked, work, [&](Index i, const StressRow& values) { row(l, i, values); });
-  });
+void StressSolver::deal(const std::vector<double>& depths,
+                        const std::function<void(Index layer, Workspace&)>& compute,
+                        const LayersFinished& finished) const {
+  const auto count = static_cast<Index>(depths.size());
+  std::vector<Workspace> work(size(std::min<Index>(threads_, std::max<Index>(count, 1))));
+  for (Index begin = 0; begin < count;) {
+    const Index end = std::min(count, begin + static_cast<Index>(work.size()));
+    parallel_ranges(end - begin, threads_, [&](Index from, Index to, int) {
+      for (Index l = from; l < to; ++l) compute(begin + l, work[size(l)]);
+    });
+    if (finished) finished(begin, end);
+    begin = end;
+  }
 }
 
-void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work) const {
+void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
+                          const LayersFinished& finished) const {
+  deal(
+      depths,
+      [&](Index l, Workspace& work) {
+        layer(depths[size(l)], asked, work, [&](Index i, const StressRow& values) { row(l, i, values); });
+      },
+      finished);
+}
+
+void StressSolver::layer_rows(const std::vector<double>& depths, Index i, stress::Set asked,
+                              const LayerRowSink& row, const LayersFinished& finished) const {
+  deal(
+      depths, [&](Index l, Workspace& work) { row(l, i, layer_row(depths[size(l)], i, asked, work)); },
+      finished);
+}
+
+StressRow StressSolver::layer_row(double z, Index i, stress::Set asked, Workspace& work) const {
+  transform_layer(z, asked, work, i);
+  return row_of(i, asked, work);
+}
+
+void StressSolver::transform_layer(double z, stress::Set asked, Workspace& work, Index only) const {
   if (!(z >= 0 && std::isfinite(z)))
     throw ParameterError("depth", fmt::format("{} m is not a depth, 0 or more", z));
   const Resolution& r = resolution(level_at(z));
   Workspace::Level& w = prepared(work, level_at(z), asked);
   w.influence->descend(z, asked);
+  if (only >= 0) w.wave = wave(r.transform().torus().nx, only);
   for (Index b = 0; b < r.transform().blocks(); ++b)
     for (Component c : stress::components) {
       if (!asked[c]) continue;
       multiply(r, c, b, *w.influence, w.block.data());
-      r.transform().inverse_block(w.block.data(), b, w.half[c], w.work.data());
+      if (only >= 0 && r.s() == 1)
+        invert_row(r, only, w, b, w.half[c]);
+      else
+        r.transform().inverse_block(w.block.data(), b, w.half[c], w.work.data());
     }
-  if (r.s() > 1) invert_points(r, asked, w);
+  if (r.s() == 1) return;
+  const Index first = only >= 0 ? only : 0, last = only >= 0 ? only : grid_.shape.nx - 1;
+  invert_points(r, first / r.s(), last / r.s() + Interpolation::taps - 1, asked, w);
+}
+
+// Of a transform back in x the one value x_i: a sum over the modes.
+void StressSolver::invert_row(const Resolution& r, Index i, const Workspace::Level& w, Index b,
+                              HalfSpectrum& half) const {
+  using Modes = Eigen::Map<const Eigen::ArrayXcd>;
+  const PrunedTransform& t = r.transform();
+  const Index nx = t.torus().nx;
+  for (Index q = 0; q < width; ++q)
+    half[size((b * t.field().nx + i) * width + q)] =
+        (Modes(w.block.data() + q * t.stride(), nx) * Modes(w.wave.data(), nx)).sum();
 }
 
 // product = (-i)^m (S + iT) p^, S and T of Column.
@@ -171,13 +226,13 @@ void StressSolver::multiply_column(Index nx, Component c, const Column& column, 
 }
 
 // The rows of a coarse layer, each with what stands before and behind it on the torus.
-void StressSolver::invert_points(const Resolution& r, stress::Set asked, Workspace::Level& w) const {
+void StressSolver::invert_points(const Resolution& r, Index first, Index last, stress::Set asked,
+                                 Workspace::Level& w) const {
   const auto [px, py] = r.transform().torus();
-  const Index last = (grid_.shape.nx - 1) / r.s() + Interpolation::taps - 1;
   for (Component c : stress::components) {
     if (!asked[c]) continue;
-    for (Index m = 0; m <= std::min(last, px - 1); ++m) {
-      double* row = w.points[c].data() + m * w.stride;
+    for (Index m = first; m <= std::min(last, first + px - 1); ++m) {
+      double* row = w.points[c].data() + m % px * w.stride;
       const Index i = (m + px - Interpolation::before) % px;
       r.transform().inverse_row(w.half[c], i, w.row_spectrum.data(), row);
       std::rotate(row, row + py - Interpolation::before, row + py);

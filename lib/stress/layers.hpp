@@ -72,6 +72,7 @@ class StressSolver {
     struct Level {
       std::unique_ptr<LayerInfluence> influence;
       AlignedVector<Complex> block, work, row_spectrum;
+      AlignedVector<Complex> wave;  ///< of a row that is wanted alone
       std::array<HalfSpectrum, 6> half;
       std::array<AlignedVector<double>, 6> points;  ///< a coarse layer: rows of stride doubles
       Index stride = 0;
@@ -90,10 +91,20 @@ class StressSolver {
     for (Index i = 0; i < grid_.shape.nx; ++i) row(i, row_of(i, asked, work));
   }
 
-  /// Many layers on all threads: row(layer, i, values) is called from several threads at once, for one layer
-  /// from one thread and in order. The values do not depend on the number of threads.
+  /// The row i of the layer at depth z alone, at less than half the cost. Its values are those of layer() up to
+  /// round-off, and good until the work space is used again.
+  StressRow layer_row(double z, Index i, stress::Set asked, Workspace& work) const;
+
+  /// Many layers on all threads, as many at a time as there are threads: row(layer, i, values) is called from
+  /// several threads at once, for one layer from one thread and in order; finished(begin, end) from the calling
+  /// thread whenever the layers before `end` are complete. The values do not depend on the number of threads.
   using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
-  void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row) const;
+  using LayersFinished = std::function<void(Index begin, Index end)>;
+  void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
+              const LayersFinished& finished = {}) const;
+  /// The same of the row i of each layer: a vertical plane.
+  void layer_rows(const std::vector<double>& depths, Index i, stress::Set asked, const LayerRowSink& row,
+                  const LayersFinished& finished = {}) const;
 
  private:
   /// Made when the first layer needs it.
@@ -106,13 +117,19 @@ class StressSolver {
   std::size_t level_at(double z) const;
   const Resolution& resolution(std::size_t level) const;
   Workspace::Level& prepared(Workspace& work, std::size_t level, stress::Set asked) const;
-  void transform_layer(double z, stress::Set asked, Workspace& work) const;
+  void deal(const std::vector<double>& depths, const std::function<void(Index layer, Workspace&)>& compute,
+            const LayersFinished& finished) const;
+  /// Columns of the layer, transformed back in x; of the row `only` alone, when it is one and the cells are not wide.
+  void transform_layer(double z, stress::Set asked, Workspace& work, Index only = -1) const;
+  void invert_row(const Resolution& r, Index i, const Workspace::Level& level, Index b,
+                  HalfSpectrum& half) const;
   class Column;
   void multiply(const Resolution& r, stress::Component c, Index b, LayerInfluence& influence,
                 Complex* product) const;
   void multiply_column(Index nx, stress::Component c, const Column& column, const Complex* p,
                        Complex* out) const;
-  void invert_points(const Resolution& r, stress::Set asked, Workspace::Level& level) const;
+  void invert_points(const Resolution& r, Index first, Index last, stress::Set asked,
+                     Workspace::Level& level) const;
   StressRow row_of(Index i, stress::Set asked, Workspace& work) const;
   void interpolate_row(const Resolution& r, Index i, const double* points, Index stride, double* across,
                        double* row) const;

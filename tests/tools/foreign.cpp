@@ -9,7 +9,7 @@ namespace {
 const std::string chain =
     "asperity-generate --shape 16x12 --size 3mm,2mm --rq 0.4um --length 3px --seed 7"
     " | asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 500N"
-    " | asperity-stress --depth 0.8mm --layers 4 -o chain.nc && ";
+    " | asperity-stress --depths 0:0.8mm:4 -o chain.nc && ";
 
 std::string python(const std::string& script) { return "/usr/bin/python3 -c '" + script + "'"; }
 

@@ -88,7 +88,7 @@ TEST_CASE("a tool that is interrupted while it reads leaves the target as it was
       shell("asperity-generate --shape 256x256 --size 3mm --rq 1um --length 4px --seed 1 -o long.nc").exit ==
       0);
   for (const std::string& tool : {"asperity-contact" + bodies + "-o", std::string("asperity-stats -o"),
-                                  std::string("asperity-stress --poisson 0.3 --depth 1mm -o")})
+                                  std::string("asperity-stress --poisson 0.3 --depths 1mm -o")})
     for (const auto& [signal, exit] : {std::pair("INT", "130\n"), std::pair("TERM", "143\n")}) {
       const Outcome run =
           shell("set -m; rm -rf there; mkdir there; echo former > there/out; mkfifo there/in;" + tool +
@@ -108,6 +108,20 @@ TEST_CASE("a tool that is interrupted while it solves leaves the target as it wa
       bodies +
       "-o solving/out 2> progress & exec 4< progress; read line <&4; kill -TERM %1; wait $!; echo $?;"
       "ls -A solving; cat solving/out");
+  CAPTURE(run.error);
+  CHECK(run.out == "143\nout\nformer\n");
+}
+
+// The line of --verbose comes between the search for the maximum and the layers, of which there are more than can be
+// done before the signal.
+TEST_CASE("a tool that is interrupted while it writes layer by layer leaves the target as it was",
+          "[interrupt][contract]") {
+  const Outcome run = shell(
+      "set -m; mkdir layers; echo former > layers/out; mkfifo told;"
+      "asperity-contact --smooth --shape 256x256 --size 3mm" +
+      bodies +
+      "-o smooth.nc; asperity-stress smooth.nc --depths 0:0.2mm:2000 --maximum -v -o layers/out 2> told &"
+      "exec 4< told; read line <&4; kill -TERM %1; wait $!; echo $?; ls -A layers; cat layers/out");
   CAPTURE(run.error);
   CHECK(run.out == "143\nout\nformer\n");
 }

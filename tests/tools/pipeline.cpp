@@ -14,7 +14,7 @@ namespace {
 const std::string generate = "asperity-generate --shape 32x32 --size 3mm --rq 0.4um --length 4px --seed 7";
 const std::string contact =
     "asperity-contact --radius 50mm,50mm --young 208GPa --poisson 0.3 --load 5000N --yield 1200MPa";
-const std::string stress = "asperity-stress --depth 0.8mm --layers 4";
+const std::string stress = "asperity-stress --depths 0:0.8mm:4";
 
 }  // namespace
 
@@ -120,8 +120,8 @@ TEST_CASE("wrong usage is exit 2 and one line that names the tool and the option
       {generate + " | asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load=-1N", "--load"},
       {generate + " | asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 1MN --yield 1200MPa",
        "--load"},
-      {generate + " | " + contact + " | asperity-stress --depth=-1mm --layers 4", "--depth"},
-      {generate + " | " + contact + " | asperity-stress --depth 1mm --layers 0", "--layers"},
+      {generate + " | " + contact + " | asperity-stress --depths=-1mm,2mm", "--depths"},
+      {generate + " | " + contact + " | asperity-stress --depths 0:1mm:0", "--depths"},
   };
   for (const auto& [line, option] : wrong) {
     const Outcome run = shell(line);

@@ -17,6 +17,11 @@ void DatasetStream::head(const Dataset& dataset, std::size_t deferred) {
   head_bytes_ = bytes.size();
 }
 
+void DatasetStream::values_at(std::int64_t first, std::span<const double> values) {
+  file_.write_at(encode_values(values),
+                 static_cast<std::int64_t>(head_bytes_) + first * static_cast<std::int64_t>(sizeof(double)));
+}
+
 void DatasetStream::values(const Eigen::Ref<const Field>& rows) {
   for (Index i = 0; i < rows.rows(); ++i)
     file_.write(encode_values({rows.row(i).data(), static_cast<std::size_t>(rows.cols())}));

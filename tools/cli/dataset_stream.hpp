@@ -7,6 +7,9 @@
 ///     out.close();
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "cli/stream.hpp"
 #include "dataset/dataset.hpp"
 
@@ -23,6 +26,8 @@ class DatasetStream {
   void head(const Dataset& dataset, std::size_t deferred);
   /// The next values of the deferred variables.
   void values(const Eigen::Ref<const Field>& rows);
+  /// Values of the deferred variables from the one numbered `first` on, in any order, where the output is rewritable.
+  void values_at(std::int64_t first, std::span<const double> values);
   void close() { file_.close(); }
 
  private:

@@ -1,6 +1,38 @@
 #include "cli/series.hpp"
 
+#include <charconv>
+#include <cmath>
+
+#include "grid/error.hpp"
+
 namespace asperity::cli {
+namespace {
+
+int parse_count(const std::string& option, const std::string& text) {
+  int count = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc() || rest != text.data() + text.size() || count < 2)
+    throw ParameterError(option, "'" + text + "' is no number of values from 2 on");
+  return count;
+}
+
+Steps parse_steps(const std::string& option, const std::string& text) {
+  if (text == "uniform") return Steps::uniform;
+  if (text == "geometric") return Steps::geometric;
+  throw ParameterError(option, "'" + text + "' is none of uniform, geometric");
+}
+
+std::vector<double> spaced(double from, double to, int count, Steps steps) {
+  std::vector<double> out;
+  for (int i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / (count - 1);
+    out.push_back(steps == Steps::geometric ? from * std::pow(to / from, t) : from + (to - from) * t);
+  }
+  out.back() = to;
+  return out;
+}
+
+}  // namespace
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> out;
@@ -9,6 +41,26 @@ std::vector<std::string> split(const std::string& text, char separator) {
     out.push_back(text.substr(begin, end - begin));
   }
   return out;
+}
+
+std::vector<double> parse_series(const std::string& option, const std::string& text, Steps steps,
+                                 const std::function<double(const std::string&)>& value) {
+  std::vector<double> values;
+  const std::vector<std::string> range = split(text, ':');
+  if (range.size() == 1) {
+    for (const std::string& word : split(text, ',')) values.push_back(value(word));
+  } else {
+    if (range.size() != 3 && range.size() != 4)
+      throw ParameterError(option, "'" + text + "' is not of the form FROM:TO:COUNT");
+    if (range.size() == 4) steps = parse_steps(option, range[3]);
+    const double from = value(range[0]);
+    if (steps == Steps::geometric && !(from > 0))
+      throw ParameterError(option, "equal ratios cannot start from '" + range[0] + "'");
+    values = spaced(from, value(range[1]), parse_count(option, range[2]), steps);
+  }
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(values[i] > values[i - 1])) throw ParameterError(option, "'" + text + "' does not increase");
+  return values;
 }
 
 }  // namespace asperity::cli

@@ -125,6 +125,16 @@ void OutputFile::rewrite(std::string_view bytes) {
   if (::lseek(fd_, end, SEEK_SET) != end) fail(name_);
 }
 
+void OutputFile::write_at(std::string_view bytes, std::int64_t at) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(name_);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+    at += n;
+  }
+}
+
 void OutputFile::close() {
   if (!target_.empty() && !temporary_) {
     temporary_.emplace(temporary_path());

@@ -30,6 +30,8 @@ class OutputFile {
   bool rewritable() const { return rewritable_; }
   /// Replaces the first bytes.
   void rewrite(std::string_view bytes);
+  /// Writes behind what has been written, `at` bytes from the beginning: in any order, where rewrite() works.
+  void write_at(std::string_view bytes, std::int64_t at);
   /// Flushes, and gives the file its name.
   void close();
 

@@ -29,13 +29,35 @@ Place place_in(const std::vector<double>& points, double at) {
   return {k, std::clamp((at - points[k]) / (points[k + 1] - points[k]), 0.0, 1.0)};
 }
 
+// What is marked as missing is not a number here.
+std::vector<double> present_values(const Variable& variable) {
+  std::vector<double> values = numbers(variable.values);
+  const double mark = variable.attributes.number("_FillValue", std::nan(""));
+  std::ranges::replace(values, mark, std::nan(""));
+  return values;
+}
+
+// Whether the dataset holds one section alone, computed as such.
+bool is_section(const Variable& variable) {
+  return variable.dimensions == std::vector<std::string>{"z", "x"} ||
+         variable.dimensions == std::vector<std::string>{"z", "y"};
+}
+
+Section section_on(const Dataset& data, const Variable& variable, const std::string& asked) {
+  if (!is_section(variable)) return section_of(data, asked.empty() ? "y=0" : asked);
+  if (!asked.empty()) throw ParameterError("section", "the dataset holds one section alone, which is drawn");
+  const bool along_x = variable.dimensions[1] == "x";
+  return {along_x, numbers(data.at(along_x ? "section_y" : "section_x").values).at(0), 0};
+}
+
 // The section's values, row k the k-th depth.
 Field section_values(const Dataset& data, const Variable& variable, const Section& section) {
+  const std::vector<double> values = present_values(variable);
+  const Index nz = data.length("z"), nx = data.length("x"), ny = data.length("y");
+  const Index columns = section.along_x ? nx : ny;
+  if (is_section(variable)) return Eigen::Map<const Field>(values.data(), nz, columns);
   if (variable.dimensions != std::vector<std::string>{"z", "x", "y"})
     throw DataError(variable.name, "it does not lie on (z, x, y)");
-  const Index nz = data.length("z"), nx = data.length("x"), ny = data.length("y");
-  const std::vector<double> values = numbers(variable.values);
-  const Index columns = section.along_x ? nx : ny;
   return Field::NullaryExpr(nz, columns, [&](Index k, Index c) {
     const Index i = section.along_x ? c : section.index, j = section.along_x ? section.index : c;
     return values[static_cast<std::size_t>((k * nx + i) * ny + j)];
@@ -68,7 +90,7 @@ Range clipped(Range asked, Range present, const char* option) {
 
 Cut cut_of(const Case& c, const std::string& variable, const Request& request) {
   const Grid grid = grid_of(c.data);
-  const Section section = section_of(c.data, request.section.empty() ? "y=0" : request.section);
+  const Section section = section_on(c.data, c.data.at(variable), request.section);
   const std::vector<double> depths = depths_of(c.data);
   if (depths.size() < 2 || !std::ranges::is_sorted(depths, std::less_equal<>()))
     throw DataError("z", "a section needs two depths or more, each below the one before");

@@ -1,0 +1,21 @@
+/// What no stress below a load exceeds, from its sum alone.
+///
+/// Under a unit force, along z or along the surface, the stress at depth z is s(t)/z², t the position beside it
+/// over z. Whatever the distribution of a load of the sum P = Σ|p| ΔxΔy, friction μ included, the norm
+/// ‖σ‖ = √(Σ σij²) at depth z is therefore at most
+///     (N + μ T) P / z²,   N = max ‖s‖ of the normal force, T of the tangential one,                     (1)
+/// and the von Mises stress, the principal stresses, the maximum shear and every component at most √(3/2) of that.
+/// N lies on the axis for ν ≤ ½ and is 3/2π at ν = ½; both maxima are found on a lattice so fine that the tenth part
+/// of a percent which is added covers what lies between its points.
+#pragma once
+
+#include "grid/field.hpp"
+#include "stress/friction.hpp"
+
+namespace asperity {
+
+/// √(3/2) times (1) at z > 0 [Pa]; infinite at the surface.
+double stress_bound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
+                    double z);
+
+}  // namespace asperity

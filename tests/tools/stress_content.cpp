@@ -1,0 +1,237 @@
+// What asperity-stress is asked for and no more: layers, sections, points, the maximum, values above a bound.
+#include <nlohmann/json.hpp>
+
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+constexpr double fill = 9.9692099683868690e+36;
+
+// 64 × 48 cells, so that x and y cannot be mistaken for each other; the contact is solved once.
+const std::string& pressed() {
+  static const std::string name = [] {
+    const Outcome run = shell(
+        "asperity-generate --shape 64x48 --size 3mm,2.4mm --rq 0.4um --length 9px,4px --seed 7 | "
+        "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 2000N -o pressed.nc");
+    INFO(run.error);
+    REQUIRE(run.exit == 0);
+    return std::string("pressed.nc ");
+  }();
+  return name;
+}
+
+Dataset below(const std::string& options) {
+  const Outcome run = shell("asperity-stress " + pressed() + options + " -o below.nc");
+  INFO(run.error);
+  REQUIRE(run.exit == 0);
+  CHECK(run.error.empty());
+  return read_dataset("below.nc");
+}
+
+std::vector<double> values(const Dataset& data, const std::string& name) {
+  return numbers(data.at(name).values);
+}
+
+double largest(const std::vector<double>& v) {
+  return std::abs(*std::ranges::max_element(v, {}, [](double x) { return std::abs(x); }));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "--depths are a list, or a range at equal steps or at equal ratios, px half the shorter side of a cell",
+    "[stress][contract]") {
+  auto depths = [](const std::string& text) { return depths_of(below("--components zz --depths " + text)); };
+  const double cell = 3e-3 / 64;
+  const std::vector<double> listed = depths("0,10um,0.5mm");
+  REQUIRE(listed.size() == 3);
+  CHECK(listed[0] == 0);
+  CHECK(relative_error(listed[1], 1e-5) <= 4 * epsilon);
+  CHECK(relative_error(listed[2], 5e-4) <= 4 * epsilon);
+  const std::vector<double> uniform = depths("0:1mm:5"), geometric = depths("0.5px:1mm:4:geometric");
+  REQUIRE(uniform.size() == 5);
+  REQUIRE(geometric.size() == 4);
+  for (std::size_t k = 0; k < 5; ++k)
+    CHECK(uniform[k] == Approx(0.25e-3 * static_cast<double>(k)).epsilon(4 * epsilon));
+  for (std::size_t k = 0; k < 4; ++k)
+    CHECK(geometric[k] ==
+          Approx(0.5 * cell * std::pow(2e-3 / cell, static_cast<double>(k) / 3)).epsilon(16 * epsilon));
+  CHECK(geometric.back() == 1e-3);
+}
+
+// The volume's rows come from an inverse transform, the section's from sums over the modes: round-off of 16 ε Σ|p|,
+// at most 16 ε of the cells times the largest pressure. Deep layers are interpolated from the same coarse ones.
+TEST_CASE("a section is the volume's values in its plane, at the cell centres nearest to it",
+          "[stress][exact]") {
+  const std::string layers = "--depths 0,20um,0.2mm,0.7mm --components all ";
+  const Dataset volume = below(layers);
+  const Grid grid = grid_of(volume);
+  const double bound =
+      16 * epsilon * static_cast<double>(grid.shape.cells()) * field_of(volume, "pressure").maxCoeff();
+  struct Cut {
+    std::string option;
+    bool along_x;
+    Index index;
+  };
+  for (const Cut& cut : {Cut{"y=0", true, 24}, Cut{"y=-1.2mm", true, 0}, Cut{"x=0.31mm", false, 38},
+                         Cut{"x=1.5mm", false, 63}}) {
+    const Dataset section = below(layers + "--section " + cut.option);
+    const double place = cut.along_x ? grid.y(cut.index) : grid.x(cut.index);
+    CHECK(values(section, cut.along_x ? "section_y" : "section_x")[0] == place);
+    CHECK(section.attributes.number(cut.along_x ? "stress_section_y" : "stress_section_x", 9) == place);
+    for (const char* name :
+         {"von_mises", "stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_xz", "stress_yz"}) {
+      const std::vector<double> whole = values(volume, name), part = values(section, name);
+      CHECK(section.at(name).dimensions == std::vector<std::string>{"z", cut.along_x ? "x" : "y"});
+      const Index n = cut.along_x ? grid.shape.nx : grid.shape.ny;
+      REQUIRE(part.size() == static_cast<std::size_t>(4 * n));
+      double error = 0;
+      for (Index l = 0; l < 4; ++l)
+        for (Index k = 0; k < n; ++k) {
+          const Index i = cut.along_x ? k : cut.index, j = cut.along_x ? cut.index : k;
+          error = std::max(
+              error, std::abs(part[static_cast<std::size_t>(l * n + k)] -
+                              whole[static_cast<std::size_t>((l * grid.shape.nx + i) * grid.shape.ny + j)]));
+        }
+      CAPTURE(cut.option, name);
+      CHECK(error <= 4 * bound);
+    }
+  }
+}
+
+TEST_CASE("at cell centres the stress at points is that of the layers, and a point may carry its unit",
+          "[stress][exact]") {
+  const Dataset volume = below("--depths 0,50um,0.6mm --components zz,von_mises --resolution full");
+  const auto zz = values(volume, "stress_zz"), von_mises = values(volume, "von_mises");
+  const Outcome table = shell(
+      "printf '# x y z\n0.0234375mm 0.000025 50um\n\n-0.0234375mm 0.025mm 0.6mm # deep\n' | "
+      "asperity-stress " +
+      pressed() + "--points - --components zz,von_mises --json");
+  INFO(table.error);
+  REQUIRE(table.exit == 0);
+  const auto json = nlohmann::json::parse(table.out);
+  CHECK(json["stress_zz"]["unit"] == "Pa");
+  const std::size_t cells = 64 * 48, first = cells + 32 * 48 + 24, second = 2 * cells + 31 * 48 + 24;
+  const double bound = 16 * epsilon * static_cast<double>(cells) * field_of(volume, "pressure").maxCoeff();
+  CHECK(std::abs(json["stress_zz"]["values"][0].get<double>() - zz[first]) <= bound);
+  CHECK(std::abs(json["stress_zz"]["values"][1].get<double>() - zz[second]) <= bound);
+  CHECK(std::abs(json["von_mises"]["values"][0].get<double>() - von_mises[first]) <= 4 * bound);
+  CHECK(json["z"]["values"][1] == 0.6e-3);
+}
+
+TEST_CASE("--maximum alone leaves its place and no volume, and the same place as beside a volume",
+          "[stress][contract]") {
+  const Dataset alone = below("--maximum"), beside = below("--maximum --depths 0,1mm");
+  CHECK_FALSE(alone.has("von_mises"));
+  CHECK_FALSE(alone.has("z"));
+  for (const char* name : {"stress_max_von_mises", "stress_max_x", "stress_max_y", "stress_max_depth"})
+    CHECK(alone.attributes.number(name, -1) == beside.attributes.number(name, -2));
+  const std::vector<double> near =
+      values(below("--depths " + std::to_string(alone.attributes.number("stress_max_depth", 0) * 1e6) + "um"),
+             "von_mises");
+  CHECK(relative_error(alone.attributes.number("stress_max_von_mises", 0), largest(near)) <= 0.02);
+  CHECK(below("--depths 0").attributes.find("stress_max_x") == nullptr);
+}
+
+TEST_CASE("--above keeps the values from its share of Hertz's pressure on and fills the others",
+          "[stress][contract]") {
+  const std::string layers = "--depths 0:3mm:13 --components von_mises,xx ";
+  const Dataset whole = below(layers), part = below(layers + "--above 0.3");
+  const double least = 0.3 * whole.attributes.number("contact_hertz_pressure", 0);
+  CHECK(part.attributes.number("stress_above", 0) == least);
+  for (const char* name : {"von_mises", "stress_xx"}) {
+    CHECK(part.at(name).attributes.number("_FillValue", 0) == fill);
+    const std::vector<double> all = values(whole, name), kept = values(part, name);
+    std::size_t count = 0;
+    bool right = all.size() == kept.size();
+    for (std::size_t i = 0; i < all.size() && right; ++i) {
+      right = kept[i] == (std::abs(all[i]) >= least ? all[i] : fill);
+      count += kept[i] != fill;
+    }
+    CHECK(right);
+    CHECK(count > 0);
+    const std::vector<double> range = numbers(*part.at(name).attributes.find("actual_range"));
+    CHECK(range[1] <= *std::ranges::max_element(all));
+  }
+}
+
+TEST_CASE("a file, a pipe and a pipe of more than --memory carry the same volumes", "[stress][law]") {
+  const std::string run = "asperity-stress " + pressed() + "--depths 0:1mm:7 --components all --no-history ";
+  REQUIRE(shell(run + "-o file.nc && " + run + "> redirected.nc && " + run + "| cat > pipe.nc && " + run +
+                "--memory 100kB | cat > again.nc && " + run + "--threads 3 -o threads.nc")
+              .exit == 0);
+  auto bytes = [](const std::string& name) {
+    Dataset data = read_dataset(name);
+    data.attributes.erase("stress_seconds");
+    return encode_netcdf(data);
+  };
+  for (const char* name : {"redirected.nc", "pipe.nc", "again.nc", "threads.nc"}) {
+    CAPTURE(name);
+    CHECK(bytes(name) == bytes("file.nc"));
+  }
+}
+
+TEST_CASE("asperity-plot draws a section as the volume's in the same plane, and leaves out what was filled",
+          "[stress][contract]") {
+  const std::string layers = "asperity-stress " + pressed() + "--depths 0:0.5mm:6 ";
+  const Outcome run =
+      shell(layers + "-o volume.nc && " + layers + "--section y=0 -o plane.nc && " + layers +
+            "--section y=0 --above 0.2 -o part.nc && for f in volume plane part; do asperity-plot "
+            "$f.nc --kind von-mises -o $f.png || exit 9; done; cmp volume.png plane.png");
+  CAPTURE(run.error, run.out);
+  CHECK(run.exit == 0);
+  CHECK(shell("asperity-plot plane.nc --kind von-mises --section x=0 -o no.png").exit == 2);
+}
+
+TEST_CASE("layers that are asked for anew replace what a former run left", "[stress][contract]") {
+  REQUIRE(shell("asperity-stress " + pressed() +
+                "--depths 0,1mm --section y=0 --above 0.1 --maximum | asperity-stress --depths 0 "
+                "--components zz -o anew.nc")
+              .exit == 0);
+  const Dataset data = read_dataset("anew.nc");
+  CHECK(data.has("stress_zz"));
+  CHECK_FALSE(data.has("von_mises"));
+  CHECK_FALSE(data.has("section_y"));
+  for (const char* name : {"stress_above", "stress_section_y", "stress_max_x"})
+    CHECK(data.attributes.find(name) == nullptr);
+}
+
+TEST_CASE("what asperity-stress cannot do is one line that names the option and the value",
+          "[stress][contract]") {
+  const std::tuple<std::string, std::string, int> wrong[] = {
+      {"", "--depths: is needed", 2},
+      {"--depths 0:1mm", "--depths: '0:1mm' is not of the form", 2},
+      {"--depths 0:1mm:1", "--depths: '1' is no number", 2},
+      {"--depths 0:1mm:4:geometric", "--depths: equal ratios cannot start from '0'", 2},
+      {"--depths 1um:1mm:4:often", "--depths: 'often'", 2},
+      {"--depths 1mm,0.5mm", "--depths: '1mm,0.5mm' does not increase", 2},
+      {"--depths 0.5", "--depths: '0.5' has no unit", 2},
+      {"--depths inf", "--depths: 'inf' has no unit", 2},
+      {"--depths 0 --section z=0", "--section: 'z=0'", 2},
+      {"--depths 0 --section y=1.3mm", "--section: 'y=1.3mm' lies outside", 2},
+      {"--section y=0 --maximum", "--section: needs --depths", 2},
+      {"--maximum --above 0.6", "--above: needs --depths", 2},
+      {"--depths 0 --above=-1", "--above: it must be positive", 2},
+      {"--maximum --components zz", "--components: needs", 2},
+      {"--depths 0 --components zx", "--components: 'zx' is none of", 2},
+      {"--depths 0 --json", "--json", 2},
+      {"--points points --depths 0", "--points", 2},
+      {"--points points --report r.json", "--report", 2},
+      {"--points points", "points: line 2: '0 0 -1um' is not", 4},
+  };
+  for (const auto& [options, words, exit] : wrong) {
+    const Outcome run = shell("printf '0 0 1um\\n0 0 -1um\\n' > points; asperity-stress " + pressed() +
+                              options + " -o absent");
+    CAPTURE(options, run.error);
+    CHECK(run.exit == exit);
+    CHECK(lines(run.error) == 1);
+    CHECK_THAT(run.error, ContainsSubstring("asperity-stress: ") && ContainsSubstring(words));
+  }
+  CHECK(shell("cat absent").exit == 1);
+}

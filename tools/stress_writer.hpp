@@ -1,0 +1,50 @@
+/// Writes a dataset of stresses layer by layer, so that a volume need not fit into memory.
+///
+/// Into a regular file each layer goes to its places as soon as it is computed, and the ranges that stand in front
+/// are put right in the end; memory is that of as many layers as there are threads. Into a pipe, which has to begin
+/// with the ranges, the result is kept, or, when it is larger than --memory, computed once for the ranges and once
+/// for each variable.
+#pragma once
+
+#include "cli/dataset_stream.hpp"
+#include "dataset/layout.hpp"
+#include "stress_quantity.hpp"
+#include "stress_scene.hpp"
+
+namespace asperity::cli {
+
+class StressWriter {
+ public:
+  StressWriter(StressScene& scene, const StressSelection& selection, const StressOptions& options,
+               int threads);
+
+  /// Computes the layers of the scene and writes its dataset with them. In the end `finish` gives attributes that
+  /// are there already their values.
+  void write(const Tool& tool, const std::function<void(Attributes&)>& finish);
+
+ private:
+  using Values = std::span<const double>;
+  using Take = std::function<void(std::size_t output, Index layer, Values values)>;
+
+  /// Every layer of every output, each output's in order.
+  void layers(const Take& take);
+  void compute(const std::vector<double>& depths, const StressSolver::LayerRowSink& row,
+               const StressSolver::LayersFinished& finished) const;
+  bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].units == "Pa"; }
+  void survey(std::size_t output, Values values);
+  void record();
+  void write_file(DatasetStream& out);
+  std::vector<Field> keep();
+
+  StressScene& scene_;
+  const StressSelection& selection_;
+  std::vector<StressQuantity::Output> outputs_;
+  Index rows_, columns_;  ///< of a layer: the grid's, or one row of a section
+  std::size_t threads_, memory_;
+  std::vector<double> depths_;  ///< where values large enough to be kept can be: the first ones
+  std::optional<StressSolver> volume_;
+  std::optional<StressSection> section_;
+  std::vector<Range> ranges_;  ///< of each output
+};
+
+}  // namespace asperity::cli

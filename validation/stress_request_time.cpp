@@ -1,0 +1,131 @@
+/// What each request for stresses costs: the volume, parts of it, and the search for the maximum.
+///
+/// Below a Hertz contact of unit radius on n × n cells of a square three radii wide, ν = 0.3, layers at equal steps
+/// from the surface to 1.2 radii, everything from the pressure on: transforms planned, influences and pressure
+/// transformed, all values on the full grid. `cpu` is processor time of all threads, `wall` what passed, both of the
+/// fastest of five calls, `first` the processor time of the first, which pays for plans and fresh memory. `MB` is
+/// what the process grew by at its peak beyond the values kept. `r2c` is cpu a layer over one real-to-complex
+/// transform of the padded square; `error` the largest difference from the layers in full, over the largest pressure.
+#include <ctime>
+#include <functional>
+#include <sys/resource.h>
+
+#include <fmt/format.h>
+
+#include "stress/hertz.hpp"
+#include "stress/maximum.hpp"
+#include "stress/section.hpp"
+#include "stress/von_mises.hpp"
+#include "timing.hpp"
+
+using namespace asperity;
+
+namespace {
+
+constexpr double poisson = 0.3;
+
+double processor_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024e-6;
+}
+
+struct Scene {
+  Grid grid;
+  Field pressure;
+  std::vector<double> depths;
+
+  Scene(Index n, int layers)
+      : grid{{n, n}, 3.0 / static_cast<double>(n), 3.0 / static_cast<double>(n)},
+        pressure(hertz_pressure(grid)) {
+    for (int l = 0; l < layers; ++l) depths.push_back(1.2 * l / (layers - 1));
+  }
+};
+
+void report(
+    const Scene& scene, const std::string& request, const std::function<void()>& call,
+    const std::function<double()>& error = [] { return 0.0; }) {
+  const double before = peak_megabytes();
+  double first = 0, cpu = 1e9, wall = 1e9;
+  for (int i = 0; i < 5; ++i) {
+    const Stopwatch watch;
+    const double start = processor_seconds();
+    call();
+    const double used = processor_seconds() - start;
+    cpu = std::min(cpu, used), wall = std::min(wall, watch.seconds());
+    if (i == 0) first = used;
+  }
+  const Index n = scene.grid.shape.nx;
+  const auto layers = static_cast<double>(scene.depths.size());
+  fmt::print("{}\t{}\t{}\t{:.3f}\t{:.3f}\t{:.3f}\t{:.1f}\t{:.1f}\t{:.1e}\n", request, n, layers, first, cpu,
+             wall, peak_megabytes() - before, cpu / layers / real_transform_seconds({2 * n, 2 * n}), error());
+}
+
+// Six components, von Mises kept.
+void volume(const Scene& s, int threads, DepthResolution resolution, Field& out) {
+  const Index n = s.grid.shape.nx;
+  StressSolver(s.grid, s.pressure, poisson, threads, resolution)
+      .layers(s.depths, stress::all, [&](Index l, Index i, const StressRow& row) {
+        von_mises(row, n, out.data() + (l * n + i) * n);
+      });
+}
+
+double adapted_error(const Scene& s) {
+  const StressSolver full(s.grid, s.pressure, poisson),
+      adapted(s.grid, s.pressure, poisson, 1, DepthResolution::adapted);
+  StressSolver::Workspace one, other;
+  const Index n = s.grid.shape.nx;
+  double error = 0;
+  for (std::size_t l = 0; l < s.depths.size(); l += 4) {
+    std::array<Field, 6> whole;
+    for (Field& f : whole) f.resize(n, n);
+    full.layer(s.depths[l], stress::all, one, [&](Index i, const StressRow& row) {
+      for (auto c : stress::components) std::copy_n(row[c], n, whole[c].row(i).data());
+    });
+    adapted.layer(s.depths[l], stress::all, other, [&](Index i, const StressRow& row) {
+      for (auto c : stress::components)
+        for (Index j = 0; j < n; ++j) error = std::max(error, std::abs(row[c][j] - whole[c](i, j)));
+    });
+  }
+  return error;
+}
+
+void report_all(Index n, int layers) {
+  const Scene s(n, layers);
+  Field out(layers, n * n);
+  out.setZero();
+  using enum DepthResolution;
+  report(
+      s, "volume_adapted", [&] { volume(s, 1, adapted, out); }, [&] { return adapted_error(s); });
+  report(s, "volume_adapted_2_threads", [&] { volume(s, 2, adapted, out); });
+  report(s, "volume_full", [&] { volume(s, 1, full, out); });
+  report(s, "volume_full_2_threads", [&] { volume(s, 2, full, out); });
+  report(s, "volume_adapted_zz", [&] {
+    StressSolver(s.grid, s.pressure, poisson, 1, adapted)
+        .layers(s.depths, stress::Set().set(stress::zz), [&](Index l, Index i, const StressRow& row) {
+          std::copy_n(row[stress::zz], n, out.data() + (l * n + i) * n);
+        });
+  });
+  for (auto [resolution, name] : {std::pair{adapted, "section_adapted"}, std::pair{full, "section_full"}})
+    report(s, name, [&] {
+      StressSection(s.grid, s.pressure, {}, poisson, {true, n / 2}, 1, resolution)
+          .rows(s.depths, stress::all,
+                [&](Index l, Index, const StressRow& row) { von_mises(row, n, out.row(l).data()); });
+    });
+  report(s, "maximum", [&] { maximum_von_mises(StressSolver(s.grid, s.pressure, poisson, 1, adapted)); });
+}
+
+}  // namespace
+
+int main() {
+  print_conditions();
+  fmt::print("# request\tn\tlayers\tfirst\tcpu\twall\tMB\tr2c\terror\n");
+  report_all(128, 32);
+  report_all(512, 64);
+}
