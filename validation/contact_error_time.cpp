@@ -10,7 +10,8 @@
 /// convolutions, preconditionings  by their share of the finest cells, coarser grids included
 /// setup_seconds                   coefficients, spectra and plans
 /// seconds                         the solution, the nested start included; the fastest of three
-/// over_operators                  seconds, the nested start included, over (convolutions × the time of one + preconditionings × the time of one)
+/// over_operators                  seconds, the nested start included, over (convolutions × the time of one +
+///                                 preconditionings × the time of one)
 /// convolution_over_r2c            the time of one convolution over that of one padded real transform
 #include <cmath>
 #include <cstdlib>
