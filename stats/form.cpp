@@ -1,18 +1,26 @@
 #include "stats/form.hpp"
 
+#include <algorithm>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "grid/error.hpp"
+
 namespace asperity {
 namespace {
 
-// -(n-1)/2 … (n-1)/2.
-Eigen::ArrayXd centred_indices(Index n) {
-  const double half = 0.5 * static_cast<double>(n - 1);
-  return Eigen::ArrayXd::LinSpaced(n, -half, half);
-}
-
-// (1), 0 on a single point.
-double slope(const Eigen::ArrayXd& index, const Eigen::ArrayXd& means) {
-  const double norm = index.square().sum();
-  return norm > 0 ? (index * means).sum() / norm : 0.0;
+// Column a is P_a over n points: xP_{a-1} without what the columns before it hold, twice for the last digits.
+Eigen::MatrixXd gram_polynomials(Index n, int degree) {
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(n, -1, 1);
+  Eigen::MatrixXd p(n, std::min<Index>(degree + 1, n));
+  p.col(0).setConstant(1 / std::sqrt(static_cast<double>(n)));
+  for (Index a = 1; a < p.cols(); ++a) {
+    Eigen::VectorXd next = x * p.col(a - 1).array();
+    for (int pass = 0; pass < 2; ++pass) next -= p.leftCols(a) * (p.leftCols(a).transpose() * next).eval();
+    p.col(a) = next.normalized();
+  }
+  return p;
 }
 
 }  // namespace
@@ -22,17 +30,21 @@ double mean(const Field& z) {
   return shift + (z - shift).rowwise().mean().mean();
 }
 
-Field without_form(const Field& z, Form form) {
+Field without_form(const Field& z, int degree) {
+  if (degree < 0 || degree > largest_form_degree)
+    throw ParameterError(
+        "level", std::to_string(degree) + " is no degree from 0 to " + std::to_string(largest_form_degree));
   Field heights = z - z(0, 0);
-  const Eigen::ArrayXd of_rows = heights.rowwise().mean();
-  const double level = of_rows.mean();
-  if (form == Form::mean) return heights - level;
-
-  const Eigen::ArrayXd of_columns = heights.colwise().mean().transpose();
-  const Eigen::ArrayXd i = centred_indices(z.rows()), j = centred_indices(z.cols());
-  const Eigen::ArrayXd along_x = level + slope(i, of_rows) * i, along_y = slope(j, of_columns) * j;
-  heights.colwise() -= along_x;
-  heights.rowwise() -= along_y.transpose();
+  heights -= heights.rowwise().mean().mean();
+  if (degree == 0) return heights;
+  const Eigen::MatrixXd along_x = gram_polynomials(z.rows(), degree),
+                        along_y = gram_polynomials(z.cols(), degree);
+  for (int pass = 0; pass < 2; ++pass) {
+    Eigen::MatrixXd c = along_x.transpose() * (heights.matrix() * along_y);
+    for (Index a = 0; a < c.rows(); ++a)
+      for (Index b = std::max<Index>(0, degree + 1 - a); b < c.cols(); ++b) c(a, b) = 0;
+    heights.matrix() -= along_x * (c * along_y.transpose());
+  }
   return heights;
 }
 

@@ -1,25 +1,29 @@
-/// The form of a surface, and what is left of the heights without it.
+/// The form of a surface, and what is left of the heights without it: the F-operation of ISO 25178-2.
 ///
-/// Heights are measured from a reference: the mean plane of order 0, z̄, or the plane a + b i + c j that fits
-/// them best in least squares. On a full rectangular grid 1, i - ī and j - j̄ are orthogonal, so
-///     b = Σ (i - ī) z / Σ (i - ī)²,   c = Σ (j - j̄) z / Σ (j - j̄)²                               (1)
-/// are exact projections, with no system to solve.
+/// Heights are measured from the polynomial of total degree d in x and y that fits them best in least squares,
+///     z(i,j) ≈ Σ_{a+b≤d} c_ab P_a(i) P_b(j),   c_ab = Σ_ij P_a(i) P_b(j) z(i,j),                      (1)
+/// with P_0, P_1, … orthonormal over the indices (Gram's polynomials): on a full rectangular grid their products are
+/// orthonormal too, (1) is an exact projection, and there is no system to solve. Degree 0 is the mean, 1 the mean
+/// plane, 2 takes a sphere's cap away. Where an axis has n points its degree ends at n-1.
 ///
 /// Accuracy  The height z(0,0) is subtracted first, an exact operation where heights vary by less than a
 ///           factor of two: roughness of 1 nm on an offset of 1 m keeps all the digits that the heights hold.
-/// Cost      two passes over the data.
+///           (1) is projected once more on what is left: within ε √(nx ny) of the form's rms.
+/// Cost      degree 0: two passes over the data; else 4 (d+1) products a point and pass.
+///
+/// J. P. Gram, J. reine angew. Math. 94 (1883) 41-73.
 #pragma once
 
 #include "grid/field.hpp"
 
 namespace asperity {
 
-enum class Form { mean, plane };
+inline constexpr int largest_form_degree = 20;
 
 /// The mean of the field.
 double mean(const Field& z);
 
-/// The heights above the reference.
-Field without_form(const Field& z, Form form = Form::mean);
+/// The heights above (1). Throws ParameterError("level") unless 0 ≤ degree ≤ 20.
+Field without_form(const Field& z, int degree = 0);
 
 }  // namespace asperity

@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     Dataset data = tool.read();
-    const cli::Measured measured = cli::measure(data, options);
+    const cli::Measured measured = cli::measure(data, options, tool.thread_count());
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(measured.grid);
     const Estimate estimate =
         Estimate::of(measured, {.max_lag = max_lag, .biased = what.biased, .threads = tool.thread_count()});

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
       "bins of a few counts apart.");
 
   return tool.run(argc, argv, [&] {
-    const cli::Measured measured = cli::measure(tool.read(), options);
+    const cli::Measured measured = cli::measure(tool.read(), options, tool.thread_count());
     const Moments m = moments(measured.heights, options.variable);
     const EffectiveSize size = cli::effective_size(measured, tool.thread_count());
     if (bins == 0) bins = scott_bins(m, size.points());

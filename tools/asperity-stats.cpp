@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
       "and valley have none. Sp, Sv and Sz are of the whole field, not means over sampling lengths.");
 
   return tool.run(argc, argv, [&] {
-    const cli::Measured measured = cli::measure(tool.read(), options);
+    const cli::Measured measured = cli::measure(tool.read(), options, tool.thread_count());
     const Moments m = moments(measured.heights, options.variable);
     const EffectiveSize size = cli::effective_size(measured, tool.thread_count());
 

@@ -1,11 +1,13 @@
-/// What the statistics tools read: a field without its form, and the correlation that its errors rest on.
+/// What the statistics tools read: a field without its form, filtered, and the correlation that its errors rest on.
 ///
 /// A generated surface carries the autocorrelation that it was drawn with (acf_achieved, else acf_target),
 /// which is better known than any estimate; it holds for the heights only. Everything else is estimated from
 /// the field.
 #pragma once
 
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -15,16 +17,26 @@
 #include "stats/acf.hpp"
 #include "stats/effective_size.hpp"
 #include "stats/form.hpp"
+#include "stats/gaussian_filter.hpp"
 #include "stats/moments.hpp"
 
 namespace asperity::cli {
 
 struct MeasuredOptions {
-  std::string variable = "heights", form = "mean", correlation = "auto";
+  static constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+  std::string variable = "heights", level = "mean", correlation = "auto";
+  double short_cutoff = absent, long_cutoff = absent;  ///< λs, λc [m]
 
   void declare(Tool& tool) {
     tool.text("--variable", variable, "NAME", "The field on (x, y) that is measured", "Field");
-    tool.choice("--form", form, {"mean", "plane"}, "Reference from which heights are measured", "Field");
+    tool.text(
+        "--level", level, "FORM",
+        "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
+        "Field");
+    tool.quantity("--lambda-s", short_cutoff, "m",
+                  "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves", "Field");
+    tool.quantity("--lambda-c", long_cutoff, "m", "Cut-off of the L-filter, which removes longer waves",
+                  "Field");
     tool.choice(
         "--correlation", correlation, {"auto", "drawn", "estimate"},
         "What standard errors rest on: the correlation that the heights were drawn with, where the dataset "
@@ -59,22 +71,47 @@ inline std::optional<LagField> carried_correlation(const Dataset& data, const st
   return LagField(table_of(data, name)).normalised();
 }
 
-inline Measured measure(const Dataset& data, const MeasuredOptions& options) {
+inline int form_degree(const std::string& level) {
+  if (level == "mean" || level == "plane") return level == "plane";
+  int degree = -1;
+  const auto [end, error] = std::from_chars(level.data(), level.data() + level.size(), degree);
+  if (error != std::errc() || end != level.data() + level.size())
+    throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
+  return degree;
+}
+
+/// The S-filter, then the L-filter; the correlation that the heights were drawn with is not theirs any more.
+inline void filter(Measured& measured, const MeasuredOptions& options, int threads) {
+  auto mean_surface = [&](const char* option, double cutoff) {
+    try {
+      return gaussian_mean_surface(measured.heights, measured.grid, cutoff, threads);
+    } catch (const ParameterError& error) {
+      throw UsageError(option, error.what());
+    }
+  };
+  if (!std::isnan(options.short_cutoff)) measured.heights = mean_surface("lambda-s", options.short_cutoff);
+  if (!std::isnan(options.long_cutoff)) measured.heights -= mean_surface("lambda-c", options.long_cutoff);
+}
+
+inline Measured measure(const Dataset& data, const MeasuredOptions& options, int threads = 1) {
   Measured out{.grid = grid_of(data), .heights = field_of(data, options.variable)};
   const std::string units = data.at(options.variable).attributes.text("units");
   const bool heights = options.variable == "heights";
   out.units = heights ? "m" : units.empty() ? "1" : units;
   out.level = mean(out.heights);
-  out.heights = without_form(out.heights, options.form == "plane" ? Form::plane : Form::mean);
+  out.heights = without_form(out.heights, form_degree(options.level));
+  filter(out, options, threads);
   if (!(out.heights.abs().maxCoeff() > 0)) throw DataError(options.variable, "every value is the same");
   if (heights) out.target = carried_correlation(data, "acf_target", out.grid);
-  if (heights && options.correlation != "estimate") {
+  const bool as_drawn = std::isnan(options.short_cutoff) && std::isnan(options.long_cutoff);
+  if (heights && as_drawn && options.correlation != "estimate") {
     out.drawn = carried_correlation(data, "acf_achieved", out.grid);
     if (!out.drawn) out.drawn = out.target;
   }
   if (options.correlation == "drawn" && !out.drawn)
     throw DataError(options.variable,
-                    "the dataset does not carry the correlation it was drawn with (acf_target)");
+                    as_drawn ? "the dataset does not carry the correlation it was drawn with (acf_target)"
+                             : "filtered heights have another correlation than they were drawn with");
   return out;
 }
 

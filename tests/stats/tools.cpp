@@ -68,18 +68,53 @@ TEST_CASE("asperity-stats estimates the errors of a field whose correlation is n
   CHECK(ratio != 1);
 }
 
-TEST_CASE("a plane is taken off with --form plane and the mean is reported either way", "[stats-tool][law]") {
+TEST_CASE("a plane is taken off with --level plane and the mean is reported either way",
+          "[stats-tool][law]") {
   Dataset data = drawn_surface();
   const Grid grid = grid_of(data);
   const Field tilt = sample(grid, [](double x, double y) { return 1e-3 + 2e-3 * x - 1e-3 * y; });
   set_field(data, "heights", field_of(data, "heights") + tilt, {"m", "heights"});
   write_dataset(data, "tilted.nc");
-  const Json flat = json_of("asperity-stats drawn.nc --json --form plane");
-  const Json tilted = Json::parse(shell("asperity-stats tilted.nc --json --form plane").out);
+  const Json flat = json_of("asperity-stats drawn.nc --json --level plane");
+  const Json tilted = Json::parse(shell("asperity-stats tilted.nc --json --level plane").out);
   // Heights of 1e-3 m are rounded to ε 1e-3.
   CHECK(relative_error(tilted["Sq"]["value"], flat["Sq"]["value"]) <= 10 * epsilon * 1e-3 / 0.4e-6);
   CHECK(std::abs(tilted["mean"]["value"].get<double>() - flat["mean"]["value"].get<double>() - 1e-3) <=
         1e-17);
+}
+
+// x² + y² over 3 mm and 16 periods of a wave: what the form and the filters leave has the wave's rms height alone.
+TEST_CASE("--level 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
+          "[stats-tool][law]") {
+  const Grid grid{{128, 64}, 1e-5, 1e-5, true};
+  auto wave = [](double x, double length) { return std::sin(2 * std::numbers::pi * x / length); };
+  Dataset data;
+  set_grid(data, grid);
+  set_field(data, "heights",
+            sample(grid,
+                   [&](double x, double) {
+                     return wave(x, 0.64e-3) + 0.1 * wave(x, 0.08e-3) + 0.01 * wave(x, 0.02e-3);
+                   }),
+            {"m", "heights"});
+  write_dataset(data, "waves.nc");
+  auto sq = [](const std::string& options) {
+    return Json::parse(shell("asperity-stats waves.nc --json " + options).out)["Sq"]["value"].get<double>();
+  };
+  auto passed = [](double cutoff, double length) { return std::exp2(-std::pow(cutoff / length, 2)); };
+  auto rms = [](double a, double b, double c) { return std::sqrt((a * a + b * b + c * c) / 2); };
+  CHECK(relative_error(sq(""), rms(1, 0.1, 0.01)) <= 1e-12);
+  CHECK(relative_error(sq("--lambda-c 0.2mm"),
+                       rms(1 - passed(0.2, 0.64), 0.1 * (1 - passed(0.2, 0.08)), 0.01)) <= 1e-12);
+  CHECK(relative_error(sq("--lambda-s 0.05mm"), rms(passed(0.05, 0.64), 0.1 * passed(0.05, 0.08),
+                                                    0.01 * passed(0.05, 0.02))) <= 1e-12);
+  set_field(data, "heights", sample(grid, [&](double x, double y) { return 1e3 * (x * x + y * y); }),
+            {"m", "heights"});
+  write_dataset(data, "waves.nc");
+  CHECK(sq("--level 2") <= 1e-12 * sq("--level plane"));
+  CHECK(shell("asperity-stats waves.nc --level 21").exit == 2);
+  CHECK(shell("asperity-stats waves.nc --level quadric").err.find("--level") != std::string::npos);
+  CHECK(shell("asperity-stats waves.nc --lambda-c 10um").exit == 2);
+  CHECK(shell("asperity-stats drawn.nc --lambda-c 1mm --correlation drawn").exit == 4);
 }
 
 TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
