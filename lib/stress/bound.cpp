@@ -21,7 +21,7 @@ double largest_norm(double poisson, stress::Traction load) {
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j <= steps; ++j)
       top = std::max(top, norm(point_load_stress(4.0 * i / steps, 4.0 * j / steps, 1, poisson, load)));
-  return 1.001 * top;
+  return 1.01 * top;
 }
 
 }  // namespace

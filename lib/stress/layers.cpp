@@ -261,13 +261,12 @@ void StressSolver::interpolate_row(const Resolution& r, Index i, const double* p
   const double* weights = r.interpolation().weights(i % r.s());
   const Index px = r.transform().torus().nx, m = i / r.s();
   const Index samples = std::min((grid_.shape.ny - 1) / r.s() + 2 * Interpolation::taps, stride);
-  std::array<const double*, Interpolation::taps> rows;
-  for (Index t = 0; t < Interpolation::taps; ++t) rows[size(t)] = points + (m + t) % px * stride;
-  for (Index j = 0; j < samples; ++j) {
-    double sum = 0;
-    for (Index t = 0; t < Interpolation::taps; ++t) sum += weights[t] * rows[size(t)][j];
-    across[j] = sum;
-  }
+  using Points = Eigen::Map<const Eigen::ArrayXd>;
+  auto row_at = [&](Index t) { return Points(points + (m + t) % px * stride, samples); };
+  static_assert(Interpolation::taps == 8);
+  Eigen::Map<Eigen::ArrayXd>(across, samples) =
+      weights[0] * row_at(0) + weights[1] * row_at(1) + weights[2] * row_at(2) + weights[3] * row_at(3) +
+      weights[4] * row_at(4) + weights[5] * row_at(5) + weights[6] * row_at(6) + weights[7] * row_at(7);
   r.interpolation().refine(across, grid_.shape.ny, row);
 }
 

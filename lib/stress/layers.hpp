@@ -18,7 +18,7 @@
 ///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
 ///           the steps of the pressure show below its edges: see accurate_depth.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
-///           128 × 128 cells take 9-12 padded real transforms, 2-4 ms; with friction along an axis 1.5 times as
+///           128 × 128 cells take 8-10 padded real transforms, 3 ms; with friction along an axis 1.5 times as
 ///           long, in another direction twice. Memory: 4 N doubles for the
 ///           pressure, and per thread 3 N for each component asked, N = nx ny.
 ///

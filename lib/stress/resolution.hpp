@@ -3,7 +3,7 @@
 /// In a layer at depth z a mode fades as exp(-qz), so that beyond z = 5 s Δ, Δ the longer side of a cell, nothing
 /// is left of the modes beyond π/sΔ. Such a layer is computed on a grid whose points lie s cells apart: from the
 /// influence of a wide cell, sΔx × sΔy, and from the pressure's lower modes, each times
-///     ratio = sin(a) / (s sin(a/s)) inverted, i.e. s sin(a/s) / sin(a),   a = k/2,                       (1)
+///     ratio = s sin(a/s) / sin(a),   a = k/2,                                                            (1)
 /// in x and in y, k in radians a wide cell, which turns wide cells into the narrow ones. From the points the
 /// layer's values at all cells are interpolated (transform/interpolation.hpp).
 ///
@@ -12,7 +12,7 @@
 /// smoothly, over the `taper` lags more that the torus has for it, as the integral of exp(β√(1-u²)), |u| < 1.
 ///
 /// Accuracy  2e-6 of the largest pressure; 1e-9 in a periodic half-space.
-/// Cost      of a layer 1/s² of one in full, and the interpolation.
+/// Cost      32 layers of 128 × 128 cells down to 51 of them half, 64 of 512 × 512 a fifth of those in full.
 #pragma once
 
 #include "grid/field.hpp"

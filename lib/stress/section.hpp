@@ -4,7 +4,7 @@
 /// column and that in y one row. A plane y = y_j is the plane x = x_j of the problem with x and y exchanged,
 ///     σxx ↔ σyy,   σxz ↔ σyz,   α → π/2 - α.                                                           (1)
 /// Accuracy  that of stress/layers.hpp.
-/// Cost      0.4 to 0.5 of the volume's; memory as of a layer.
+/// Cost      0.6 of the volume's; memory as of a layer.
 #pragma once
 
 #include "stress/layers.hpp"

@@ -39,13 +39,15 @@ Interpolation::Interpolation(Index s)
 }
 
 void Interpolation::refine(const double* samples, Index count, double* out) const {
+  using Lanes = Eigen::Array<double, 8, 1>;
   const Index around = taps + lanes_ / s_ - 1;
   for (Index j = 0; j < count; j += lanes_, samples += lanes_ / s_)
     for (Index first = 0; first < lanes_; first += 8) {
-      double sum[8] = {};
-      for (Index t = 0; t < around; ++t)
-        for (Index l = 0; l < 8; ++l) sum[l] += matrix_[size(t * lanes_ + first + l)] * samples[t];
-      std::copy_n(sum, 8, out + j + first);
+      const double* column = matrix_.data() + first;
+      Lanes sum = Lanes::Zero();
+      for (Index t = 0; t < around; ++t, column += lanes_)
+        sum += Eigen::Map<const Lanes>(column) * samples[t];
+      Eigen::Map<Lanes>(out + j + first) = sum;
     }
 }
 
