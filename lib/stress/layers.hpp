@@ -19,8 +19,8 @@
 ///           the steps of the pressure show below its edges: see accurate_depth.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
 ///           128 × 128 cells take 8-10 padded real transforms, 3 ms; with friction along an axis 1.5 times as
-///           long, in another direction twice. Memory: 4 N doubles for the
-///           pressure, and per thread 3 N for each component asked, N = nx ny.
+///           long, in another direction twice. Two threads 1.75 times as fast. Memory: 4 N doubles for the
+///           pressure and less for each coarse level, and per thread 3 N for each component asked, N = nx ny.
 ///
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
 #pragma once
