@@ -24,7 +24,8 @@
 /// Symbols   λx, λy    lags [samples]           λx*, λy*  lengths at `level` [samples]
 ///           Δx, Δy    spacing                  θ         angle from x towards y [rad]
 /// Accuracy  1e-11 of ρ in the tabulated models, round-off in the others.
-/// Cost      3 to 5 ns a lag of the exponential and the Gaussian, 15 to 60 ns of the others; the self-affine beyond r = 128, where |ρ| < 2e-5, 500 ns.
+/// Cost      3 to 5 ns a lag of the exponential and the Gaussian, 15 to 60 ns of the others; the self-affine
+///           beyond r = 128, where |ρ| < 2e-5, 500 ns.
 ///
 /// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact,
 /// Proc. R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for (1) in two dimensions.
