@@ -1,0 +1,132 @@
+#include "stats/gaussianity.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include "fields.hpp"
+#include "stats/hermite.hpp"
+#include "stats/weighted_chi_squared.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+EffectiveSize size_of(Shape window, const Grid& g) {
+  return EffectiveSize(triangular_correlation(window), g);
+}
+
+double density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi); }
+
+// Some 800 independent patches at least.
+Shape shape_for(Shape window) { return {16 * window.nx + 32, 16 * window.ny + 32}; }
+
+// How often each of the four p-values, and each naive one, is below 5 %.
+struct FalseAlarms {
+  std::array<double, 4> rate{}, naive{};
+
+  FalseAlarms(Shape shape, Shape window, int fields, unsigned seed) {
+    const GaussianityTest test(size_of(window, grid(shape.nx, shape.ny)));
+    for (int f = 0; f < fields; ++f) {
+      const Field z = moving_average(shape, window, seed + static_cast<unsigned>(f));
+      const auto fits = test(z, moments(z));
+      for (std::size_t t = 0; t < 4; ++t) {
+        rate[t] += (fits[t].p <= 0.05) / static_cast<double>(fields);
+        naive[t] += (fits[t].naive_p <= 0.05) / static_cast<double>(fields);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+// A few roundings of numbers below 3.
+TEST_CASE("the Hermite functions are He_k φ/√k!", "[gaussianity][exact]") {
+  for (double x : {-2.5, 0.0, 0.7, 3.0}) {
+    const double phi = density(x);
+    HermiteFunction h(x, phi);
+    for (double exact : {1.0, x, (x * x - 1) / std::sqrt(2), (x * x * x - 3 * x) / std::sqrt(6)})
+      CHECK(std::abs(h.next() - exact * phi) <= 8 * epsilon);
+  }
+}
+
+// Kolmogorov's 1.22385, 1.35810 and 1.62762 at 10 %, 5 % and 1 %, for D of a known Gaussian, a Brownian bridge;
+// three of the simulation's errors √(p(1-p)/8192).
+TEST_CASE("of a Brownian bridge the supremum has Kolmogorov's law", "[gaussianity][statistics]") {
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(97, -6, 6);
+  const Eigen::MatrixXd bridge = Eigen::MatrixXd::NullaryExpr(97, 97, [&](Eigen::Index a, Eigen::Index b) {
+    return gsl_cdf_ugaussian_P(x(std::min(a, b))) * gsl_cdf_ugaussian_Q(x(std::max(a, b)));
+  });
+  const SupremumLaw law(x, bridge, 1);
+  for (auto [value, p] : {std::pair{1.22385, 0.10}, {1.35810, 0.05}, {1.62762, 0.01}}) {
+    CAPTURE(p, law.exceedance(value));
+    CHECK(std::abs(law.exceedance(value) - p) <= 3 * std::sqrt(p * (1 - p) / SupremumLaw::draws));
+  }
+}
+
+// Stephens' table for a fitted Gaussian, J. Am. Stat. Assoc. 69 (1974) 730: 0.631, 0.752, 1.035 at 10 %, 5 % and
+// 1 %. Half of the last digit is worth 1.5e-4 of p at most, the trapezoidal rule errs by 3e-4.
+TEST_CASE("for independent heights A² has the law that is tabulated", "[gaussianity][exact]") {
+  const Eigen::ArrayXd weights = anderson_darling_weights(size_of({1, 1}, grid(1000, 1000)));
+  for (auto [value, p] : {std::pair{0.631, 0.10}, {0.752, 0.05}, {1.035, 0.01}})
+    CHECK(std::abs(weighted_chi_squared_exceedance(weights, value) - p) <= 1.5e-4 + 3e-4);
+}
+
+// E[χ²] = B - 1 - B Σ (∫ He_1 φ)² - B Σ (∫ He_2 φ)²/2 over the bins.
+TEST_CASE("the mean of Pearson's statistic is B - 1 less what the fit explains", "[gaussianity][exact]") {
+  const EffectiveSize size = size_of({1, 1}, grid(100, 100));
+  for (int bins : {6, 20, 64}) {
+    auto edge = [bins](int a) { return gsl_cdf_ugaussian_Pinv(static_cast<double>(a) / bins); };
+    auto primitive = [&](int a, int k) {
+      if (a == 0 || a == bins) return 0.0;
+      const double x = edge(a);
+      return (k == 1 ? 1 : x / std::sqrt(2)) * density(x);
+    };
+    double explained = 0;
+    for (int a = 0; a < bins; ++a)
+      for (int k : {1, 2}) explained += bins * std::pow(primitive(a + 1, k) - primitive(a, k), 2);
+    CHECK(pearson_weights(size, bins).sum() == Approx(bins - 1 - explained).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the covariance of the empirical process is its Hermite series", "[gaussianity][exact]") {
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(5, -1, 1.5);
+  const EffectiveSize size = size_of({7, 4}, grid(80, 60));
+  const Eigen::MatrixXd c = fitted_process_covariance(x, size);
+  for (Eigen::Index a = 0; a < 5; ++a)
+    for (Eigen::Index b = 0; b < 5; ++b) {
+      HermiteFunction ha(x(a), density(x(a))), hb(x(b), density(x(b)));
+      double series = 0;
+      for (int k = 1; k <= EffectiveSize::powers; ++k) {
+        const double term = ha.next() * hb.next() / k;
+        if (k >= 3) series += size.sum(k) * term;
+      }
+      // The terms beyond 512: |h_k h_k|/k < 0.13 k^{-3/2}, alternating where a ≠ b.
+      CHECK(std::abs(c(a, b) - series) <= 0.26 / std::sqrt(512));
+    }
+}
+
+// The rate's own error at 5 % over 300 fields is √(0.05·0.95/300) = 1.3 %; three of them. The naive p-value is
+// the same where heights are independent.
+TEST_CASE(
+    "Gaussian fields of short and of long correlation are rejected at the stated rate, by the naive "
+    "p-value far more often",
+    "[gaussianity][statistics]") {
+  const double bound = 3 * std::sqrt(0.05 * 0.95 / 300);
+  for (const Shape window : {Shape{1, 1}, Shape{3, 2}, Shape{8, 5}}) {
+    const FalseAlarms alarms(shape_for(window), window, 300, 1000);
+    for (std::size_t t = 0; t < 4; ++t) {
+      CAPTURE(window.nx, t, alarms.rate[t], alarms.naive[t]);
+      CHECK(std::abs(alarms.rate[t] - 0.05) <= bound);
+      if (window == Shape{8, 5}) CHECK(alarms.naive[t] >= 0.3);
+    }
+  }
+}
+
+// A field whose heights are squares (χ² of one degree) has a skewness of √8.
+TEST_CASE("heights that are squares of a Gaussian field's are not taken for Gaussian", "[gaussianity][law]") {
+  const Shape window{6, 4};
+  const Grid g = grid(128, 96);
+  const Field z = moving_average(g.shape, window, 7).square();
+  for (const GoodnessOfFit& fit : GaussianityTest(size_of(window, g))(z, moments(z)))
+    CHECK(fit.p <= 1.001 / (SupremumLaw::draws + 1));
+}
