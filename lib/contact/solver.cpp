@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -109,25 +110,29 @@ std::string describe(ContactStop stop, const ContactParameters& parameters) {
 // Everything that the solution on the finest grid tells; its fields become the result's.
 void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedGradients& solved) {
   const ContactResidual& residual = solved.residual();
+  const Blocks blocks = problem.blocks();
   contact.pressure = std::move(solved.pressure());
-  contact.displacement = std::move(problem.h);
-  contact.displacement = solved.gap() - contact.displacement;
   contact.gap = std::move(solved.gap());
-  contact.gap -= residual.approach;
+  contact.displacement = std::move(problem.h);  // of g = h + K p, until the pass
   contact.state.resize(static_cast<std::size_t>(grid.shape.cells()));
-  std::transform(contact.pressure.data(), contact.pressure.data() + contact.pressure.size(),
-                 contact.state.begin(), [&](double p) {
-                   return p <= 0 ? Contact::open : problem.is_free(p) ? Contact::elastic : Contact::at_limit;
-                 });
+  const Eigen::Array2d sums = blocks.sum([&](Block b) {
+    const auto p = b.of(std::as_const(contact.pressure));
+    auto g = b.of(contact.gap), u = b.of(contact.displacement);
+    u = g - u;
+    g -= residual.approach;
+    std::transform(p.begin(), p.end(), contact.state.begin() + b.begin, [&](double x) {
+      return x <= 0 ? Contact::open : problem.is_free(x) ? Contact::elastic : Contact::at_limit;
+    });
+    return Eigen::Array2d(p.sum(), g.max(0.0).sum());
+  });
   contact.approach = residual.approach + problem.datum;
-  contact.mean_gap = contact.gap.max(0.0).mean();
+  contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
   contact.max_pressure = residual.max_pressure;
   contact.residual = residual.epsilon;
   contact.area = static_cast<double>(residual.contact()) * grid.cell_area();
   contact.plastic_area = static_cast<double>(residual.at_limit) * grid.cell_area();
-  const double sum = contact.pressure.sum();
-  contact.load = sum * grid.cell_area();
-  contact.load_error = problem.approach ? 0 : std::abs(sum / problem.sum - 1);
+  contact.load = sums[0] * grid.cell_area();
+  contact.load_error = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
 }
 
 bool touches_edge(const Field& p) {
