@@ -1,0 +1,207 @@
+#include "stats/prescription.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <gsl/gsl_cdf.h>
+
+#include "grid/error.hpp"
+#include "stats/acf.hpp"
+#include "stats/acf_error.hpp"
+#include "stats/correlation_powers.hpp"
+#include "stats/effective_size.hpp"
+#include "stats/moments.hpp"
+#include "surface/noise.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index most_rows = 9, most_columns = 17;
+constexpr int draws = 8192;
+constexpr double most_score = 37;
+
+// The score of probabilities below and above, whichever is the smaller.
+double normal_score(double below, double above) {
+  const double score = above < below ? gsl_cdf_ugaussian_Qinv(above) : gsl_cdf_ugaussian_Pinv(below);
+  return std::clamp(score, -most_score, most_score);
+}
+
+// Gamma law of mean 0, variance 1 and this skewness; below 1e-3 the score's series in the skewness.
+double gamma_score(double z, double skewness) {
+  if (std::abs(skewness) < 1e-3) return z - skewness * (z * z - 1) / 6;
+  if (skewness < 0) return -gamma_score(-z, -skewness);
+  const double degrees = 8 / (skewness * skewness);
+  const double x = std::max(0.0, degrees + z * std::sqrt(2 * degrees));
+  return normal_score(gsl_cdf_chisq_P(x, degrees), gsl_cdf_chisq_Q(x, degrees));
+}
+
+double two_sided(double score) { return 2 * gsl_cdf_ugaussian_Q(std::abs(score)); }
+
+// (5) and (6) but for their factors 8/N² and 1/N.
+double third_cumulant(const CorrelationPowers& powers, Index p, Index q, double rho) {
+  auto t = [&](Index k) { return powers.third(k * p, k * q); };
+  return (3 * t(1) + t(3)) / 4 - 1.5 * rho * (t(0) + t(2)) + 3 * rho * rho * t(1) - rho * rho * rho * t(0);
+}
+
+double covariance(const CorrelationPowers& powers, Shape h, double rho_h, Shape g, double rho_g) {
+  auto c = [&](Index p, Index q) { return powers.second(p, q); };
+  return c(h.nx - g.nx, h.ny - g.ny) + c(h.nx + g.nx, h.ny + g.ny) - 2 * rho_g * c(h.nx, h.ny) -
+         2 * rho_h * c(g.nx, g.ny) + 2 * rho_h * rho_g * c(0, 0);
+}
+
+Index longest(Index table, Index points) { return std::min(table, points / 4); }
+
+Index stride(Index lags, Index most) { return (lags + most - 1) / most; }
+
+// R(h) at the lags that are tested needs no others.
+Shape longest_lag(const LagField& rho, const Grid& grid) {
+  return {longest(rho.max_p(), grid.shape.nx), longest(rho.max_q(), grid.shape.ny)};
+}
+
+}  // namespace
+
+void Prescription::check() const {
+  if (!(sku >= 1 + ssk * ssk))
+    throw ParameterError(
+        "kurtosis", "value " + std::to_string(sku) + " is below 1 + skewness², which no distribution has");
+  if (!spread && (ssk != 0 || sku != 3))
+    throw ParameterError("errors",
+                         "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
+}
+
+PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid& grid)
+    : prescription_(prescription), grid_(grid) {
+  prescription_.check();
+  prescription_.correlation = prescription.correlation.normalised();
+  const LagField& rho = prescription_.correlation;
+  const EffectiveSize size(rho, grid);
+  for (std::size_t k = 1; k <= 4; ++k) sums_[k] = size.sum(static_cast<int>(k)) / size.points();
+  mean_share_ = sums_[1];
+  if (!(mean_share_ < 0.5))
+    throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
+
+  const double cells = size.points();
+  const CorrelationPowers powers(rho, grid), of_square(LagField(rho.half_plane().square()), grid);
+  variance_skewness_ = 8 * powers.third(0, 0) / (cells * cells) / std::pow(2 * sums_[2], 1.5);
+  sku_skewness_ = 1728 * of_square.third(0, 0) / (cells * cells) / std::pow(24 * sums_[4], 1.5);
+  choose_lags(powers);
+}
+
+void PrescriptionTest::choose_lags(const CorrelationPowers& powers) {
+  const LagField& rho = prescription_.correlation;
+  const AcfError errors(rho, grid_);
+  const double cells = static_cast<double>(grid_.shape.cells());
+  const Shape most = longest_lag(rho, grid_);
+  const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
+  for (Index p = 0; p <= most.nx; p += dp)
+    for (Index q = p == 0 ? dq : -(most.ny / dq) * dq; q <= most.ny; q += dq) {
+      const double at = rho(p, q), error = errors.normalised(p, q);
+      const double variance = covariance(powers, {p, q}, at, {p, q}, at);
+      if (!(variance > 1e-12 * powers.second(0, 0)) || !(error > 0)) continue;
+      lags_.push_back({p, q, at, error,
+                       8 * third_cumulant(powers, p, q, at) / (std::sqrt(cells) * std::pow(variance, 1.5))});
+    }
+  const auto count = static_cast<Index>(lags_.size());
+  correlation_ = Eigen::MatrixXd::NullaryExpr(count, count, [&](Index a, Index b) {
+    const Lag &h = lags_[static_cast<std::size_t>(a)], &g = lags_[static_cast<std::size_t>(b)];
+    return covariance(powers, {h.p, h.q}, h.rho, {g.p, g.q}, g.rho);
+  });
+  const Eigen::VectorXd scale = correlation_.diagonal().cwiseSqrt().cwiseInverse();
+  correlation_ = scale.asDiagonal() * correlation_ * scale.asDiagonal();
+}
+
+void PrescriptionTest::add(const Field& z, const Grid& grid) {
+  auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
+  if (shape_of(z) != grid_.shape || !same(grid.dx, grid_.dx) || !same(grid.dy, grid_.dy) ||
+      grid.periodic != grid_.periodic)
+    throw DataError("heights", "the surface has another grid than the first one");
+  const Moments m = moments(z);
+  const LagField acf = estimate_autocorrelation(
+      z, grid_, {.max_lag = longest_lag(prescription_.correlation, grid_), .threads = prescription_.threads});
+  const double variance = acf(0, 0) / (1 - mean_share_);
+  Eigen::ArrayXd values(3 + static_cast<Index>(lags_.size()));
+  values.head<3>() << variance, m.ssk, m.sku;
+  for (Index i = 3; const Lag& lag : lags_)
+    values(i++) = acf(lag.p, lag.q) - (lag.rho - mean_share_) * variance;
+  ensemble_.add(values);
+  ++surfaces_;
+}
+
+// By Student's t where the error is the spread's own.
+double PrescriptionTest::score(double z, double skewness) const {
+  if (!prescription_.spread) return gamma_score(z, skewness / std::sqrt(surfaces_));
+  return normal_score(gsl_cdf_tdist_P(z, surfaces_ - 1), gsl_cdf_tdist_Q(z, surfaces_ - 1));
+}
+
+Claim PrescriptionTest::claim(const std::string& name, Index quantity, double prescribed, double mean,
+                              double theory, double skewness) const {
+  Claim out{.quantity = name, .prescribed = prescribed, .mean = mean};
+  out.standard_error =
+      prescription_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
+  out.z = (mean - prescribed) / out.standard_error;
+  out.p = two_sided(score(out.z, skewness));
+  return out;
+}
+
+// Tested as a variance, told as an rms height.
+Claim PrescriptionTest::height_claim() const {
+  const double variance = prescription_.sq * prescription_.sq, mean = ensemble_.mean()(0);
+  Claim out = claim("Sq", 0, variance, mean, variance * std::sqrt(2 * sums_[2]), variance_skewness_);
+  out.prescribed = prescription_.sq;
+  out.mean = std::sqrt(mean);
+  out.standard_error /= 2 * prescription_.sq;
+  return out;
+}
+
+Claim PrescriptionTest::correlation_claim() const {
+  const Eigen::ArrayXd mean = ensemble_.mean() / ensemble_.mean()(0);
+  const Eigen::ArrayXd spread = ensemble_.standard_error() / ensemble_.mean()(0);
+  Claim out{.quantity = "ACF", .p = 1};
+  double largest = -1;
+  for (Index i = 3; const Lag& lag : lags_) {
+    const double error = prescription_.spread ? spread(i) : lag.error / std::sqrt(surfaces_);
+    const double strays = std::abs(score(mean(i) / error, lag.skewness));
+    if (strays > largest)
+      out = {"ACF", lag.rho, lag.rho + mean(i), error, mean(i) / error, 1, lag.p, lag.q}, largest = strays;
+    ++i;
+  }
+  out.p = lags_.empty() ? 1 : largest_score_p(largest);
+  return out;
+}
+
+double PrescriptionTest::largest_score_p(double score) const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation_);
+  const Eigen::MatrixXd root =
+      solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  Eigen::VectorXd normals(root.cols());
+  WhiteNoise noise(1);
+  int above = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    noise.row(draw, {normals.data(), static_cast<std::size_t>(normals.size())});
+    above += (root * normals).cwiseAbs().maxCoeff() >= score;
+  }
+  const double sidak = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(score)));
+  return std::min(sidak, (above + 1.0) / (draws + 1));
+}
+
+std::vector<Claim> PrescriptionTest::claims() const {
+  if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
+  if (prescription_.spread && surfaces_ < 2) throw ParameterError("errors", "a single surface has no spread");
+  std::vector<Claim> out;
+  if (std::isfinite(prescription_.sq)) out.push_back(height_claim());
+  const Eigen::ArrayXd mean = ensemble_.mean();
+  const double bias = prescription_.spread ? 0 : 6 * sums_[2];
+  out.push_back(claim("Ssk", 1, prescription_.ssk, mean(1), std::sqrt(6 * sums_[3]), 0));
+  out.push_back(claim("Sku", 2, prescription_.sku, mean(2) + bias, std::sqrt(24 * sums_[4]), sku_skewness_));
+  if (!lags_.empty()) out.push_back(correlation_claim());
+  return out;
+}
+
+double joint_p(const std::vector<Claim>& claims) {
+  double least = 1;
+  for (const Claim& c : claims) least = std::min(least, c.p);
+  return std::min(1.0, least * static_cast<double>(claims.size()));
+}
+
+}  // namespace asperity

@@ -1,0 +1,92 @@
+// asperity-validate on surfaces whose correlation is known.
+#include <nlohmann/json.hpp>
+
+#include "dataset/layout.hpp"
+#include "fields.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const Shape window{5, 3};
+
+// e_0.nc … e_5.nc: `sq` of moving average over 5 × 3 points, with the target of 0.4 µm over those lags.
+void write_ensemble(double sq, double spacing = 20e-6) {
+  const Grid grid{{72, 64}, spacing, spacing, false};
+  const LagField rho = triangular_correlation(window);
+  const Field target =
+      Field::NullaryExpr(7, 9, [&](Index p, Index column) { return 0.16e-12 * rho(p, column - 4); });
+  for (unsigned m = 0; m < 6; ++m) {
+    Dataset data;
+    set_grid(data, grid);
+    set_field(data, "heights", sq * moving_average(grid.shape, window, 50 + m), {"m", "heights"});
+    set_table(data, "acf_target", target, {"p", 0, spacing, "m"}, {"q", -4, spacing, "m"},
+              {"m2", "autocorrelation asked for"});
+    write_dataset(data, "e_" + std::to_string(m) + ".nc");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("asperity-validate answers 0 for the ensemble that was drawn and 5 for another height",
+          "[validate-tool][statistics]") {
+  write_ensemble(0.4e-6);
+  const Outcome same = shell("asperity-validate e_*.nc -q");
+  INFO(same.out << same.error);
+  CHECK(same.exit == 0);
+  CHECK(
+      same.out.starts_with("# quantity\tunit\tprescribed [SI]\tmean [SI]\tstandard_error [SI]\tz [1]\tp "
+                           "[1]\tverdict\nSq\tm\t4e-07"));
+  CHECK(lines(same.out) == 6);
+  CHECK(same.out.find("differs") == std::string::npos);
+  CHECK(shell("asperity-validate e_*.nc -q --rq 0.45um").exit == 5);
+
+  write_ensemble(0.45e-6);
+  const Outcome other = shell("asperity-validate e_*.nc --json -q");
+  CHECK(other.exit == 5);
+  const Json verdicts = Json::parse(other.out)["verdict"]["values"];
+  CHECK(verdicts == Json({"differs", "agrees", "agrees", "agrees", "differs"}));
+}
+
+TEST_CASE("asperity-validate reads names or one dataset from standard input, to the same answer",
+          "[validate-tool][contract]") {
+  write_ensemble(0.4e-6);
+  const std::string named = shell("asperity-validate e_*.nc -q").out;
+  CHECK(shell("ls e_*.nc | asperity-validate -q").out == named);
+  const Outcome one = shell("asperity-validate e_3.nc -q");
+  CHECK(one.exit == 0);
+  CHECK(shell("asperity-validate -q < e_3.nc").out == one.out);
+  CHECK(shell("asperity-validate e_*.nc -q --target e_0.nc").out == named);
+}
+
+// Six surfaces: Student's t of five degrees.
+TEST_CASE("with errors from the spread the ensemble still agrees, and a single surface is refused",
+          "[validate-tool][statistics]") {
+  write_ensemble(0.4e-6);
+  const Outcome spread = shell("asperity-validate e_*.nc -q --errors spread");
+  INFO(spread.out << spread.error);
+  CHECK(spread.exit == 0);
+  const Outcome single = shell("asperity-validate e_0.nc -q --errors spread");
+  CHECK((single.exit == 2 && single.error.find("--errors") != std::string::npos));
+  CHECK(shell("asperity-validate e_*.nc -q --errors spread --skewness 1 --kurtosis 5").exit == 5);
+}
+
+TEST_CASE("asperity-validate refuses what it cannot judge in one line", "[validate-tool][contract]") {
+  write_ensemble(0.4e-6);
+  for (const char* wrong : {"--significance 0", "--significance 0.7", "--skewness 1", "--kurtosis 0.5"}) {
+    const Outcome run = shell(std::string("asperity-validate e_0.nc ") + wrong);
+    CAPTURE(wrong, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+  }
+  REQUIRE(shell("cp e_0.nc coarse.nc").exit == 0);
+  write_ensemble(0.4e-6, 10e-6);
+  const Outcome mixed = shell("asperity-validate e_0.nc coarse.nc");
+  CHECK((mixed.exit == 4 && lines(mixed.error) == 1));
+  const Outcome target = shell("asperity-validate e_0.nc --target coarse.nc");
+  CHECK((target.exit == 4 && target.error.find("apart") != std::string::npos));
+  CHECK(shell("echo | asperity-validate").exit == 2);
+}

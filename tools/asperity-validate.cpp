@@ -1,0 +1,158 @@
+// Whether an ensemble of surfaces has the rms height, skewness, kurtosis and autocorrelation prescribed.
+#include <cmath>
+#include <optional>
+
+#include "acf_table.hpp"
+#include "cli/table.hpp"
+#include "dataset/layout.hpp"
+#include "ensemble_input.hpp"
+#include "measured.hpp"
+#include "stats/prescription.hpp"
+
+using namespace asperity;
+
+namespace {
+
+constexpr int not_as_prescribed = 5;
+
+struct Options {
+  cli::EnsembleInput surfaces;
+  std::string target, variable = "heights", errors = "theory";
+  double rq = NAN, skewness = 0, kurtosis = 3, significance = 0.01;
+
+  void declare(cli::Tool& tool) {
+    const std::string asked = "Prescribed", answer = "Answer";
+    surfaces.declare(tool);
+    tool.text("--variable", variable, "NAME", "The field of heights", "Field");
+    tool.text("--target", target, "FILE",
+              "Autocorrelation, as asperity-kernel --acf reads it; absent: acf_target of the first surface",
+              asked);
+    tool.quantity("--rq", rq, "m", "Rms height; absent: that of the target, where it has one", asked);
+    tool.number("--skewness", skewness, "Skewness", asked);
+    tool.number("--kurtosis", kurtosis, "Kurtosis, 3 for a Gaussian", asked);
+    tool.number("--significance", significance,
+                "Largest rate of false alarms of the whole answer, between 0 and 0.5", answer);
+    tool.choice(
+        "--errors", errors, {"theory", "spread"},
+        "Where standard errors come from: those of Gaussian surfaces of the target's correlation, for one "
+        "surface or many, or the spread over the ensemble, for any distribution and a dozen surfaces or "
+        "more",
+        answer);
+  }
+
+  void check() const {
+    if (!(significance > 0 && significance < 0.5))
+      throw ParameterError("significance",
+                           "value " + cli::shortest(significance) + " is not between 0 and 0.5");
+  }
+};
+
+void require_spacing(double lag, double grid) {
+  if (std::abs(lag - grid) > 1e-6 * grid)
+    throw DataError("acf_target", "its lags are " + cli::shortest(lag) + " m apart, the heights " +
+                                      cli::shortest(grid) + " m");
+}
+
+// From --target.
+Prescription from_file(const std::string& name, const Grid& grid) {
+  const cli::AcfTable table = cli::read_acf_table(name);
+  if (table.spacing) {
+    require_spacing((*table.spacing)[0], grid.dx);
+    require_spacing((*table.spacing)[1], grid.dy);
+  }
+  return {.correlation = LagField(table.half_plane), .sq = table.rms};
+}
+
+Prescription carried(const Dataset& data, const Grid& grid) {
+  const std::optional<LagField> rho = cli::carried_correlation(data, "acf_target", grid);
+  if (!rho)
+    throw DataError("acf_target", "the first surface carries none for its grid; --target names another file");
+  const bool metres = data.at("acf_target").attributes.text("units") == "m2";
+  const Field table = table_of(data, "acf_target");
+  return {.correlation = *rho, .sq = metres ? std::sqrt(table(0, table.cols() / 2)) : NAN};
+}
+
+PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
+  const Grid grid = grid_of(first);
+  Prescription asked = o.target.empty() ? carried(first, grid) : from_file(o.target, grid);
+  if (!std::isnan(o.rq)) asked.sq = o.rq;
+  asked.ssk = o.skewness;
+  asked.sku = o.kurtosis;
+  asked.spread = o.errors == "spread";
+  asked.threads = threads;
+  return PrescriptionTest(asked, grid);
+}
+
+std::string name_of(const Claim& claim) {
+  if (claim.quantity != "ACF") return claim.quantity;
+  return "ACF(" + std::to_string(claim.lag_x) + "," + std::to_string(claim.lag_y) + ")";
+}
+
+cli::Table table_of_claims(const std::vector<Claim>& claims, double significance) {
+  auto verdict = [](double p, double level) { return std::string(p <= level ? "differs" : "agrees"); };
+  cli::Table out{{{"quantity", ""},
+                  {"unit", ""},
+                  {"prescribed", "SI"},
+                  {"mean", "SI"},
+                  {"standard_error", "SI"},
+                  {"z", "1"},
+                  {"p", "1"},
+                  {"verdict", ""}},
+                 {}};
+  const double level = significance / static_cast<double>(claims.size());
+  for (const Claim& c : claims)
+    out.rows.push_back({name_of(c), std::string(c.quantity == "Sq" ? "m" : "1"), c.prescribed, c.mean,
+                        c.standard_error, c.z, c.p, verdict(c.p, level)});
+  const double joint = joint_p(claims);
+  out.rows.push_back(
+      {std::string("all"), std::string("1"), NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool("asperity-validate",
+                 "Whether surfaces, one or an ensemble, have the rms height, skewness, kurtosis and "
+                 "autocorrelation that were "
+                 "prescribed. A row a claim: what was prescribed, the mean over the surfaces with its "
+                 "standard error, their "
+                 "distance z in standard errors, the p-value, and the verdict at --significance shared among "
+                 "the claims. The ACF "
+                 "is one claim over all its lags; the lag (x, y in samples) that strays most is shown. The "
+                 "row 'all' is the "
+                 "answer. Exit status: 0 all agree, 5 something differs.");
+  Options options;
+  options.declare(tool);
+  tool.table();
+  tool.threads();
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
+      "s_%02d.nc "
+      "&& asperity-validate s_*.nc");
+  tool.accuracy(
+      "A false alarm at most at the stated rate, for Gaussian surfaces whose N_eff is 300 or more (shown by "
+      "simulation for one surface and for four). The means are freed of the bias that each field's own mean "
+      "and Sq "
+      "bring. --errors spread takes Student's t and is approximate below a dozen surfaces. Surfaces drawn "
+      "with "
+      "--exact-rq have no spread of Sq: it then agrees always. Lags of up to a quarter of the field are "
+      "compared.");
+
+  return tool.run(argc, argv, [&] {
+    options.check();
+    std::optional<PrescriptionTest> test;
+    options.surfaces.for_each([&](const Dataset& data, const std::string& name) {
+      if (!test) test = test_for(options, data, tool.thread_count());
+      tool.detail(name);
+      test->add(heights_of(data, options.variable), grid_of(data));
+    });
+    if (!test) throw CLI::ValidationError("SURFACES", "the list on standard input names none");
+
+    const std::vector<Claim> claims = test->claims();
+    tool.note(std::to_string(test->surfaces()) + " surfaces, " + std::to_string(test->lags()) + " lags");
+    tool.write_text(
+        render(table_of_claims(claims, options.significance), tool.json(), tool.output_is_terminal()));
+    return joint_p(claims) <= options.significance ? not_as_prescribed : int{cli::done};
+  });
+}
