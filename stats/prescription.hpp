@@ -22,8 +22,9 @@
 ///
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the half-plane:
 ///           errors of neighbouring lags are nearly the same.
-/// Accuracy  False alarms of 400 ensembles each, of 1 and of 4 surfaces, short and long correlation: at most the
-///           stated 5 % within sampling error, down to N/S_2 = 300 (tests/stats/prescription.cpp).
+/// Accuracy  False alarms of 200 ensembles of one surface and 100 of four, short and long correlation: no more than
+///           the stated 5 % within sampling error, down to N/S_2 = 300 (tests/stats/prescription.cpp). Errors from
+///           the spread are approximate below a dozen surfaces.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
 /// J. P. Imhof, Biometrika 48 (1961) 419-426; Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633.
