@@ -98,7 +98,7 @@ std::optional<LobeEllipse> fitted_ellipse(const std::vector<Eigen::Vector2d>& po
 
 CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
   if (!(level > 0 && level < 1))
-    throw ParameterError("level", "value " + std::to_string(level) + " is outside 0 to 1");
+    throw ParameterError("acf-level", "value " + std::to_string(level) + " is outside 0 to 1");
   const Contour contour = contour_of_lobe(rho, grid, level);
   CentralLobe out;
   if (contour.points.empty()) return out;

@@ -28,6 +28,15 @@ struct MeasuredOptions {
   double short_cutoff = absent, long_cutoff = absent;  ///< λs, λc [m]
 
   void declare(Tool& tool) {
+    declare_field(tool);
+    tool.choice(
+        "--correlation", correlation, {"auto", "drawn", "estimate"},
+        "What standard errors rest on: the correlation that the heights were drawn with, where the dataset "
+        "carries it, or the estimate",
+        "Field");
+  }
+  /// Without --correlation, for a tool whose errors rest on none.
+  void declare_field(Tool& tool) {
     tool.text("--variable", variable, "NAME", "The field on (x, y) that is measured", "Field");
     tool.text(
         "--level", level, "FORM",
@@ -37,11 +46,6 @@ struct MeasuredOptions {
                   "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves", "Field");
     tool.quantity("--lambda-c", long_cutoff, "m", "Cut-off of the L-filter, which removes longer waves",
                   "Field");
-    tool.choice(
-        "--correlation", correlation, {"auto", "drawn", "estimate"},
-        "What standard errors rest on: the correlation that the heights were drawn with, where the dataset "
-        "carries it, or the estimate",
-        "Field");
   }
 };
 

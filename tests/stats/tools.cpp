@@ -1,4 +1,4 @@
-// The three statistics tools on a dataset whose correlation is known.
+// The statistics tools on a dataset whose correlation is known.
 #include <nlohmann/json.hpp>
 
 #include "dataset/layout.hpp"
@@ -66,6 +66,55 @@ TEST_CASE("asperity-stats estimates the errors of a field whose correlation is n
       estimated["Sq"]["standard_error"].get<double>() / known["Sq"]["standard_error"].get<double>();
   CHECK(std::abs(ratio - 1) <= 0.3);
   CHECK(ratio != 1);
+}
+
+TEST_CASE("asperity-stats prints the groups asked for, one beside the other or all",
+          "[stats-tool][contract]") {
+  const Json height = json_of("asperity-stats drawn.nc --json");
+  CHECK_FALSE(height.contains("Sk"));
+  CHECK_FALSE(height.contains("Sdq"));
+  const Json two = json_of("asperity-stats drawn.nc --json --parameters material,hybrid --direction 30deg");
+  for (const char* name : {"Sk", "Spk", "Svk", "Smr1", "Smr2", "Vmp", "Vmc", "Vvc", "Vvv", "Sdq", "Sdr",
+                           "m2_x", "alpha_y", "m4_direction", "summit_density", "nayak_radius"})
+    CHECK(two.contains(name));
+  CHECK_FALSE(two.contains("Sq"));
+  const Json all = json_of("asperity-stats drawn.nc --json --parameters all --quantiles 0.5,0.95");
+  for (const char* name : {"Sq", "Sk", "Sal", "Str", "Std", "gamma", "Sdr", "quantile_0.5", "quantile_0.95"})
+    CHECK(all.contains(name));
+  CHECK(all["Sk"] == two["Sk"]);
+  CHECK(relative_error(all["m0"]["value"], std::pow(all["Sq"]["value"].get<double>(), 2)) <= 100 * epsilon);
+}
+
+// The triangle's contour at 0.2 is nearest along y: 0.8 · 5 samples of 30 µm, and 0.8 · 8 of 20 µm along x, or a
+// little more between the axes, where (1-a)(1-b) = 0.2 lies inside: (1 - √0.2)(8·20, 5·30) µm.
+TEST_CASE("asperity-stats finds Sal and quantiles within four of their standard errors",
+          "[stats-tool][statistics]") {
+  const Json all = json_of("asperity-stats drawn.nc --json --parameters spatial --quantiles 0.1,0.9");
+  const double sal = all["Sal"]["value"], error = all["Sal"]["standard_error"];
+  const double nearest = (1 - std::sqrt(0.2)) * std::hypot(160e-6, 150e-6);
+  CHECK(std::abs(sal - std::min(nearest, 120e-6)) <= 4 * error);
+  for (const auto& [name, exact] : {std::pair{"quantile_0.1", -1.2816}, {"quantile_0.9", 1.2816}}) {
+    const double value = all[name]["value"], standard_error = all[name]["standard_error"];
+    CHECK(std::abs(value - 0.4e-6 * exact) <= 4 * standard_error);
+  }
+}
+
+TEST_CASE("asperity-stats refuses groups and shares it does not know, and slopes of a pressure",
+          "[stats-tool][contract]") {
+  for (const char* wrong : {"--parameters heights", "--parameters height,,material", "--quantiles 1.5",
+                            "--quantiles x", "--parameters material --material-ratio 0.8,0.1",
+                            "--direction 30deg", "--parameters spatial --acf-level 2"}) {
+    const Outcome run = run_on_surface(std::string("asperity-stats drawn.nc ") + wrong);
+    CAPTURE(wrong, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+  }
+  Dataset data = drawn_surface();
+  set_field(data, "pressure", 1e15 * field_of(data, "heights"), {"Pa", "pressure"});
+  write_dataset(data, "pressed.nc");
+  CHECK(shell("asperity-stats pressed.nc --variable pressure --parameters hybrid").exit == 4);
+  const Json all =
+      Json::parse(shell("asperity-stats pressed.nc --variable pressure --parameters material --json").out);
+  CHECK(all["Sk"]["unit"] == "Pa");
 }
 
 TEST_CASE("a plane is taken off with --level plane and the mean is reported either way",
@@ -191,6 +240,58 @@ TEST_CASE("asperity-acf --json prints the profiles, and does not go together wit
   }
 }
 
+TEST_CASE("asperity-acf measures lengths at any level and in any direction, and the ellipse of the contour",
+          "[acf-tool][statistics]") {
+  const Json lengths =
+      json_of("asperity-acf drawn.nc --lengths --json --acf-level 0.5,0.2 --direction 90deg");
+  CHECK(lengths.contains("length_20_x"));
+  CHECK_FALSE(lengths.contains("length_10_x"));
+  CHECK(relative_error(lengths["target_length_50_x"]["value"], 4 * 20e-6) <= 10 * epsilon);
+  CHECK(relative_error(lengths["length_50_direction"]["value"], lengths["length_50_y"]["value"]) <=
+        10 * epsilon);
+  // The window is 160 µm × 150 µm: nearly round.
+  CHECK(std::abs(lengths["ellipticity_50"]["value"].get<double>() - 1) <= 0.3);
+  for (const char* wrong : {"--acf-level 1.5", "--acf-level 10%", "--direction 1m"})
+    CHECK(run_on_surface(std::string("asperity-acf drawn.nc --lengths ") + wrong).exit == 2);
+}
+
+// S = 2(R(0,0) - R) over one and the same set of pairs; the sets at either end differ by the lag's share of points.
+TEST_CASE("--structure adds the structure function to the profiles and the dataset", "[acf-tool][contract]") {
+  const Json table = json_of("asperity-acf drawn.nc --structure --absolute --json");
+  const auto S = table["structure_function"]["values"].get<std::vector<double>>();
+  const auto R = table["acf"]["values"].get<std::vector<double>>();
+  CHECK(table["structure_function"]["unit"] == "m2");
+  CHECK(S[0] <= 1e-12 * R[0]);
+  CHECK(relative_error(S[1], 2 * (R[0] - R[1])) <= 0.1);
+  REQUIRE(run_on_surface("asperity-acf drawn.nc --structure --max-lag 12x9 -o with-acf.nc").exit == 0);
+  CHECK(shape_of(table_of(read_dataset("with-acf.nc"), "structure_function")) == Shape{13, 19});
+}
+
+TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or profiles",
+          "[psd-tool][law]") {
+  REQUIRE(run_on_surface("asperity-psd drawn.nc --window none -o with-psd.nc").exit == 0);
+  const Dataset data = read_dataset("with-psd.nc");
+  const Grid grid = grid_of(data);
+  double sum = 0;
+  for_each_lag(
+      LagField(table_of(data, "psd")), {grid.shape, grid.dx, grid.dy, true},
+      [&, psd = LagField(table_of(data, "psd"))](Index p, Index q, double w) { sum += w * psd(p, q); });
+  const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
+  CHECK(relative_error(sum / (grid.size_x() * grid.size_y()), sq * sq) <= 100 * epsilon);
+  CHECK(data.at("psd").attributes.text("units") == "m4");
+  CHECK(data.attributes.text("psd_window") == "none");
+  CHECK(data.has("acf_target"));
+
+  const Json rings = json_of("asperity-psd drawn.nc --json");
+  CHECK(rings == json_of("asperity-psd drawn.nc --radial --json"));
+  CHECK(rings["psd"]["unit"] == "m4");
+  const Json profiles = json_of("asperity-psd drawn.nc --profiles --json");
+  CHECK(profiles["psd"]["unit"] == "m3");
+  CHECK(profiles["psd"]["values"].size() == 49 + 41);
+  for (const char* two : {"--dataset --json", "--radial --profiles", "--window wide", "--correlation drawn"})
+    CHECK(run_on_surface(std::string("asperity-psd drawn.nc ") + two).exit == 2);
+}
+
 TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-tool][law]") {
   const Json table = json_of("asperity-pdf drawn.nc --bins 24 --json");
   const auto heights = table["height"]["values"].get<std::vector<double>>();
@@ -207,7 +308,7 @@ TEST_CASE("a smooth field, an absent variable and lags beyond the field are refu
   Dataset smooth = drawn_surface();
   set_field(smooth, "heights", Field::Constant(96, 80, 1e-6), {"m", "heights"});
   write_dataset(smooth, "smooth.nc");
-  for (const char* tool : {"asperity-stats", "asperity-acf", "asperity-pdf"}) {
+  for (const char* tool : {"asperity-stats", "asperity-acf", "asperity-pdf", "asperity-psd"}) {
     const Outcome flat = shell(std::string(tool) + " smooth.nc");
     const Outcome absent = run_on_surface(std::string(tool) + " drawn.nc --variable pressure");
     CAPTURE(tool, flat.error, absent.error);

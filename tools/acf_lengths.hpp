@@ -1,0 +1,42 @@
+/// An estimated autocorrelation with its errors, and the lengths that are read off it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/table.hpp"
+#include "measured.hpp"
+#include "stats/acf_error.hpp"
+
+namespace asperity::cli {
+
+/// The estimate, normalised, and its errors.
+struct AcfEstimate {
+  LagField rho;
+  AcfError error;
+  double variance;  ///< R(0,0)
+  bool biased;
+
+  static AcfEstimate of(const Measured& measured, const AcfParameters& parameters);
+  /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`.
+  double standard_error(const Grid& grid, Index p, Index q, bool absolute) const;
+};
+
+/// A level to which the ACF falls, and how its lengths are named: length_10_x for 10 %, length_e_x for 1/e.
+struct AcfLevel {
+  double value;
+  std::string tag, text;
+};
+/// "0.1,1/e"; throws ParameterError("acf-level", …) unless each is between 0 and 1.
+std::vector<AcfLevel> acf_levels(const std::string& list);
+
+struct LengthsRequest {
+  std::string levels = "0.1,1/e", direction;
+};
+
+/// Along x and y, in the direction asked for, their ratio, and the ellipse of the contour; of the target too where
+/// the dataset carries one. Warns of levels that the lags do not reach.
+Quantities lengths_of(const Tool& tool, const Measured& measured, const AcfEstimate& estimate,
+                      const LengthsRequest& request);
+
+}  // namespace asperity::cli

@@ -1,0 +1,129 @@
+// Power spectral densities of a surface, of its profiles, and over rings.
+#include <numbers>
+
+#include "cli/table.hpp"
+#include "measured.hpp"
+#include "stats/spectrum.hpp"
+
+using namespace asperity;
+
+namespace {
+
+struct Options {
+  std::string window = "auto";
+  bool radial = false, profiles = false, dataset = false;
+
+  Windows windows(const Grid& grid) const {
+    if (window == "auto") return default_windows(grid);
+    const Window both = window == "hann" ? Window::hann : Window::none;
+    return {both, both};
+  }
+};
+
+// Of heights "m3" or "m4", of a pressure "Pa2 m" or "Pa2 m2".
+std::string density_units(const cli::Measured& measured, int lengths) {
+  if (measured.units == "m") return measured.units_to(2 + lengths);
+  const std::string length = lengths == 1 ? "m" : "m" + std::to_string(lengths);
+  return measured.units == "1" ? length : measured.units_to(2) + " " + length;
+}
+
+constexpr const char* per_length = "rad m-1";
+
+cli::Table radial(const cli::Measured& measured, const LagField& psd, const Windows& windows) {
+  const std::string unit = density_units(measured, 2);
+  cli::Table out{{{"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}, {"count", "1"}}, {}};
+  for (const SpectrumPoint& ring : radial_spectrum(psd, measured.grid, windows))
+    out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
+  return out;
+}
+
+cli::Table profiles(const cli::Measured& measured, const Windows& windows, int threads) {
+  const std::string unit = density_units(measured, 1);
+  cli::Table out{{{"direction", ""}, {"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}},
+                 {}};
+  for (const Axis1D axis : {Axis1D::x, Axis1D::y})
+    for (const SpectrumPoint& point :
+         profile_spectrum(measured.heights, measured.grid, axis, windows.x, threads))
+      out.rows.push_back(
+          {axis == Axis1D::x ? "x" : "y", point.wave_number, point.density, point.standard_error});
+  return out;
+}
+
+void add_to(Dataset& data, const cli::Measured& measured, const LagField& psd, const std::string& window) {
+  const auto step = [](double size) { return 2 * std::numbers::pi / size; };
+  set_table(data, "psd", psd.half_plane(),
+            {"wave_number_x", 0, step(measured.grid.size_x()), per_length, "wave number in x"},
+            {"wave_number_y", -psd.max_q(), step(measured.grid.size_y()), per_length, "wave number in y"},
+            {density_units(measured, 2), "power spectral density of the field"});
+  data.attributes.set("psd_window", window);
+}
+
+void declare(cli::Tool& tool, Options& what) {
+  tool.choice("--window", what.window, {"auto", "none", "hann"},
+              "Weight towards the edges; auto: Hann's unless the field is periodic", "Estimate");
+  CLI::Option* radial =
+      tool.flag("--radial", what.radial,
+                "Print the mean over rings of wave numbers; so do --json alone and a terminal", "Result");
+  CLI::Option* profiles = tool.flag("--profiles", what.profiles,
+                                    "Print the mean over the profiles along x, and along y", "Result")
+                              ->excludes(radial);
+  tool.flag("--dataset", what.dataset, "Write the dataset with the PSD added, as into a pipe or a file",
+            "Result")
+      ->excludes(radial)
+      ->excludes(profiles);
+  tool.input();
+  tool.table();
+  tool.output();
+  tool.threads();
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-psd --radial");
+  tool.accuracy(
+      "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
+      "both "
+      "signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for what a "
+      "window "
+      "makes neighbours share. Wave numbers are 2 pi / wavelength.");
+}
+
+// A dataset is binary: on a terminal, and as JSON, the rings stand for it.
+bool prints_radial(const cli::Tool& tool, const Options& what) {
+  if (what.dataset && tool.json())
+    throw cli::UsageError("json", "prints rings or profiles, and does not go together with --dataset");
+  return what.radial || tool.json() || (!what.dataset && tool.output_is_terminal());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool(
+      "asperity-psd",
+      "The power spectral density of a surface. Passes the dataset on with psd over wave_number_x >= 0 and "
+      "wave_number_y of both signs, in m4: (dx dy)^2 / (Lx Ly) |transform|^2, its window of mean square 1. "
+      "Or prints "
+      "its mean over rings, as on a terminal; or that of the profiles, in m3.");
+  cli::MeasuredOptions options;
+  Options what;
+  options.declare_field(tool);
+  declare(tool, what);
+
+  return tool.run(argc, argv, [&] {
+    Dataset data = tool.read();
+    const cli::Measured measured = cli::measure(data, options, tool.thread_count());
+    const Windows windows = what.windows(measured.grid);
+    auto print = [&](const cli::Table& table) {
+      tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
+    };
+    if (what.profiles) {
+      print(profiles(measured, windows, tool.thread_count()));
+      return cli::done;
+    }
+    const LagField psd = power_spectrum(measured.heights, measured.grid, windows, tool.thread_count());
+    if (prints_radial(tool, what)) {
+      print(radial(measured, psd, windows));
+    } else {
+      add_to(data, measured, psd, windows.x == Window::hann ? "hann" : "none");
+      tool.write(data);
+    }
+    return cli::done;
+  });
+}

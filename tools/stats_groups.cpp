@@ -1,0 +1,257 @@
+#include "stats_groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "cli/quantity.hpp"
+#include "cli/series.hpp"
+#include "stats/acf_error.hpp"
+#include "stats/acf_length.hpp"
+#include "stats/acf_lobe.hpp"
+#include "stats/material_ratio.hpp"
+#include "stats/slopes.hpp"
+#include "stats/spectral_moments.hpp"
+#include "stats/spectrum.hpp"
+#include "stats/summits.hpp"
+#include "stats/texture_direction.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array group_names{"height", "material", "spatial", "hybrid", "all"};
+
+std::vector<double> shares(const std::string& option, const std::string& list) {
+  std::vector<double> out;
+  for (const std::string& word : split(list, ',')) {
+    double value = unknown;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !(value >= 0 && value <= 1))
+      throw UsageError(option, "value \"" + word + "\" is not a number from 0 to 1");
+    out.push_back(value);
+  }
+  return out;
+}
+
+// How the level in a direction strays: SE[ρ]/|dρ/dr|.
+double length_error(const LagField& rho, const Grid& grid, const AcfError& error, const Reach& reach,
+                    double level) {
+  const auto crossing = first_crossing(rho, grid, reach.angle, level);
+  if (!crossing) return unknown;
+  const Index p = std::lround(reach.length * std::cos(reach.angle) / grid.dx);
+  const Index q = std::lround(reach.length * std::sin(reach.angle) / grid.dy);
+  return error.normalised(p, q) / -crossing->slope;
+}
+
+void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Grid& grid,
+              const AcfError& error, const StatsOptions& options) {
+  const std::string level = shortest(options.acf_level);
+  double relative = 0;
+  auto length = [&](const Reach& reach) {
+    const double e = length_error(rho, grid, error, reach, options.acf_level);
+    relative = std::hypot(relative, e / reach.length);
+    return e;
+  };
+  if (lobe.fastest) {
+    out.push_back({"Sal", lobe.fastest->length, "m", length(*lobe.fastest),
+                   "autocorrelation length, of the fastest decay to " + level});
+    out.push_back(
+        {"Sal_direction", lobe.fastest->angle, "rad", unknown, "of that decay, from +x towards +y"});
+  }
+  if (lobe.slowest) {
+    out.push_back({"slowest_decay", lobe.slowest->length, "m", length(*lobe.slowest),
+                   "length of the slowest decay to " + level});
+    out.push_back({"slowest_direction", lobe.slowest->angle, "rad", unknown, "of that decay, the lay"});
+  }
+  if (const auto ratio = lobe.aspect_ratio())
+    out.push_back(
+        {"Str", *ratio, "1", *ratio * relative, "texture aspect ratio, fastest over slowest decay"});
+  if (lobe.ellipse) {
+    out.push_back({"gamma", lobe.ellipse->gamma(), "1", unknown,
+                   "ellipticity of the ACF's contour at " + level + ", long axis over short"});
+    out.push_back({"gamma_direction", lobe.ellipse->major.angle, "rad", unknown, "of its long axis"});
+  }
+}
+
+void add_profile(Rows& out, const std::string& name, const SpectralMoments& moments, double angle,
+                 const std::string& where) {
+  const ProfileSpectralMoments m = moments.along(angle);
+  out.push_back({"m2_" + name, m.m2, "1", unknown, "mean square slope " + where});
+  out.push_back({"m4_" + name, m.m4, "m-2", unknown, "mean square second derivative " + where});
+  out.push_back({"alpha_" + name, m.bandwidth(), "1", unknown, "bandwidth parameter m0 m4 / m2^2 " + where});
+}
+
+void add_summits(Rows& out, const std::string& prefix, const Summits& s, const std::string& which) {
+  out.push_back({prefix + "density", s.density, "m-2", unknown, "summits per area, " + which});
+  out.push_back(
+      {prefix + "height", s.mean_height, "m", unknown, "their mean height above the mean, " + which});
+  out.push_back({prefix + "deviation", s.height_deviation, "m", unknown,
+                 "standard deviation of their heights, " + which});
+  out.push_back({prefix + "curvature", s.mean_curvature, "m-1", unknown, "their mean curvature, " + which});
+  out.push_back({prefix + "radius", s.mean_curvature > 0 ? s.radius() : unknown, "m", unknown,
+                 "1 / mean curvature, " + which});
+}
+
+}  // namespace
+
+// ---- the command line ----
+
+void StatsOptions::declare(Tool& tool) {
+  tool.text(
+      "--parameters", groups, "GROUP,...",
+      "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), material (Sk, Spk, Svk, Smr1, Smr2, "
+      "Vmp, Vmc, Vvc, Vvv), spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral moments, "
+      "summits), "
+      "or all; only what is asked for is computed",
+      "Parameters");
+  tool.text("--quantiles", quantiles, "P,...",
+            "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
+  tool.numbers_pair("--material-ratio", material_ratios,
+                    "Shares p,q that bound the core in Vmp, Vmc, Vvc, Vvv, and of Smc_p, Smc_q",
+                    "Parameters");
+  tool.number("--acf-level", acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
+              "Parameters");
+  tool.text("--direction", direction, "ANGLE",
+            "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");
+}
+
+void StatsOptions::check() const {
+  if (!direction.empty() && !asks_for("hybrid"))
+    throw UsageError("direction", "is that of spectral moments: --parameters hybrid");
+  if (!direction.empty()) parse_angle("direction", direction);
+}
+
+bool StatsOptions::asks_for(const std::string& group) const {
+  bool asked = false;
+  for (const std::string& word : split(groups, ',')) {
+    if (std::ranges::find(group_names, word) == group_names.end())
+      throw UsageError("parameters",
+                       "value \"" + word + "\" is not height, material, spatial, hybrid or all");
+    asked = asked || word == group || word == "all";
+  }
+  return asked;
+}
+
+// ---- the field ----
+
+Sample::Sample(Measured measured, const std::string& variable, int threads)
+    : measured_(std::move(measured)),
+      variable_(variable),
+      threads_(threads),
+      moments_(asperity::moments(measured_.heights, variable)) {}
+
+const LagField& Sample::acf() {
+  if (!acf_)
+    acf_ = estimate_autocorrelation(heights(), grid(),
+                                    {.max_lag = default_max_lag(grid()), .threads = threads_});
+  return *acf_;
+}
+
+const EffectiveSize& Sample::size() {
+  if (!size_)
+    size_ =
+        measured_.drawn ? EffectiveSize(*measured_.drawn, grid()) : EffectiveSize::of_estimate(acf(), grid());
+  return *size_;
+}
+
+// ---- groups ----
+
+Rows height_rows(Sample& sample) {
+  const Moments& m = sample.moments();
+  const EffectiveSize& size = sample.size();
+  const MomentErrors error = standard_errors(m, size);
+  const std::string& unit = sample.units();
+  return {
+      {"mean", sample.measured().level, unit, error.mean, "mean, subtracted from the heights below"},
+      {"Sa", m.sa, unit, error.sa, "arithmetic mean height"},
+      {"Sq", m.sq, unit, error.sq, "root mean square height"},
+      {"Ssk", m.ssk, "1", error.ssk, "skewness, 0 for a Gaussian"},
+      {"Sku", m.sku, "1", error.sku, "kurtosis, 3 for a Gaussian"},
+      {"Sp", m.sp, unit, unknown, "highest peak of the whole field"},
+      {"Sv", m.sv, unit, unknown, "deepest valley of the whole field"},
+      {"Sz", m.sz(), unit, unknown, "maximum height Sp + Sv"},
+      {"N", size.points(), "1", unknown, "points"},
+      {"N_eff_mean", size.effective(1), "1", unknown, "independent points with the same error of the mean"},
+      {"N_eff", size.effective(2), "1", unknown, "independent points with the same error of Sq"},
+      {"N_eff_Ssk", size.effective(3), "1", unknown, "independent points with the same error of Ssk"},
+      {"N_eff_Sku", size.effective(4), "1", unknown, "independent points with the same error of Sku"},
+  };
+}
+
+Rows quantile_rows(Sample& sample, const StatsOptions& options) {
+  const MaterialRatioCurve curve(sample.heights(), sample.threads());
+  Rows out;
+  for (const double share : shares("quantiles", options.quantiles))
+    out.push_back({"quantile_" + shortest(share), curve.quantile(share), sample.units(),
+                   material_height_error(1 - share, sample.moments(), sample.size()),
+                   "height below which this share of the surface lies"});
+  return out;
+}
+
+Rows material_rows(Sample& sample, const StatsOptions& options) {
+  const MaterialRatioCurve curve(sample.heights(), sample.threads());
+  const auto [p, q] = options.material_ratios;
+  const VolumeParameters volume = curve.volumes(p, q);
+  const CoreParameters core = curve.core();
+  const std::string &unit = sample.units(), from = " at " + shortest(p), to = " at " + shortest(q);
+  auto error = [&](double ratio) { return material_height_error(ratio, sample.moments(), sample.size()); };
+  return {
+      {"Sk", core.sk, unit, unknown, "core height"},
+      {"Spk", core.spk, unit, unknown, "reduced peak height"},
+      {"Svk", core.svk, unit, unknown, "reduced dale height"},
+      {"Smr1", core.smr1, "1", unknown, "material ratio where the core begins"},
+      {"Smr2", core.smr2, "1", unknown, "material ratio where the core ends"},
+      {"Smc_p", curve.height(p), unit, error(p), "inverse material ratio" + from},
+      {"Smc_q", curve.height(q), unit, error(q), "inverse material ratio" + to},
+      {"Vmp", volume.vmp, unit, unknown, "peak material volume per area"},
+      {"Vmc", volume.vmc, unit, unknown, "core material volume per area"},
+      {"Vvc", volume.vvc, unit, unknown, "core void volume per area"},
+      {"Vvv", volume.vvv, unit, unknown, "dale void volume per area"},
+  };
+}
+
+Rows spatial_rows(const Tool& tool, Sample& sample, const StatsOptions& options) {
+  const Grid& grid = sample.grid();
+  const LagField rho = sample.acf().normalised();
+  const AcfError error(
+      sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), grid), grid);
+  const CentralLobe lobe = central_lobe(rho, grid, options.acf_level);
+  if (!lobe.slowest)
+    tool.warn("the ACF stays above " + shortest(options.acf_level) +
+              " up to half the field in some direction: Str has no value");
+  Rows out;
+  add_lobe(out, lobe, rho, grid, error, options);
+  const TextureDirection texture = texture_direction(
+      power_spectrum(sample.heights(), grid, default_windows(grid), sample.threads()), grid);
+  out.push_back({"Std", texture.angle, "rad", unknown,
+                 "texture direction: most power runs this way, the lay across it"});
+  out.push_back({"Std_contrast", texture.contrast, "1", unknown,
+                 "power in that direction over its mean, 1 for no texture"});
+  return out;
+}
+
+Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
+  if (sample.units() != "m")
+    throw DataError(sample.variable(),
+                    "slopes and areas are those of heights in m, not of " + sample.units());
+  const SlopeParameters slopes = slope_parameters(sample.heights(), sample.grid(), sample.threads());
+  const SpectralMoments m = spectral_moments(sample.heights(), sample.grid(), sample.threads());
+  Rows out{
+      {"Sdq", slopes.sdq, "1", unknown, "root mean square slope"},
+      {"Sdr", slopes.sdr, "1", unknown, "area beyond the plan area, as a share of it; four triangles a cell"},
+      {"m0", m.m00, "m2", unknown, "spectral moment of order 0, Sq squared"}};
+  add_profile(out, "x", m, 0, "along x");
+  add_profile(out, "y", m, std::numbers::pi / 2, "along y");
+  if (!options.direction.empty())
+    add_profile(out, "direction", m, parse_angle("direction", options.direction), "at " + options.direction);
+  add_summits(out, "summit_", counted_summits(sample.heights(), sample.grid(), sample.threads()), "counted");
+  add_summits(out, "nayak_", expected_summits(m.isotropic()), "expected of a Gaussian surface");
+  return out;
+}
+
+}  // namespace asperity::cli
