@@ -14,8 +14,10 @@ struct Candidate {
   double rho, weight, evidence;
 };
 
-// The lags that may be admitted, the strongest first: S_2 ≥ 1 bounds what is asked of them from below.
-std::vector<Candidate> by_evidence(const LagField& rho, const Grid& grid) {
+constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.evidence < b.evidence; };
+
+// The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below.
+std::vector<Candidate> candidates(const LagField& rho, const Grid& grid) {
   const double least = 3 / std::sqrt(static_cast<double>(grid.shape.cells()));
   std::vector<Candidate> lags;
   for_each_lag(rho, grid, [&](Index p, Index q, double weight) {
@@ -23,7 +25,7 @@ std::vector<Candidate> by_evidence(const LagField& rho, const Grid& grid) {
     const double evidence = std::abs(value) * std::sqrt(overlap(grid, p, q));
     if (evidence > least) lags.push_back({p, q, value, weight, evidence});
   });
-  std::ranges::sort(lags, std::ranges::greater{}, &Candidate::evidence);
+  std::ranges::make_heap(lags, weaker);
   return lags;
 }
 
@@ -74,7 +76,10 @@ LagField significant_lags(const LagField& estimate, const Grid& grid) {
   const double n = static_cast<double>(grid.shape.cells());
   Field admitted = Field::Zero(rho.max_p() + 1, 2 * rho.max_q() + 1);
   double sum_of_squares = 0;
-  for (const Candidate& lag : by_evidence(rho, grid)) {
+  std::vector<Candidate> heap = candidates(rho, grid);
+  for (; !heap.empty(); heap.pop_back()) {
+    std::ranges::pop_heap(heap, weaker);
+    const Candidate& lag = heap.back();
     if (lag.evidence <= 3 * std::sqrt(sum_of_squares / n)) break;
     sum_of_squares += lag.weight * lag.rho * lag.rho;
     admitted(lag.p, rho.max_q() + lag.q) = lag.rho;

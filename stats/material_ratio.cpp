@@ -77,13 +77,15 @@ double MaterialRatioCurve::ratio(double height) const {
 
 template <class Visit>
 void MaterialRatioCurve::segments(double from, double to, Visit visit) const {
-  double begin = from * last();
-  const double stop = to * last();
-  while (begin < stop) {
-    const double end = std::min(std::floor(begin) + 1, stop);
-    visit(Piece{begin, end, at(begin), at(end)});
-    begin = end;
+  const double begin = from * last(), stop = to * last(), first = std::ceil(begin), end = std::floor(stop);
+  if (first > end) {
+    visit(Piece{begin, stop, at(begin), at(stop)});
+    return;
   }
+  visit(Piece{begin, first, at(begin), at(first)});
+  for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k)
+    visit(Piece{static_cast<double>(k), static_cast<double>(k + 1), descending_[k], descending_[k + 1]});
+  visit(Piece{end, stop, at(end), at(stop)});
 }
 
 // ∫ (c - level) dp.

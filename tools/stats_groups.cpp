@@ -78,11 +78,11 @@ void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Gri
   }
 }
 
-void add_profile(Rows& out, const std::string& name, const SpectralMoments& moments, double angle,
-                 const std::string& where) {
-  const ProfileSpectralMoments m = moments.along(angle);
-  out.push_back({"m2_" + name, m.m2, "1", unknown, "mean square slope " + where});
-  out.push_back({"m4_" + name, m.m4, "m-2", unknown, "mean square second derivative " + where});
+// With relative standard errors of m2 and m4.
+void add_profile(Rows& out, const std::string& name, const ProfileSpectralMoments& m, double m2_error,
+                 double m4_error, const std::string& where) {
+  out.push_back({"m2_" + name, m.m2, "1", m.m2 * m2_error, "mean square slope " + where});
+  out.push_back({"m4_" + name, m.m4, "m-2", m.m4 * m4_error, "mean square second derivative " + where});
   out.push_back({"alpha_" + name, m.bandwidth(), "1", unknown, "bandwidth parameter m0 m4 / m2^2 " + where});
 }
 
@@ -157,6 +157,11 @@ const EffectiveSize& Sample::size() {
     size_ =
         measured_.drawn ? EffectiveSize(*measured_.drawn, grid()) : EffectiveSize::of_estimate(acf(), grid());
   return *size_;
+}
+
+DerivativeErrors Sample::derivative_errors() {
+  return measured_.drawn ? asperity::derivative_errors(*measured_.drawn, grid())
+                         : derivative_errors_of_estimate(acf(), grid());
 }
 
 // ---- groups ----
@@ -241,14 +246,18 @@ Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
                     "slopes and areas are those of heights in m, not of " + sample.units());
   const SlopeParameters slopes = slope_parameters(sample.heights(), sample.grid(), sample.threads());
   const SpectralMoments m = spectral_moments(sample.heights(), sample.grid(), sample.threads());
-  Rows out{
-      {"Sdq", slopes.sdq, "1", unknown, "root mean square slope"},
-      {"Sdr", slopes.sdr, "1", unknown, "area beyond the plan area, as a share of it; four triangles a cell"},
-      {"m0", m.m00, "m2", unknown, "spectral moment of order 0, Sq squared"}};
-  add_profile(out, "x", m, 0, "along x");
-  add_profile(out, "y", m, std::numbers::pi / 2, "along y");
+  const DerivativeErrors error = sample.derivative_errors();
+  const double square = slopes.sdq * slopes.sdq * error.square_slope;
+  Rows out{{"Sdq", slopes.sdq, "1", 0.5 * slopes.sdq * error.square_slope, "root mean square slope"},
+           {"Sdr", slopes.sdr, "1", 0.5 * square,
+            "area beyond the plan area, as a share of it; four triangles a cell"},
+           {"m0", m.m00, "m2", m.m00 * std::sqrt(2 / sample.size().effective(2)),
+            "spectral moment of order 0, Sq squared"}};
+  add_profile(out, "x", m.along(0), error.m20, error.m40, "along x");
+  add_profile(out, "y", m.along(std::numbers::pi / 2), error.m02, error.m04, "along y");
   if (!options.direction.empty())
-    add_profile(out, "direction", m, parse_angle("direction", options.direction), "at " + options.direction);
+    add_profile(out, "direction", m.along(parse_angle("direction", options.direction)), unknown, unknown,
+                "at " + options.direction);
   add_summits(out, "summit_", counted_summits(sample.heights(), sample.grid(), sample.threads()), "counted");
   add_summits(out, "nayak_", expected_summits(m.isotropic()), "expected of a Gaussian surface");
   return out;

@@ -7,6 +7,7 @@
 
 #include "cli/table.hpp"
 #include "measured.hpp"
+#include "stats/derivative_error.hpp"
 
 namespace asperity::cli {
 
@@ -36,6 +37,7 @@ class Sample {
   const Moments& moments() const { return moments_; }
   const LagField& acf();  ///< estimated up to default_max_lag
   const EffectiveSize& size();
+  DerivativeErrors derivative_errors();
 
  private:
   Measured measured_;

@@ -78,7 +78,8 @@ TEST_CASE("a full disk is an error of every tool that writes", "[pipeline][contr
   for (const std::string& line :
        {generate, contact + " pressed.nc", stress + " pressed.nc", std::string("asperity-stats pressed.nc"),
         std::string("asperity-acf pressed.nc"), std::string("asperity-pdf pressed.nc"),
-        std::string("asperity-kernel -q --length 4px"), std::string("asperity-stats --help")}) {
+        std::string("asperity-psd pressed.nc"), std::string("asperity-kernel -q --length 4px"),
+        std::string("asperity-stats --help")}) {
     const Outcome run = shell(line + " > /dev/full");
     CAPTURE(line, run.error);
     CHECK(run.exit == 1);
@@ -175,6 +176,7 @@ TEST_CASE("bad data is exit 4 and one line that names the variable", "[contract]
       {"asperity-stats nan.nc", "heights"},
       {"asperity-acf nan.nc", "heights"},
       {"asperity-pdf nan.nc", "heights"},
+      {"asperity-psd nan.nc", "heights"},
       {stress + " --poisson 0.3 good.nc", "pressure"},
   };
   for (const auto& [line, variable] : bad) {

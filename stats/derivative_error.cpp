@@ -1,0 +1,76 @@
+#include "stats/derivative_error.hpp"
+
+#include <cmath>
+
+#include "grid/error.hpp"
+#include "stats/effective_size.hpp"
+
+namespace asperity {
+namespace {
+
+template <class Value>
+LagField lag_field(Index P, Index Q, Value value) {
+  return LagField(
+      Field::NullaryExpr(P + 1, 2 * Q + 1, [&](Index p, Index column) { return value(p, column - Q); }));
+}
+
+// The same with zeros beyond its lags.
+LagField padded(const LagField& R, Index by) {
+  return lag_field(R.max_p() + by, R.max_q() + by, [&](Index p, Index q) { return R(p, q); });
+}
+
+// (1), as far as R reaches.
+LagField difference(const LagField& R, bool x) {
+  const Index P = R.max_p() - (x ? 1 : 0), Q = R.max_q() - (x ? 0 : 1), dp = x ? 1 : 0, dq = 1 - dp;
+  if (P < 0 || Q < 0) throw DataError("acf", "errors of derivatives need two lags in x and y");
+  return lag_field(P, Q,
+                   [&](Index p, Index q) { return 2 * R(p, q) - R(p + dp, q + dq) - R(p - dp, q - dq); });
+}
+
+// Lags that count: those of the correlation, or those of an estimate that stand out.
+using Choose = LagField (*)(const LagField&, const Grid&);
+
+LagField all_lags(const LagField& R, const Grid&) { return R.normalised(); }
+
+double relative_error(const LagField& admitted, const Grid& grid) {
+  return std::sqrt(2 / EffectiveSize(admitted, grid).effective(2));
+}
+
+// Σ w D² over the plane, wherever one of the lags around counts.
+double cross_sum(const LagField& R, const LagField& x, const LagField& y, const Grid& grid) {
+  auto counts = [&](Index p, Index q) { return x(p, q) != 0 || y(p, q) != 0; };
+  double sum = 0;
+  for (Index p = 1 - R.max_p(); p < R.max_p(); ++p)
+    for (Index q = 1 - R.max_q(); q < R.max_q(); ++q) {
+      if (!counts(p, q) && !counts(p - 1, q) && !counts(p, q + 1) && !counts(p - 1, q + 1)) continue;
+      const double D = R(p, q) + R(p - 1, q + 1) - R(p - 1, q) - R(p, q + 1);
+      sum += overlap(grid, p, q) * D * D;
+    }
+  return sum;
+}
+
+DerivativeErrors errors(const LagField& R, const Grid& grid, Choose choose) {
+  const LagField dx = difference(R, true), dy = difference(R, false);
+  const LagField x = choose(dx, grid), y = choose(dy, grid);
+  DerivativeErrors out{.m20 = relative_error(x, grid),
+                       .m02 = relative_error(y, grid),
+                       .m40 = relative_error(choose(difference(dx, true), grid), grid),
+                       .m04 = relative_error(choose(difference(dy, false), grid), grid)};
+  const double n = static_cast<double>(grid.shape.cells());
+  const double m20 = dx(0, 0) / (grid.dx * grid.dx), m02 = dy(0, 0) / (grid.dy * grid.dy);
+  const double cross = 4 / n * cross_sum(R, x, y, grid) / std::pow(grid.dx * grid.dy, 2);
+  out.square_slope = std::sqrt(std::pow(out.m20 * m20, 2) + std::pow(out.m02 * m02, 2) + cross) / (m20 + m02);
+  return out;
+}
+
+}  // namespace
+
+DerivativeErrors derivative_errors(const LagField& correlation, const Grid& grid) {
+  return errors(padded(correlation.normalised(), 2), grid, all_lags);
+}
+
+DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const Grid& grid) {
+  return errors(estimate.normalised(), grid, significant_lags);
+}
+
+}  // namespace asperity

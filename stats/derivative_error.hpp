@@ -1,0 +1,34 @@
+/// Standard errors of mean square slopes and second derivatives, and of Sdq and Sdr.
+///
+/// Differences of a Gaussian field are Gaussian too. First differences along x, and second ones, have the
+/// autocorrelations
+///     R'(p,q) = 2R(p,q) - R(p+1,q) - R(p-1,q),   R'' = (R')',                                          (1)
+/// so that their mean squares have the relative standard errors √(2 S_2/N) with the sum S_2 of (1)
+/// (stats/effective_size.hpp): slopes are less correlated than heights, and more of them count. Slopes a along x and
+/// b along y covary,
+///     ΔxΔy E[a b] = D(p,q) = R(p,q) + R(p-1,q+1) - R(p-1,q) - R(p,q+1),                                (2)
+///     Var[Sdq²] = 2/N Σ w [R'_x²/Δx⁴ + R'_y²/Δy⁴ + 2 D²/(Δx Δy)²],   SE[Sdq] = √Var/(2 Sdq),             (3)
+/// and SE[Sdr] = √Var/2 for slopes that are small, where Sdr = Sdq²/2.
+///
+/// Symbols   R  autocorrelation [m²] or its normalised form      w  overlap of the field with itself at the lag
+/// Scope     Gaussian heights. An estimated R is admitted lag by lag where R' stands out of its own noise.
+/// Accuracy  to first order in 1/N.
+/// Cost      a pass over the lags for each moment.
+#pragma once
+
+#include "grid/field.hpp"
+#include "stats/lag_field.hpp"
+
+namespace asperity {
+
+/// Relative standard errors of m20, m02, m40, m04 and of Sdq² (that of Sdq is half of it).
+struct DerivativeErrors {
+  double m20 = 0, m02 = 0, m40 = 0, m04 = 0, square_slope = 0;
+};
+
+/// From a correlation that is zero beyond its lags.
+DerivativeErrors derivative_errors(const LagField& correlation, const Grid& grid);
+/// From an estimate.
+DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const Grid& grid);
+
+}  // namespace asperity
