@@ -66,7 +66,7 @@ DerivativeErrors errors(const LagField& R, const Grid& grid, Choose choose) {
 }  // namespace
 
 DerivativeErrors derivative_errors(const LagField& correlation, const Grid& grid) {
-  return errors(padded(correlation.normalised(), 2), grid, all_lags);
+  return errors(padded(correlation.normalised(), 4), grid, all_lags);  // two for (1) twice, two that it takes
 }
 
 DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const Grid& grid) {

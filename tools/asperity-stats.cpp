@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.check();
-    cli::Sample sample(cli::measure(tool.read(), options, tool.thread_count()), options.variable, tool.thread_count());
+    cli::Sample sample(cli::measure(tool.read(), options, tool.thread_count()), options.variable,
+                       tool.thread_count());
     cli::Quantities out;
     auto add = [&](const cli::Rows& rows) { out.rows.insert(out.rows.end(), rows.begin(), rows.end()); };
     if (what.asks_for("height")) add(height_rows(sample));

@@ -40,6 +40,8 @@ TEST_CASE("errors of slopes and second derivatives are their spread over an ense
   CHECK(m40.deviation() / m40.mean() == Approx(e.m40).epsilon(0.12));
   CHECK(m04.deviation() / m04.mean() == Approx(e.m04).epsilon(0.12));
   CHECK(slope.deviation() / slope.mean() == Approx(e.square_slope).epsilon(0.12));
+  // Of four triangles rather than sides: the same but for what neighbouring sides average out.
+  CHECK(area.deviation() / area.mean() == Approx(e.square_slope).epsilon(0.25));
 }
 
 TEST_CASE("errors from the estimated ACF are on average those from the known one",
