@@ -8,7 +8,7 @@
 ///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/acf_error.hpp, (2), over √M                      (4)
 /// The terms in w and 6 S_2/N undo the bias that the field's own mean and rms height bring; (4) is the ACF's
 /// shape, whatever its height. Each is a mean of quadratic or quartic forms of a Gaussian, hence skewed: z, the
-/// deviation in standard errors, becomes a normal score by the gamma law of the same three cumulants (Imhof).
+/// deviation in standard errors, becomes a normal score by the gamma law of the same three cumulants (Imhof; Wilson and Hilferty).
 /// With c = ρ*ρ and t = ρ*ρ*ρ, the third cumulant of e(h) and the covariance of e(h) with e(g) are
 ///     (8/N²) [(3t(h) + t(3h))/4 - (3/2)ρ(h)(t(0) + t(2h)) + 3ρ(h)²t(h) - ρ(h)³t(0)],               (5)
 ///     (1/N) [c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0)].                              (6)
@@ -27,7 +27,7 @@
 ///           the spread are approximate below a dozen surfaces.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
-/// J. P. Imhof, Biometrika 48 (1961) 419-426; Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633.
+/// J. P. Imhof, Biometrika 48 (1961) 419-426; E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688; Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633.
 #pragma once
 
 #include <array>
