@@ -133,8 +133,9 @@ TEST_CASE("a plane is taken off with --level plane and the mean is reported eith
 }
 
 // x² + y² over 3 mm and 16 periods of a wave: what the form and the filters leave has the wave's rms height alone.
-TEST_CASE("--level 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
-          "[stats-tool][law]") {
+TEST_CASE(
+    "a form of --level 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
+    "[stats-tool][law]") {
   const Grid grid{{128, 64}, 1e-5, 1e-5, true};
   auto wave = [](double x, double length) { return std::sin(2 * std::numbers::pi * x / length); };
   Dataset data;
