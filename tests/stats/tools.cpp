@@ -164,7 +164,7 @@ TEST_CASE(
   CHECK(shell("asperity-stats waves.nc --level 21").exit == 2);
   CHECK(shell("asperity-stats waves.nc --level quadric").error.find("--level") != std::string::npos);
   CHECK(shell("asperity-stats waves.nc --lambda-c 10um").exit == 2);
-  CHECK(shell("asperity-stats drawn.nc --lambda-c 1mm --correlation drawn").exit == 4);
+  CHECK(run_on_surface("asperity-stats drawn.nc --lambda-c 1mm --correlation drawn").exit == 4);
 }
 
 TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
@@ -257,7 +257,8 @@ TEST_CASE("asperity-acf measures lengths at any level and in any direction, and 
 }
 
 // S = 2(R(0,0) - R) over one and the same set of pairs; the sets at either end differ by the lag's share of points.
-TEST_CASE("--structure adds the structure function to the profiles and the dataset", "[acf-tool][contract]") {
+TEST_CASE("asperity-acf --structure adds the structure function to the profiles and the dataset",
+          "[acf-tool][contract]") {
   const Json table = json_of("asperity-acf drawn.nc --structure --absolute --json");
   const auto S = table["structure_function"]["values"].get<std::vector<double>>();
   const auto R = table["acf"]["values"].get<std::vector<double>>();

@@ -45,7 +45,8 @@ double largest(const std::vector<double>& v) {
 }  // namespace
 
 TEST_CASE(
-    "--depths are a list, or a range at equal steps or at equal ratios, px half the shorter side of a cell",
+    "depths of --depths are a list, or a range at equal steps or at equal ratios, px half the shorter side "
+    "of a cell",
     "[stress][contract]") {
   auto depths = [](const std::string& text) { return depths_of(below("--components zz --depths " + text)); };
   const double cell = 3e-3 / 64;
@@ -125,7 +126,7 @@ TEST_CASE("at cell centres the stress at points is that of the layers, and a poi
   CHECK(json["z"]["values"][1] == 0.6e-3);
 }
 
-TEST_CASE("--maximum alone leaves its place and no volume, and the same place as beside a volume",
+TEST_CASE("asperity-stress --maximum leaves its place and no volume, and the same place as beside a volume",
           "[stress][contract]") {
   const Dataset alone = below("--maximum"), beside = below("--maximum --depths 0,1mm");
   CHECK_FALSE(alone.has("von_mises"));
@@ -139,8 +140,9 @@ TEST_CASE("--maximum alone leaves its place and no volume, and the same place as
   CHECK(below("--depths 0").attributes.find("stress_max_x") == nullptr);
 }
 
-TEST_CASE("--above keeps the values from its share of Hertz's pressure on and fills the others",
-          "[stress][contract]") {
+TEST_CASE(
+    "asperity-stress --above keeps the values from its share of Hertz's pressure on and fills the others",
+    "[stress][contract]") {
   const std::string layers = "--depths 0:3mm:13 --components von_mises,xx ";
   const Dataset whole = below(layers), part = below(layers + "--above 0.3");
   const double least = 0.3 * whole.attributes.number("contact_hertz_pressure", 0);
