@@ -9,9 +9,10 @@
 ///           and 1/(8λ) for a Gaussian ρ. (Were ρ itself taken linear, ln(1/t)/(8λ) and about as much.)
 ///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/acf_error.hpp), usually far larger.
 ///
-/// In a direction θ the profile is sampled where the ray crosses the rows of lags, or the columns when it leans
-/// that way, from the two lags beside it, again linear in ln ρ. That adds |error| ≤ h²/(8λ) for a ρ whose ln is
-/// -r or -r², h the larger spacing. The shortest and the longest over all directions: stats/acf_lobe.hpp.
+/// In a direction θ the profile is sampled where the ray crosses the rows of lags, or the columns when it
+/// leans that way, from the two lags beside it, again linear in ln ρ. That adds |error| ≤ h²/(8λ) for a ρ
+/// whose ln is -r or -r², h the larger spacing. The shortest and the longest over all directions:
+/// stats/acf_lobe.hpp.
 #pragma once
 
 #include <optional>

@@ -7,16 +7,17 @@
 ///     Str = r_min / r_max, the nearest over the farthest: the texture aspect ratio, 0 < Str ≤ 1,       (2)
 /// both at s = 0.2 unless said otherwise, and the ellipse
 ///     A x² + 2B xy + C y² = 1                                                                         (3)
-/// that fits them best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C]: the lengths
-/// along and across the texture. γ is their ratio, ≥ 1, and its angle that of the long axis.
+/// that fits them best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C]: the
+/// lengths along and across the texture. γ is their ratio, ≥ 1, and its angle that of the long axis.
 ///
-/// Symbols   ρ  correlation, ρ(0,0) = 1      s  level      x, y  lags [m]      angles from +x towards +y [rad]
+/// Symbols   ρ  correlation, ρ(0,0) = 1      s  level      x, y  lags [m]
+///           angles from +x towards +y [rad]
 /// Scope     A lobe that reaches the longest lags has no r_max, and no Str; it needs longer lags or a larger
 ///           field.
 /// Accuracy  For a ρ that is exp(-r) or exp(-r²) of one elliptic radius r, h the larger spacing: Sal within
-///           3h²/(8 r_min), r_max within 3h² r_max/(8 r_min²), the ellipse's axes within a third of these. The
-///           sampling error of a length is SE[ρ]/|dρ/dr| in its direction (stats/acf_error.hpp), usually far
-///           larger; being the least of many lengths, Sal of an estimate is also biased low.
+///           3h²/(8 r_min), r_max within 3h² r_max/(8 r_min²), the ellipse's axes within a third of these.
+///           The sampling error of a length is SE[ρ]/|dρ/dr| in its direction (stats/acf_error.hpp), usually
+///           far larger; being the least of many lengths, Sal of an estimate is also biased low.
 /// Cost      the lags of the lobe.
 #pragma once
 

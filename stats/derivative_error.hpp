@@ -4,13 +4,13 @@
 /// autocorrelations
 ///     R'(p,q) = 2R(p,q) - R(p+1,q) - R(p-1,q),   R'' = (R')',                                          (1)
 /// so that their mean squares have the relative standard errors √(2 S_2/N) with the sum S_2 of (1)
-/// (stats/effective_size.hpp): slopes are less correlated than heights, and more of them count. Slopes a along x and
-/// b along y covary,
+/// (stats/effective_size.hpp): slopes are less correlated than heights, and more of them count. Slopes a
+/// along x and b along y covary,
 ///     ΔxΔy E[a b] = D(p,q) = R(p,q) + R(p-1,q+1) - R(p-1,q) - R(p,q+1),                                (2)
 ///     Var[Sdq²] = 2/N Σ w [R'_x²/Δx⁴ + R'_y²/Δy⁴ + 2 D²/(Δx Δy)²],   SE[Sdq] = √Var/(2 Sdq),             (3)
-/// and SE[Sdr] = √Var/2 for slopes that are small, where Sdr = Sdq²/2.
+/// and Sdr, which is Sdq²/2 where slopes are small, has the relative standard error √Var/Sdq².
 ///
-/// Symbols   R  autocorrelation [m²] or its normalised form      w  overlap of the field with itself at the lag
+/// Symbols   R  autocorrelation [m²] or its normalised form      w  overlap at the lag
 /// Scope     Gaussian heights. An estimated R is admitted lag by lag where R' stands out of its own noise.
 /// Accuracy  to first order in 1/N.
 /// Cost      a pass over the lags for each moment.

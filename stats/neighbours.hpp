@@ -1,8 +1,8 @@
 /// Means over neighbouring points of a field, row by row.
 ///
-/// On a periodic grid every point has all neighbours: a row continues with its first points, the last row with the
-/// first one. Otherwise only points that have them are visited. Sums are taken a row at a time and the rows' sums
-/// added up in order: a result does not depend on the number of threads.
+/// On a periodic grid every point has all neighbours: a row continues with its first points, the last row
+/// with the first one. Otherwise only points that have them are visited. Sums are taken a row at a time and
+/// the rows' sums added up in order: a result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>

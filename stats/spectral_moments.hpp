@@ -7,18 +7,19 @@
 /// and m00 = Sq². A profile in the direction θ, with c = cos θ and s = sin θ, has the moments m0 = m00,
 ///     m2 = c² m20 + 2cs m11 + s² m02                                mean square slope                  (2)
 ///     m4 = c⁴ m40 + 4c³s m31 + 6c²s² m22 + 4cs³ m13 + s⁴ m04        mean square second derivative      (3)
-/// (Longuet-Higgins), and the bandwidth parameter α = m0 m4/m2² (Nayak), ≥ 1 of a profile; 3/2 is the least of an
-/// isotropic surface, 3 that of a Gaussian autocorrelation.
+/// (Longuet-Higgins), and the bandwidth parameter α = m0 m4/m2² (Nayak), ≥ 1 of a profile; 3/2 is the least
+/// of an isotropic surface, 3 that of a Gaussian autocorrelation.
 ///
-/// The derivatives are the simplest differences: along an axis z(i+1) - z(i) and z(i+1) - 2z(i) + z(i-1), over all
-/// points that have these neighbours; zx zy of a cell from the means of its sides' slopes, zxy from the four
-/// diagonal neighbours. On a periodic grid every point has neighbours.
+/// The derivatives are the simplest differences: along an axis z(i+1) - z(i) and z(i+1) - 2z(i) + z(i-1),
+/// over all points that have these neighbours; zx zy of a cell from the means of its sides' slopes, zxy from
+/// the four diagonal neighbours. On a periodic grid every point has neighbours.
 ///
 /// Symbols   m_kl [m^{2-k-l}]      θ  angle from +x towards +y [rad]
-/// Accuracy  With u = qx Δx/2, v = qy Δy/2 and S(t) = sin(t)/t, a wave (qx,qy) is counted in m20 with the factor
-///           S(u)², in m11 S(u)S(v)cos(u)cos(v), in m40 S(u)⁴, in m22 S(u)²S(v)², in m31 S(u)³S(v)cos(u)cos(v):
-///           m2 is low by Δ² m4/12, m4 by Δ² m6/6, order 2. A surface that is rough down to the spacing has no
-///           m2 and m4 other than those of its spacing. m0 as in stats/moments.hpp.
+/// Accuracy  With u = qx Δx/2, v = qy Δy/2 and S(t) = sin(t)/t, a wave (qx,qy) is counted in m20 with the
+///           factor S(u)², in m11 S(u)S(v)cos(u)cos(v), in m40 S(u)⁴, in m22 S(u)²S(v)², in m31
+///           S(u)³S(v)cos(u)cos(v): m2 is low by Δ² m4/12, m4 by Δ² m6/6, order 2. A surface that is rough
+///           down to the spacing has no m2 and m4 other than those of its spacing. m0 as in
+///           stats/moments.hpp.
 /// Cost      one pass.
 ///
 /// M. S. Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321-387.
@@ -45,8 +46,8 @@ struct SpectralMoments {
 
   /// (2), (3).
   ProfileSpectralMoments along(double angle) const;
-  /// The isotropic surface of the same m0 and geometric means √(m20 m02), √(m40 m04), as is usual where x and y
-  /// are the texture's axes.
+  /// The isotropic surface of the same m0 and geometric means √(m20 m02), √(m40 m04), as is usual where x and
+  /// y are the texture's axes.
   ProfileSpectralMoments isotropic() const;
 };
 

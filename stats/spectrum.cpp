@@ -35,8 +35,8 @@ void store(const PrunedTransform& transform, Index b, const Complex* block, doub
     }
 }
 
-// How often a wave number of index k ≤ n/2 stands for itself in a sum over all n: its mirror image, at half the period
-// its own, is another entry.
+// How often a wave number of index k ≤ n/2 stands for itself in a sum over all n: its mirror image, at half
+// the period its own, is another entry.
 double share(Index k, Index n) { return 2 * std::abs(k) == n ? 0.5 : 1; }
 
 }  // namespace

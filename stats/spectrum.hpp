@@ -1,23 +1,25 @@
 /// Power spectral densities: of the surface, radial, and of its profiles.
 ///
-/// With heights d on nx × ny points, the wave numbers qx = 2πp/Lx, qy = 2πq/Ly, and a window w of mean square W,
+/// With heights d on nx × ny points, the wave numbers qx = 2πp/Lx, qy = 2πq/Ly, and a window w whose mean
+/// square is W,
 ///     C(qx,qy) = (ΔxΔy)²/(Lx Ly W) |Σ w d exp(-i(qx x + qy y))|²                          [m⁴]         (1)
 ///     1/(Lx Ly) Σ C = Σ (w d)²/(nx ny W), without a window Sq², over all nx ny wave numbers            (2)
-/// (Parseval; in the limit Sq² = 1/(2π)² ∫∫ C dqx dqy). The PSD of the profiles along x is their mean, and along y
-/// likewise,
+/// (Parseval; in the limit Sq² = 1/(2π)² ∫∫ C dqx dqy). The PSD of the profiles along x is their mean, and
+/// along y likewise,
 ///     C1(qx) = Δx²/(Lx W) mean_j |Σ_i w d exp(-i qx x)|² = 1/Ly Σ_qy C(qx,qy)             [m³]         (3)
 ///     1/Lx Σ C1 = Sq² over all nx wave numbers, of both signs;
 /// its window acts along the profile alone. The radial PSD is the mean of C over rings of a width of
 /// 2π/min(Lx,Ly) up to the smaller of the largest wave numbers π/Δx, π/Δy.
 ///
-/// A field that is not periodic leaks: its edges, joined, are a step of C ~ 1/q². Hann's window 1 - cos(2πx/Lx),
-/// and the same in y, ends that at the price of 1.5 wave numbers of resolution.
+/// A field that is not periodic leaks: its edges, joined, are a step of C ~ 1/q². Hann's window
+/// 1 - cos(2πx/Lx), and the same in y, ends that at the price of 1.5 wave numbers of resolution.
 ///
-/// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)      qx, qy [rad/m]
-/// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation C; a
-///           ring or a row over n of them, half of which are the other half again, has the variance I/n² Σ C²,
-///           estimated without bias, I = 35/18 for each axis with Hann's window, whose neighbours share power,
-///           else 1.
+/// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
+///           qx, qy  wave numbers [rad/m]
+/// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
+///           C. The mean over a ring of n of them, half of which are the other half again, has the variance
+///           I/n² Σ C², over a row of n, none of them twice, half of that; estimated without bias. I is 1, and
+///           35/18 for each axis with Hann's window, whose neighbours share power.
 /// Cost      one real transform.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
@@ -41,7 +43,8 @@ struct Windows {
 /// None on a periodic grid, Hann's on any other.
 Windows default_windows(const Grid& grid);
 
-/// (1) over the half-plane of wave numbers p ≥ 0. Sums over all wave numbers: for_each_lag on the periodic grid.
+/// (1) over the half-plane of wave numbers p ≥ 0. Sums over all wave numbers: for_each_lag on the periodic
+/// grid.
 LagField power_spectrum(const Field& d, const Grid& grid, Windows windows, int threads = 1);
 
 /// A PSD over one wave number.

@@ -1,20 +1,21 @@
 /// Summits: counted on the grid, and expected of a Gaussian surface of the same spectral moments.
 ///
-/// Counted  A summit is a point higher than each of its eight neighbours; points at the edge of a field that is
-///          not periodic are none. Its curvature is that of the parabolas through it along x and y,
+/// Counted  A summit is a point higher than each of its eight neighbours; points at the edge of a field that
+///          is not periodic are none. Its curvature is that of the parabolas through it along x and y,
 ///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²],              (1)
-///          and Greenwood and Williamson's model takes from them the density η, the radius R = 1/mean κ, and the
-///          standard deviation σ_s of their heights.
+///          and Greenwood and Williamson's model takes from them the density η, the radius R = 1/mean κ, and
+///          the standard deviation σ_s of their heights.
 /// Expected Of an isotropic Gaussian surface with the spectral moments m0, m2, m4 of a profile
 ///          (stats/spectral_moments.hpp) and α = m0 m4/m2² (Nayak):
 ///              η = m4/(6π√3 m2)                                                                       (2)
 ///              mean height 4 √(m0/(πα)),   σ_s² = m0 [1 - (1 + 16/π - 3√3)/α]                          (3)
 ///              mean κ = 8 √m4/(3√π),   R = 1/mean κ = 0.375 √(π/m4)                                    (4)
 ///
-/// Symbols   η  density [1/m²]      κ  curvature [1/m]      heights above the mean [m]      1 + 16/π - 3√3 = 0.8968
-/// Accuracy  Order 2 in the spacing: of a surface of the correlation exp(-r²/l²) the count is low by 0.8 (h/l)²
-///           and the mean curvature by (h/l)². (2) with finite differences: by 7/6 (h/l)², the curvature by
-///           5/6 (h/l)². Of independent heights, which have no derivatives, the ninth part are
+/// Symbols   η  density [1/m²]      κ  curvature [1/m]      heights above the mean [m]
+///           1 + 16/π - 3√3 = 0.8968
+/// Accuracy  Order 2 in the spacing: of a surface of the correlation exp(-r²/l²) the count is low by 0.8
+///           (h/l)² and the mean curvature by (h/l)². (2) with finite differences: by 7/6 (h/l)², the
+///           curvature by 5/6 (h/l)². Of independent heights, which have no derivatives, the ninth part are
 ///           summits, whatever (2) says (Greenwood 1984): where counted and expected differ, the surface is
 ///           rough at the scale of the spacing, or not Gaussian. Points of equal height, as in coarsely
 ///           quantised data, are no summits.

@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr Index sectors = 720;  // of π
+constexpr Index sectors = 360;  // of π
 constexpr double sector = std::numbers::pi / sectors, narrowest = 2 * std::numbers::pi / 180;
 
 // F of (1) on sectors from -π/2 on.

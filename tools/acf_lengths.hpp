@@ -34,8 +34,8 @@ struct LengthsRequest {
   std::string levels = "0.1,1/e", direction;
 };
 
-/// Along x and y, in the direction asked for, their ratio, and the ellipse of the contour; of the target too where
-/// the dataset carries one. Warns of levels that the lags do not reach.
+/// Along x and y, in the direction asked for, their ratio, and the ellipse of the contour; of the target too
+/// where the dataset carries one. Warns of levels that the lags do not reach.
 Quantities lengths_of(const Tool& tool, const Measured& measured, const AcfEstimate& estimate,
                       const LengthsRequest& request);
 

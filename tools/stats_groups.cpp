@@ -247,9 +247,8 @@ Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
   const SlopeParameters slopes = slope_parameters(sample.heights(), sample.grid(), sample.threads());
   const SpectralMoments m = spectral_moments(sample.heights(), sample.grid(), sample.threads());
   const DerivativeErrors error = sample.derivative_errors();
-  const double square = slopes.sdq * slopes.sdq * error.square_slope;
   Rows out{{"Sdq", slopes.sdq, "1", 0.5 * slopes.sdq * error.square_slope, "root mean square slope"},
-           {"Sdr", slopes.sdr, "1", 0.5 * square,
+           {"Sdr", slopes.sdr, "1", slopes.sdr * error.square_slope,
             "area beyond the plan area, as a share of it; four triangles a cell"},
            {"m0", m.m00, "m2", m.m00 * std::sqrt(2 / sample.size().effective(2)),
             "spectral moment of order 0, Sq squared"}};

@@ -28,8 +28,8 @@ double between(double a, double b) { return std::abs(std::remainder(a - b, std::
 
 }  // namespace
 
-// Interpolation h²/(8r) and the direction h²/(4r), h the larger spacing; of the ratio the sum of both relative
-// errors. The ellipse is fitted to points that lie within h²/(8r) of it, r the nearest.
+// Interpolation h²/(8r) and the direction h²/(4r), h the larger spacing; of the ratio the sum of both
+// relative errors. The ellipse is fitted to points that lie within h²/(8r) of it, r the nearest.
 TEST_CASE(
     "Sal, Str and the ellipse of an elliptic ACF are its axes within 3/8 of a sample squared over the length",
     "[acf-lobe][order]") {

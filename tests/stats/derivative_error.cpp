@@ -9,8 +9,9 @@
 using namespace asperity;
 using namespace asperity::test;
 
-// First differences of white noise: R' = 2, -1, so S_2 = 1 + 2/4. Second ones: 6, -4, 1, so S_2 = 1 + 2(16 + 1)/36.
-// D = 1 at the four lags around the middle of a cell: Var[Sdq²] = 2/N [2 (4 + 2) + 2 · 4], and Sdq² = 4.
+// First differences of white noise: R' = 2, -1, so S_2 = 1 + 2/4. Second ones: 6, -4, 1, so S_2 = 1 + 2(16 +
+// 1)/36. D = 1 at the four lags around the middle of a cell: Var[Sdq²] = 2/N [2 (4 + 2) + 2 · 4], and Sdq² =
+// 4.
 TEST_CASE("white noise has S_2 = 3/2 for slopes and 35/18 for second differences",
           "[derivative-error][exact]") {
   const Grid g = grid(50, 40, true);

@@ -45,8 +45,8 @@ inline LagField triangular_correlation(Shape window) {
   }));
 }
 
-/// A periodic Gaussian field of variance 1 with the correlation exp(-r²/length²), length in samples: white noise
-/// filtered by exp(-q² length²/8).
+/// A periodic Gaussian field of variance 1 with the correlation exp(-r²/length²), length in samples: white
+/// noise filtered by exp(-q² length²/8).
 inline Field gaussian_acf_field(Shape shape, double length, unsigned seed) {
   const RealTransform2D transform(shape);
   const Field noise = white_noise(shape, seed);

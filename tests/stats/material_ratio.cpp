@@ -31,8 +31,8 @@ double bent(double p, double hill, double dale) {
 
 }  // namespace
 
-// Sums of N terms of the size of the range: N ε at the most. The slope, drawn out from 40 % to the whole, magnifies
-// a sum's error by 12 · 0.4/0.4³ = 75.
+// Sums of N terms of the size of the range: N ε at the most. The slope, drawn out from 40 % to the whole,
+// magnifies a sum's error by 12 · 0.4/0.4³ = 75.
 TEST_CASE("heights spread evenly over a range H have Sk = H, no hills, no dales, and parabolic volumes",
           "[material-ratio][exact]") {
   const double H = 3e-6;
@@ -74,8 +74,8 @@ TEST_CASE("of a curve of three straight pieces the Sk family is what the drawing
 }
 
 // The core is 30 % to 70 %, |x| < b; ∫ x (Φ - ½) φ dx over it, by parts, gives the slope. N heights at the
-// mid-ranks (k + ½)/N stand for the population: shares shift by 1/(2N), heights by that over φ, and the highest
-// 1/N of the area, at heights of √(2 ln N), is cut off: some 20/N in all.
+// mid-ranks (k + ½)/N stand for the population: shares shift by 1/(2N), heights by that over φ, and the
+// highest 1/N of the area, at heights of √(2 ln N), is cut off: some 20/N in all.
 TEST_CASE("the Sk family of Gaussian heights tends to its closed form at order 1 in 1/N",
           "[material-ratio][order]") {
   const double b = gsl_cdf_ugaussian_Pinv(0.7);
@@ -162,8 +162,8 @@ TEST_CASE("the error of a quantile of independent heights is p(1-p)/phi^2 less t
   }
 }
 
-// 1000 fields: the spread of a spread is 2.2 %, four of them, and 5 % for the terms of second order in the tail,
-// where S_2/(N p) is 5 %.
+// 1000 fields: the spread of a spread is 2.2 %, four of them, and 5 % for the terms of second order in the
+// tail, where S_2/(N p) is 5 %.
 TEST_CASE("the errors of quantiles are their spread over an ensemble of correlated fields",
           "[material-ratio][statistics]") {
   const Shape window{4, 4};

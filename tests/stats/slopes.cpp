@@ -50,8 +50,8 @@ TEST_CASE("Sdq of a periodic sine is A q/sqrt(2) times sin(qh/2)/(qh/2)", "[slop
   }
 }
 
-// A wave's arc is 4√(1+A²) E(k)/2π of its base, k² = A²/(1+A²); chords fall short by h²/24 mean[z''²/(1+z'²)^{3/2}],
-// here by a sum over 1000 points, exact for a smooth period.
+// A wave's arc is 4√(1+A²) E(k)/2π of its base, k² = A²/(1+A²); chords fall short by h²/24
+// mean[z''²/(1+z'²)^{3/2}], here by a sum over 1000 points, exact for a smooth period.
 TEST_CASE("Sdr of a sine converges to its arc length at order 2 with the constant of its curvature",
           "[slopes][order]") {
   const double A = 1.3, k = A / std::sqrt(1 + A * A);

@@ -48,8 +48,8 @@ TEST_CASE("of a wave each spectral moment is the exact one times the factor of i
   }
 }
 
-// Of a wave q at the angle φ, m2(θ) = q² cos²(θ-φ)/2 and m4 = q⁴ cos⁴(θ-φ)/2; the factors are 1 - O(h²), whose
-// constants are at most qh²(1/12 + 1/8 + 1/8) in m2 and twice that in m4, of either direction.
+// Of a wave q at the angle φ, m2(θ) = q² cos²(θ-φ)/2 and m4 = q⁴ cos⁴(θ-φ)/2; the factors are 1 - O(h²),
+// whose constants are at most qh²(1/12 + 1/8 + 1/8) in m2 and twice that in m4, of either direction.
 TEST_CASE("the moments of a profile in any direction are those of the wave seen along it, at order 2",
           "[spectral-moments][order]") {
   for (Index n : {32, 64, 128, 256}) {
@@ -107,9 +107,9 @@ TEST_CASE("on a field with edges each mean is over the points that have the neig
   CHECK_THROWS_AS(spectral_moments(random_field({2, 9}, 1), grid(2, 9)), DataError);
 }
 
-// α of the Gaussian correlation exp(-r²/l²): m2 = 2/l², m4 = 12/l⁴. m2 is low by m4/(12 m2) = 1/(2l²) and m4 by
-// m6/(6 m4) = 120/(72 l²): α by 2/(3l²) in all, 1 % for l = 8. The relative standard errors of m2 and m4 over 8 fields
-// with 256²/(π l²) = 326 patches each: some √(2 · 2/2600) = 4 %; four of them.
+// α of the Gaussian correlation exp(-r²/l²): m2 = 2/l², m4 = 12/l⁴. m2 is low by m4/(12 m2) = 1/(2l²) and m4
+// by m6/(6 m4) = 120/(72 l²): α by 2/(3l²) in all, 1 % for l = 8. The relative standard errors of m2 and m4
+// over 8 fields with 256²/(π l²) = 326 patches each: some √(2 · 2/2600) = 4 %; four of them.
 TEST_CASE(
     "a Gaussian field with a Gaussian autocorrelation of length l has m2 = 2/l^2, m4 = 12/l^4, bandwidth 3",
     "[spectral-moments][statistics]") {

@@ -114,9 +114,9 @@ TEST_CASE("the profile PSD is the mean of the profiles' own and adds up to Sq sq
   }
 }
 
-// C = π l² exp(-q²l²/4) and C1 = √π l exp(-q²l²/4). Deviations in standard errors, the sum of whose squares has the
-// mean 1 a ring; the errors are estimates too, so that few wave numbers give more: rings of 12 and more, and 8 fields
-// together. 60 rings: spread √(2/60) = 18 %, four of them.
+// C = π l² exp(-q²l²/4) and C1 = √π l exp(-q²l²/4). Deviations in standard errors, the sum of whose squares
+// has the mean 1 a ring; the errors are estimates too, so that few wave numbers give more: rings of 12 and
+// more, and 8 fields together. 60 rings: spread √(2/60) = 18 %, four of them.
 TEST_CASE("radial and profile PSD of a Gaussian field are those of its autocorrelation, within their errors",
           "[spectrum][statistics]") {
   const Grid g{{128, 128}, 1e-6, 1e-6, true};
@@ -145,9 +145,9 @@ TEST_CASE("radial and profile PSD of a Gaussian field are those of its autocorre
   CHECK(row_squares / rows == Approx(1).margin(0.6));
 }
 
-// White noise of variance 1: C = ΔxΔy; chance of a mean over 128 × 100 wave numbers with I² = 3.8: 2.4 %, and for the
-// rings' errors: their mean square deviation over 49 rings, spread √(2/49) = 20 %, with neighbours that share power
-// half as much again. Four of each.
+// White noise of variance 1: C = ΔxΔy; chance of a mean over 128 × 100 wave numbers with I² = 3.8: 2.4 %, and
+// for the rings' errors: their mean square deviation over 49 rings, spread √(2/49) = 20 %, with neighbours
+// that share power half as much again. Four of each.
 TEST_CASE("white noise has the PSD dx dy with either window, and rings stray from it by one standard error",
           "[spectrum][statistics]") {
   const Grid g = metres(128, 100, false);
@@ -174,7 +174,8 @@ TEST_CASE("the PSD does not depend on the number of threads, and only open field
   CHECK(default_windows(metres(4, 4, false)).y == Window::hann);
 }
 
-// The kernel's half width is 2° and the wave fills one wave number: the top is at its angle to half a sector, 1/8°.
+// The kernel's half width is 2° and the wave fills one wave number: the top is at its angle to half a sector,
+// 1/8°.
 TEST_CASE("the texture direction of a wave is the direction that it runs in", "[texture-direction][exact]") {
   const Grid g = metres(200, 160);
   for (const auto& [kx, ky] : {std::pair{20, 0}, {0, 17}, {12, 9}, {25, -31}, {7, -8}}) {
@@ -186,8 +187,9 @@ TEST_CASE("the texture direction of a wave is the direction that it runs in", "[
   }
 }
 
-// F of white noise is even but for chance: 2° hold 290 wave numbers, worth a quarter of that under the windows, a spread
-// of 12 %, and 2.5 of it the largest of 90 such sectors; of ridges that stretch along y the waves run along x.
+// F of white noise is even but for chance: 2° hold 290 wave numbers, worth a quarter of that under the
+// windows, a spread of 12 %, and 2.5 of it the largest of 90 such sectors; of ridges that stretch along y the
+// waves run along x.
 TEST_CASE("white noise has hardly a texture, ridges have theirs across them", "[texture-direction][law]") {
   const Grid g = grid(256, 256);
   CHECK(texture_direction(power_spectrum(white_noise(g.shape, 97), g, hann), g).contrast <= 1.5);

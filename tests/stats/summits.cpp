@@ -30,8 +30,9 @@ TEST_CASE("an egg crate of k x l periods has 2 k l summits of height 1 and the c
   CHECK_THROWS_AS(counted_summits(random_field({2, 9}, 1), grid(2, 9)), DataError);
 }
 
-// One of nine equals is the highest; its height is the mean of the largest of nine normal numbers. 1e6 points: the
-// count of 1.1e5 has a spread below that of independent trials, 0.3 %, the mean height 0.6/√1.1e5 = 0.2 %. Four.
+// One of nine equals is the highest; its height is the mean of the largest of nine normal numbers. 1e6
+// points: the count of 1.1e5 has a spread below that of independent trials, 0.3 %, the mean height 0.6/√1.1e5
+// = 0.2 %. Four.
 TEST_CASE("of independent heights a ninth are summits, of mean height 1.485", "[summits][statistics]") {
   const Grid g{{1000, 1000}, 2e-6, 1e-6, true};
   const CountedSummits summits = counted_summits(white_noise(g.shape, 81), g);
@@ -39,8 +40,9 @@ TEST_CASE("of independent heights a ninth are summits, of mean height 1.485", "[
   CHECK(summits.mean_height == Approx(1.48501316).epsilon(0.008));
 }
 
-// Every second and every fourth point of the same surface: the loss is a difference of counts whose own chance is a
-// tenth of them, some 0.4 % of 1500 summits; four of that. The first count's standard error is 2 %, and its bias 0.3 %.
+// Every second and every fourth point of the same surface: the loss is a difference of counts whose own
+// chance is a tenth of them, some 0.4 % of 1500 summits; four of that. The first count's standard error is 2
+// %, and its bias 0.3 %.
 TEST_CASE("the summits of a Gaussian surface are as many as Nayak's, fewer by 0.8 (h/l)^2 on coarser grids",
           "[summits][order]") {
   const double l = 16;
@@ -66,8 +68,8 @@ TEST_CASE("the summits of a Gaussian surface are as many as Nayak's, fewer by 0.
   }
 }
 
-// Nayak's integrals over t = κ/√(2 m4/3) with the density (t² - 1 + e^{-t²}) e^{-t²/2}, by the midpoint rule, and the
-// regression z = m2 κ/(2 m4/3) + remainder of variance m0 (1 - 3/(2α)).
+// Nayak's integrals over t = κ/√(2 m4/3) with the density (t² - 1 + e^{-t²}) e^{-t²/2}, by the midpoint rule,
+// and the regression z = m2 κ/(2 m4/3) + remainder of variance m0 (1 - 3/(2α)).
 TEST_CASE("expected summits are the moments of Nayak's density", "[summits][exact]") {
   double norm = 0, first = 0, second = 0;
   const double step = 1e-3;

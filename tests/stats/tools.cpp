@@ -85,8 +85,8 @@ TEST_CASE("asperity-stats prints the groups asked for, one beside the other or a
   CHECK(relative_error(all["m0"]["value"], std::pow(all["Sq"]["value"].get<double>(), 2)) <= 100 * epsilon);
 }
 
-// The triangle's contour at 0.2 is nearest along y: 0.8 · 5 samples of 30 µm, and 0.8 · 8 of 20 µm along x, or a
-// little more between the axes, where (1-a)(1-b) = 0.2 lies inside: (1 - √0.2)(8·20, 5·30) µm.
+// The triangle's contour at 0.2 is nearest along y: 0.8 · 5 samples of 30 µm, and 0.8 · 8 of 20 µm along x,
+// or a little more between the axes, where (1-a)(1-b) = 0.2 lies inside: (1 - √0.2)(8·20, 5·30) µm.
 TEST_CASE("asperity-stats finds Sal and quantiles within four of their standard errors",
           "[stats-tool][statistics]") {
   const Json all = json_of("asperity-stats drawn.nc --json --parameters spatial --quantiles 0.1,0.9");
