@@ -14,12 +14,13 @@ namespace {
 
 constexpr double reach = 1.65;  // of the weight in cut-offs: there exp(-π(1.65/α)²) is below 1e-16
 
-// The weights along one axis, 0, 1, … samples away, cut at the reach.
+// The weights along one axis of n samples, 0, 1, … samples away, cut at the reach and where the axis ends.
 class Weights {
  public:
-  Weights(double step, double cutoff) {
+  Weights(Index n, double step, double cutoff) {
     constexpr double ln2 = std::numbers::ln2, pi = std::numbers::pi;
-    w_ = Eigen::ArrayXd::NullaryExpr(static_cast<Index>(std::ceil(reach * cutoff / step)), [=](Index k) {
+    const double count = std::min(std::ceil(reach * cutoff / step), static_cast<double>(n));
+    w_ = Eigen::ArrayXd::NullaryExpr(static_cast<Index>(count), [=](Index k) {
       const double x = static_cast<double>(k) * step / cutoff;
       return std::exp(-pi * pi * x * x / ln2);
     });
@@ -28,7 +29,7 @@ class Weights {
 
   double operator()(Index k) const { return k < w_.size() ? w_[k] : 0; }
   /// A length on which n samples meet nothing that has wrapped around.
-  Index padded(Index n) const { return fast_length(n + std::min(w_.size(), n) - 1, 2); }
+  Index padded(Index n) const { return fast_length(n + w_.size() - 1, 2); }
   /// How much of the weights about each of n samples lies within them.
   Eigen::ArrayXd inside(Index n) const {
     Eigen::ArrayXd below(n + 1);  // Σ of those less than k samples away on one side, w_0 by half
@@ -42,7 +43,7 @@ class Weights {
 };
 
 Field within_edges(const Field& z, const Grid& grid, double cutoff, int threads) {
-  const Weights along_x(grid.dx, cutoff), along_y(grid.dy, cutoff);
+  const Weights along_x(grid.shape.nx, grid.dx, cutoff), along_y(grid.shape.ny, grid.dy, cutoff);
   const Shape torus{along_x.padded(grid.shape.nx), along_y.padded(grid.shape.ny)};
   EvenConvolution average(grid.shape, torus,
                           even_symbol(

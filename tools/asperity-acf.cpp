@@ -86,11 +86,10 @@ void declare(cli::Tool& tool, Options& what) {
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
   tool.flag("--absolute", what.absolute,
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");
-  tool.flag(
-      "--structure", what.structure,
-      "Add the structure function, the mean square difference of two points a lag apart, to the profiles and "
-      "the dataset",
-      "Estimate");
+  tool.flag("--structure", what.structure,
+            "Add the structure function, the mean square difference of two points a lag apart, to the "
+            "profiles and the dataset",
+            "Estimate");
   tool.text("--acf-level", what.request.levels, "LEVEL,...",
             "Levels of R / R(0,0) at which lengths are measured", "Lengths");
   tool.text("--direction", what.request.direction, "ANGLE",
@@ -113,11 +112,9 @@ void declare(cli::Tool& tool, Options& what) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-acf --lengths");
   tool.accuracy(
       "The estimate is that of the direct sum over pairs to round-off. Standard errors are Bartlett's for a "
-      "Gaussian "
-      "field; those of neighbouring lags are strongly correlated. The subtracted mean lowers all lags by its "
-      "own "
-      "variance, R(0,0) / N_eff_mean (asperity-stats). Lengths are interpolated in ln R, exact for an "
-      "exponential.");
+      "Gaussian field; those of neighbouring lags are strongly correlated. The subtracted mean lowers all "
+      "lags by its own variance, R(0,0) / N_eff_mean (asperity-stats). Lengths are interpolated in ln R, "
+      "exact for an exponential.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the profiles stand for it.
@@ -133,14 +130,10 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-acf",
       "The autocorrelation of a surface. Passes the dataset on with the whole ACF over lag_x >= 0 and lag_y "
-      "of both "
-      "signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, and the lengths "
-      "at which "
-      "it first falls to 10 % and to 1/e, or other levels, as acf_length_10_x and so on. Or prints these "
-      "lengths; or, as on a "
-      "terminal, "
-      "the two profiles with standard errors, a row a lag, beside the target where the dataset carries one "
-      "(acf_target).");
+      "of both signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, and the "
+      "lengths at which it first falls to 10 % and to 1/e, or other levels, as acf_length_10_x and so on. Or "
+      "prints these lengths; or, as on a terminal, the two profiles with standard errors, a row a lag, "
+      "beside the target where the dataset carries one (acf_target).");
   cli::MeasuredOptions options;
   Options what;
   options.declare(tool);
@@ -155,14 +148,10 @@ int main(int argc, char** argv) {
     if (what.structure)
       result.structure = structure_function(measured.heights, measured.grid, max_lag, tool.thread_count());
     auto lengths = [&] { return lengths_of(tool, measured, result.estimate, what.request); };
-    auto print = [&](const auto& table) {
-      tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
-    };
-
     if (what.lengths) {
-      print(lengths());
+      cli::print(tool, lengths());
     } else if (prints_profiles(tool, what)) {
-      print(profiles(measured, result, what.absolute));
+      cli::print(tool, profiles(measured, result, what.absolute));
     } else {
       add_to(data, measured, result, lengths(), what.absolute);
       tool.write(data);

@@ -46,7 +46,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options) {
     cli::record(one, options, c);
     tool.write(one.data, cli::numbered("each", options.each, ++number));
   });
-  tool.write_text(render(table.table(), tool.json(), tool.output_is_terminal()));
+  cli::print(tool, table.table());
   return code;
 }
 
@@ -62,8 +62,7 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "Bounds exact, load to 1e-12, residual as asked for and confirmed with a fresh convolution. On n cells "
       "across a Hertzian contact its greatest pressure errs by 0.9/n^2, its approach by 0.2/n^2. The "
-      "stiffness "
-      "of n loads a decade errs by 0.2/n^4, six times that at both ends.");
+      "stiffness of n loads a decade errs by 0.2/n^4, six times that at both ends.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);

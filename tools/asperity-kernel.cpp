@@ -5,10 +5,9 @@
 using namespace asperity;
 
 int main(int argc, char** argv) {
-  cli::Tool tool(
-      "asperity-kernel",
-      "The moving-average kernel of a random surface with the autocorrelation asked for: that of a model, "
-      "or a table, such as the one that asperity-acf measures");
+  cli::Tool tool("asperity-kernel",
+                 "The moving-average kernel of a random surface with the autocorrelation asked for: that of "
+                 "a model, or a table, such as the one that asperity-acf measures");
   cli::KernelOptions options;
   Shape shape;
   std::array<double, 2> size{NAN, NAN}, spacing{NAN, NAN};
@@ -25,11 +24,9 @@ int main(int argc, char** argv) {
   tool.example("asperity-kernel --length 17px,4px --report kernel.json -o kernel.nc");
   tool.accuracy(
       "Residual at the prescribed lags below --tolerance; over all lags of the plane below --acf-tolerance, "
-      "where "
-      "--lags is absent and no table ends: see kernel_error. Patir's formulation is wrong by about 0.1 at "
-      "the "
-      "mirrored lags (p,-q): see kernel_mirrored_error. A change made to a target that has no kernel is "
-      "kernel_change, with a warning.");
+      "where --lags is absent and no table ends: see kernel_error. Patir's formulation is wrong by about 0.1 "
+      "at the mirrored lags (p,-q): see kernel_mirrored_error. A change made to a target that has no kernel "
+      "is kernel_change, with a warning.");
 
   return tool.run(argc, argv, [&] {
     cli::Spacing known;

@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     if (bins == 0) bins = scott_bins(m, size.points());
 
     const cli::Table table = table_of_bins(histogram(measured.heights, m, size, bins), measured);
-    tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
+    cli::print(tool, table);
     return cli::done;
   });
 }

@@ -41,11 +41,13 @@ cli::Table profiles(const cli::Measured& measured, const Windows& windows, int t
   const std::string unit = density_units(measured, 1);
   cli::Table out{{{"direction", ""}, {"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}},
                  {}};
-  for (const Axis1D axis : {Axis1D::x, Axis1D::y})
+  auto add = [&](const char* direction, Axis1D axis, Window window) {
     for (const SpectrumPoint& point :
-         profile_spectrum(measured.heights, measured.grid, axis, windows.x, threads))
-      out.rows.push_back(
-          {axis == Axis1D::x ? "x" : "y", point.wave_number, point.density, point.standard_error});
+         profile_spectrum(measured.heights, measured.grid, axis, window, threads))
+      out.rows.push_back({direction, point.wave_number, point.density, point.standard_error});
+  };
+  add("x", Axis1D::x, windows.x);
+  add("y", Axis1D::y, windows.y);
   return out;
 }
 
@@ -79,10 +81,8 @@ void declare(cli::Tool& tool, Options& what) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-psd --radial");
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
-      "both "
-      "signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for what a "
-      "window "
-      "makes neighbours share. Wave numbers are 2 pi / wavelength.");
+      "both signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for "
+      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the rings stand for it.
@@ -99,8 +99,7 @@ int main(int argc, char** argv) {
       "asperity-psd",
       "The power spectral density of a surface. Passes the dataset on with psd over wave_number_x >= 0 and "
       "wave_number_y of both signs, in m4: (dx dy)^2 / (Lx Ly) |transform|^2, its window of mean square 1. "
-      "Or prints "
-      "its mean over rings, as on a terminal; or that of the profiles, in m3.");
+      "Or prints its mean over rings, as on a terminal; or that of the profiles, in m3.");
   cli::MeasuredOptions options;
   Options what;
   options.declare_field(tool);
@@ -110,16 +109,13 @@ int main(int argc, char** argv) {
     Dataset data = tool.read();
     const cli::Measured measured = cli::measure(data, options, tool.thread_count());
     const Windows windows = what.windows(measured.grid);
-    auto print = [&](const cli::Table& table) {
-      tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
-    };
     if (what.profiles) {
-      print(profiles(measured, windows, tool.thread_count()));
+      cli::print(tool, profiles(measured, windows, tool.thread_count()));
       return cli::done;
     }
     const LagField psd = power_spectrum(measured.heights, measured.grid, windows, tool.thread_count());
     if (prints_radial(tool, what)) {
-      print(radial(measured, psd, windows));
+      cli::print(tool, radial(measured, psd, windows));
     } else {
       add_to(data, measured, psd, windows.x == Window::hann ? "hann" : "none");
       tool.write(data);

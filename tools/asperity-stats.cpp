@@ -4,11 +4,10 @@
 using namespace asperity;
 
 int main(int argc, char** argv) {
-  cli::Tool tool(
-      "asperity-stats",
-      "Parameters of a surface by ISO 25178-2, with standard errors that allow for the correlation of "
-      "neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population moments of the whole "
-      "field.");
+  cli::Tool tool("asperity-stats",
+                 "Parameters of a surface by ISO 25178-2, with standard errors that allow for the "
+                 "correlation of neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population "
+                 "moments of the whole field.");
   cli::MeasuredOptions options;
   cli::StatsOptions what;
   options.declare(tool);
@@ -19,17 +18,14 @@ int main(int argc, char** argv) {
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
   tool.accuracy(
       "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a Gaussian "
-      "field, "
-      "to first order in 1/N_eff; with the correlation that a dataset carries, 95 % intervals hold 92 % and "
-      "more "
-      "from N_eff = 41 on. From an estimated correlation they do from N_eff = 150; at 41 those of Sa and Sq "
-      "hold "
-      "84 %. Peak and valley have none, nor has what shows a dash. Slopes and curvatures are those of "
-      "differences "
-      "of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to 6.6/n^2 (m4).");
+      "field, to first order in 1/N_eff; with the correlation that a dataset carries, 95 % intervals hold 92 "
+      "% and more from N_eff = 41 on. From an estimated correlation they do from N_eff = 150; at 41 those of "
+      "Sa and Sq hold 84 %. Peak and valley have none, nor has what shows a dash. Slopes and curvatures are "
+      "those of differences of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to "
+      "6.6/n^2 (m4).");
 
   return tool.run(argc, argv, [&] {
-    what.check();
+    what.check(tool);
     cli::Sample sample(cli::measure(tool.read(), options, tool.thread_count()), options.variable,
                        tool.thread_count());
     cli::Quantities out;
@@ -40,7 +36,7 @@ int main(int argc, char** argv) {
     if (what.asks_for("spatial")) add(spatial_rows(tool, sample, what));
     if (what.asks_for("hybrid")) add(hybrid_rows(sample, what));
 
-    tool.write_text(render(out, tool.json(), tool.output_is_terminal()));
+    cli::print(tool, out);
     return cli::done;
   });
 }

@@ -22,7 +22,7 @@ int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
   const auto points = cli::parse_points(cli::read_all(options.points));
   const cli::StressScene scene = cli::read_scene(options, tool.input_name());
   const cli::Table table = cli::stress_table(scene, selection, points, tool.thread_count());
-  tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
+  cli::print(tool, table);
   return cli::done;
 }
 
@@ -54,16 +54,11 @@ int main(int argc, char** argv) {
   tool.example("asperity-stress --depths 0:0.8mm:32 --components von_mises,zz pressed.nc -o stress.nc");
   tool.accuracy(
       "Exact to 1e-14 for a pressure constant in each cell, to 2e-6 of its largest value where layers are "
-      "ten "
-      "cells deep and more, unless --resolution full; at --points to 4e-13 of their stress however far they "
-      "lie. "
-      "On n cells across a Hertz contact the largest von Mises stress errs by 0.95/n^2. From two cells' "
-      "depth on "
-      "every value is within 1 % of the largest pressure, friction up to 0.5 included; above it, cells "
-      "within two "
-      "cells of an edge of the contact may be off by 9 %, and by 26 % of the friction more, and a maximum "
-      "rests on "
-      "single cells: compare stress_max_depth with stress_accurate_depth.");
+      "ten cells deep and more, unless --resolution full; at --points to 4e-13 of their stress however far "
+      "they lie. On n cells across a Hertz contact the largest von Mises stress errs by 0.95/n^2. From two "
+      "cells' depth on every value is within 1 % of the largest pressure, friction up to 0.5 included; above "
+      "it, cells within two cells of an edge of the contact may be off by 9 %, and by 26 % of the friction "
+      "more, and a maximum rests on single cells: compare stress_max_depth with stress_accurate_depth.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);

@@ -150,8 +150,7 @@ int main(int argc, char** argv) {
 
     const std::vector<Claim> claims = test->claims();
     tool.note(std::to_string(test->surfaces()) + " surfaces, " + std::to_string(test->lags()) + " lags");
-    tool.write_text(
-        render(table_of_claims(claims, options.significance), tool.json(), tool.output_is_terminal()));
+    cli::print(tool, table_of_claims(claims, options.significance));
     return joint_p(claims) <= options.significance ? not_as_prescribed : int{cli::done};
   });
 }

@@ -65,11 +65,10 @@ struct KernelOptions {
         "--target", target,
         {"exponential", "gaussian", "matern", "stretched-exponential", "self-affine", "exponential-cosine"},
         "Its form, made elliptic by two lengths", group);
-    tool.lengths(
-        "--length", length,
-        "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px or "
-        "0.4mm; px of x and of y",
-        group);
+    tool.lengths("--length", length,
+                 "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px "
+                 "or 0.4mm; px of x and of y",
+                 group);
     tool.number("--level", level, "What is left of it at --length; 0.3678794 makes them 1/e lengths", group);
     tool.text("--angle", angle, "ANGLE",
               "From x towards y to the axis of the first length: 30, 30deg, 0.5rad", group);
@@ -84,8 +83,8 @@ struct KernelOptions {
               "Of exponential-cosine along its first axis: 12px or 0.1mm", group);
     tool.text("--acf", acf, "FILE",
               "A table in place of all these: a dataset from asperity-acf, or one with acf_target; or text, "
-              "columns "
-              "under the header '# lag_x [um] lag_y [um] acf' or a plain matrix R(p,q); - is standard input",
+              "columns under the header '# lag_x [um] lag_y [um] acf' or a plain matrix R(p,q); - is "
+              "standard input",
               group);
   }
 
@@ -104,12 +103,11 @@ struct KernelOptions {
     tool.choice("--method", method, {"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"},
                 "How the equations are solved; spectral takes the root of the spectrum and solves nothing",
                 group);
-    tool.choice(
-        "--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
-        "Where no kernel of --lags has this autocorrelation: a wider kernel or the nearest that there is, "
-        "if it changes the target by 1e-2 at most (auto) or however much (nearest); the kernel of least "
-        "squares; or an error",
-        group);
+    tool.choice("--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
+                "Where no kernel of --lags has this autocorrelation: a wider kernel or the nearest that "
+                "there is, if it changes the target by 1e-2 at most (auto) or however much (nearest); the "
+                "kernel of least squares; or an error",
+                group);
     tool.number("--tolerance", tolerance, "Largest residual of the equations, relative to the variance",
                 group);
   }

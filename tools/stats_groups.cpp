@@ -102,13 +102,11 @@ void add_summits(Rows& out, const std::string& prefix, const Summits& s, const s
 // ---- the command line ----
 
 void StatsOptions::declare(Tool& tool) {
-  tool.text(
-      "--parameters", groups, "GROUP,...",
-      "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), material (Sk, Spk, Svk, Smr1, Smr2, "
-      "Vmp, Vmc, Vvc, Vvv), spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral moments, "
-      "summits), "
-      "or all; only what is asked for is computed",
-      "Parameters");
+  tool.text("--parameters", groups, "GROUP,...",
+            "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), material (Sk, Spk, Svk, Smr1, "
+            "Smr2, Vmp, Vmc, Vvc, Vvv), spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral "
+            "moments, summits), or all; only what is asked for is computed",
+            "Parameters");
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
   tool.numbers_pair("--material-ratio", material_ratios,
@@ -120,9 +118,14 @@ void StatsOptions::declare(Tool& tool) {
             "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");
 }
 
-void StatsOptions::check() const {
-  if (!direction.empty() && !asks_for("hybrid"))
-    throw UsageError("direction", "is that of spectral moments: --parameters hybrid");
+void StatsOptions::check(const Tool& tool) const {
+  auto belongs = [&](const std::string& option, const char* group) {
+    if (tool.given("--" + option) && !asks_for(group))
+      throw UsageError(option, std::string("belongs to --parameters ") + group + ", which is not asked for");
+  };
+  belongs("material-ratio", "material");
+  belongs("acf-level", "spatial");
+  belongs("direction", "hybrid");
   if (!direction.empty()) parse_angle("direction", direction);
 }
 

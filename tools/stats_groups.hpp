@@ -17,8 +17,8 @@ struct StatsOptions {
   double acf_level = 0.2;
 
   void declare(Tool& tool);
-  /// Throws ParameterError for a direction that nothing asks for.
-  void check() const;
+  /// Throws ParameterError for an option of a group that is not asked for.
+  void check(const Tool& tool) const;
   /// Whether --parameters names the group, or all; throws ParameterError("parameters", …) for unknown words.
   bool asks_for(const std::string& group) const;
 };

@@ -39,6 +39,7 @@ detail::PlanPointer plan(const Key& key, std::size_t doubles, Make make) {
   const std::lock_guard lock(planner);
   if (const auto known = recent.find(key); known != recent.end()) return known->second;
   const std::unique_ptr<double, decltype(&fftw_free)> scratch(fftw_alloc_real(doubles), &fftw_free);
+  if (!scratch) throw std::bad_alloc();
   const fftw_plan made = make(scratch.get());
   if (made == nullptr) throw std::runtime_error("FFTW could not make a plan");
   if (recent.size() == most_recent) recent.swap(forgotten);

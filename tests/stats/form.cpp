@@ -111,6 +111,17 @@ TEST_CASE("a constant passes the filter as it is, at the edges too, however high
   CHECK((shifted - gaussian_mean_surface(z, field, 12)).abs().maxCoeff() <= 10 * epsilon * 1e3);
 }
 
+// Weights of a cut-off c times the field's diagonal d differ by π²/(c² ln 2) at the most.
+TEST_CASE("a cut-off far beyond the field leaves its mean, however far", "[filter][law]") {
+  const Grid field{{20, 31}, 1, 1};
+  const Field z = random_field(field.shape, 5);
+  for (double beyond : {1e3, 1e9, 1e200}) {
+    const double bound = 15 / (beyond * beyond) + 100 * epsilon;
+    const Field surface = gaussian_mean_surface(z, field, beyond * 37);
+    CHECK((surface - z.mean()).abs().maxCoeff() <= bound * z.abs().maxCoeff());
+  }
+}
+
 TEST_CASE("a cut-off below two samples or not finite is refused", "[filter][contract]") {
   const Grid field{{8, 8}, 1, 2};
   for (double cutoff : {0.0, -5.0, 3.9, std::nan(""), HUGE_VAL})

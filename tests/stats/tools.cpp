@@ -101,9 +101,10 @@ TEST_CASE("asperity-stats finds Sal and quantiles within four of their standard 
 
 TEST_CASE("asperity-stats refuses groups and shares it does not know, and slopes of a pressure",
           "[stats-tool][contract]") {
-  for (const char* wrong : {"--parameters heights", "--parameters height,,material", "--quantiles 1.5",
-                            "--quantiles x", "--parameters material --material-ratio 0.8,0.1",
-                            "--direction 30deg", "--parameters spatial --acf-level 2"}) {
+  for (const char* wrong :
+       {"--parameters heights", "--parameters height,,material", "--quantiles 1.5", "--quantiles x",
+        "--parameters material --material-ratio 0.8,0.1", "--direction 30deg", "--acf-level 0.5",
+        "--material-ratio 0.2,0.7", "--parameters spatial --acf-level 2"}) {
     const Outcome run = run_on_surface(std::string("asperity-stats drawn.nc ") + wrong);
     CAPTURE(wrong, run.error);
     CHECK((run.exit == 2 && lines(run.error) == 1));

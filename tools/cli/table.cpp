@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/tool.hpp"
+
 namespace asperity::cli {
 namespace {
 
@@ -116,6 +118,14 @@ std::string render(const Table& table, bool json, bool terminal) {
 
 std::string render(const Quantities& quantities, bool json, bool terminal) {
   return json ? quantities.json() : render(quantities.table(), false, terminal);
+}
+
+void print(const Tool& tool, const Table& table) {
+  tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
+}
+
+void print(const Tool& tool, const Quantities& quantities) {
+  tool.write_text(render(quantities, tool.json(), tool.output_is_terminal()));
 }
 
 }  // namespace asperity::cli

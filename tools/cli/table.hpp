@@ -9,6 +9,8 @@
 
 namespace asperity::cli {
 
+class Tool;
+
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
 
@@ -49,5 +51,9 @@ struct Quantities {
 /// How a table goes out: one JSON object as asked, else aligned on a terminal, else TSV.
 std::string render(const Table& table, bool json, bool terminal);
 std::string render(const Quantities& quantities, bool json, bool terminal);
+
+/// To --output, as --json and a terminal ask for it.
+void print(const Tool& tool, const Table& table);
+void print(const Tool& tool, const Quantities& quantities);
 
 }  // namespace asperity::cli
