@@ -85,6 +85,7 @@ IterationResult solve_fixed_point(const NonlinearSystem& system, std::span<doubl
   check(KINSetMAA(kinsol.get(), std::min<long>(options.depth, static_cast<long>(u.size()))), "KINSetMAA");
   check(KINInit(kinsol.get(), fixed_point, iterate.get()), "KINInit");
   check(KINSetUserData(kinsol.get(), &iteration), "KINSetUserData");
+  silence(kinsol.get(), context);
   check(KINSetNumMaxIters(kinsol.get(), options.max_iterations + 2), "KINSetNumMaxIters");
   // FixedPoint decides on convergence: here it is G(u) = u to the last bit.
   check(KINSetFuncNormTol(kinsol.get(), std::numeric_limits<double>::min()), "KINSetFuncNormTol");

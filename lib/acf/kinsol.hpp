@@ -9,8 +9,9 @@
 #include <vector>
 
 #include <kinsol/kinsol.h>
-#include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.hpp>
+#include <sundials/sundials_nvector.h>
+#include <sundials/sundials_version.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
 
 namespace asperity::kinsol {
@@ -33,6 +34,15 @@ inline void check(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(std::string(call) + " failed with " + std::to_string(flag));
 }
 
+/// Says nothing on stderr: how an iteration ended is told by its result.
+inline void silence([[maybe_unused]] void* kinsol, [[maybe_unused]] sundials::Context& context) {
+#if SUNDIALS_VERSION_MAJOR < 7
+  check(KINSetErrFile(kinsol, nullptr), "KINSetErrFile");
+#else
+  check(SUNContext_ClearErrHandlers(context), "SUNContext_ClearErrHandlers");
+#endif
+}
+
 /// The pointer, or std::runtime_error naming the call.
 template <class Pointer>
 Pointer made(Pointer pointer, const char* call) {
@@ -44,8 +54,8 @@ inline std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
 }
 
-/// SUNDIALS' serial vector over `values`, with the operations of GMRES by vector instructions: as the library
-/// is packaged they would take as long as the transforms.
+/// SUNDIALS' vector over `values`. The operations are by vector instructions, and a clone is one piece of memory, where
+/// the library's serial vector, as it is packaged, would take as long as the transforms.
 Vector vector_of(std::span<double> values, sundials::Context& context);
 
 /// For a vector that SUNDIALS only reads.

@@ -29,49 +29,44 @@ class Timer {
 // Refusals of ever shorter steps after which the iteration ends. KINSOL itself gives up at the fifth.
 constexpr int most_refusals = 4;
 
+// What a callback returns to KINSOL.
+constexpr int done = 0, shorten_step = 1, give_up = -1;
+
 // What the C callbacks share: the system, the iterate of the present step, and what ends the iteration.
-//
-// KINSOL announces on stderr that an iteration has failed, and what would silence it differs from version to
-// version. An iteration that has used up its means is therefore ended in peace: its next residual is zero,
-// KINSOL takes itself for converged, and the last true iterate is put back.
 class Callbacks {
  public:
   Callbacks(const NonlinearSystem& system, const NewtonOptions& options)
       : system_(system), options_(options) {}
 
   int residual(std::span<const double> u, std::span<double> f) {
-    if (!stopped() && !evaluate(u, f)) {
-      if (++refusals_ < most_refusals) return 1;  // a recoverable error, in KINSOL's convention
-      stop("every shorter step leaves the domain of the equations");
-    }
-    refusals_ = 0;
-    if (stopped()) std::fill(f.begin(), f.end(), 0.0);
-    return 0;
+    const Timer timer(system_seconds_);
+    if (system_.residual(u, f)) return refusals_ = 0, done;
+    if (steps_ == 0) return stop("the start lies outside the domain of the equations");
+    if (++refusals_ < most_refusals) return shorten_step;
+    return stop("every shorter step leaves the domain of the equations");
   }
   int linearize(std::span<const double> u) {
     iterate_.assign(u.begin(), u.end());
-    if (steps_ == options_.max_steps) stop("not solved in " + std::to_string(steps_) + " Newton steps");
+    if (steps_ == options_.max_steps)
+      return stop("not solved in " + std::to_string(steps_) + " Newton steps");
     if (products_ >= options_.max_products)
-      stop("not solved with " + std::to_string(products_) + " Jacobian products");
-    if (stopped()) return 0;
+      return stop("not solved with " + std::to_string(products_) + " Jacobian products");
     ++steps_;
     const Timer timer(system_seconds_);
     system_.linearize(u);
-    return 0;
+    return done;
   }
   int precondition(std::span<double> v) {
-    if (stopped()) return 0;
     ++preconditionings_;
     const Timer timer(system_seconds_);
     system_.precondition(v);
-    return 0;
+    return done;
   }
   int jacobian(std::span<const double> v, std::span<double> out) {
-    if (stopped()) return std::copy(v.begin(), v.end(), out.begin()), 0;
     ++products_;
     const Timer timer(system_seconds_);
     system_.jacobian(v, out);
-    return 0;
+    return done;
   }
 
   template <class Work>
@@ -81,8 +76,7 @@ class Callbacks {
       return work(self);
     } catch (...) {
       self.failure_ = std::current_exception();
-      self.stop("exception");
-      return work(self);
+      return give_up;
     }
   }
   void rethrow() const {
@@ -101,12 +95,9 @@ class Callbacks {
   }
 
  private:
-  bool evaluate(std::span<const double> u, std::span<double> f) {
-    const Timer timer(system_seconds_);
-    return system_.residual(u, f);
-  }
-  void stop(std::string reason) {
-    if (!stopped()) reason_ = std::move(reason);
+  int stop(std::string reason) {
+    reason_ = std::move(reason);
+    return give_up;
   }
 
   const NonlinearSystem& system_;
@@ -155,6 +146,7 @@ class Iteration {
     check(KINInit(memory(), residual, u_.get()), "KINInit");
     // Before the linear solver is set, which copies it.
     check(KINSetUserData(memory(), &callbacks_), "KINSetUserData");
+    silence(memory(), context_);
     set_tolerances(options);
     set_linear_solver(options);
   }

@@ -28,7 +28,7 @@ long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknown
 long large_budget(Index unknowns) { return std::clamp<long>(100'000'000 / unknowns, 500, 20000); }
 
 // Half the tolerance inside, so that the residual recomputed by other sums stays below the whole.
-NewtonOptions options_for(const KernelRequest& request, Formulation formulation) {
+NewtonOptions options_for(const KernelRequest& request, Formulation formulation, Index unknowns) {
   NewtonOptions options;
   options.tolerance = request.tolerance / 2;
   if (formulation == Formulation::patir) {
@@ -36,6 +36,8 @@ NewtonOptions options_for(const KernelRequest& request, Formulation formulation)
     options.restarts = 1;
     options.forcing = 1e-2;
   }
+  // Small systems spend more on the room for directions than on the few that they need.
+  options.krylov_dimension = static_cast<int>(std::clamp<Index>(unknowns / 4, 10, options.krylov_dimension));
   return options;
 }
 
@@ -83,20 +85,17 @@ void Search::newton() {
     reason_ = "recognised before any iteration";
     return;
   }
-  std::vector<double> f(u.size());
-  ++counts_.residuals;
-  if (!equations_->residual(u, f)) {
-    reason_ = "its windowed root is no start";
-    wide_enough();
-    return;
-  }
   const bool smooth = zero_phase_ && std::abs(feasibility_.least) < smooth_spectrum;
   if (smooth && wide_enough()) return;
-  const Report result = solve_newton_krylov(equations_->system(), u, options_for(request_, formulation_));
+  const Report result =
+      solve_newton_krylov(equations_->system(), u, options_for(request_, formulation_, equations_->count()));
   count(result);
   if (result.converged) consider(u);
   infeasible_ = !solved();
-  if (infeasible_ && zero_phase_ && !smooth && feasibility_.least > nearly_smooth) wide_enough();
+  const bool no_start = result.steps == 0 && !result.converged;
+  if (no_start) reason_ = "its windowed root is no start";
+  if (infeasible_ && zero_phase_ && !smooth && (no_start || feasibility_.least > nearly_smooth))
+    wide_enough();
 }
 
 // Whether a wider kernel solves the equations, where one may be the answer.
