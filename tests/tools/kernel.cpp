@@ -163,6 +163,13 @@ TEST_CASE("a target without a kernel of these lags is met by a wider one, or ref
   refused("asperity-kernel --length 31px --lags 31x31 --infeasible error", 2, "--lags");
 }
 
+TEST_CASE("an iteration that ends in no kernel leaves its library silent", "[kernel][contract]") {
+  refused(
+      "asperity-kernel --spacing 1um --formulation patir --target gaussian --lags 2x2 --length 2px,2px "
+      "--level 0.1 --infeasible error",
+      2, "no kernel of 2x2 lags");
+}
+
 TEST_CASE("every method and formulation is recorded, and the equations hold", "[kernel][law]") {
   for (const char* method : {"newton-krylov", "fixed-point"})
     for (const char* formulation : {"symmetric", "oriented", "patir"}) {
