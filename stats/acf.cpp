@@ -1,60 +1,25 @@
 #include "stats/acf.hpp"
 
-#include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "grid/error.hpp"
-#include "grid/parallel.hpp"
 #include "stats/form.hpp"
-#include "transform/pruned.hpp"
+#include "stats/lag_sums.hpp"
+#include "stats/missing.hpp"
 
 namespace asperity {
 namespace {
 
-// Room for the longest lag beside the field: nothing wraps onto a lag asked for.
-Shape torus_for(const Grid& grid, Shape max_lag) {
-  if (grid.periodic) return grid.shape;
-  return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
-}
+constexpr double no_pair = std::numeric_limits<double>::quiet_NaN();
 
-void to_power(Complex* block, Index n) {
-  for (Index k = 0; k < n; ++k) block[k] = std::norm(block[k]);
-}
-
-// The half spectrum, in y, of C(p, ·) for every row p.
-HalfSpectrum correlate(const PrunedTransform& transform, const Field& d, int threads) {
-  HalfSpectrum half = transform.half_spectrum();
-  transform.forward_rows(d, half, threads);
-  parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size())), work(block.size());
-    for (Index b = begin; b < end; ++b) {
-      transform.forward_block(half, b, block.data(), work.data());
-      to_power(block.data(), transform.block_size());
-      transform.inverse_block(block.data(), b, half, work.data());
-    }
-  });
-  return half;
-}
-
-// (1) times the torus' cells. Negative lags stand at the end of a row.
-Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag) {
-  const Index period = transform.torus().ny, columns = transform.blocks() * PrunedTransform::width;
-  Field sums(max_lag.nx + 1, 2 * max_lag.ny + 1);
-  AlignedVector<Complex> spectrum(static_cast<std::size_t>(columns));
-  AlignedVector<double> row(static_cast<std::size_t>(period));
-  const Eigen::Map<const Eigen::Array<double, 1, Eigen::Dynamic>> lags(row.data(), period);
-  for (Index p = 0; p <= max_lag.nx; ++p) {
-    transform.inverse_row(half, p, spectrum.data(), row.data());
-    sums.row(p).tail(max_lag.ny + 1) = lags.head(max_lag.ny + 1);
-    sums.row(p).head(max_lag.ny) = lags.tail(max_lag.ny);
-  }
-  return sums;
-}
-
-void divide_by_pairs(Field& sums, const Grid& grid, Shape max_lag) {
+void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag) {
   for (Index p = 0; p <= max_lag.nx; ++p)
-    for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) sums(p, max_lag.ny + q) /= overlap(grid, p, q);
+    for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
+      const double share = pairs.share(p, q);
+      sums(p, max_lag.ny + q) = share > 0 ? sums(p, max_lag.ny + q) / share : no_pair;
+    }
 }
 
 }  // namespace
@@ -71,15 +36,20 @@ void AcfParameters::check(const Grid& grid) const {
 
 Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.ny / 2}; }
 
+LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
+  const Grid& grid = pairs.grid();
+  parameters.check(grid);
+  Field d = parameters.level ? Field(z - *parameters.level) : without_form(z);
+  if (!pairs.complete()) d = zero_filled(d);
+  Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads) / pairs.points();
+  const bool divided = grid.periodic && pairs.complete();
+  if (!divided && !parameters.biased) divide_by_pairs(sums, pairs, parameters.max_lag);
+  return LagField(std::move(sums));
+}
+
 LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {
   parameters.check(grid);
-  const Shape max_lag = parameters.max_lag;
-  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
-  const Field d = parameters.level ? Field(z - *parameters.level) : without_form(z);
-  Field sums = half_plane(transform, correlate(transform, d, parameters.threads), max_lag);
-  sums /= static_cast<double>(transform.torus().cells()) * static_cast<double>(z.size());
-  if (!grid.periodic && !parameters.biased) divide_by_pairs(sums, grid, max_lag);
-  return LagField(std::move(sums));
+  return estimate_autocorrelation(z, Pairs::of(z, grid, parameters.threads), parameters);
 }
 
 }  // namespace asperity

@@ -5,23 +5,23 @@
 
 namespace asperity {
 
-AcfError::AcfError(const LagField& correlation, const Grid& grid)
-    : rho_(correlation.normalised()), grid_(grid) {
+AcfError::AcfError(const LagField& correlation, const Pairs& pairs)
+    : rho_(correlation.normalised()), pairs_(pairs) {
   for (Index p = -rho_.max_p(); p <= rho_.max_p(); ++p)
     for (Index q = -rho_.max_q(); q <= rho_.max_q(); ++q)
       if (const double rho = rho_(p, q); rho != 0) support_.push_back({p, q, rho});
 }
 
-double AcfError::pairs(Index p, Index q) const {
-  return overlap(grid_, p, q) * static_cast<double>(grid_.shape.cells());
-}
+double AcfError::pairs(Index p, Index q) const { return pairs_.share(p, q) * pairs_.points(); }
 
 double AcfError::weight(Index p, Index q, Index k, Index l) const {
-  if (grid_.periodic) return 1;
+  const double there = pairs_.density(k, l);
+  if (pairs_.grid().periodic) return there;
   auto share = [](Index n, Index distance) {
     return std::max(0.0, 1 - static_cast<double>(std::abs(distance)) / static_cast<double>(n));
   };
-  return share(grid_.shape.nx - std::abs(p), k) * share(grid_.shape.ny - std::abs(q), l);
+  const auto [nx, ny] = pairs_.grid().shape;
+  return there * share(nx - std::abs(p), k) * share(ny - std::abs(q), l);
 }
 
 // The second product of (1) is summed over m = k + h, where ρ(m) ≠ 0.

@@ -6,7 +6,10 @@
 /// w_h(k) the share of the pairs that have another one at distance k (Bartlett); and to first order
 ///     Var[R(h)/R(0)] = 1/n_h Σ_k w_h(k) [ρ(k)² + ρ(k+h)ρ(k-h) + 2ρ(h)²ρ(k)² - 4ρ(h)ρ(k)ρ(k+h)],     (2)
 /// zero at h = 0. The errors of neighbouring lags are strongly correlated: an estimate that strays does so
-/// over a whole stretch of lags. The biased estimate's error is overlap(h) times as large.
+/// over a whole stretch of lags. The biased estimate's error is share(h) times as large (stats/pairs.hpp).
+/// With missing heights n_h counts the pairs that are there, and w_h(k) is taken as that of the complete field times
+/// the share of the points that have a partner at k: exact at k = 0 and far too many to count elsewhere, it is an upper
+/// bound where ρ ≥ 0.
 ///
 /// Accuracy  (1) for a known ρ; the sample mean in place of the known one changes it by O(1/n²). From an
 ///           estimate use its significant_lags (stats/effective_size.hpp).
@@ -19,12 +22,13 @@
 
 #include "grid/field.hpp"
 #include "stats/lag_field.hpp"
+#include "stats/pairs.hpp"
 
 namespace asperity {
 
 class AcfError {
  public:
-  AcfError(const LagField& correlation, const Grid& grid);
+  AcfError(const LagField& correlation, const Pairs& pairs);
 
   /// √(1)/σ², the relative standard error of R(p,q) as a share of R(0,0).
   double absolute(Index p, Index q) const;
@@ -41,7 +45,7 @@ class AcfError {
   double pairs(Index p, Index q) const;
 
   LagField rho_;
-  Grid grid_;
+  Pairs pairs_;
   std::vector<Lag> support_;  ///< the whole plane's lags where ρ ≠ 0
 };
 

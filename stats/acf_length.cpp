@@ -26,6 +26,7 @@ Crossing crossing_between(double above, double below, double level) {
 
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level) {
   for (Index p = 0; p + 1 < profile.size(); ++p) {
+    if (std::isnan(profile(p + 1))) return std::nullopt;
     if (profile(p + 1) > level) continue;
     const Crossing within = crossing_between(profile(p), profile(p + 1), level);
     return Crossing{static_cast<double>(p) + within.lag, within.slope};

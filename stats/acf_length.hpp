@@ -31,7 +31,7 @@ struct Crossing {
 Crossing crossing_between(double above, double below, double level);
 
 /// The first crossing of `level`, 0 < level < 1, by a profile that begins with ρ(0) = 1; nothing where the
-/// profile stays above it.
+/// profile stays above it, or is not known on its way there.
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level);
 
 /// The same in a direction, an angle from +x towards +y [rad], of a normalised ρ.

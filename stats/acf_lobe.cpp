@@ -21,7 +21,7 @@ constexpr Lag neighbours[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 struct Contour {
   std::vector<Eigen::Vector2d> points;  // [m]
-  bool open = false;                    // the lobe reaches the longest lags
+  bool open = false;                    // the lobe reaches the longest lags, or lags at which ρ is not known
 };
 
 // The whole plane's lags, each once.
@@ -53,9 +53,10 @@ Contour contour_of_lobe(const LagField& rho, const Grid& grid, double level) {
     pending.pop_back();
     for (const auto& [dp, dq] : neighbours) {
       const Lag next{at.p + dp, at.q + dq};
-      if (std::abs(next.p) > rho.max_p() || std::abs(next.q) > rho.max_q()) {
+      const bool beyond = std::abs(next.p) > rho.max_p() || std::abs(next.q) > rho.max_q();
+      if (const double value = rho(next.p, next.q); beyond || std::isnan(value)) {
         out.open = true;
-      } else if (const double value = rho(next.p, next.q); value > level) {
+      } else if (value > level) {
         if (visited.first_visit(next)) pending.push_back(next);
       } else {
         const double step = crossing_between(rho(at.p, at.q), value, level).lag;

@@ -12,8 +12,8 @@
 ///
 /// Symbols   ρ  correlation, ρ(0,0) = 1      s  level      x, y  lags [m]
 ///           angles from +x towards +y [rad]
-/// Scope     A lobe that reaches the longest lags has no r_max, and no Str; it needs longer lags or a larger
-///           field.
+/// Scope     A lobe that reaches the longest lags, or lags without a pair of points, has no r_max, and no Str; it
+///           needs longer lags or a larger field.
 /// Accuracy  For a ρ that is exp(-r) or exp(-r²) of one elliptic radius r, h the larger spacing: Sal within
 ///           3h²/(8 r_min), r_max within 3h² r_max/(8 r_min²), the ellipse's axes within a third of these.
 ///           The sampling error of a length is SE[ρ]/|dρ/dr| in its direction (stats/acf_error.hpp), usually

@@ -1,6 +1,7 @@
 #include "stats/derivative_error.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "grid/error.hpp"
 #include "stats/effective_size.hpp"
@@ -28,49 +29,78 @@ LagField difference(const LagField& R, bool x) {
 }
 
 // Lags that count: those of the correlation, or those of an estimate that stand out.
-using Choose = LagField (*)(const LagField&, const Grid&);
+using Choose = LagField (*)(const LagField&, const Pairs&);
 
-LagField all_lags(const LagField& R, const Grid&) { return R.normalised(); }
+LagField all_lags(const LagField& R, const Pairs&) { return R.normalised(); }
 
-double relative_error(const LagField& admitted, const Grid& grid) {
-  return std::sqrt(2 / EffectiveSize(admitted, grid).effective(2));
+double relative_error(const LagField& admitted, const Pairs& pairs) {
+  return std::sqrt(2 / EffectiveSize(admitted, pairs).effective(2));
 }
 
 // Σ w D² over the plane, wherever one of the lags around counts.
-double cross_sum(const LagField& R, const LagField& x, const LagField& y, const Grid& grid) {
+double cross_sum(const LagField& R, const LagField& x, const LagField& y, const Pairs& pairs) {
   auto counts = [&](Index p, Index q) { return x(p, q) != 0 || y(p, q) != 0; };
   double sum = 0;
   for (Index p = 1 - R.max_p(); p < R.max_p(); ++p)
     for (Index q = 1 - R.max_q(); q < R.max_q(); ++q) {
       if (!counts(p, q) && !counts(p - 1, q) && !counts(p, q + 1) && !counts(p - 1, q + 1)) continue;
       const double D = R(p, q) + R(p - 1, q + 1) - R(p - 1, q) - R(p, q + 1);
-      sum += overlap(grid, p, q) * D * D;
+      sum += pairs.share(p, q) * D * D;
     }
   return sum;
 }
 
-DerivativeErrors errors(const LagField& R, const Grid& grid, Choose choose) {
+DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, Choose choose) {
   const LagField dx = difference(R, true), dy = difference(R, false);
-  const LagField x = choose(dx, grid), y = choose(dy, grid);
-  DerivativeErrors out{.m20 = relative_error(x, grid),
-                       .m02 = relative_error(y, grid),
-                       .m40 = relative_error(choose(difference(dx, true), grid), grid),
-                       .m04 = relative_error(choose(difference(dy, false), grid), grid)};
-  const double n = static_cast<double>(grid.shape.cells());
+  const LagField x = choose(dx, pairs.dx), y = choose(dy, pairs.dy);
+  DerivativeErrors out{.m20 = relative_error(x, pairs.dx),
+                       .m02 = relative_error(y, pairs.dy),
+                       .m40 = relative_error(choose(difference(dx, true), pairs.dxx), pairs.dxx),
+                       .m04 = relative_error(choose(difference(dy, false), pairs.dyy), pairs.dyy)};
+  const Grid& grid = pairs.heights.grid();
   const double m20 = dx(0, 0) / (grid.dx * grid.dx), m02 = dy(0, 0) / (grid.dy * grid.dy);
-  const double cross = 4 / n * cross_sum(R, x, y, grid) / std::pow(grid.dx * grid.dy, 2);
+  const double cross =
+      4 / pairs.heights.points() * cross_sum(R, x, y, pairs.heights) / std::pow(grid.dx * grid.dy, 2);
   out.square_slope = std::sqrt(std::pow(out.m20 * m20, 2) + std::pow(out.m02 * m02, 2) + cross) / (m20 + m02);
+  return out;
+}
+
+// Not numbers where one of the points is missing, as the last one is that has no neighbour.
+Field differences(const Field& z, const Grid& grid, bool x) {
+  const Index n = x ? z.rows() : z.cols();
+  if (grid.periodic)
+    return Field::NullaryExpr(z.rows(), z.cols(), [&](Index i, Index j) {
+      return (x ? z((i + 1) % n, j) : z(i, (j + 1) % n)) - z(i, j);
+    });
+  Field out = Field::Constant(z.rows(), z.cols(), std::numeric_limits<double>::quiet_NaN());
+  if (x)
+    out.topRows(n - 1) = z.bottomRows(n - 1) - z.topRows(n - 1);
+  else
+    out.leftCols(n - 1) = z.rightCols(n - 1) - z.leftCols(n - 1);
   return out;
 }
 
 }  // namespace
 
-DerivativeErrors derivative_errors(const LagField& correlation, const Grid& grid) {
-  return errors(padded(correlation.normalised(), 4), grid, all_lags);  // two for (1) twice, two that it takes
+DifferencePairs::DifferencePairs(const Pairs& of_heights, const Field& z, int threads)
+    : DifferencePairs(of_heights.grid()) {
+  if (of_heights.complete()) return;
+  const Grid& grid = of_heights.grid();
+  const Field along_x = differences(z, grid, true), along_y = differences(z, grid, false);
+  heights = of_heights;
+  dx = Pairs::of(along_x, grid, threads);
+  dy = Pairs::of(along_y, grid, threads);
+  dxx = Pairs::of(differences(along_x, grid, true), grid, threads);
+  dyy = Pairs::of(differences(along_y, grid, false), grid, threads);
 }
 
-DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const Grid& grid) {
-  return errors(estimate.normalised(), grid, significant_lags);
+DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs) {
+  return errors(padded(correlation.normalised(), 4), pairs,
+                all_lags);  // two for (1) twice, two that it takes
+}
+
+DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const DifferencePairs& pairs) {
+  return errors(estimate.normalised(), pairs, significant_lags);
 }
 
 }  // namespace asperity

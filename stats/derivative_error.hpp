@@ -18,6 +18,7 @@
 
 #include "grid/field.hpp"
 #include "stats/lag_field.hpp"
+#include "stats/pairs.hpp"
 
 namespace asperity {
 
@@ -26,9 +27,18 @@ struct DerivativeErrors {
   double m20 = 0, m02 = 0, m40 = 0, m04 = 0, square_slope = 0;
 };
 
+/// The pairs of heights and of the differences that they allow: where heights are missing, more differences are.
+struct DifferencePairs {
+  Pairs heights, dx, dy, dxx, dyy;
+
+  /// Of a field without missing points, to first order as many of each.
+  DifferencePairs(const Grid& grid) : heights(grid), dx(grid), dy(grid), dxx(grid), dyy(grid) {}
+  DifferencePairs(const Pairs& of_heights, const Field& z, int threads = 1);
+};
+
 /// From a correlation that is zero beyond its lags.
-DerivativeErrors derivative_errors(const LagField& correlation, const Grid& grid);
+DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs);
 /// From an estimate.
-DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const Grid& grid);
+DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const DifferencePairs& pairs);
 
 }  // namespace asperity

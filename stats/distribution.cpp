@@ -53,13 +53,15 @@ int scott_bins(const Moments& moments, double points) {
 
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins) {
   if (bins < 1) throw ParameterError("bins", "value " + std::to_string(bins) + " is below 1");
-  const double lowest = z.minCoeff(), width = (z.maxCoeff() - lowest) / bins;
+  const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
+               width = (z.maxCoeff<Eigen::PropagateNumbers>() - lowest) / bins;
   std::vector<Bin> out(static_cast<std::size_t>(bins));
   for (std::size_t b = 0; b < out.size(); ++b) {
     out[b].lower = lowest + static_cast<double>(b) * width;
     out[b].upper = lowest + static_cast<double>(b + 1) * width;
   }
   for (const double height : z.reshaped<Eigen::RowMajor>()) {
+    if (std::isnan(height)) continue;
     const auto b = static_cast<std::size_t>((height - lowest) / width);
     out[std::min(b, out.size() - 1)].count += 1;
   }

@@ -45,7 +45,7 @@ struct Bin {
 /// (1), at least 1.
 int scott_bins(const Moments& moments, double points);
 
-/// `bins` of them; throws ParameterError("bins", …) below 1.
+/// `bins` of them, missing points left out; throws ParameterError("bins", …) below 1.
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins);
 
 }  // namespace asperity

@@ -17,12 +17,12 @@ struct Candidate {
 constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.evidence < b.evidence; };
 
 // The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below.
-std::vector<Candidate> candidates(const LagField& rho, const Grid& grid) {
-  const double least = 3 / std::sqrt(static_cast<double>(grid.shape.cells()));
+std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
+  const double least = 3 / std::sqrt(pairs.points());
   std::vector<Candidate> lags;
-  for_each_lag(rho, grid, [&](Index p, Index q, double weight) {
+  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
-    const double evidence = std::abs(value) * std::sqrt(overlap(grid, p, q));
+    const double evidence = std::abs(value) * std::sqrt(pairs.share(p, q));
     if (evidence > least) lags.push_back({p, q, value, weight, evidence});
   });
   std::ranges::make_heap(lags, weaker);
@@ -30,23 +30,21 @@ std::vector<Candidate> candidates(const LagField& rho, const Grid& grid) {
 }
 
 // S_1 over twice the admitted reach, the field's mean put back.
-double sum_of_tail(const LagField& rho, const LagField& admitted, const Grid& grid) {
+double sum_of_tail(const LagField& rho, const LagField& admitted, const Pairs& pairs) {
   double sum = 0, lags = 0;
-  for_each_lag(rho, grid, [&](Index p, Index q, double weight) {
+  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     if (admitted(p / 2, q / 2) == 0) return;
     sum += weight * rho(p, q);
     lags += weight;
   });
-  const double n = static_cast<double>(grid.shape.cells());
-  return std::max(0.0, sum / (1 - std::min(lags / n, 0.5)));
+  return std::max(0.0, sum / (1 - std::min(lags / pairs.points(), 0.5)));
 }
 
 }  // namespace
 
-EffectiveSize::EffectiveSize(const LagField& correlation, const Grid& grid)
-    : points_(static_cast<double>(grid.shape.cells())) {
+EffectiveSize::EffectiveSize(const LagField& correlation, const Pairs& pairs) : points_(pairs.points()) {
   const LagField rho = correlation.normalised();
-  for_each_lag(rho, grid, [&](Index p, Index q, double weight) {
+  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
     double power = weight;
     for (std::size_t k = 1; k <= powers && std::abs(power) > 1e-18; ++k) sums_[k] += power *= value;
@@ -54,10 +52,10 @@ EffectiveSize::EffectiveSize(const LagField& correlation, const Grid& grid)
   for (double& s : sums_) s = std::max(s, 0.0);
 }
 
-EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Grid& grid) {
-  const LagField admitted = significant_lags(estimate, grid);
-  EffectiveSize size(admitted, grid);
-  size.sums_[1] = sum_of_tail(estimate.normalised(), admitted, grid);
+EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
+  const LagField admitted = significant_lags(estimate, pairs);
+  EffectiveSize size(admitted, pairs);
+  size.sums_[1] = sum_of_tail(estimate.normalised(), admitted, pairs);
   return size;
 }
 
@@ -71,12 +69,12 @@ double EffectiveSize::variance_of_mean(const std::function<double(int)>& weight,
   return (variance + std::max(rest, 0.0) * sum(powers)) / points_;
 }
 
-LagField significant_lags(const LagField& estimate, const Grid& grid) {
+LagField significant_lags(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised();
-  const double n = static_cast<double>(grid.shape.cells());
+  const double n = pairs.points();
   Field admitted = Field::Zero(rho.max_p() + 1, 2 * rho.max_q() + 1);
   double sum_of_squares = 0;
-  std::vector<Candidate> heap = candidates(rho, grid);
+  std::vector<Candidate> heap = candidates(rho, pairs);
   for (; !heap.empty(); heap.pop_back()) {
     std::ranges::pop_heap(heap, weaker);
     const Candidate& lag = heap.back();

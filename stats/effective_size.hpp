@@ -3,7 +3,9 @@
 /// The mean over N points of any function f of the height x = (z - mean)/σ has, for a Gaussian field of
 /// correlation ρ, by the Hermite series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ,
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
-///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (weights 1 on a periodic grid).            (2)
+///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (weights 1 on a periodic grid),            (2)
+/// the weights being the number of pairs at a lag over the number of points, missing heights left out of both
+/// (stats/pairs.hpp).
 /// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
 ///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
@@ -37,6 +39,7 @@
 #include "grid/field.hpp"
 #include "stats/lag_field.hpp"
 #include "stats/moments.hpp"
+#include "stats/pairs.hpp"
 
 namespace asperity {
 
@@ -45,9 +48,9 @@ class EffectiveSize {
   static constexpr int powers = 512;
 
   /// The sums (2) of a known correlation, normalised or not.
-  EffectiveSize(const LagField& correlation, const Grid& grid);
+  EffectiveSize(const LagField& correlation, const Pairs& pairs);
   /// The sums of an estimated one, as said above.
-  static EffectiveSize of_estimate(const LagField& estimate, const Grid& grid);
+  static EffectiveSize of_estimate(const LagField& estimate, const Pairs& pairs);
 
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
@@ -62,7 +65,7 @@ class EffectiveSize {
 };
 
 /// The lags of an estimate that stand out of its noise, the others zero; normalised.
-LagField significant_lags(const LagField& estimate, const Grid& grid);
+LagField significant_lags(const LagField& estimate, const Pairs& pairs);
 
 /// Standard errors (3)–(5), in the unit of the field.
 struct MomentErrors {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
 #include "grid/error.hpp"
 #include "stats/form.hpp"
+#include "stats/missing.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
@@ -42,13 +44,36 @@ class Weights {
   Eigen::ArrayXd w_;
 };
 
+EvenConvolution open_average(const Grid& grid, const Weights& along_x, const Weights& along_y, int threads) {
+  const Shape torus{along_x.padded(grid.shape.nx), along_y.padded(grid.shape.ny)};
+  auto weight = [&](Index i, Index j) { return along_x(i) * along_y(j); };
+  return {grid.shape, torus, even_symbol(torus, weight, threads), threads};
+}
+
+// Every wave by (2).
+EvenConvolution periodic_average(const Grid& grid, double cutoff, int threads) {
+  const double rx = cutoff / grid.size_x(), ry = cutoff / grid.size_y();
+  const Field transmission =
+      Field::NullaryExpr(grid.shape.nx / 2 + 1, grid.shape.ny / 2 + 1, [=](Index k, Index l) {
+        const double x = rx * static_cast<double>(k), y = ry * static_cast<double>(l);
+        return std::exp2(-(x * x + y * y));
+      });
+  return {grid.shape, grid.shape, transmission, threads};
+}
+
+// With weights divided by what of them falls on points that are there; missing points stay missing.
+Field over_valid(EvenConvolution& average, const Field& heights) {
+  const Field valid = validity(heights);
+  Field sum, weight;
+  average.apply(zero_filled(heights), sum);
+  average.apply(valid, weight);
+  return (valid > 0).select(sum / weight, std::numeric_limits<double>::quiet_NaN());
+}
+
 Field within_edges(const Field& z, const Grid& grid, double cutoff, int threads) {
   const Weights along_x(grid.shape.nx, grid.dx, cutoff), along_y(grid.shape.ny, grid.dy, cutoff);
-  const Shape torus{along_x.padded(grid.shape.nx), along_y.padded(grid.shape.ny)};
-  EvenConvolution average(grid.shape, torus,
-                          even_symbol(
-                              torus, [&](Index i, Index j) { return along_x(i) * along_y(j); }, threads),
-                          threads);
+  EvenConvolution average = open_average(grid, along_x, along_y, threads);
+  if (has_missing(z)) return over_valid(average, z);
   Field out;
   average.apply(z, out);
   out.colwise() /= along_x.inside(grid.shape.nx);
@@ -56,15 +81,9 @@ Field within_edges(const Field& z, const Grid& grid, double cutoff, int threads)
   return out;
 }
 
-// Every wave by (2).
 Field of_period(const Field& z, const Grid& grid, double cutoff, int threads) {
-  const double rx = cutoff / grid.size_x(), ry = cutoff / grid.size_y();
-  const Field transmission =
-      Field::NullaryExpr(grid.shape.nx / 2 + 1, grid.shape.ny / 2 + 1, [=](Index k, Index l) {
-        const double x = rx * static_cast<double>(k), y = ry * static_cast<double>(l);
-        return std::exp2(-(x * x + y * y));
-      });
-  EvenConvolution average(grid.shape, grid.shape, transmission, threads);
+  EvenConvolution average = periodic_average(grid, cutoff, threads);
+  if (has_missing(z)) return over_valid(average, z);
   Field out;
   average.apply(z, out);
   return out;

@@ -2,12 +2,7 @@
 ///
 /// A real field's autocorrelation is even under point reflection, R(-p,-q) = R(p,q), so that the half-plane
 /// holds all of it. It need not be even in p and q separately: R(p,-q) ≠ R(p,q) where the lay is oblique.
-///
-/// A field of nx × ny points holds (nx - |p|)(ny - |q|) pairs at lag (p,q), or nx ny when it is periodic;
-/// sums over pairs become sums over lags with these weights.
 #pragma once
-
-#include <functional>
 
 #include "grid/field.hpp"
 
@@ -33,14 +28,5 @@ class LagField {
  private:
   Field values_;
 };
-
-/// The share of a field's points that have a partner at lag (p,q): (1 - |p|/nx)(1 - |q|/ny), 1 when periodic.
-double overlap(const Grid& grid, Index p, Index q);
-
-/// Calls visit(p, q, weight) for the half-plane's lags such that Σ weight f(p,q) is the average over the
-/// field's points of Σ f over all their partners: overlap, doubled for the lags (-p,-q), and halved at lags
-/// of half a period, where p and -p are one.
-void for_each_lag(const LagField& lags, const Grid& grid,
-                  const std::function<void(Index, Index, double)>& visit);
 
 }  // namespace asperity

@@ -12,16 +12,19 @@
 #include "grid/error.hpp"
 #include "grid/parallel.hpp"
 #include "stats/hermite.hpp"
+#include "stats/missing.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double core_share = 0.4;
 
-// Runs are sorted by a thread each and merged pairwise.
+// Those that are there; runs are sorted by a thread each and merged pairwise.
 std::vector<double> sorted_descending(const Field& z, int threads) {
   std::vector<double> heights(z.data(), z.data() + z.size());
-  const Index n = z.size(), runs = std::clamp<Index>(threads, 1, n);
+  if (has_missing(z)) std::erase_if(heights, [](double height) { return std::isnan(height); });
+  const auto n = static_cast<Index>(heights.size()),
+             runs = std::clamp<Index>(threads, 1, std::max<Index>(n, 1));
   auto at = [&](Index run) { return heights.begin() + std::min(run, runs) * n / runs; };
   parallel_ranges(runs, threads, [&](Index begin, Index end, int) {
     for (Index r = begin; r < end; ++r) std::sort(at(r), at(r + 1), std::greater<>());

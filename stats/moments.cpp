@@ -13,11 +13,12 @@ namespace {
 
 // Σ|d|, Σd², Σd³, Σd⁴ and the extremes of d.
 struct Sums {
-  double absolute = 0, second = 0, third = 0, fourth = 0;
+  double count = 0, absolute = 0, second = 0, third = 0, fourth = 0;
   double highest = -std::numeric_limits<double>::infinity(), lowest = std::numeric_limits<double>::infinity();
 
-  void add(const Eigen::ArrayXd& d, Eigen::ArrayXd& square) {
+  void add(const Eigen::Ref<const Eigen::ArrayXd>& d, Eigen::ArrayXd& square) {
     square = d.square();
+    count += static_cast<double>(d.size());
     absolute += d.abs().sum();
     second += square.sum();
     third += (square * d).sum();
@@ -27,12 +28,18 @@ struct Sums {
   }
 };
 
-Sums central_sums(const Field& z, double shift, double level) {
+// Of the heights of a row that are there, moved to its beginning.
+Index compact(Eigen::ArrayXd& d) {
+  return std::remove_if(d.begin(), d.end(), [](double height) { return std::isnan(height); }) - d.begin();
+}
+
+Sums central_sums(const Field& z, const Mean& mean) {
   Sums sums;
-  Eigen::ArrayXd d(z.cols()), square(z.cols());
+  Eigen::ArrayXd d(z.cols()), square;
   for (Index i = 0; i < z.rows(); ++i) {
-    d = (z.row(i).transpose() - shift) - level;
-    sums.add(d, square);
+    d = (z.row(i).transpose() - mean.base) - mean.above;
+    if (const Index there = std::isnan(d.sum()) ? compact(d) : d.size(); there > 0)
+      sums.add(d.head(there), square);
   }
   return sums;
 }
@@ -40,13 +47,13 @@ Sums central_sums(const Field& z, double shift, double level) {
 }  // namespace
 
 Moments moments(const Field& z, std::string_view variable) {
-  const double shift = z(0, 0), level = (z - shift).rowwise().mean().mean();
-  const Sums sums = central_sums(z, shift, level);
-  const double n = static_cast<double>(z.size()), variance = sums.second / n;
+  const Mean mean = mean_above_base(z);
+  const Sums sums = central_sums(z, mean);
+  const double n = sums.count, variance = sums.second / n;
   if (!(variance > 0))
     throw DataError(std::string(variable),
                     "every value is the same: skewness and kurtosis need some roughness");
-  return {.mean = shift + level,
+  return {.mean = mean.value(),
           .sa = sums.absolute / n,
           .sq = std::sqrt(variance),
           .ssk = sums.third / n / (variance * std::sqrt(variance)),

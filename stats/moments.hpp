@@ -1,6 +1,6 @@
 /// Height parameters of a surface, by ISO 25178-2.
 ///
-/// With heights d measured from the mean of all N points, the mean plane of order 0,
+/// With heights d measured from the mean of all N points that are not missing, the mean plane of order 0,
 ///     Sa  = 1/N Σ |d|                    arithmetic mean height
 ///     Sq  = √(1/N Σ d²)                  root mean square height
 ///     Ssk = 1/N Σ d³ / Sq³               skewness

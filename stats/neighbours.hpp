@@ -2,7 +2,9 @@
 ///
 /// On a periodic grid every point has all neighbours: a row continues with its first points, the last row
 /// with the first one. Otherwise only points that have them are visited. Sums are taken a row at a time and
-/// the rows' sums added up in order: a result does not depend on the number of threads.
+/// the rows' sums added up in order: a result depends neither on the number of threads, nor on the strips in which a
+/// field too large for memory comes. What a missing height enters, a side, a cell, a stencil, is NaN and is left
+/// out, of the mean's divisor too (stats/missing.hpp).
 #pragma once
 
 #include <algorithm>
@@ -11,20 +13,35 @@
 
 #include "grid/field.hpp"
 #include "grid/parallel.hpp"
+#include "stats/missing.hpp"
 
 namespace asperity {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-/// Rows of a field, with `margin` points more at the end where the field repeats itself.
+/// Whole rows of a field: `own` of its rows, and behind them, for their neighbours, the next ones. On a periodic grid
+/// the first rows are next to the last one; a strip of all rows needs none behind it.
+struct Strip {
+  const Field& z;
+  Grid grid;  ///< of the whole field
+  Index own;
+
+  static Strip whole(const Field& z, const Grid& grid) { return {z, grid, z.rows()}; }
+  bool closed() const { return grid.periodic && z.rows() == grid.shape.nx; }
+};
+
+/// Rows of a strip, with `margin` points more at the end where the field repeats itself.
 class NeighbourRows {
  public:
-  NeighbourRows(const Field& z, const Grid& grid, Index margin)
-      : z_(z), margin_(grid.periodic ? margin : 0), reach_(margin) {}
+  NeighbourRows(const Strip& strip, Index margin)
+      : z_(strip.z),
+        rows_(std::min(strip.own, z_.rows() + (strip.closed() ? margin : 0) - margin)),
+        columns_(z_.cols() - (strip.grid.periodic ? 0 : margin)),
+        margin_(strip.grid.periodic ? margin : 0) {}
 
   /// How many rows have `margin` more behind them, and how many points of a row.
-  Index rows() const { return std::max<Index>(0, z_.rows() + margin_ - reach_); }
-  Index columns() const { return std::max<Index>(0, z_.cols() + margin_ - reach_); }
+  Index rows() const { return std::max<Index>(0, rows_); }
+  Index columns() const { return std::max<Index>(0, columns_); }
   /// Row i, 0 ≤ i < rows() + margin, of columns() + margin points.
   Row operator()(Index i) const {
     Row out(z_.cols() + margin_);
@@ -35,23 +52,27 @@ class NeighbourRows {
 
  private:
   const Field& z_;
-  Index margin_, reach_;
+  Index rows_, columns_, margin_;
 };
 
+/// Sums of what is there, and how much is there.
 template <std::size_t K>
-using RowSums = std::array<double, K>;
+using RowSums = std::array<ValidSum, K>;
 
-/// Σ_i sum(i) over `rows` rows, each of K sums along row i.
+inline double mean_of(const ValidSum& sum) { return sum.sum / sum.count; }
+
+/// Adds Σ_i sum(i) over `rows` rows, each of K sums along row i, to the total.
 template <std::size_t K, class Sum>
-RowSums<K> sum_over_rows(Index rows, int threads, Sum sum) {
+void add_rows(RowSums<K>& total, Index rows, int threads, Sum sum) {
   std::vector<RowSums<K>> of_rows(static_cast<std::size_t>(rows));
   parallel_ranges(rows, threads, [&](Index begin, Index end, int) {
     for (Index i = begin; i < end; ++i) of_rows[static_cast<std::size_t>(i)] = sum(i);
   });
-  RowSums<K> total{};
   for (const RowSums<K>& row : of_rows)
-    for (std::size_t k = 0; k < K; ++k) total[k] += row[k];
-  return total;
+    for (std::size_t k = 0; k < K; ++k) {
+      total[k].sum += row[k].sum;
+      total[k].count += row[k].count;
+    }
 }
 
 }  // namespace asperity

@@ -8,7 +8,8 @@
 /// the corners. A triangle on a side in x has the gradient (a, (b+b')/2), on one in y ((a+a')/2, b):
 ///     Sdr = mean over cells of ¼ Σ_triangles √(1 + |∇z|²) - 1.                                         (2)
 /// Unlike a cell cut in two along a diagonal, this does not change when the surface is turned over or
-/// transposed.
+/// transposed. Sides and cells with a missing corner do not count (stats/missing.hpp): neither their slopes and areas,
+/// nor their plan.
 ///
 /// Accuracy  (1), (2) are exact for a plane. Of a wave of wave number q along an axis (1) is
 ///           sin(qh/2)/(qh/2) times the slope: error -(qh)²/24; (2) falls short by
@@ -19,6 +20,7 @@
 #pragma once
 
 #include "grid/field.hpp"
+#include "stats/neighbours.hpp"
 
 namespace asperity {
 
@@ -27,7 +29,17 @@ struct SlopeParameters {
   double sdr = 0;  ///< share of the plan area
 };
 
-/// Throws DataError("heights", …) for fewer than 2 × 2 points.
+/// The sums of a field that comes in strips.
+class SlopeSums {
+ public:
+  void add(const Strip& strip, int threads = 1);
+  /// Throws DataError("heights", …) without a cell of 2 × 2 points that are there.
+  SlopeParameters parameters(const Grid& grid) const;
+
+ private:
+  RowSums<3> sums_{};
+};
+
 SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

@@ -1,16 +1,16 @@
 #include "stats/spectral_moments.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "grid/error.hpp"
 #include "stats/form.hpp"
-#include "stats/neighbours.hpp"
 
 namespace asperity {
 namespace {
 
-enum Sum { s00, s20, s11, s02, s40, s31, s22, s13, s04, sums };
-using Sums = RowSums<sums>;
+enum Sum { s00, s20, s11, s02, s40, s31, s22, s13, s04 };
+using Sums = RowSums<9>;
 
 // Point j of a stencil is column j + 1 of its rows, which all have the points to either side.
 struct Stencil {
@@ -28,18 +28,18 @@ struct Stencil {
 // z(i+1) - z(i) of all points of a row that the field has.
 void add_slopes_along_x(Sums& out, const Row& here, const Row& after, Index ny, Index sides) {
   const Row step = after - here;
-  out[s20] = step.head(ny).square().sum();
+  out[s20] = sum_of_valid(step.head(ny).square());
   out[s11] =
-      0.25 * ((step.head(sides) + step.segment(1, sides)) *
-              (here.segment(1, sides) - here.head(sides) + after.segment(1, sides) - after.head(sides)))
-                 .sum();
+      sum_of_valid((step.head(sides) + step.segment(1, sides)) *
+                   (here.segment(1, sides) - here.head(sides) + after.segment(1, sides) - after.head(sides)));
+  out[s11].sum *= 0.25;
 }
 
 void add_mixed_derivatives(Sums& out, const Stencil& stencil) {
   const Row zxx = stencil.zxx(), zyy = stencil.zyy(), zxy = stencil.zxy();
-  out[s31] = (zxx * zxy).sum();
-  out[s22] = (zxx * zyy).sum();
-  out[s13] = (zxy * zyy).sum();
+  out[s31] = sum_of_valid(zxx * zxy);
+  out[s22] = sum_of_valid(zxx * zyy);
+  out[s13] = sum_of_valid(zxy * zyy);
 }
 
 }  // namespace
@@ -56,41 +56,46 @@ ProfileSpectralMoments SpectralMoments::isotropic() const {
   return {.m0 = m00, .m2 = std::sqrt(m20 * m02), .m4 = std::sqrt(m40 * m04)};
 }
 
-SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) {
-  const NeighbourRows sides(z, grid, 1), curves(z, grid, 2);
-  const Index nx = z.rows(), ny = z.cols();
-  if (curves.rows() < 1 || curves.columns() < 1)
-    throw DataError("heights", "second derivatives need 3 x 3 points");
-  const double level = mean(z);
-  const Sums sum = sum_over_rows<sums>(nx, threads, [&](Index i) {
+void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
+  const NeighbourRows sides(strip, 1), curves(strip, 2);
+  const Index ny = strip.z.cols();
+  add_rows(sums_, strip.own, threads, [&](Index i) {
     const Row here = curves(i);
     Sums out{};
-    out[s00] = (here.head(ny) - level).square().sum();
-    out[s02] = (here.segment(1, sides.columns()) - here.head(sides.columns())).square().sum();
-    out[s04] = Stencil{here, here, here}.zyy().square().sum();
+    out[s00] = sum_of_valid((here.head(ny) - level).square());
+    out[s02] = sum_of_valid((here.segment(1, sides.columns()) - here.head(sides.columns())).square());
+    out[s04] = sum_of_valid(Stencil{here, here, here}.zyy().square());
     if (i >= sides.rows()) return out;
     const Row after = curves(i + 1);
     add_slopes_along_x(out, here, after, ny, sides.columns());
     if (i >= curves.rows()) return out;
     const Row second = curves(i + 2);
-    out[s40] = (here - 2 * after + second).head(ny).square().sum();
+    out[s40] = sum_of_valid((here - 2 * after + second).head(ny).square());
     add_mixed_derivatives(out, {here, after, second});
     return out;
   });
-  auto mean_of = [](double total, Index rows, Index columns) {
-    return total / static_cast<double>(rows * columns);
-  };
+}
+
+SpectralMoments SpectralMomentSums::moments(const Grid& grid) const {
+  if (!(sums_[s31].count > 0))
+    throw DataError("heights", "second derivatives need 3 x 3 points, none of them missing");
   const double x = 1 / grid.dx, y = 1 / grid.dy;
-  const Index inner_x = curves.rows(), inner_y = curves.columns();
-  return {.m00 = mean_of(sum[s00], nx, ny),
-          .m20 = x * x * mean_of(sum[s20], sides.rows(), ny),
-          .m11 = x * y * mean_of(sum[s11], sides.rows(), sides.columns()),
-          .m02 = y * y * mean_of(sum[s02], nx, sides.columns()),
-          .m40 = x * x * x * x * mean_of(sum[s40], inner_x, ny),
-          .m31 = x * x * x * y * mean_of(sum[s31], inner_x, inner_y),
-          .m22 = x * x * y * y * mean_of(sum[s22], inner_x, inner_y),
-          .m13 = x * y * y * y * mean_of(sum[s13], inner_x, inner_y),
-          .m04 = y * y * y * y * mean_of(sum[s04], nx, inner_y)};
+  return {.m00 = mean_of(sums_[s00]),
+          .m20 = x * x * mean_of(sums_[s20]),
+          .m11 = x * y * mean_of(sums_[s11]),
+          .m02 = y * y * mean_of(sums_[s02]),
+          .m40 = x * x * x * x * mean_of(sums_[s40]),
+          .m31 = x * x * x * y * mean_of(sums_[s31]),
+          .m22 = x * x * y * y * mean_of(sums_[s22]),
+          .m13 = x * y * y * y * mean_of(sums_[s13]),
+          .m04 = y * y * y * y * mean_of(sums_[s04])};
+}
+
+SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) {
+  SpectralMomentSums sums;
+  if (std::min(z.rows(), z.cols()) > (grid.periodic ? 0 : 2))
+    sums.add(Strip::whole(z, grid), mean(z), threads);
+  return sums.moments(grid);
 }
 
 }  // namespace asperity

@@ -12,7 +12,8 @@
 ///
 /// The derivatives are the simplest differences: along an axis z(i+1) - z(i) and z(i+1) - 2z(i) + z(i-1),
 /// over all points that have these neighbours; zx zy of a cell from the means of its sides' slopes, zxy from
-/// the four diagonal neighbours. On a periodic grid every point has neighbours.
+/// the four diagonal neighbours. On a periodic grid every point has neighbours; where one is missing, the difference
+/// does not count.
 ///
 /// Symbols   m_kl [m^{2-k-l}]      θ  angle from +x towards +y [rad]
 /// Accuracy  With u = qx Δx/2, v = qy Δy/2 and S(t) = sin(t)/t, a wave (qx,qy) is counted in m20 with the
@@ -27,6 +28,7 @@
 #pragma once
 
 #include "grid/field.hpp"
+#include "stats/neighbours.hpp"
 
 namespace asperity {
 
@@ -51,7 +53,18 @@ struct SpectralMoments {
   ProfileSpectralMoments isotropic() const;
 };
 
-/// Throws DataError("heights", …) for fewer than 3 × 3 points.
+/// The sums of a field that comes in strips with two rows behind each but the last.
+class SpectralMomentSums {
+ public:
+  /// `level` is the mean of the whole field.
+  void add(const Strip& strip, double level, int threads = 1);
+  /// Throws DataError("heights", …) without 3 × 3 points that are there.
+  SpectralMoments moments(const Grid& grid) const;
+
+ private:
+  RowSums<9> sums_{};
+};
+
 SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

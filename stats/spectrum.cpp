@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "grid/parallel.hpp"
+#include "stats/missing.hpp"
+#include "stats/pairs.hpp"
 #include "transform/pruned.hpp"
 
 namespace asperity {
@@ -22,6 +24,11 @@ Eigen::ArrayXd window_of(Window window, Index n) {
 
 // I of the variance.
 double inflation(Window window) { return window == Window::hann ? 35.0 / 18 : 1; }
+
+// Σ x_i y_j over the points that are there.
+double sum_over(const Field& valid, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+  return x.matrix().dot(valid.matrix() * y.matrix());
+}
 
 // Eight columns l of the transform to the columns ±l of the half-plane.
 void store(const PrunedTransform& transform, Index b, const Complex* block, double scale, Field& out) {
@@ -46,15 +53,30 @@ Windows default_windows(const Grid& grid) {
   return {both, both};
 }
 
+double spectrum_inflation(const Field& d, Windows windows) {
+  if (!has_missing(d)) return inflation(windows.x) * inflation(windows.y);
+  const Field valid = validity(d);
+  const Eigen::ArrayXd x = window_of(windows.x, d.rows()).square(),
+                       y = window_of(windows.y, d.cols()).square();
+  const double squares = sum_over(valid, x, y);
+  return static_cast<double>(d.size()) * sum_over(valid, x.square(), y.square()) / (squares * squares);
+}
+
 LagField power_spectrum(const Field& d, const Grid& grid, Windows windows, int threads) {
   const auto [nx, ny] = grid.shape;
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
   const PrunedTransform transform(grid.shape, grid.shape);
   HalfSpectrum half = transform.half_spectrum();
-  transform.forward_rows((d.colwise() * wx).rowwise() * wy.transpose(), half, threads);
+  Field windowed = (d.colwise() * wx).rowwise() * wy.transpose();
+  double mean_square = 1;
+  if (has_missing(windowed)) {
+    mean_square = sum_over(validity(d), wx.square(), wy.square()) / static_cast<double>(d.size());
+    windowed = zero_filled(windowed);
+  }
+  transform.forward_rows(windowed, half, threads);
 
   Field out(nx / 2 + 1, 2 * (ny / 2) + 1);
-  const double scale = grid.cell_area() / static_cast<double>(grid.shape.cells());
+  const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
   parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
     AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size())), work(block.size());
     for (Index b = begin; b < end; ++b) {
@@ -71,7 +93,9 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
     const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, grid.periodic};
     return profile_spectrum(d.transpose(), turned, Axis1D::x, window, threads);
   }
-  const LagField psd = power_spectrum(d, grid, {window, Window::none}, threads);
+  const Windows windows{window, Window::none};
+  const LagField psd = power_spectrum(d, grid, windows, threads);
+  const double shared = spectrum_inflation(d, windows);
   std::vector<SpectrumPoint> out;
   for (Index p = 0; p <= psd.max_p(); ++p) {
     double sum = 0, squares = 0;
@@ -84,13 +108,13 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
     const double repeated = p == 0 || 2 * p == grid.shape.nx ? 2 : 1;
     out.push_back({.wave_number = 2 * std::numbers::pi * static_cast<double>(p) / grid.size_x(),
                    .density = sum / grid.size_y(),
-                   .standard_error = std::sqrt(0.5 * repeated * inflation(window) * squares) / grid.size_y(),
+                   .standard_error = std::sqrt(0.5 * repeated * shared * squares) / grid.size_y(),
                    .count = static_cast<double>(grid.shape.ny)});
   }
   return out;
 }
 
-std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, Windows windows) {
+std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation) {
   const double step_x = 2 * std::numbers::pi / grid.size_x(), step_y = 2 * std::numbers::pi / grid.size_y();
   const double width = std::max(step_x, step_y), last = std::numbers::pi / std::max(grid.dx, grid.dy);
   std::vector<SpectrumPoint> rings(static_cast<std::size_t>(last / width * (1 + 1e-12)));
@@ -110,8 +134,7 @@ std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid
   for (SpectrumPoint& ring : rings)
     ring = {.wave_number = ring.wave_number / ring.count,
             .density = ring.density / ring.count,
-            .standard_error =
-                std::sqrt(inflation(windows.x) * inflation(windows.y) * ring.standard_error) / ring.count,
+            .standard_error = std::sqrt(inflation * ring.standard_error) / ring.count,
             .count = ring.count};
   return rings;
 }

@@ -14,12 +14,19 @@
 /// A field that is not periodic leaks: its edges, joined, are a step of C ~ 1/q². Hann's window
 /// 1 - cos(2πx/Lx), and the same in y, ends that at the price of 1.5 wave numbers of resolution.
 ///
+/// Missing heights are given the mean, and W is the mean of w² over all points with the missing ones counted as zero:
+/// (2) is then Sq² of the points that are there. The mask's own spectrum is convolved with that of the surface: holes
+/// leak as edges do. Of points missing here and there, independently, a share g, the expectation of C is
+///     (1-g) C + g Sq² ΔxΔy,                                                                           (4)
+/// a floor of white noise, below which the surface's short waves cannot be seen.
+///
 /// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
 ///           qx, qy  wave numbers [rad/m]
 /// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
 ///           C. The mean over a ring of n of them, half of which are the other half again, has the variance
 ///           I/n² Σ C², over a row of n, none of them twice, half of that; estimated without bias. I is 1, and
-///           35/18 for each axis with Hann's window, whose neighbours share power.
+///           35/18 for each axis with Hann's window, whose neighbours share power; with missing points
+///           N Σ w⁴/(Σ w²)² over those that are there.
 /// Cost      one real transform.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
@@ -43,6 +50,9 @@ struct Windows {
 /// None on a periodic grid, Hann's on any other.
 Windows default_windows(const Grid& grid);
 
+/// I of the variance of means over wave numbers.
+double spectrum_inflation(const Field& d, Windows windows);
+
 /// (1) over the half-plane of wave numbers p ≥ 0. Sums over all wave numbers: for_each_lag on the periodic
 /// grid.
 LagField power_spectrum(const Field& d, const Grid& grid, Windows windows, int threads = 1);
@@ -60,7 +70,7 @@ enum class Axis1D { x, y };
 /// (3) for wave numbers ≥ 0.
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, Window window,
                                             int threads = 1);
-/// Of (1), for rings from the first on.
-std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, Windows windows);
+/// Of (1), for rings from the first on; `inflation` is I.
+std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation);
 
 }  // namespace asperity

@@ -2,7 +2,10 @@
 
 #include <utility>
 
+#include "grid/error.hpp"
 #include "stats/form.hpp"
+#include "stats/lag_sums.hpp"
+#include "stats/missing.hpp"
 
 namespace asperity {
 namespace {
@@ -25,10 +28,33 @@ class PartialSums {
   Field sums_;
 };
 
+// (1) over the pairs that are there. With u the squares, zero where a point is missing, and m 1 where it is there,
+// Σ_first z² + Σ_second z² is the correlation of u with m and of m with u: a quarter of those of u + m less those of
+// u - m, twice over.
+LagField over_valid_pairs(const Field& d, const Pairs& pairs, Shape max_lag, int threads) {
+  const Grid& grid = pairs.grid();
+  const Field u = zero_filled(d).square(), m = validity(d);
+  const double scale = u.sum() / pairs.points();
+  if (!(scale > 0)) throw DataError("heights", "every value is the same");
+  const Field both =
+      (lag_sums(u / scale + m, grid, max_lag, threads) - lag_sums(u / scale - m, grid, max_lag, threads)) *
+      (scale / 2);
+  const LagField R =
+      estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
+  return LagField(Field::NullaryExpr(both.rows(), both.cols(), [&](Index p, Index column) {
+    const Index q = column - max_lag.ny;  // where no pair is, R is not a number
+    return both(p, column) / (pairs.share(p, q) * pairs.points()) - 2 * R(p, q);
+  }));
+}
+
 }  // namespace
 
 LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int threads) {
   const Field d = without_form(z);
+  if (const Pairs pairs = Pairs::of(d, grid, threads); !pairs.complete()) {
+    AcfParameters{.max_lag = max_lag}.check(grid);
+    return over_valid_pairs(d, pairs, max_lag, threads);
+  }
   const LagField R =
       estimate_autocorrelation(d, grid, {.max_lag = max_lag, .level = 0.0, .threads = threads});
   if (grid.periodic) return LagField(2 * (R(0, 0) - R.half_plane()));

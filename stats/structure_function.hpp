@@ -6,12 +6,14 @@
 /// pairs as
 ///     S = [Σ_first z² + Σ_second z² - 2C(p,q)]/pairs,                                                  (2)
 /// the squares over the rectangles that the first and the second points of the pairs fill, from a table of
-/// partial sums, C(p,q) by the transform (stats/acf.hpp).
+/// partial sums, C(p,q) by the transform (stats/acf.hpp). Where heights are missing the pairs are those that are there,
+/// and the squares of their points are correlations of the squares with the mask, by the transform too; at a lag
+/// without a pair S is not a number.
 ///
 /// Symbols   z  heights [m]      S  [m²]      p, q  lags [samples]
 /// Accuracy  (2) is (1) to round-off of the transform, ε log2(N) Sq² and a few ε Sq² √N: where S is a small
 ///           part of Sq², at short lags of a smooth surface, by as much relative to it.
-/// Cost      the ACF's, and two passes.
+/// Cost      the ACF's, and two passes; with missing heights three times the ACF's.
 ///
 /// J. S. Bendat, A. G. Piersol, Random data, 4th ed., Wiley (2010). R. S. Sayles, T. R. Thomas, Nature 271
 /// (1978) 431-434.

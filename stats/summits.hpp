@@ -1,7 +1,7 @@
 /// Summits: counted on the grid, and expected of a Gaussian surface of the same spectral moments.
 ///
 /// Counted  A summit is a point higher than each of its eight neighbours; points at the edge of a field that
-///          is not periodic are none. Its curvature is that of the parabolas through it along x and y,
+///          is not periodic, or beside a missing point, are none, nor do they count as area. Its curvature is that of the parabolas through it along x and y,
 ///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²],              (1)
 ///          and Greenwood and Williamson's model takes from them the density η, the radius R = 1/mean κ, and
 ///          the standard deviation σ_s of their heights.
@@ -27,6 +27,7 @@
 #pragma once
 
 #include "grid/field.hpp"
+#include "stats/neighbours.hpp"
 #include "stats/spectral_moments.hpp"
 
 namespace asperity {
@@ -44,7 +45,18 @@ struct CountedSummits : Summits {
   double count = 0;
 };
 
-/// Throws DataError("heights", …) for fewer than 3 × 3 points. Without a summit all is zero.
+/// The sums of a field that comes in strips with two rows behind each but the last.
+class SummitSums {
+ public:
+  /// `level` is the mean of the whole field.
+  void add(const Strip& strip, double level, int threads = 1);
+  /// Throws DataError("heights", …) without 3 × 3 points that are there. Without a summit all is zero.
+  CountedSummits summits(const Grid& grid) const;
+
+ private:
+  RowSums<4> sums_{};
+};
+
 CountedSummits counted_summits(const Field& z, const Grid& grid, int threads = 1);
 
 /// (2)–(4).

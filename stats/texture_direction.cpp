@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "stats/pairs.hpp"
+
 namespace asperity {
 namespace {
 

@@ -39,7 +39,7 @@ class LengthRows {
     if (errors) {
       const Index p = std::lround(crossing->lag * std::cos(angle) / grid_.dx);
       const Index q = std::lround(crossing->lag * std::sin(angle) / grid_.dy);
-      error = errors->standard_error(grid_, p, q, false) / -crossing->slope;
+      error = errors->standard_error(p, q, false) / -crossing->slope;
     }
     out_.rows.push_back({prefix_ + "length_" + level_.tag + "_" + name, crossing->lag, "m", error,
                          "where the ACF has fallen to " + level_.text});
@@ -82,13 +82,14 @@ bool add_lengths(LengthRows rows, const std::optional<double>& direction, const 
 }  // namespace
 
 AcfEstimate AcfEstimate::of(const Measured& measured, const AcfParameters& parameters) {
-  const LagField acf = estimate_autocorrelation(measured.heights, measured.grid, parameters);
-  const LagField known = measured.drawn ? *measured.drawn : significant_lags(acf, measured.grid);
-  return {acf.normalised(), AcfError(known, measured.grid), acf(0, 0), parameters.biased};
+  const Pairs pairs = Pairs::of(measured.heights, measured.grid, parameters.threads);
+  const LagField acf = estimate_autocorrelation(measured.heights, pairs, parameters);
+  const LagField known = measured.drawn ? *measured.drawn : significant_lags(acf, pairs);
+  return {acf.normalised(), AcfError(known, pairs), acf(0, 0), pairs, parameters.biased};
 }
 
-double AcfEstimate::standard_error(const Grid& grid, Index p, Index q, bool absolute) const {
-  return (biased ? overlap(grid, p, q) : 1) * (absolute ? error.absolute(p, q) : error.normalised(p, q));
+double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
+  return (biased ? pairs.share(p, q) : 1) * (absolute ? error.absolute(p, q) : error.normalised(p, q));
 }
 
 std::vector<AcfLevel> acf_levels(const std::string& list) {

@@ -15,11 +15,12 @@ struct AcfEstimate {
   LagField rho;
   AcfError error;
   double variance;  ///< R(0,0)
+  Pairs pairs;
   bool biased;
 
   static AcfEstimate of(const Measured& measured, const AcfParameters& parameters);
   /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`.
-  double standard_error(const Grid& grid, Index p, Index q, bool absolute) const;
+  double standard_error(Index p, Index q, bool absolute) const;
 };
 
 /// A level to which the ACF falls, and how its lengths are named: length_10_x for 10 %, length_e_x for 1/e.

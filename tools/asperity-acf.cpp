@@ -31,7 +31,7 @@ void add_profile(cli::Table& table, const cli::Measured& measured, const Result&
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
     std::vector<cli::Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, scale * estimate.rho(p, q),
-                               scale * estimate.standard_error(measured.grid, p, q, absolute)};
+                               scale * estimate.standard_error(p, q, absolute)};
     if (measured.target) row.push_back(scale * (*measured.target)(p, q));
     if (result.structure) row.push_back((*result.structure)(p, q));
     table.rows.push_back(std::move(row));
@@ -114,7 +114,9 @@ void declare(cli::Tool& tool, Options& what) {
       "The estimate is that of the direct sum over pairs to round-off. Standard errors are Bartlett's for a "
       "Gaussian field; those of neighbouring lags are strongly correlated. The subtracted mean lowers all "
       "lags by its own variance, R(0,0) / N_eff_mean (asperity-stats). Lengths are interpolated in ln R, "
-      "exact for an exponential.");
+      "exact for an exponential. With missing points pairs are counted of which both are there; a lag "
+      "without any "
+      "is not a number.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the profiles stand for it.

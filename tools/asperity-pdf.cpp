@@ -9,7 +9,7 @@ using namespace asperity;
 
 namespace {
 
-cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured) {
+cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured, double points) {
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"count", "1"},
@@ -21,7 +21,7 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
                   {"gaussian_density", density}},
                  {}};
   for (const Bin& bin : bins) {
-    const double per_height = 1 / (static_cast<double>(measured.heights.size()) * bin.width());
+    const double per_height = 1 / (points * bin.width());
     const double deviation = bin.count - bin.expected;
     out.rows.push_back({bin.centre(), bin.count, bin.count_error, bin.expected,
                         bin.misfit_error > 0 ? deviation / bin.misfit_error : deviation,
@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
     const EffectiveSize size = cli::effective_size(measured, tool.thread_count());
     if (bins == 0) bins = scott_bins(m, size.points());
 
-    const cli::Table table = table_of_bins(histogram(measured.heights, m, size, bins), measured);
+    const cli::Table table =
+        table_of_bins(histogram(measured.heights, m, size, bins), measured, size.points());
     cli::print(tool, table);
     return cli::done;
   });

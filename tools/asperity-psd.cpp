@@ -30,9 +30,10 @@ std::string density_units(const cli::Measured& measured, int lengths) {
 constexpr const char* per_length = "rad m-1";
 
 cli::Table radial(const cli::Measured& measured, const LagField& psd, const Windows& windows) {
+  const double inflation = spectrum_inflation(measured.heights, windows);
   const std::string unit = density_units(measured, 2);
   cli::Table out{{{"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}, {"count", "1"}}, {}};
-  for (const SpectrumPoint& ring : radial_spectrum(psd, measured.grid, windows))
+  for (const SpectrumPoint& ring : radial_spectrum(psd, measured.grid, inflation))
     out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
   return out;
 }
@@ -82,7 +83,10 @@ void declare(cli::Tool& tool, Options& what) {
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
       "both signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for "
-      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength.");
+      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength. Missing points stand at "
+      "the mean and the sum is divided by the window's square over the others: of scattered holes, a share "
+      "g, "
+      "g Sq^2 dx dy leaks into every wave number.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the rings stand for it.

@@ -2,7 +2,7 @@
 ///
 /// A generated surface carries the autocorrelation that it was drawn with (acf_achieved, else acf_target),
 /// which is better known than any estimate; it holds for the heights only. Everything else is estimated from
-/// the field.
+/// the field. Missing points (dataset/layout.hpp) are left out of everything.
 #pragma once
 
 #include <charconv>
@@ -37,7 +37,9 @@ struct MeasuredOptions {
   }
   /// Without --correlation, for a tool whose errors rest on none.
   void declare_field(Tool& tool) {
-    tool.text("--variable", variable, "NAME", "The field on (x, y) that is measured", "Field");
+    tool.text("--variable", variable, "NAME",
+              "The field on (x, y) that is measured, its missing points (mask, _FillValue, NaN) left out",
+              "Field");
     tool.text(
         "--level", level, "FORM",
         "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
@@ -51,7 +53,7 @@ struct MeasuredOptions {
 
 struct Measured {
   Grid grid;
-  Field heights;                        ///< above the reference
+  Field heights;                        ///< above the reference; missing ones NaN
   double level = 0;                     ///< the mean that was subtracted
   std::string units = "1";              ///< SI
   std::optional<LagField> target = {};  ///< the correlation asked for, normalised
@@ -98,14 +100,15 @@ inline void filter(Measured& measured, const MeasuredOptions& options, int threa
 }
 
 inline Measured measure(const Dataset& data, const MeasuredOptions& options, int threads = 1) {
-  Measured out{.grid = grid_of(data), .heights = field_of(data, options.variable)};
+  Measured out{.grid = grid_of(data), .heights = field_of(data, options.variable, Missing::not_a_number)};
   const std::string units = data.at(options.variable).attributes.text("units");
   const bool heights = options.variable == "heights";
   out.units = heights ? "m" : units.empty() ? "1" : units;
   out.level = mean(out.heights);
   out.heights = without_form(out.heights, form_degree(options.level));
   filter(out, options, threads);
-  if (!(out.heights.abs().maxCoeff() > 0)) throw DataError(options.variable, "every value is the same");
+  if (!(out.heights.abs().maxCoeff<Eigen::PropagateNumbers>() > 0))
+    throw DataError(options.variable, "every value is the same");
   if (heights) out.target = carried_correlation(data, "acf_target", out.grid);
   const bool as_drawn = std::isnan(options.short_cutoff) && std::isnan(options.long_cutoff);
   if (heights && as_drawn && options.correlation != "estimate") {
@@ -120,10 +123,10 @@ inline Measured measure(const Dataset& data, const MeasuredOptions& options, int
 }
 
 inline EffectiveSize effective_size(const Measured& measured, int threads) {
-  if (measured.drawn) return EffectiveSize(*measured.drawn, measured.grid);
+  const Pairs pairs = Pairs::of(measured.heights, measured.grid, threads);
+  if (measured.drawn) return EffectiveSize(*measured.drawn, pairs);
   const AcfParameters half{.max_lag = default_max_lag(measured.grid), .threads = threads};
-  return EffectiveSize::of_estimate(estimate_autocorrelation(measured.heights, measured.grid, half),
-                                    measured.grid);
+  return EffectiveSize::of_estimate(estimate_autocorrelation(measured.heights, pairs, half), pairs);
 }
 
 }  // namespace asperity::cli

@@ -148,23 +148,29 @@ Sample::Sample(Measured measured, const std::string& variable, int threads)
       threads_(threads),
       moments_(asperity::moments(measured_.heights, variable)) {}
 
+const Pairs& Sample::pairs() {
+  if (!pairs_) pairs_ = Pairs::of(heights(), grid(), threads_);
+  return *pairs_;
+}
+
 const LagField& Sample::acf() {
   if (!acf_)
-    acf_ = estimate_autocorrelation(heights(), grid(),
+    acf_ = estimate_autocorrelation(heights(), pairs(),
                                     {.max_lag = default_max_lag(grid()), .threads = threads_});
   return *acf_;
 }
 
 const EffectiveSize& Sample::size() {
   if (!size_)
-    size_ =
-        measured_.drawn ? EffectiveSize(*measured_.drawn, grid()) : EffectiveSize::of_estimate(acf(), grid());
+    size_ = measured_.drawn ? EffectiveSize(*measured_.drawn, pairs())
+                            : EffectiveSize::of_estimate(acf(), pairs());
   return *size_;
 }
 
 DerivativeErrors Sample::derivative_errors() {
-  return measured_.drawn ? asperity::derivative_errors(*measured_.drawn, grid())
-                         : derivative_errors_of_estimate(acf(), grid());
+  const DifferencePairs differences(pairs(), heights(), threads_);
+  return measured_.drawn ? asperity::derivative_errors(*measured_.drawn, differences)
+                         : derivative_errors_of_estimate(acf(), differences);
 }
 
 // ---- groups ----
@@ -174,7 +180,7 @@ Rows height_rows(Sample& sample) {
   const EffectiveSize& size = sample.size();
   const MomentErrors error = standard_errors(m, size);
   const std::string& unit = sample.units();
-  return {
+  Rows out{
       {"mean", sample.measured().level, unit, error.mean, "mean, subtracted from the heights below"},
       {"Sa", m.sa, unit, error.sa, "arithmetic mean height"},
       {"Sq", m.sq, unit, error.sq, "root mean square height"},
@@ -189,6 +195,10 @@ Rows height_rows(Sample& sample) {
       {"N_eff_Ssk", size.effective(3), "1", unknown, "independent points with the same error of Ssk"},
       {"N_eff_Sku", size.effective(4), "1", unknown, "independent points with the same error of Sku"},
   };
+  if (!sample.pairs().complete())
+    out.push_back({"N_missing", static_cast<double>(sample.grid().shape.cells()) - size.points(), "1",
+                   unknown, "missing points, left out of everything"});
+  return out;
 }
 
 Rows quantile_rows(Sample& sample, const StatsOptions& options) {
@@ -227,7 +237,8 @@ Rows spatial_rows(const Tool& tool, Sample& sample, const StatsOptions& options)
   const Grid& grid = sample.grid();
   const LagField rho = sample.acf().normalised();
   const AcfError error(
-      sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), grid), grid);
+      sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), sample.pairs()),
+      sample.pairs());
   const CentralLobe lobe = central_lobe(rho, grid, options.acf_level);
   if (!lobe.slowest)
     tool.warn("the ACF stays above " + shortest(options.acf_level) +

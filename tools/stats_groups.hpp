@@ -35,6 +35,7 @@ class Sample {
   const std::string& variable() const { return variable_; }
   int threads() const { return threads_; }
   const Moments& moments() const { return moments_; }
+  const Pairs& pairs();
   const LagField& acf();  ///< estimated up to default_max_lag
   const EffectiveSize& size();
   DerivativeErrors derivative_errors();
@@ -44,6 +45,7 @@ class Sample {
   std::string variable_;
   int threads_;
   Moments moments_;
+  std::optional<Pairs> pairs_;
   std::optional<LagField> acf_;
   std::optional<EffectiveSize> size_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dataset/units.hpp"
 #include "grid/error.hpp"
@@ -71,17 +72,22 @@ Variable coordinate(std::string_view name, std::vector<double> values, std::stri
 
 std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()}; }
 
-// The variable's two dimensions as a field, every number finite.
-Field finite_matrix(const Dataset& dataset, const Variable& variable, double factor) {
+// The variable's two dimensions as a field.
+Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
   const std::vector<double> values = numbers(variable.values);
   const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
-  Field out = Eigen::Map<const Field>(values.data(), rows, columns) * factor;
-  for (Index i = 0; i < rows; ++i)
-    for (Index j = 0; j < columns; ++j)
-      if (!std::isfinite(out(i, j)))
-        throw DataError(variable.name, "the value at point (" + std::to_string(i) + ", " + std::to_string(j) +
-                                           ") is " + (std::isnan(out(i, j)) ? "not a number" : "infinite"));
-  return out;
+  return Eigen::Map<const Field>(values.data(), rows, columns) * factor;
+}
+
+void refuse_not_finite(const std::string& name, const Field& values, Missing missing) {
+  auto refused = [&](double value) {
+    return missing == Missing::refused ? !std::isfinite(value) : std::isinf(value);
+  };
+  for (Index i = 0; i < values.rows(); ++i)
+    for (Index j = 0; j < values.cols(); ++j)
+      if (refused(values(i, j)))
+        throw DataError(name, "the value at point (" + std::to_string(i) + ", " + std::to_string(j) +
+                                  ") is " + (std::isnan(values(i, j)) ? "not a number" : "infinite"));
 }
 
 void refuse_masked_points(const Dataset& dataset, std::string_view name) {
@@ -106,11 +112,28 @@ void refuse_missing_points(const Variable& variable) {
   }
 }
 
-Field field_times(const Dataset& dataset, const Variable& variable, double factor) {
+// NaN wherever the mask or an attribute says that there is no value.
+void leave_out_missing(const Dataset& dataset, const Variable& variable, Field& values) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (const Variable* mask = dataset.find("mask")) {
+    if (mask->dimensions != variable.dimensions) throw DataError("mask", "it does not lie on (x, y)");
+    values = (matrix(dataset, *mask, 1.0) != 0).select(none, values);
+  }
+  for (const char* attribute : {"_FillValue", "missing_value"})
+    if (const double mark = variable.attributes.number(attribute, NAN); !std::isnan(mark))
+      values = (matrix(dataset, variable, 1.0) == mark).select(none, values);
+}
+
+Field field_times(const Dataset& dataset, const Variable& variable, double factor, Missing missing) {
   if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
-  refuse_masked_points(dataset, variable.name);
-  refuse_missing_points(variable);
-  return finite_matrix(dataset, variable, factor);
+  if (missing == Missing::refused) {
+    refuse_masked_points(dataset, variable.name);
+    refuse_missing_points(variable);
+  }
+  Field out = matrix(dataset, variable, factor);
+  if (missing == Missing::not_a_number) leave_out_missing(dataset, variable, out);
+  refuse_not_finite(variable.name, out, missing);
+  return out;
 }
 
 }  // namespace
@@ -139,14 +162,14 @@ void set_grid(Dataset& dataset, const Grid& grid) {
   set_axis("y", grid.shape.ny, grid.dy, [&](Index j) { return grid.y(j); });
 }
 
-Field field_of(const Dataset& dataset, std::string_view name) {
+Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {
   const Variable& variable = dataset.at(name);
-  return field_times(dataset, variable, name == "heights" ? factor_to_metres(variable) : 1.0);
+  return field_times(dataset, variable, name == "heights" ? factor_to_metres(variable) : 1.0, missing);
 }
 
 Field heights_of(const Dataset& dataset, std::string_view name) {
   const Variable& variable = dataset.at(name);
-  return field_times(dataset, variable, factor_to_metres(variable));
+  return field_times(dataset, variable, factor_to_metres(variable), Missing::refused);
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
@@ -230,7 +253,9 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
 Field table_of(const Dataset& dataset, std::string_view name) {
   const Variable& variable = dataset.at(name);
   if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
-  return finite_matrix(dataset, variable, 1.0);
+  Field out = matrix(dataset, variable, 1.0);
+  refuse_not_finite(variable.name, out, Missing::refused);
+  return out;
 }
 
 void add_history(Dataset& dataset, std::string_view line) {

@@ -6,8 +6,9 @@
 /// downwards. A field is name(x, y), a volume name(z, x, y). All numbers are SI; a reader's other units of
 /// length are converted.
 ///
-/// Masked points: a variable `mask(x, y)`, non-zero where the height is missing, or the value that the attribute
-/// _FillValue or missing_value names. Every reader here refuses to invent a value for them.
+/// Missing points: a variable `mask(x, y)`, non-zero where the height is missing, the value that the attribute
+/// _FillValue or missing_value names, or NaN. No reader here invents a value for them: they are refused, unless the
+/// caller can leave them out.
 #pragma once
 
 #include <string>
@@ -24,9 +25,12 @@ Grid grid_of(const Dataset& dataset);
 /// Writes x and y; replaces a former grid and whatever stood on it.
 void set_grid(Dataset& dataset, const Grid& grid);
 
+/// What becomes of missing points: DataError, or NaN.
+enum class Missing { refused, not_a_number };
+
 /// name(x, y) in SI. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not
-/// finite, or a mask hides some of its points.
-Field field_of(const Dataset& dataset, std::string_view name);
+/// finite, or some of its points are missing and may not be.
+Field field_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 /// The same of a variable that must be a length, whatever its name, in metres.
 Field heights_of(const Dataset& dataset, std::string_view name);
 

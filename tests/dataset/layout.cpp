@@ -157,3 +157,28 @@ TEST_CASE("units convert by their definition and refuse another dimension", "[un
   CHECK_THROWS_AS(unit_factor("N", "m"), std::invalid_argument);
   CHECK_THROWS_AS(unit_factor("smoot-ish", "m"), std::invalid_argument);
 }
+
+TEST_CASE(
+    "missing points are NaN where they may be left out, by mask, by attribute or as NaN; infinity is refused",
+    "[layout][contract]") {
+  const Field heights = random_field(grid.shape, 7);
+  Dataset data = with_heights(heights);
+  std::vector<std::int8_t> mask(24, 0);
+  mask[5] = 1;
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  auto values = [&]() -> std::vector<double>& {
+    return std::get<std::vector<double>>(data.find("heights")->values);
+  };
+  data.find("heights")->attributes.set("_FillValue", -9999.0);
+  data.find("heights")->attributes.set("units", "nm");
+  values()[7] = -9999;
+  values()[9] = std::nan("");
+  const Field read = field_of(data, "heights", Missing::not_a_number);
+  for (Index k = 0; k < 24; ++k) {
+    const double height = read.data()[k];
+    CHECK(std::isnan(height) == (k == 5 || k == 7 || k == 9));
+    if (!std::isnan(height)) CHECK(relative_error(height, 1e-9 * heights.data()[k]) <= 4 * epsilon);
+  }
+  values()[11] = HUGE_VAL;
+  CHECK_THROWS_AS(field_of(data, "heights", Missing::not_a_number), DataError);
+}

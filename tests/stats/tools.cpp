@@ -1,8 +1,11 @@
 // The statistics tools on a dataset whose correlation is known.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "dataset/layout.hpp"
 #include "fields.hpp"
+#include "stats/pairs.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 
@@ -277,7 +280,7 @@ TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or 
   const Grid grid = grid_of(data);
   double sum = 0;
   for_each_lag(
-      LagField(table_of(data, "psd")), {grid.shape, grid.dx, grid.dy, true},
+      LagField(table_of(data, "psd")), Grid{grid.shape, grid.dx, grid.dy, true},
       [&, psd = LagField(table_of(data, "psd"))](Index p, Index q, double w) { sum += w * psd(p, q); });
   const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
   CHECK(relative_error(sum / (grid.size_x() * grid.size_y()), sq * sq) <= 100 * epsilon);
@@ -320,4 +323,47 @@ TEST_CASE("a smooth field, an absent variable and lags beyond the field are refu
   }
   const Outcome far = run_on_surface("asperity-acf drawn.nc --max-lag 96x3");
   CHECK((far.exit == 2 && far.error.find("--max-lag") != std::string::npos));
+}
+
+// A patch and single points masked: every tool counts what is there. Sq within four standard errors, as without.
+TEST_CASE("the statistics tools leave masked points out, and a mask of nothing changes no byte",
+          "[stats-tool][law]") {
+  Dataset data = drawn_surface();
+  std::vector<std::int8_t> mask(96 * 80, 0);
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  write_dataset(data, "unmasked.nc");
+  for (std::size_t k = 0; k < 700; ++k) mask[k] = 1;
+  for (std::size_t k = 700; k < mask.size(); k += 13) mask[k] = 1;
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  write_dataset(data, "masked.nc");
+  Dataset filled = drawn_surface();
+  auto& heights = std::get<std::vector<double>>(filled.find("heights")->values);
+  for (std::size_t k = 0; k < mask.size(); ++k)
+    if (mask[k] != 0) heights[k] = -9999;
+  filled.find("heights")->attributes.set("_FillValue", -9999.0);
+  write_dataset(filled, "filled.nc");
+
+  for (const char* command :
+       {"asperity-stats --parameters all --quantiles 0.5 --json ", "asperity-acf --profiles --structure ",
+        "asperity-acf --lengths ", "asperity-psd --radial ", "asperity-psd --profiles ", "asperity-pdf ",
+        "asperity-stats --level 3 --lambda-s 80um --lambda-c 0.5mm --json "}) {
+    CAPTURE(command);
+    const std::string plain = run_on_surface(std::string(command) + "drawn.nc").out;
+    CHECK(shell(std::string(command) + "unmasked.nc").out == plain);
+    const Outcome masked = shell(std::string(command) + "masked.nc");
+    CAPTURE(masked.error);
+    CHECK(masked.exit == 0);
+    CHECK(masked.out != plain);
+    CHECK(shell(std::string(command) + "filled.nc").out == masked.out);
+  }
+  const Json stats = Json::parse(shell("asperity-stats masked.nc --json").out);
+  const auto missing = static_cast<double>(std::ranges::count(mask, 1));
+  CHECK(stats["N_missing"]["value"] == missing);
+  CHECK(stats["N"]["value"] == 96 * 80 - missing);
+  CHECK(std::abs(stats["Sq"]["value"].get<double>() - 0.4e-6) <=
+        4 * stats["Sq"]["standard_error"].get<double>());
+  const Json bins = Json::parse(shell("asperity-pdf masked.nc --json").out);
+  double counts = 0;
+  for (const Json& count : bins["count"]["values"]) counts += count.get<double>();
+  CHECK(counts == 96 * 80 - missing);
 }
