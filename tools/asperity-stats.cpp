@@ -22,13 +22,18 @@ int main(int argc, char** argv) {
       "% and more from N_eff = 41 on. From an estimated correlation they do from N_eff = 150; at 41 those of "
       "Sa and Sq hold 84 %. Peak and valley have none, nor has what shows a dash. Slopes and curvatures are "
       "those of differences of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to "
-      "6.6/n^2 (m4).");
+      "6.6/n^2 (m4). The mean over profiles has the standard error of those that are independent.");
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
     cli::Sample sample(cli::measure(tool.read(), options, tool.thread_count()), options.variable,
                        tool.thread_count());
     cli::Quantities out;
+    if (!what.profile.empty()) {
+      out.rows = profile_rows(sample, what, options.long_cutoff);
+      cli::print(tool, out);
+      return cli::done;
+    }
     auto add = [&](const cli::Rows& rows) { out.rows.insert(out.rows.end(), rows.begin(), rows.end()); };
     if (what.asks_for("height")) add(height_rows(sample));
     if (!what.quantiles.empty()) add(quantile_rows(sample, what));

@@ -14,6 +14,7 @@
 #include "stats/acf_length.hpp"
 #include "stats/acf_lobe.hpp"
 #include "stats/material_ratio.hpp"
+#include "stats/profile.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
 #include "stats/spectrum.hpp"
@@ -107,6 +108,12 @@ void StatsOptions::declare(Tool& tool) {
             "Smr2, Vmp, Vmc, Vvc, Vvv), spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral "
             "moments, summits), or all; only what is asked for is computed",
             "Parameters");
+  tool.choice(
+      "--profile", profile, {"x", "y"},
+      "Profile parameters of ISO 21920-2 in place of these, Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, or "
+      "Ra and "
+      "so on after --lambda-c, averaged over all profiles along x or y; each with its spread over them",
+      "Parameters");
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
   tool.numbers_pair("--material-ratio", material_ratios,
@@ -123,6 +130,9 @@ void StatsOptions::check(const Tool& tool) const {
     if (tool.given("--" + option) && !asks_for(group))
       throw UsageError(option, std::string("belongs to --parameters ") + group + ", which is not asked for");
   };
+  for (const char* areal : {"parameters", "quantiles", "material-ratio", "acf-level", "direction"})
+    if (!profile.empty() && tool.given(std::string("--") + areal))
+      throw UsageError(areal, "is of the surface, and does not go together with --profile");
   belongs("material-ratio", "material");
   belongs("acf-level", "spatial");
   belongs("direction", "hybrid");
@@ -231,6 +241,42 @@ Rows material_rows(Sample& sample, const StatsOptions& options) {
       {"Vvc", volume.vvc, unit, unknown, "core void volume per area"},
       {"Vvv", volume.vvv, unit, unknown, "dale void volume per area"},
   };
+}
+
+Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
+  constexpr std::array<std::array<const char*, 2>, profile_parameters_count> names{
+      {{"a", "arithmetic mean height"},
+       {"q", "root mean square height"},
+       {"sk", "skewness, 0 for a Gaussian"},
+       {"ku", "kurtosis, 3 for a Gaussian"},
+       {"p", "peak height, mean over the sections"},
+       {"v", "valley depth, mean over the sections"},
+       {"z", "maximum height, mean over the sections"},
+       {"t", "total height of the profile"},
+       {"dq", "root mean square slope, by seven points"},
+       {"Sm", "mean spacing of profile elements"}}};
+  const bool filtered = !std::isnan(section), heights = sample.units() == "m";
+  const LagField rho =
+      sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), sample.pairs());
+  const ProfileAverages averages =
+      average_profiles(sample.heights(), sample.pairs(), options.profile == "x" ? Axis1D::x : Axis1D::y,
+                       filtered ? section : std::numeric_limits<double>::infinity(), rho);
+  Rows out;
+  for (int k = 0; k < profile_parameters_count; ++k) {
+    if (k == profile_dq && !heights) continue;
+    const auto [name, meaning] = names[static_cast<std::size_t>(k)];
+    const std::string symbol = (filtered ? "R" : "P") + std::string(name),
+                      unit = k == profile_sk || k == profile_ku || k == profile_dq ? "1"
+                             : k == profile_sm                                     ? "m"
+                                                                                   : sample.units();
+    out.push_back({symbol, averages.mean[k], unit, averages.standard_error[k], meaning});
+    out.push_back({symbol + "_spread", averages.spread[k], unit, unknown,
+                   "standard deviation of " + symbol + " over the profiles"});
+  }
+  out.push_back({"profiles", averages.profiles, "1", unknown, "profiles along " + options.profile});
+  out.push_back(
+      {"profiles_eff", averages.independent, "1", unknown, "independent profiles with the same error"});
+  return out;
 }
 
 Rows spatial_rows(const Tool& tool, Sample& sample, const StatsOptions& options) {

@@ -15,6 +15,7 @@ struct StatsOptions {
   std::string groups = "height", quantiles, direction;
   std::array<double, 2> material_ratios{0.1, 0.8};
   double acf_level = 0.2;
+  std::string profile;  ///< x or y: profile parameters in place of the areal ones
 
   void declare(Tool& tool);
   /// Throws ParameterError for an option of a group that is not asked for.
@@ -56,6 +57,8 @@ Rows height_rows(Sample& sample);
 Rows quantile_rows(Sample& sample, const StatsOptions& options);
 Rows material_rows(Sample& sample, const StatsOptions& options);
 Rows spatial_rows(const Tool& tool, Sample& sample, const StatsOptions& options);
+/// Named P…, or R… where long waves were filtered out by a cut-off, `section`; NaN: none was.
+Rows profile_rows(Sample& sample, const StatsOptions& options, double section);
 /// Throws DataError when the field is no length.
 Rows hybrid_rows(Sample& sample, const StatsOptions& options);
 

@@ -4,40 +4,21 @@
 #include <algorithm>
 #include <vector>
 
-#include "fields.hpp"
 #include "grid/error.hpp"
-#include "stats/acf.hpp"
-#include "stats/acf_error.hpp"
-#include "stats/acf_length.hpp"
-#include "stats/acf_lobe.hpp"
-#include "stats/derivative_error.hpp"
+#include "holes.hpp"
 #include "stats/distribution.hpp"
 #include "stats/form.hpp"
 #include "stats/gaussian_filter.hpp"
 #include "stats/material_ratio.hpp"
 #include "stats/moments.hpp"
-#include "stats/pairs.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
-#include "stats/spectrum.hpp"
-#include "stats/structure_function.hpp"
 #include "stats/summits.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-// A hole of a fifth of the field that reaches its edge, and a share of single points; the first point is missing too.
-Field with_holes(Field z, double share, unsigned seed) {
-  z.block(z.rows() / 3, 0, z.rows() / 3, z.cols() / 2).setConstant(none);
-  const Field chance = random_field(shape_of(z), seed);
-  z = (chance < 2 * share - 1).select(none, z);
-  z(0, 0) = none;
-  return z;
-}
 
 std::vector<double> valid_heights(const Field& z) {
   std::vector<double> out;
@@ -54,29 +35,6 @@ long double mean_power(const std::vector<double>& heights, long double level, in
 
 Field plane(const Grid& g, double a, double b, double c = 0) {
   return sample(g, [=](double x, double y) { return c + a * x + b * y; });
-}
-
-// visit(z, z', pairs so far) over the pairs of points at lag (p,q) that are there.
-template <class Visit>
-void for_each_pair(const Field& z, bool periodic, Index p, Index q, Visit visit) {
-  const Index nx = z.rows(), ny = z.cols();
-  for (Index i = 0; i < nx; ++i)
-    for (Index j = 0; j < ny; ++j) {
-      const Index a = i + p, b = j + q;
-      if (!periodic && (a < 0 || a >= nx || b < 0 || b >= ny)) continue;
-      const double first = z(i, j), second = z((a + nx) % nx, (b + ny) % ny);
-      if (!std::isnan(first) && !std::isnan(second)) visit(first, second);
-    }
-}
-
-double mean_over_pairs(const Field& z, bool periodic, Index p, Index q, double (*f)(double, double)) {
-  double sum = 0, pairs = 0;
-  for_each_pair(z, periodic, p, q, [&](double a, double b) { sum += f(a, b), ++pairs; });
-  return sum / pairs;
-}
-
-bool same_or_both_unknown(double a, double b, double bound) {
-  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= bound;
 }
 
 }  // namespace
@@ -183,109 +141,6 @@ TEST_CASE("spectral moments and summits count complete stencils only", "[missing
   CHECK(counted.density == Approx(summits / complete).epsilon(1e-14));
 }
 
-// Transforms add ε log2(torus) ≤ 12 ε of Σd² to each sum of pairs; the fewest pairs are one.
-TEST_CASE(
-    "the ACF and the structure function of a field with holes are the direct sums over pairs, at every lag",
-    "[missing][exact]") {
-  for (const bool periodic : {false, true})
-    for (Shape shape : {Shape{12, 11}, Shape{9, 20}, Shape{16, 16}}) {
-      const Field z = with_holes(random_field(shape, 211) + 2, 0.3, 212);
-      const Grid g = grid(shape.nx, shape.ny, periodic);
-      const Shape all = periodic ? default_max_lag(g) : Shape{shape.nx - 1, shape.ny - 1};
-      const LagField R = estimate_autocorrelation(z, g, {.max_lag = all}),
-                     biased = estimate_autocorrelation(z, g, {.max_lag = all, .biased = true}),
-                     S = structure_function(z, g, all);
-      const Pairs pairs = Pairs::of(z, g);
-      const Field d = without_form(z);
-      const double sum = zero_filled(d).square().sum(), bound = 12 * epsilon * sum;
-      for (Index p = 0; p <= all.nx; ++p)
-        for (Index q = -all.ny; q <= all.ny; ++q) {
-          CAPTURE(periodic, shape.nx, p, q);
-          double n = 0;
-          for_each_pair(z, periodic, p, q, [&](double, double) { ++n; });
-          CHECK(pairs.share(p, q) * pairs.points() == Approx(n).epsilon(1e-15).margin(0));
-          const double direct = mean_over_pairs(d, periodic, p, q, [](double a, double b) { return a * b; });
-          CHECK(same_or_both_unknown(R(p, q), direct, bound));
-          CHECK(std::abs(biased(p, q) - (n > 0 ? direct * n / pairs.points() : 0)) <= bound);
-          const double differences =
-              mean_over_pairs(d, periodic, p, q, [](double a, double b) { return (a - b) * (a - b); });
-          CHECK(same_or_both_unknown(S(p, q), differences, 10 * bound));
-        }
-    }
-}
-
-TEST_CASE("at a lag without a pair the ACF is not a number, and lengths end before it",
-          "[missing][contract]") {
-  Field z = Field::Constant(12, 12, none);
-  z.leftCols(3) = random_field({12, 3}, 213);
-  z.rightCols(3) = random_field({12, 3}, 214);
-  const Grid g = grid(12, 12);
-  const LagField R = estimate_autocorrelation(z, g, {.max_lag = {5, 11}});
-  for (Index q = 3; q <= 6; ++q) CHECK(std::isnan(R(0, q)));
-  CHECK_FALSE(std::isnan(R(0, 2)));
-  CHECK_FALSE(std::isnan(R(0, 7)));
-  Eigen::ArrayXd profile(4);
-  profile << 1, 0.9, none, 0.05;
-  CHECK_FALSE(first_crossing(profile, 0.1));
-  Field unknown = Field::Ones(3, 5);
-  unknown(1, 2) = none;
-  const CentralLobe lobe = central_lobe(LagField(unknown), g);
-  CHECK_FALSE(lobe.slowest);
-  CHECK(EffectiveSize::of_estimate(R, Pairs::of(z, g)).effective(2) > 0);
-}
-
-TEST_CASE("with holes the sums S_k are those over all pairs of points, over their number",
-          "[missing][exact]") {
-  const LagField rho = triangular_correlation({4, 3});
-  for (const bool periodic : {false, true}) {
-    const Grid g = grid(13, 12, periodic);
-    const Field z = with_holes(random_field(g.shape, 215), 0.2, 216);
-    const EffectiveSize size(rho, Pairs::of(z, g));
-    double sum = 0;
-    for (Index p = -3; p <= 3; ++p)
-      for (Index q = -2; q <= 2; ++q)
-        for_each_pair(z, periodic, p, q, [&](double, double) { sum += std::pow(rho(p, q), 2); });
-    CHECK(relative_error(size.sum(2), sum / size.points()) <= 100 * epsilon);
-  }
-}
-
-// 400 fields: a spread is known to 3.5 %, that of the skewed sums near lag zero to twice that; the weights of the
-// mask are an upper bound, and the mask's holes a fifth of the field: 20 % as for a complete field.
-TEST_CASE("over an ensemble with holes Bartlett's errors of the ACF and those of the moments hold",
-          "[missing][statistics]") {
-  const Shape window{4, 3};
-  const Grid g = grid(48, 40);
-  const LagField rho = triangular_correlation(window);
-  const Field holes = with_holes(Field::Zero(48, 40), 0.1, 217);
-  const Pairs pairs = Pairs::of(holes, g);
-  const AcfError error(rho, pairs);
-  const MomentErrors expected = standard_errors({.sq = 1}, EffectiveSize(rho, pairs));
-  const DerivativeErrors slopes = derivative_errors(rho, DifferencePairs(pairs, holes));
-  const std::pair<Index, Index> lags[] = {{0, 0}, {1, 0}, {0, 2}, {2, -1}, {5, 5}};
-  Spread mean_height, sq, m20, m04, of_lag[5];
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    const Field z = moving_average(g.shape, window, 5000 + seed) + holes;
-    const Moments m = moments(z);
-    mean_height.add(m.mean);
-    sq.add(m.sq);
-    const SpectralMoments derivatives = spectral_moments(z, g);
-    m20.add(derivatives.m20);
-    m04.add(derivatives.m04);
-    const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = {6, 6}, .level = 0.0});
-    for (std::size_t k = 0; k < 5; ++k) of_lag[k].add(acf(lags[k].first, lags[k].second));
-  }
-  CHECK(mean_height.deviation() == Approx(expected.mean).epsilon(0.1));
-  CHECK(sq.deviation() == Approx(expected.sq).epsilon(0.15));
-  CHECK(m20.deviation() / m20.mean() == Approx(slopes.m20).epsilon(0.15));
-  CHECK(m04.deviation() / m04.mean() == Approx(slopes.m04).epsilon(0.15));
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto [p, q] = lags[k];
-    CAPTURE(p, q);
-    CHECK(std::abs(of_lag[k].mean() - rho(p, q)) <= 3.5 * error.absolute(p, q) / 20);
-    CHECK(of_lag[k].deviation() == Approx(error.absolute(p, q)).epsilon(0.2));
-  }
-}
-
 // The polynomial's values reach 4; the condition of the sums over what is there is below 1e3.
 TEST_CASE("a polynomial with holes is taken away whole, and leaves the same of any heights on it",
           "[missing][law]") {
@@ -339,71 +194,4 @@ TEST_CASE("the Gaussian filter leaves a constant with holes as it is, and is the
                                    : std::abs(smooth(i, j) - sum / weights) <= 1e-13));
       }
   }
-}
-
-TEST_CASE("the PSD of a field with holes adds up to its Sq squared", "[missing][exact]") {
-  const Grid g{{24, 30}, 0.5, 0.25, true};
-  const Field d = without_form(with_holes(random_field(g.shape, 224), 0.2, 225));
-  const LagField psd = power_spectrum(d, g, {Window::none, Window::none});
-  double sum = 0;
-  for_each_lag(psd, g, [&](Index p, Index q, double weight) { sum += weight * psd(p, q); });
-  const double sq = moments(d).sq;
-  CHECK(relative_error(sum / (g.size_x() * g.size_y()), sq * sq) <= 1e-13);
-}
-
-// 300 masks of a wave of amplitude √2, Sq = 1, whose C is N ΔxΔy/2 at ±q and nothing elsewhere. The floor is a mean
-// over 300 × 700 wave numbers, of which half are independent: 4 standard errors are 1.2 %, the mean taken off 0.3 %.
-TEST_CASE("holes here and there, a share g, lay a floor of g Sq^2 dx dy below the PSD",
-          "[missing][statistics]") {
-  const Grid g{{32, 24}, 0.5, 0.25, true};
-  const Field wave = sine(g.shape, std::numbers::sqrt2, 4);
-  for (double share : {0.1, 0.4}) {
-    Spread peak, floor;
-    for (unsigned seed = 0; seed < 300; ++seed) {
-      const Field chance = random_field(g.shape, 7000 + seed);
-      const Field d = (chance < 2 * share - 1).select(none, wave);
-      const LagField psd = power_spectrum(d, g, {Window::none, Window::none});
-      peak.add(psd(4, 0));
-      for_each_lag(psd, g, [&](Index p, Index q, double) {
-        if (q != 0) floor.add(psd(p, q));
-      });
-    }
-    const double C = 32 * 24 * g.cell_area() / 2;
-    CHECK(peak.mean() == Approx((1 - share) * C + share * g.cell_area()).epsilon(0.01));
-    CHECK(floor.mean() == Approx(share * g.cell_area()).epsilon(0.02));
-  }
-}
-
-// Rings of white noise: 4 as for a complete field (tests of the spectrum).
-TEST_CASE("rings of the PSD of white noise with holes stray by one standard error", "[missing][statistics]") {
-  const Grid g = grid(128, 100);
-  const Windows windows{Window::hann, Window::hann};
-  const Field d = without_form(with_holes(white_noise(g.shape, 226), 0.1, 227));
-  double squares = 0, rings = 0;
-  const LagField psd = power_spectrum(d, g, windows);
-  for (const SpectrumPoint& ring : radial_spectrum(psd, g, spectrum_inflation(d, windows))) {
-    if (ring.count < 30) continue;
-    squares += std::pow((ring.density - 1) / ring.standard_error, 2);
-    ++rings;
-  }
-  CHECK(squares / rings == Approx(1).margin(1.0));
-}
-
-// One point more that is missing changes only what it enters: of a field without roughness beyond it nothing.
-TEST_CASE("a field whose holes are at its edge has the statistics of what they leave", "[missing][law]") {
-  const Field inner = random_field({20, 18}, 228);
-  Field z = Field::Constant(26, 21, none);
-  z.block(3, 2, 20, 18) = inner;
-  const Grid g = grid(26, 21), h = grid(20, 18);
-  CHECK(relative_error(moments(z).sku, moments(inner).sku) <= 200 * epsilon);
-  CHECK(relative_error(slope_parameters(z, g).sdr, slope_parameters(inner, h).sdr) <= 200 * epsilon);
-  CHECK(relative_error(spectral_moments(z, g).m22, spectral_moments(inner, h).m22) <= 1000 * epsilon);
-  CHECK(counted_summits(z, g).density == Approx(counted_summits(inner, h).density).epsilon(1e-14));
-  CHECK(zero_filled(without_form(z, 4)).abs().sum() ==
-        Approx(without_form(inner, 4).abs().sum()).epsilon(1e-11));
-  const LagField R = estimate_autocorrelation(z, g, {.max_lag = {9, 8}}),
-                 alone = estimate_autocorrelation(inner, h, {.max_lag = {9, 8}});
-  CHECK((R.half_plane() - alone.half_plane()).abs().maxCoeff() <= 12 * epsilon * inner.square().sum());
-  const LagField S = structure_function(z, g, {9, 8}), S_alone = structure_function(inner, h, {9, 8});
-  CHECK((S.half_plane() - S_alone.half_plane()).abs().maxCoeff() <= 40 * epsilon * inner.square().sum());
 }

@@ -156,7 +156,8 @@ TEST_CASE("white noise has the PSD dx dy with either window, and rings stray fro
     const LagField psd = power_spectrum(white_noise(g.shape, 95), g, windows);
     CHECK(sum_over_plane(psd, g) / static_cast<double>(g.shape.cells()) == Approx(flat).epsilon(0.1));
     double squares = 0, rings = 0;
-    for (const SpectrumPoint& ring : radial_spectrum(psd, g, spectrum_inflation(Field::Zero(128, 100), windows))) {
+    for (const SpectrumPoint& ring :
+         radial_spectrum(psd, g, spectrum_inflation(Field::Zero(128, 100), windows))) {
       if (ring.count < 30) continue;
       squares += std::pow((ring.density - flat) / ring.standard_error, 2);
       ++rings;

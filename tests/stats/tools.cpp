@@ -367,3 +367,27 @@ TEST_CASE("the statistics tools leave masked points out, and a mask of nothing c
   for (const Json& count : bins["count"]["values"]) counts += count.get<double>();
   CHECK(counts == 96 * 80 - missing);
 }
+
+// Profiles along x of a moving average over 8 × 5: as wide as Sq but for their own means, S_1 of the triangle over 96
+// points, 8 %. Some 16 of 80 profiles are independent.
+TEST_CASE(
+    "asperity-stats --profile prints P names, R names after --lambda-c, and refuses areal options beside",
+    "[stats-tool][contract]") {
+  const Json along = json_of("asperity-stats drawn.nc --profile x --json");
+  const double pq = along["Pq"]["value"], error = along["Pq"]["standard_error"];
+  CHECK(std::abs(pq / std::sqrt(1 - 8.0 / 96) - 0.4e-6) <= 4 * error + 0.02e-6);
+  CHECK(along["Pz"]["value"] == along["Pt"]["value"]);
+  CHECK(along["profiles"]["value"] == 80);
+  CHECK(along["profiles_eff"]["value"].get<double>() <= 30);
+  CHECK(along.contains("PSm_spread"));
+  CHECK_FALSE(along.contains("Sq"));
+  const Json across = json_of("asperity-stats drawn.nc --profile y --lambda-c 0.6mm --json");
+  CHECK(across["profiles"]["value"] == 96);
+  CHECK(across["Rz"]["value"].get<double>() < across["Rt"]["value"].get<double>());
+  for (const char* wrong : {"--parameters all", "--quantiles 0.5", "--direction 30deg", "--lambda-c 5mm"}) {
+    const Outcome run = run_on_surface(std::string("asperity-stats drawn.nc --profile x ") + wrong);
+    CAPTURE(wrong, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+  }
+  CHECK(run_on_surface("asperity-stats drawn.nc --profile z").exit == 2);
+}

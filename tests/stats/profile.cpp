@@ -1,0 +1,155 @@
+// Profile parameters of waves in closed form, and of random fields against the spread over an ensemble.
+#include "stats/profile.hpp"
+
+#include "fields.hpp"
+#include "grid/error.hpp"
+#include "stats/acf.hpp"
+#include "stats/effective_size.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+constexpr double whole = std::numeric_limits<double>::infinity();
+
+Eigen::ArrayXd wave(int points, int periods, double amplitude, double phase = 0.5) {
+  return Eigen::ArrayXd::NullaryExpr(points * periods, [=](Index i) {
+    return amplitude * std::sin(2 * std::numbers::pi * (static_cast<double>(i) + phase) / points);
+  });
+}
+
+}  // namespace
+
+// The midpoint sum of sin over half a period of M points is 1/(M sin(π/2M)) = (2/π)(1 + (π/2M)²/6 + …); with 2·odd
+// points a period the crests fall on points. Between upward crossings a period stays a period, to round-off.
+TEST_CASE(
+    "a sine of amplitude A has Ra = 2A/pi, Rq = A/sqrt(2), Rz = Rt = 2A, Rsk = 0, Rku = 3/2 and RSm its "
+    "wavelength",
+    "[profile][exact]") {
+  const double A = 3e-6, step = 0.5e-6;
+  for (int points : {10, 30, 90}) {
+    const ProfileParameters p = profile_parameters(wave(points, 6, A), step, whole, false);
+    CAPTURE(points);
+    CHECK(relative_error(p[profile_a], 2 * A / points / std::sin(std::numbers::pi / points)) <= 1e-13);
+    CHECK(relative_error(p[profile_q], A / std::numbers::sqrt2) <= 1e-14);
+    CHECK(std::abs(p[profile_sk]) <= 1e-13);
+    CHECK(relative_error(p[profile_ku], 1.5) <= 1e-13);
+    CHECK(relative_error(p[profile_p], A) <= 1e-13);
+    CHECK(relative_error(p[profile_v], A) <= 1e-13);
+    CHECK(relative_error(p[profile_z], 2 * A) <= 1e-13);
+    CHECK(relative_error(p[profile_t], 2 * A) <= 1e-13);
+    CHECK(relative_error(p[profile_sm], points * step) <= 1e-13);
+  }
+  const double few =
+                   profile_parameters(wave(32, 1, 1), 1, whole, false)[profile_a] * std::numbers::pi / 2 - 1,
+               many =
+                   profile_parameters(wave(64, 1, 1), 1, whole, false)[profile_a] * std::numbers::pi / 2 - 1;
+  CHECK(observed_order(few, many) == Approx(2).margin(0.01));
+}
+
+TEST_CASE("Rdq of a sine is its slope times (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u^6/140 of it",
+          "[profile][exact]") {
+  for (int points : {8, 16, 31}) {
+    const double u = 2 * std::numbers::pi / points, step = 0.25;
+    const double factor = (45 * std::sin(u) - 9 * std::sin(2 * u) + std::sin(3 * u)) / (30 * u);
+    const double slope = 2 * u / step / std::numbers::sqrt2;
+    CHECK(relative_error(profile_parameters(wave(points, 3, 2), step, whole, true)[profile_dq],
+                         slope * factor) <= 1e-13);
+    CHECK(std::abs((1 - factor) * 140 / std::pow(u, 6) - 1) <= u * u / 3);
+  }
+  const Eigen::ArrayXd ramp = 0.3 * Eigen::ArrayXd::LinSpaced(20, 0, 19);
+  CHECK(relative_error(profile_parameters(ramp, 2, whole, false)[profile_dq], 0.15) <= 1e-13);
+}
+
+// Sections of 20 points of which the k-th has the peak k and the valley -2k: means over five of them; the remainder of
+// 7 points, with a peak of 100, belongs to none, but to Rt. The balance keeps the mean at zero.
+TEST_CASE("Rp, Rv and Rz are means over whole sections, Rt is that of the whole profile",
+          "[profile][exact]") {
+  Eigen::ArrayXd z = Eigen::ArrayXd::Zero(107);
+  for (Index k = 0; k < 5; ++k) {
+    z(20 * k + 3) = static_cast<double>(k + 1);
+    z(20 * k + 11) = -2.0 * static_cast<double>(k + 1);
+  }
+  z(104) = 100;
+  const double mean = z.mean();
+  const ProfileParameters p = profile_parameters(z, 0.1, 2.0, false);
+  CHECK(p[profile_p] == Approx(3 - mean).epsilon(1e-13));
+  CHECK(p[profile_v] == Approx(6 + mean).epsilon(1e-13));
+  CHECK(p[profile_z] == Approx(9).epsilon(1e-13));
+  CHECK(p[profile_t] == Approx(110).epsilon(1e-13));
+  CHECK(profile_parameters(z, 0.1, whole, false)[profile_z] == Approx(110).epsilon(1e-13));
+}
+
+// A ripple of a fiftieth of the amplitude crosses the mean line many times, but makes no hill.
+TEST_CASE("RSm does not count what stays within a tenth of Rz of the mean line", "[profile][law]") {
+  const Eigen::ArrayXd smooth = wave(200, 8, 1), rippled = smooth + wave(8, 200, 0.02).head(1600);
+  CHECK(relative_error(profile_parameters(rippled, 1, whole, false)[profile_sm], 200) <= 1e-3);
+  const Eigen::ArrayXd mixed = wave(200, 8, 1) + wave(40, 40, 1.4);
+  const double there = profile_parameters(mixed, 1, whole, false)[profile_sm],
+               back = profile_parameters(mixed.reverse(), 1, whole, false)[profile_sm];
+  CHECK(there <= 60);
+  CHECK(relative_error(back, there) <= 1e-13);
+}
+
+TEST_CASE("points that a profile lacks are left out, and no element reaches over them", "[profile][exact]") {
+  Eigen::ArrayXd z = wave(20, 8, 1);
+  z.segment(63, 20).setConstant(std::nan(""));  // a period, so that the mean and the sums are those of seven
+  const ProfileParameters p = profile_parameters(z, 1, whole, false),
+                          full = profile_parameters(wave(20, 7, 1), 1, whole, false);
+  CHECK(relative_error(p[profile_q], full[profile_q]) <= 1e-13);
+  CHECK(relative_error(p[profile_a], full[profile_a]) <= 1e-13);
+  CHECK(relative_error(p[profile_sm], 20) <= 1e-13);
+  const double slope = full[profile_dq];
+  CHECK(std::abs(p[profile_dq] / slope - 1) <= 0.05);  // other phases of the wave count
+  CHECK(profile_parameters(Eigen::ArrayXd::Constant(9, std::nan("")), 1, whole, false).isNaN().all());
+}
+
+TEST_CASE("averages are over the profiles along one axis, and do not change when the surface is transposed",
+          "[profile][law]") {
+  const Field z = sine({60, 7}, 2, 3);
+  const LagField rho = triangular_correlation({1, 1});
+  const ProfileAverages x = average_profiles(z, grid(60, 7), Axis1D::x, whole, rho),
+                        y = average_profiles(z.transpose(), grid(7, 60), Axis1D::y, whole, rho);
+  CHECK(x.profiles == 7);
+  CHECK(x.mean[profile_q] == Approx(std::numbers::sqrt2).epsilon(1e-13));
+  CHECK(x.spread[profile_q] <= 1e-13);
+  CHECK((x.mean == y.mean).all());
+  CHECK_THROWS_AS(average_profiles(z, grid(60, 7), Axis1D::x, 61, rho), ParameterError);
+}
+
+// 300 fields of 60 profiles each, of which some 15 are independent: the spread of a mean is known to 1/√600 = 4 %, a
+// field's standard error to 1/√30 = 18 %, their mean over fields to 1 %; the error's own formula to first order in
+// c/m = 7 %, from an estimated correlation to 15 %. Four of the first. Extremes and spacings are less correlated than
+// k = 2 says: their errors are no less than what they stray by.
+TEST_CASE(
+    "a mean over profiles strays over an ensemble by its standard error, which single profiles would halve",
+    "[profile][statistics]") {
+  const Shape window{4, 6};
+  const Grid g = grid(100, 60);
+  const LagField rho = triangular_correlation(window);
+  Spread means[profile_parameters_count], errors[profile_parameters_count], estimated;
+  double naive = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const Field z = moving_average(g.shape, window, 9000 + seed);
+    const ProfileAverages averages = average_profiles(z, g, Axis1D::x, 25, rho);
+    for (int k = 0; k < profile_parameters_count; ++k) {
+      means[k].add(averages.mean[k]);
+      errors[k].add(averages.standard_error[k]);
+    }
+    naive += averages.spread[profile_q] / std::sqrt(60) / 300;
+    const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
+    estimated.add(average_profiles(z, g, Axis1D::x, 25, significant_lags(acf, g)).standard_error[profile_q]);
+  }
+  for (int k : {profile_a, profile_q, profile_sk, profile_ku}) {
+    CAPTURE(k);
+    CHECK(errors[k].mean() == Approx(means[k].deviation()).epsilon(0.18));
+  }
+  for (int k : {profile_p, profile_v, profile_z, profile_t, profile_dq, profile_sm}) {
+    CAPTURE(k);
+    CHECK(errors[k].mean() >= 0.84 * means[k].deviation());
+    CHECK(errors[k].mean() <= 1.8 * means[k].deviation());
+  }
+  CHECK(estimated.mean() == Approx(means[profile_q].deviation()).epsilon(0.25));
+  CHECK(naive <= 0.6 * means[profile_q].deviation());
+}
