@@ -145,16 +145,18 @@ VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
   return {.vmp = peak, .vmc = material_volume(q) - peak, .vvc = void_volume(p) - dale, .vvv = dale};
 }
 
-double material_height_error(double ratio, const Moments& moments, const EffectiveSize& size) {
+double material_height_error(double ratio, const Moments& moments, const EffectiveSize& size, Fitted fitted) {
   check_share(ratio);
   if (ratio == 0 || ratio == 1) return std::numeric_limits<double>::infinity();
   const double a = gsl_cdf_ugaussian_Qinv(ratio), density = gsl_ran_ugaussian_pdf(a);
+  const bool sq_fitted = fitted == Fitted::mean_and_sq;
   HermiteFunction hermite(a, 1);
   auto weight = [&](int k) {
     const double h = hermite.next();
-    return k == 1 ? 0 : h * h / k;
+    return k == 1 || (k == 2 && sq_fitted) ? 0 : h * h / k;
   };
-  return moments.sq * std::sqrt(size.variance_of_mean(weight, ratio * (1 - ratio) / (density * density) - 1));
+  const double all = ratio * (1 - ratio) / (density * density) - 1 - (sq_fitted ? a * a / 2 : 0);
+  return moments.sq * std::sqrt(size.variance_of_mean(weight, all));
 }
 
 }  // namespace asperity
