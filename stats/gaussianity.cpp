@@ -35,6 +35,7 @@ Eigen::ArrayXd eigenvalues(const Eigen::MatrixXd& form) {
 
 std::vector<double> sorted(const Field& z, const Moments& moments) {
   std::vector<double> x(z.data(), z.data() + z.size());
+  if (has_missing(z)) std::erase_if(x, [](double height) { return std::isnan(height); });
   for (double& value : x) value = (value - moments.mean) / moments.sq;
   std::ranges::sort(x);
   return x;

@@ -56,7 +56,7 @@ class GaussianityTest {
   explicit GaussianityTest(const EffectiveSize& size);
 
   int bins() const { return bins_; }
-  /// `moments` are z's. The tests in the order (1)–(4).
+  /// `moments` are z's, whose missing points are left out. The tests in the order (1)–(4).
   std::array<GoodnessOfFit, 4> operator()(const Field& z, const Moments& moments) const;
 
  private:

@@ -4,10 +4,44 @@
 #include "cli/table.hpp"
 #include "measured.hpp"
 #include "stats/distribution.hpp"
+#include "stats/kernel_density.hpp"
+#include "stats/quantile_plot.hpp"
 
 using namespace asperity;
 
 namespace {
+
+struct Options {
+  std::string estimate = "histogram";
+  int bins = 0, points = 0;
+  double bandwidth = NAN;  // in Sq
+
+  void declare(cli::Tool& tool) {
+    const std::string group = "Estimate";
+    tool.choice(
+        "--estimate", estimate, {"histogram", "kernel", "quantiles"},
+        "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the "
+        "data of a Q-Q plot",
+        group);
+    tool.integer("--bins", bins, 0, "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)",
+                 group);
+    tool.number("--bandwidth", bandwidth,
+                "Standard deviation of the kernel, in Sq; absent: Silverman's rule, 1.06 / N^(1/5)", group);
+    tool.integer("--points", points, 0, "Of the kernel's curve, or quantiles; 0: 256 and 99", group);
+  }
+
+  void check(const cli::Tool& tool) const {
+    auto belongs = [&](const char* option, bool fits, const char* to) {
+      if (tool.given(std::string("--") + option) && !fits)
+        throw cli::UsageError(option, std::string("belongs to --estimate ") + to);
+    };
+    belongs("bins", estimate == "histogram", "histogram");
+    belongs("bandwidth", estimate == "kernel", "kernel");
+    belongs("points", estimate != "histogram", "kernel or quantiles");
+  }
+};
+
+double in_errors(double deviation, double error) { return error > 0 ? deviation / error : deviation; }
 
 cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured, double points) {
   const std::string density = measured.units_to(-1);
@@ -22,12 +56,56 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
                  {}};
   for (const Bin& bin : bins) {
     const double per_height = 1 / (points * bin.width());
-    const double deviation = bin.count - bin.expected;
     out.rows.push_back({bin.centre(), bin.count, bin.count_error, bin.expected,
-                        bin.misfit_error > 0 ? deviation / bin.misfit_error : deviation,
-                        bin.count * per_height, bin.count_error * per_height, bin.expected * per_height});
+                        in_errors(bin.count - bin.expected, bin.misfit_error), bin.count * per_height,
+                        bin.count_error * per_height, bin.expected * per_height});
   }
   return out;
+}
+
+cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::Measured& measured) {
+  const std::string density = measured.units_to(-1);
+  cli::Table out{{{"height", measured.units},
+                  {"density", density},
+                  {"standard_error", density},
+                  {"gaussian_density", density},
+                  {"misfit", "1"}},
+                 {}};
+  for (const DensityPoint& p : curve)
+    out.rows.push_back({p.height, p.density, p.density_error, p.gaussian,
+                        in_errors(p.density - p.gaussian, p.misfit_error)});
+  return out;
+}
+
+cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cli::Measured& measured) {
+  const std::string& unit = measured.units;
+  cli::Table out{{{"share", "1"},
+                  {"normal_quantile", "1"},
+                  {"height", unit},
+                  {"standard_error", unit},
+                  {"gaussian_height", unit},
+                  {"misfit", "1"}},
+                 {}};
+  for (const QuantilePoint& p : points)
+    out.rows.push_back({p.share, p.normal, p.height, p.height_error, p.gaussian,
+                        in_errors(p.height - p.gaussian, p.misfit_error)});
+  return out;
+}
+
+cli::Table table_of(const cli::Measured& measured, const Moments& m, const EffectiveSize& size,
+                    const Options& what, int threads) {
+  if (what.estimate == "kernel") {
+    const double h =
+        std::isnan(what.bandwidth) ? silverman_bandwidth(m, size.points()) : what.bandwidth * m.sq;
+    return table_of_density(kernel_density(measured.heights, m, size, h, what.points ? what.points : 256),
+                            measured);
+  }
+  if (what.estimate == "quantiles")
+    return table_of_quantiles(
+        quantile_plot(MaterialRatioCurve(measured.heights, threads), m, size, what.points ? what.points : 99),
+        measured);
+  const int bins = what.bins ? what.bins : scott_bins(m, size.points());
+  return table_of_bins(histogram(measured.heights, m, size, bins), measured, size.points());
 }
 
 }  // namespace
@@ -35,35 +113,36 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-pdf",
-      "The histogram of the heights, a row a bin: its centre, the count with its standard error, the count "
-      "expected of the Gaussian with the same mean and Sq, the misfit (count - expected, in standard errors "
-      "of that difference), and the same as densities.");
+      "The distribution of the heights beside the Gaussian of the same mean and Sq, with standard errors. A "
+      "histogram, a row a bin: its centre, count, the count expected of the Gaussian, the misfit (the "
+      "difference in "
+      "its own standard errors), and the same as densities. Or the density by a Gaussian kernel beside the "
+      "Gaussian "
+      "that the kernel has widened likewise. Or quantiles beside those of the Gaussian, on a straight line "
+      "against "
+      "the normal quantile.");
   cli::MeasuredOptions options;
-  int bins = 0;
+  Options what;
   options.declare(tool);
-  tool.integer("--bins", bins, 0, "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)",
-               "Bins");
+  what.declare(tool);
   tool.input();
   tool.table();
   tool.threads();
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
-      "Counts are exact. Their standard errors are those of a Gaussian field and allow for the correlation "
-      "of the "
-      "heights; errors of neighbouring bins are correlated. Of a Gaussian surface 95 % of the misfits lie "
-      "within 2, "
-      "bins of a few counts apart.");
+      "Counts and quantiles are exact, the kernel's sum to 2e-14. Standard errors are those of a Gaussian "
+      "field and "
+      "allow for the correlation of the heights; errors of neighbouring rows are correlated. Of a Gaussian "
+      "surface "
+      "95 % of the misfits lie within 2, bins of a few counts and the outermost quantiles apart.");
 
   return tool.run(argc, argv, [&] {
+    what.check(tool);
     const cli::Measured measured = cli::measure(tool.read(), options, tool.thread_count());
     const Moments m = moments(measured.heights, options.variable);
     const EffectiveSize size = cli::effective_size(measured, tool.thread_count());
-    if (bins == 0) bins = scott_bins(m, size.points());
-
-    const cli::Table table =
-        table_of_bins(histogram(measured.heights, m, size, bins), measured, size.points());
-    cli::print(tool, table);
+    cli::print(tool, table_of(measured, m, size, what, tool.thread_count()));
     return cli::done;
   });
 }

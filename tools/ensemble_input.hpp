@@ -1,8 +1,10 @@
-/// The surfaces of an ensemble: files named on the command line, or on standard input one a line, or a single
-/// dataset on standard input. They are read one after the other.
+/// The surfaces of an ensemble: files named on the command line or matched by a pattern there, or named on standard
+/// input one a line, or a single dataset on standard input. They are read one after the other.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <glob.h>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,8 +20,10 @@ struct EnsembleInput {
   std::vector<std::string> files;
 
   void declare(Tool& tool) {
-    tool.app().add_option("SURFACES", files,
-                          "Files; none or -: standard input, a dataset or the names of files, one a line");
+    tool.app().add_option(
+        "SURFACES", files,
+        "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names "
+        "of files, one a line");
   }
 
   /// visit(dataset, name) for one dataset after the other.
@@ -29,18 +33,33 @@ struct EnsembleInput {
       if (name == "-")
         from_standard_input(visit);
       else
-        visit(Tool::read(name), name);
+        for (const std::string& match : matches(name)) visit(Tool::read(match), match);
   }
 
  private:
+  // The name itself where there is such a file, or no pattern in it.
+  static std::vector<std::string> matches(const std::string& name) {
+    if (name.find_first_of("*?[") == std::string::npos || std::filesystem::exists(name)) return {name};
+    glob_t found{};
+    const int outcome = glob(name.c_str(), 0, nullptr, &found);
+    const std::vector<std::string> names(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+    globfree(&found);
+    if (outcome != 0) throw CLI::ValidationError("SURFACES", "no file matches '" + name + "'");
+    return names;
+  }
   static void from_standard_input(const std::function<void(const Dataset&, const std::string&)>& visit) {
     if (stdin_is_terminal())
       throw CLI::ValidationError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
     const std::string bytes = read_all("-");
     if (bytes.starts_with("CDF")) return visit(decode_netcdf(bytes), "-");
     std::istringstream names(bytes);
-    for (std::string name; std::getline(names, name);)
-      if (!name.empty()) visit(Tool::read(name), name);
+    bool any = false;
+    for (std::string name; std::getline(names, name);) {
+      if (name.empty()) continue;
+      any = true;
+      visit(Tool::read(name), name);
+    }
+    if (!any) throw CLI::ValidationError("SURFACES", "the list on standard input names none");
   }
 };
 

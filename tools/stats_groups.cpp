@@ -13,6 +13,7 @@
 #include "stats/acf_error.hpp"
 #include "stats/acf_length.hpp"
 #include "stats/acf_lobe.hpp"
+#include "stats/gaussianity.hpp"
 #include "stats/material_ratio.hpp"
 #include "stats/profile.hpp"
 #include "stats/slopes.hpp"
@@ -25,7 +26,7 @@ namespace asperity::cli {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array group_names{"height", "material", "spatial", "hybrid", "all"};
+constexpr std::array group_names{"height", "gaussianity", "material", "spatial", "hybrid", "all"};
 
 std::vector<double> shares(const std::string& option, const std::string& list) {
   std::vector<double> out;
@@ -103,16 +104,19 @@ void add_summits(Rows& out, const std::string& prefix, const Summits& s, const s
 // ---- the command line ----
 
 void StatsOptions::declare(Tool& tool) {
-  tool.text("--parameters", groups, "GROUP,...",
-            "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), material (Sk, Spk, Svk, Smr1, "
-            "Smr2, Vmp, Vmc, Vvc, Vvv), spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral "
-            "moments, summits), or all; only what is asked for is computed",
-            "Parameters");
+  tool.text(
+      "--parameters", groups, "GROUP,...",
+      "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), gaussianity (the tests of "
+      "Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling and Pearson, with p-values that allow for the "
+      "correlation and naive ones that do not), material (Sk, Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv), "
+      "spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral "
+      "moments, summits), or all; only what is asked for is computed",
+      "Parameters");
   tool.choice(
       "--profile", profile, {"x", "y"},
-      "Profile parameters of ISO 21920-2 in place of these, Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, or "
-      "Ra and "
-      "so on after --lambda-c, averaged over all profiles along x or y; each with its spread over them",
+      "Profile parameters of ISO 21920-2 in place of these, Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, "
+      "or Ra and so on after --lambda-c, averaged over all profiles along x or y; each with its spread "
+      "over them",
       "Parameters");
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
@@ -144,7 +148,7 @@ bool StatsOptions::asks_for(const std::string& group) const {
   for (const std::string& word : split(groups, ',')) {
     if (std::ranges::find(group_names, word) == group_names.end())
       throw UsageError("parameters",
-                       "value \"" + word + "\" is not height, material, spatial, hybrid or all");
+                       "value \"" + word + "\" is not height, gaussianity, material, spatial, hybrid or all");
     asked = asked || word == group || word == "all";
   }
   return asked;
@@ -218,6 +222,20 @@ Rows quantile_rows(Sample& sample, const StatsOptions& options) {
     out.push_back({"quantile_" + shortest(share), curve.quantile(share), sample.units(),
                    material_height_error(1 - share, sample.moments(), sample.size()),
                    "height below which this share of the surface lies"});
+  return out;
+}
+
+Rows gaussianity_rows(Sample& sample) {
+  constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
+  const auto fits = GaussianityTest(sample.size())(sample.heights(), sample.moments());
+  Rows out;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const std::string symbol = symbols[i], test(fits[i].test);
+    out.push_back({symbol, fits[i].statistic, "1", unknown, test + ", statistic"});
+    out.push_back({symbol + "_p", fits[i].p, "1", unknown, test + ", p of a Gaussian field so correlated"});
+    out.push_back({symbol + "_naive_p", fits[i].naive_p, "1", unknown,
+                   test + ", p if heights were independent, for comparison"});
+  }
   return out;
 }
 

@@ -55,6 +55,8 @@ using Rows = std::vector<Quantities::Row>;
 
 Rows height_rows(Sample& sample);
 Rows quantile_rows(Sample& sample, const StatsOptions& options);
+/// Each test's statistic and p-value, with and without the correlation of the heights.
+Rows gaussianity_rows(Sample& sample);
 Rows material_rows(Sample& sample, const StatsOptions& options);
 Rows spatial_rows(const Tool& tool, Sample& sample, const StatsOptions& options);
 /// Named P…, or R… where long waves were filtered out by a cut-off, `section`; NaN: none was.

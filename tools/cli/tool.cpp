@@ -6,6 +6,8 @@
 #include <random>
 #include <system_error>
 
+#include <gsl/gsl_errno.h>
+
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
 #include "dataset/layout.hpp"
@@ -93,6 +95,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 }
 
 int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
+  gsl_set_error_handler_off();  // which would abort; what has no value is NaN, and shown as a dash
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
   const std::string what = e.what(), prefix = "INI was not able to parse ";

@@ -1,0 +1,157 @@
+// asperity-stats on several surfaces, its tests of Gaussianity, and the estimates of asperity-pdf.
+#include <algorithm>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "dataset/layout.hpp"
+#include "fields.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const Shape window{5, 3};
+
+// g_0.nc … : 0.4 µm of moving average over 5 × 3 points of 20 µm, with its target; cubed where asked for.
+void write_surfaces(unsigned count, bool cubed = false) {
+  const Grid grid{{80, 72}, 20e-6, 20e-6, false};
+  const LagField rho = triangular_correlation(window);
+  const Field target =
+      Field::NullaryExpr(7, 9, [&](Index p, Index column) { return 0.16e-12 * rho(p, column - 4); });
+  for (unsigned m = 0; m < count; ++m) {
+    Dataset data;
+    set_grid(data, grid);
+    const Field z = moving_average(grid.shape, window, 70 + m);
+    set_field(data, "heights", 0.4e-6 * (cubed ? z.cube().eval() : z), {"m", "heights"});
+    set_table(data, "acf_target", target, {"p", 0, 20e-6, "m"}, {"q", -4, 20e-6, "m"},
+              {"m2", "autocorrelation asked for"});
+    write_dataset(data, "g_" + std::to_string(m) + ".nc");
+  }
+}
+
+Json json_of(const std::string& command) {
+  const Outcome run = shell(command + " --json -q");
+  INFO(run.error);
+  REQUIRE(run.exit == 0);
+  return Json::parse(run.out);
+}
+
+double value_in(const Json& table, const std::string& quantity, const std::string& column) {
+  const Json& names = table["quantity"]["values"];
+  const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), quantity) - names.begin());
+  return table[column]["values"].at(row);
+}
+
+}  // namespace
+
+// Means of eight values by two sums; the spread of eight is known to 1/√14 of it, four of which are 1.07.
+TEST_CASE("of several surfaces asperity-stats gives mean, spread and standard error over them",
+          "[stats-tool][law]") {
+  write_surfaces(8);
+  const Json all = json_of("asperity-stats g_?.nc");
+  double sum = 0, squares = 0, error = 0;
+  for (int m = 0; m < 8; ++m) {
+    const Json one = json_of("asperity-stats g_" + std::to_string(m) + ".nc");
+    sum += one["Sq"]["value"].get<double>();
+    squares += std::pow(one["Sq"]["value"].get<double>(), 2);
+    error = one["Sq"]["standard_error"];
+  }
+  const double spread = std::sqrt((squares - sum * sum / 8) / 7);
+  CHECK(relative_error(value_in(all, "Sq", "mean"), sum / 8) <= 20 * epsilon);
+  CHECK(relative_error(value_in(all, "Sq", "spread"), spread) <= 1e-10);
+  CHECK(relative_error(value_in(all, "Sq", "standard_error"), spread / std::sqrt(8)) <= 1e-10);
+  CHECK(relative_error(value_in(all, "Sq", "expected_spread"), error) <= 0.1);
+  CHECK(std::abs(spread / error - 1) <= 1.07);
+  CHECK(value_in(all, "Sq", "surfaces") == 8);
+}
+
+TEST_CASE("a pattern, a list on standard input and names are one ensemble, a single file a single surface",
+          "[stats-tool][contract]") {
+  write_surfaces(3);
+  const std::string named = shell("asperity-stats g_0.nc g_1.nc g_2.nc").out;
+  CHECK(lines(named) == 14);
+  CHECK(shell("asperity-stats 'g_[0-2].nc'").out == named);
+  CHECK(shell("ls g_0.nc g_1.nc g_2.nc | asperity-stats").out == named);
+  const std::string one = shell("asperity-stats g_1.nc").out;
+  CHECK(one.starts_with("# quantity\tvalue [SI]\tstandard_error"));
+  CHECK(shell("asperity-stats < g_1.nc").out == one);
+  CHECK(shell("asperity-stats 'g_1*.nc'").out == one);
+  for (const char* none : {"asperity-stats 'absent_*.nc'", "true | asperity-stats"}) {
+    const Outcome run = shell(none);
+    CHECK((run.exit == 2 && lines(run.error) == 1 && run.error.find("SURFACES") != std::string::npos));
+  }
+}
+
+// A Gaussian field's p-values are uniform: below 1e-3 once in a thousand each. The cube of one has
+// Sku = 10395/225 = 46.2, far out whatever the correlation.
+TEST_CASE("the tests of Gaussianity pass a Gaussian field and refuse its cube, naive p beside the true one",
+          "[stats-tool][statistics]") {
+  write_surfaces(1);
+  const Json gaussian = json_of("asperity-stats g_0.nc --parameters gaussianity");
+  write_surfaces(1, true);
+  const Json cubed = json_of("asperity-stats g_0.nc --parameters gaussianity");
+  for (const std::string test : {"JB", "KS", "A2", "chi2"}) {
+    CAPTURE(test);
+    CHECK(gaussian[test + "_p"]["value"] >= 1e-3);
+    CHECK(cubed[test + "_p"]["value"] <= 1e-3);
+    CHECK(gaussian[test + "_naive_p"]["value"] != gaussian[test + "_p"]["value"]);
+  }
+  CHECK(json_of("asperity-stats g_0.nc --parameters all").contains("KS_p"));
+
+  Dataset data = read_dataset("g_0.nc");
+  Field holes = field_of(data, "heights");
+  holes.block(20, 30, 9, 12).setConstant(std::nan(""));
+  set_field(data, "heights", holes, {"m", "heights"});
+  write_dataset(data, "holes.nc");
+  CHECK(json_of("asperity-stats holes.nc --parameters gaussianity")["KS_p"]["value"] <= 1e-3);
+}
+
+// The curve's steps are 1/8 of the bandwidth, its ends three bandwidths out: 2.7e-3 of the outermost heights of 5760.
+TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel makes a lower peak",
+          "[pdf-tool][law]") {
+  write_surfaces(1);
+  auto peak = [](const std::string& options, double& integral) {
+    const Json table = json_of("asperity-pdf g_0.nc --estimate kernel " + options);
+    const auto heights = table["height"]["values"].get<std::vector<double>>();
+    const auto density = table["density"]["values"].get<std::vector<double>>();
+    integral = std::accumulate(density.begin(), density.end(), 0.0) * (heights[1] - heights[0]);
+    return *std::max_element(density.begin(), density.end());
+  };
+  double narrow = 0, wide = 0;
+  CHECK(peak("", narrow) > peak("--bandwidth 0.8 --points 500", wide));
+  CHECK(std::abs(narrow - 1) <= 1e-5);
+  CHECK(std::abs(wide - 1) <= 1e-5);
+}
+
+TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-stats", "[pdf-tool][law]") {
+  write_surfaces(1);
+  const Json table = json_of("asperity-pdf g_0.nc --estimate quantiles --points 21");
+  const auto heights = table["height"]["values"].get<std::vector<double>>();
+  CHECK(heights.size() == 21);
+  CHECK(std::is_sorted(heights.begin(), heights.end()));
+  CHECK(table["share"]["values"][10] == 0.5);
+  const Json median = json_of("asperity-stats g_0.nc --quantiles 0.5");
+  CHECK(heights[10] == median["quantile_0.5"]["value"]);
+  CHECK(table["standard_error"]["values"][10] == median["quantile_0.5"]["standard_error"]);
+}
+
+TEST_CASE("options of another estimate, or beyond its bounds, are refused by name", "[pdf-tool][contract]") {
+  write_surfaces(1);
+  for (const auto& [options, name] : {std::pair{"--bandwidth 0.2", "--bandwidth"},
+                                      {"--points 9", "--points"},
+                                      {"--estimate kernel --bins 4", "--bins"},
+                                      {"--estimate quantiles --bandwidth 1", "--bandwidth"},
+                                      {"--estimate kernel --bandwidth 0", "--bandwidth"},
+                                      {"--estimate kernel --bandwidth 1e-9", "--bandwidth"},
+                                      {"--estimate kernel --points 1", "--points"},
+                                      {"--estimate mode", "--estimate"}}) {
+    const Outcome run = shell(std::string("asperity-pdf g_0.nc ") + options);
+    CAPTURE(options, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1 && run.error.find(name) != std::string::npos));
+  }
+}
