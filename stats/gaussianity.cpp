@@ -9,6 +9,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
+#include "stats/missing.hpp"
 #include "stats/weighted_chi_squared.hpp"
 
 namespace asperity {
