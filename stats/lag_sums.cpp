@@ -33,15 +33,15 @@ HalfSpectrum correlate(const PrunedTransform& transform, const Field& f, int thr
 
 // (1) times the torus' cells. Negative lags stand at the end of a row.
 Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag) {
-  const Index period = transform.torus().ny, columns = transform.blocks() * PrunedTransform::width;
-  Field sums(max_lag.nx + 1, 2 * max_lag.ny + 1);
-  AlignedVector<Complex> spectrum(static_cast<std::size_t>(columns));
-  AlignedVector<double> row(static_cast<std::size_t>(period));
-  const Eigen::Map<const Eigen::Array<double, 1, Eigen::Dynamic>> lags(row.data(), period);
-  for (Index p = 0; p <= max_lag.nx; ++p) {
-    transform.inverse_row(half, p, spectrum.data(), row.data());
-    sums.row(p).tail(max_lag.ny + 1) = lags.head(max_lag.ny + 1);
-    sums.row(p).head(max_lag.ny) = lags.tail(max_lag.ny);
+  constexpr Index group = RowTransform::rows;
+  const Index period = transform.torus().ny;
+  Field sums(max_lag.nx + 1, 2 * max_lag.ny + 1), lags(group, period);
+  RowTransform::Work work = transform.row_work();
+  for (Index first = 0; first <= max_lag.nx; first += group) {
+    const Index count = std::min(group, max_lag.nx + 1 - first);
+    transform.inverse_group(half, first, count, period, lags.data(), period, work);
+    sums.block(first, max_lag.ny, count, max_lag.ny + 1) = lags.topLeftCorner(count, max_lag.ny + 1);
+    sums.block(first, 0, count, max_lag.ny) = lags.topRightCorner(count, max_lag.ny);
   }
   return sums;
 }

@@ -117,8 +117,8 @@ void StressWriter::layers(const Take& take) {
     for (std::size_t k = 0; k < outputs_.size(); ++k) take(k, l, nothing);
 }
 
-void StressWriter::compute(const std::vector<double>& depths, const StressSolver::LayerRowSink& row,
-                           const StressSolver::LayersFinished& finished) const {
+void StressWriter::compute(const std::vector<double>& depths, const LayerRowSink& row,
+                           const LayersFinished& finished) const {
   if (volume_) return volume_->layers(depths, selection_.needs(), row, finished);
   section_->rows(
       depths, selection_.needs(), [&](Index l, Index, const StressRow& values) { row(l, 0, values); },

@@ -28,8 +28,8 @@ class StressWriter {
 
   /// Every layer of every output, each output's in order.
   void layers(const Take& take);
-  void compute(const std::vector<double>& depths, const StressSolver::LayerRowSink& row,
-               const StressSolver::LayersFinished& finished) const;
+  void compute(const std::vector<double>& depths, const LayerRowSink& row,
+               const LayersFinished& finished) const;
   bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].units == "Pa"; }
   void survey(std::size_t output, Values values);
   void record();

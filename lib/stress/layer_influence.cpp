@@ -56,14 +56,15 @@ class HalfSpaceInfluence : public LayerInfluence {
       if (acting[t]) symbols_[t].resize(size(along_x_.size()));
   }
 
-  void descend(double z, stress::Set asked) override {
+  void descend(double z, stress::Set asked, Index terms) override {
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
         const bool needed = acting_[t] && asked[c];
         kernels_[t][c].tile.resize(needed ? size(grid_.shape.ny * width) : 0);
         kernels_[t][c].columns.resize(needed ? size(blocks_ * grid_.shape.nx * width) : 0);
       }
-    for (Index i = 0; i < grid_.shape.nx; i += width) {
+    const Index rows = terms == all_terms ? grid_.shape.nx : terms;
+    for (Index i = 0; i < rows; i += width) {
       evaluate_corners(i, z);
       for (Traction t : stress::tractions)
         for (Component c : stress::components)
@@ -78,6 +79,10 @@ class HalfSpaceInfluence : public LayerInfluence {
     difference(along, rows_.data(), taper_[0], along_x_.period());
     transform(along_x_, along, rows_.data(), nx, symbols_[t].data());
     return {symbols_[t].data(), along_x_.stride()};
+  }
+
+  const double* terms(Traction t, Component c, Index b) override {
+    return kernels_[t][c].columns.data() + b * grid_.shape.nx * width;
   }
 
  private:
@@ -182,7 +187,7 @@ class PeriodicInfluence : public LayerInfluence {
       if (acting[t]) symbols_[t].resize(size(stride_ * width / 2));
   }
 
-  void descend(double z, stress::Set) override { z_ = z; }
+  void descend(double z, stress::Set, Index) override { z_ = z; }
 
   Symbol symbol(Traction t, Component c, Index b) override {
     for (Index q = 0; q < width; q += 2)
@@ -190,6 +195,13 @@ class PeriodicInfluence : public LayerInfluence {
         symbols_[t][size(q / 2 * stride_ + kx)] = {mode(t, c, kx, b * width + q),
                                                    mode(t, c, kx, b * width + q + 1)};
     return {symbols_[t].data(), stride_};
+  }
+
+  const double* terms(Traction t, Component c, Index b) override {
+    terms_.resize(size(stride_ * width));
+    for (Index kx = 0; kx < stride_; ++kx)
+      for (Index q = 0; q < width; ++q) terms_[size(kx * width + q)] = mode(t, c, kx, b * width + q);
+    return terms_.data();
   }
 
  private:
@@ -215,6 +227,7 @@ class PeriodicInfluence : public LayerInfluence {
   double poisson_, z_ = 0;
   Index stride_;
   std::array<AlignedVector<Complex>, 3> symbols_;  ///< of the block last asked for, by traction
+  AlignedVector<double> terms_;                    ///< likewise
 };
 
 }  // namespace

@@ -48,9 +48,17 @@ class LayerInfluence {
 
   virtual ~LayerInfluence() = default;
   /// Goes to depth z [m] for the components asked.
-  virtual void descend(double z, stress::Set asked) = 0;
+  void descend(double z, stress::Set asked) { descend(z, asked, all_terms); }
+  /// The same for the first terms(), or all, and then no symbol().
+  virtual void descend(double z, stress::Set asked, Index terms) = 0;
   /// S of component c under traction t for the columns 8b … 8b+7; good until the next of the same traction.
   virtual Symbol symbol(stress::Traction t, stress::Component c, Index b) = 0;
+  /// What the load seen from a plane x = const is multiplied with (stress/plane_load.hpp), [m][8]: of (2), for the lag
+  /// m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), the symbol of kx = m.
+  virtual const double* terms(stress::Traction t, stress::Component c, Index b) = 0;
+
+ protected:
+  static constexpr Index all_terms = -1;
 };
 
 /// (3), (4) when the grid is periodic, else (2), for the tractions that act. The torus is Px × Py; a periodic grid

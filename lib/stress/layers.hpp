@@ -25,16 +25,16 @@
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "grid/field.hpp"
 #include "stress/component.hpp"
+#include "stress/depth_levels.hpp"
 #include "stress/friction.hpp"
 #include "stress/layer_influence.hpp"
+#include "stress/layer_queue.hpp"
 #include "stress/resolution.hpp"
 #include "transform/pruned.hpp"
 
@@ -42,19 +42,21 @@ namespace asperity {
 
 /// One row of a layer: for each component that was asked its ny values, else a null pointer.
 using StressRow = std::array<const double*, 6>;
+/// Rows of many layers: row(layer, i, values).
+using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
-enum class DepthResolution {
-  full,     ///< every layer from its own cells
-  adapted,  ///< deep layers from wider cells
-};
+/// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, ("friction") or ("friction-angle") unless they are such,
+/// DataError("pressure") unless the pressure fits the grid and is finite.
+void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
+/// Throws ParameterError("depth") unless 0 ≤ z < ∞.
+void check_depth(double z);
 
 class StressSolver {
  public:
-  /// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, DataError("pressure") unless the pressure fits the
-  /// grid and is finite.
+  /// Throws as check_load does.
   StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
-  /// With the traction of sliding friction. Throws ParameterError("friction") or ("friction-angle") too.
+  /// With the traction of sliding friction.
   StressSolver(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
                int threads = 1, DepthResolution resolution = DepthResolution::full);
 
@@ -71,8 +73,8 @@ class StressSolver {
     /// Of one resolution, grown when it is used.
     struct Level {
       std::unique_ptr<LayerInfluence> influence;
-      AlignedVector<Complex> block, work, row_spectrum;
-      AlignedVector<Complex> wave;  ///< of a row that is wanted alone
+      AlignedVector<Complex> block, work;
+      RowTransform::Work rows;
       std::array<HalfSpectrum, 6> half;
       std::array<AlignedVector<double>, 6> points;  ///< a coarse layer: rows of stride doubles
       Index stride = 0;
@@ -80,7 +82,7 @@ class StressSolver {
 
     std::size_t present_ = 0;  ///< the resolution of the present layer
     std::vector<Level> levels_;
-    std::array<AlignedVector<double>, 6> row_;
+    std::array<AlignedVector<double>, 6> rows_;  ///< eight rows, or one that is interpolated
     AlignedVector<double> across_;
   };
 
@@ -91,45 +93,19 @@ class StressSolver {
     for (Index i = 0; i < grid_.shape.nx; ++i) row(i, row_of(i, asked, work));
   }
 
-  /// The row i of the layer at depth z alone, at less than half the cost. Its values are those of layer() up to
-  /// round-off, and good until the work space is used again.
-  StressRow layer_row(double z, Index i, stress::Set asked, Workspace& work) const;
-
-  /// Many layers on all threads, as many at a time as there are threads: row(layer, i, values) is called from
-  /// several threads at once, for one layer from one thread and in order; finished(begin, end) from the calling
-  /// thread whenever the layers before `end` are complete. The values do not depend on the number of threads.
-  using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
-  using LayersFinished = std::function<void(Index begin, Index end)>;
+  /// Many layers on all threads, at most as many at a time as there are threads: row(layer, i, values) is called
+  /// from several threads at once, for one layer from one thread and in order; finished(begin, end) from the calling
+  /// thread when the layers before `end` are complete. The values do not depend on the number of threads.
   void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
               const LayersFinished& finished = {}) const;
-  /// The same of the row i of each layer: a vertical plane.
-  void layer_rows(const std::vector<double>& depths, Index i, stress::Set asked, const LayerRowSink& row,
-                  const LayersFinished& finished = {}) const;
 
  private:
-  /// Made when the first layer needs it.
-  struct Level {
-    Index s = 1;
-    std::once_flag asked;
-    std::unique_ptr<const Resolution> made;
-  };
-
-  std::size_t level_at(double z) const;
   const Resolution& resolution(std::size_t level) const;
   Workspace::Level& prepared(Workspace& work, std::size_t level, stress::Set asked) const;
-  void deal(const std::vector<double>& depths, const std::function<void(Index layer, Workspace&)>& compute,
-            const LayersFinished& finished) const;
-  /// Columns of the layer, transformed back in x; of the row `only` alone, when it is one and the cells are not wide.
-  void transform_layer(double z, stress::Set asked, Workspace& work, Index only = -1) const;
-  void invert_row(const Resolution& r, Index i, const Workspace::Level& level, Index b,
-                  HalfSpectrum& half) const;
-  class Column;
-  void multiply(const Resolution& r, stress::Component c, Index b, LayerInfluence& influence,
-                Complex* product) const;
-  void multiply_column(Index nx, stress::Component c, const Column& column, const Complex* p,
-                       Complex* out) const;
-  void invert_points(const Resolution& r, Index first, Index last, stress::Set asked,
-                     Workspace::Level& level) const;
+  /// Columns of the layer, transformed back in x.
+  void transform_layer(double z, stress::Set asked, Workspace& work) const;
+  void invert_points(const Resolution& r, stress::Set asked, Workspace::Level& level) const;
+  /// Row i; to be called for i = 0, 1, 2 …, eight rows being transformed back at a time.
   StressRow row_of(Index i, stress::Set asked, Workspace& work) const;
   void interpolate_row(const Resolution& r, Index i, const double* points, Index stride, double* across,
                        double* row) const;
@@ -139,7 +115,7 @@ class StressSolver {
   std::array<double, 3> weights_;  ///< of the tractions, per pressure
   double poisson_;
   int threads_;
-  mutable std::deque<Level> levels_;
+  DepthLevels<Resolution> levels_;
 };
 
 /// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grid/parallel.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
@@ -93,21 +94,23 @@ Resolution::Resolution(const Grid& grid, const Field& pressure, Index s, int thr
 // On a torus of s px × s py narrow cells, of whose modes the lower ones are taken.
 void Resolution::transform_pressure(const Field& pressure, int threads) {
   const auto [px, py] = transform_.torus();
-  const PrunedTransform fine(shape_of(pressure), {s_ * px, s_ * py});
+  const PrunedTransform fine(shape_of(pressure), {s_ * px, s_ * py}, ColumnTransform::Ways::forward_only);
   HalfSpectrum half = fine.half_spectrum();
   fine.forward_rows(pressure / static_cast<double>(fine.torus().cells()), half, threads);
   const std::vector<double> along_x = factors(s_, px, periodic_), along_y = factors(s_, py, periodic_);
-  AlignedVector<Complex> block(size(fine.block_size())), work(block.size());
-  for (Index b = 0; b < transform_.blocks(); ++b) {
-    fine.forward_block(half, b, block.data(), work.data());
-    for (Index q = 0; q < width && b * width + q < transform_.columns(); ++q) {
-      const Complex* p = block.data() + q * fine.stride();
-      Complex* out = spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
-      for (Index k = 0; k < px; ++k)
-        out[k] = p[2 * k < px ? k : k + (s_ - 1) * px] *
-                 (along_x[size(std::min(k, px - k))] * along_y[size(b * width + q)]);
+  parallel_ranges(transform_.blocks(), threads, [&, px = px](Index begin, Index end, int) {
+    AlignedVector<Complex> block(size(fine.block_size())), work(block.size());
+    for (Index b = begin; b < end; ++b) {
+      fine.forward_block(half, b, block.data(), work.data());
+      for (Index q = 0; q < width && b * width + q < transform_.columns(); ++q) {
+        const Complex* p = block.data() + q * fine.stride();
+        Complex* out = spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
+        for (Index k = 0; k < px; ++k)
+          out[k] = p[2 * k < px ? k : k + (s_ - 1) * px] *
+                   (along_x[size(std::min(k, px - k))] * along_y[size(b * width + q)]);
+      }
     }
-  }
+  });
 }
 
 }  // namespace asperity

@@ -15,6 +15,7 @@
 
 #include "grid/field.hpp"
 #include "transform/plan.hpp"
+#include "transform/rows.hpp"
 
 namespace asperity {
 
@@ -26,7 +27,7 @@ class PrunedTransform {
   static constexpr Index width = 8;  ///< columns in a block
 
   /// `torus` may equal `field`: a periodic transform, nothing pruned.
-  PrunedTransform(Shape field, Shape torus);
+  PrunedTransform(Shape field, Shape torus, ColumnTransform::Ways ways = ColumnTransform::Ways::both);
 
   Shape field() const { return field_; }
   Shape torus() const { return torus_; }
@@ -38,14 +39,15 @@ class PrunedTransform {
 
   /// The rows of `in` into the half spectrum.
   void forward_rows(const Field& in, HalfSpectrum& half, int threads = 1) const;
-  /// The rows of `out` from the half spectrum, multiplied by Px Py; destroys `half`.
-  void inverse_rows(HalfSpectrum& half, Field& out, int threads = 1) const;
-  /// One row, row i, from the first `filled` blocks of the half spectrum, the others being zero; `row` has room for
-  /// Py + 2 doubles and is aligned.
-  void inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row, Index filled) const;
-  void inverse_row(const HalfSpectrum& half, Index i, Complex* spectrum, double* row) const {
-    inverse_row(half, i, spectrum, row, blocks());
+  /// The rows of `out` from the half spectrum, multiplied by Px Py.
+  void inverse_rows(const HalfSpectrum& half, Field& out, int threads = 1) const;
+  /// The rows first ≤ i < first + count alone, eight at the most: the first `wanted` points of each, to out +
+  /// (i - first)·apart.
+  void inverse_group(const HalfSpectrum& half, Index first, Index count, Index wanted, double* out,
+                     Index apart, RowTransform::Work& work) const {
+    rows_.inverse(half.data() + first * width, field_.nx * width, count, wanted, out, apart, work);
   }
+  RowTransform::Work row_work() const { return rows_.work(); }
 
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points, as
   /// `work` has.
@@ -58,7 +60,7 @@ class PrunedTransform {
   void by_groups(int threads, Visit visit) const;
 
   Shape field_, torus_;
-  RealTransform rows_;
+  RowTransform rows_;
   ColumnTransform columns_;
 };
 
