@@ -25,7 +25,8 @@ void StressOptions::declare(Tool& tool) {
       "A table of the stress at points instead: three lengths a line, x, y and depth, in metres or with "
       "their units; - is standard input",
       where);
-  tool.text("--components", components, "LIST", "Of " + stress_words() + "; or all", content);
+  tool.text("--components", components, "LIST",
+            "Of " + stress_words() + "; or all, the stresses without directions", content);
   tool.number(
       "--above", above,
       "Leave out stresses whose modulus is below this share of Hertz's pressure, or of the largest where "

@@ -29,13 +29,15 @@ StressQuantity component() {
 }
 
 StressQuantity principal() {
-  StressQuantity out{
-      "principal", stress::all, {}, [](const StressRow& stress, Index count, double* const* to) {
-        principal_stress(stress, count, to);
-      }};
+  StressQuantity out{"principal", stress::all, {}, principal_stress};
   for (int k = 1; k <= 3; ++k)
     out.outputs.push_back(
         {fmt::format("stress_{}", k), fmt::format("principal stress {}, positive in tension", k)});
+  return out;
+}
+
+StressQuantity directions() {
+  StressQuantity out{"principal_directions", stress::all, {}, principal_directions};
   for (int k = 1; k <= 3; ++k)
     for (char axis : {'x', 'y', 'z'})
       out.outputs.push_back(
@@ -63,6 +65,7 @@ std::vector<StressQuantity> make() {
          octahedral_shear(stress, count, out[0]);
        }},
       principal(),
+      directions(),
       component<stress::xx>(),
       component<stress::yy>(),
       component<stress::zz>(),
@@ -71,8 +74,11 @@ std::vector<StressQuantity> make() {
       component<stress::yz>()};
 }
 
-bool asked(const std::vector<std::string>& words, const std::string& word) {
-  return std::ranges::any_of(words, [&](const std::string& w) { return w == word || w == "all"; });
+// All are the stresses; the nine directions would be half of what is written.
+bool asked(const std::vector<std::string>& words, const StressQuantity& q) {
+  const bool stress = std::ranges::all_of(q.outputs, [](const auto& o) { return o.units == "Pa"; });
+  return std::ranges::any_of(words,
+                             [&](const std::string& w) { return w == q.word || (w == "all" && stress); });
 }
 
 }  // namespace
@@ -95,7 +101,7 @@ StressSelection::StressSelection(const std::string& list) {
         std::ranges::find(stress_quantities(), word, &StressQuantity::word) == stress_quantities().end())
       throw UsageError("components", "'" + word + "' is none of " + stress_words() + ", all");
   for (const StressQuantity& q : stress_quantities())
-    if (asked(words, q.word)) chosen_.push_back(&q);
+    if (asked(words, q)) chosen_.push_back(&q);
 }
 
 stress::Set StressSelection::needs() const {

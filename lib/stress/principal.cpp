@@ -106,27 +106,38 @@ inline Vector into_the_body(const Vector& v) {
        into_the_body(either(above, plane.second, v))}};
 }
 
+// take(p, to) puts number k of a point to to(k).
+template <std::size_t outputs, class Take>
+inline void along_row(const StressRow& s, Index count, double* const* out, Take take) {
+  constexpr Index lanes = 8;
+  double in[6][lanes] = {}, solved[outputs][lanes];
+  for (Index begin = 0; begin < count; begin += lanes) {
+    const Index points = std::min(lanes, count - begin);
+    for (std::size_t c = 0; c < 6; ++c) std::copy_n(s[c] + begin, points, in[c]);
+    for (Index l = 0; l < lanes; ++l)
+      take(solve({in[0][l], in[1][l], in[2][l], in[3][l], in[4][l], in[5][l]}),
+           [&](std::size_t k) -> double& { return solved[k][l]; });
+    for (std::size_t k = 0; k < outputs; ++k) std::copy_n(solved[k], points, out[k] + begin);
+  }
+}
+
 }  // namespace
 
 PrincipalStress principal_stress(const Tensor& s) { return solve(s); }
 
 void principal_stress(const StressRow& s, Index count, double* const* out) {
-  constexpr Index lanes = 8;
-  double in[6][lanes] = {}, solved[12][lanes];
-  for (Index begin = 0; begin < count; begin += lanes) {
-    const Index points = std::min(lanes, count - begin);
-    for (std::size_t c = 0; c < 6; ++c) std::copy_n(s[c] + begin, points, in[c]);
-    for (Index l = 0; l < lanes; ++l) {
-      const PrincipalStress p = solve({in[0][l], in[1][l], in[2][l], in[3][l], in[4][l], in[5][l]});
+  along_row<3>(s, count, out, [](const PrincipalStress& p, auto to) {
+    to(0) = p.value[0], to(1) = p.value[1], to(2) = p.value[2];
+  });
+}
+
+void principal_directions(const StressRow& s, Index count, double* const* out) {
+  along_row<9>(s, count, out, [](const PrincipalStress& p, auto to) {
 #pragma GCC unroll 3
-      for (std::size_t k = 0; k < 3; ++k) {
-        solved[k][l] = p.value[k];
+    for (std::size_t k = 0; k < 3; ++k)
 #pragma GCC unroll 3
-        for (std::size_t i = 0; i < 3; ++i) solved[3 + 3 * k + i][l] = p.direction[k][i];
-      }
-    }
-    for (std::size_t k = 0; k < 12; ++k) std::copy_n(solved[k], points, out[k] + begin);
-  }
+      for (std::size_t i = 0; i < 3; ++i) to(3 * k + i) = p.direction[k][i];
+  });
 }
 
 }  // namespace asperity

@@ -77,7 +77,7 @@ TEST_CASE("principal, tresca and octahedral are written with the components that
   REQUIRE(
       shell("asperity-contact --smooth --shape 24x20 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
             "--load 5000N | asperity-stress --depths 0.1mm,0.45mm --friction 0.2 --components "
-            "principal,tresca,octahedral,von_mises,xx,yy,zz -o derived.nc")
+            "principal,principal_directions,tresca,octahedral,von_mises,xx,yy,zz -o derived.nc")
           .exit == 0);
   const Dataset data = read_dataset("derived.nc");
   auto values = [&](const std::string& name) { return numbers(data.at(name).values); };

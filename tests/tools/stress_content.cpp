@@ -66,11 +66,11 @@ TEST_CASE(
   CHECK(geometric.back() == 1e-3);
 }
 
-// The volume's rows come from an inverse transform, the section's from sums over the modes: round-off of 16 ε Σ|p|,
-// at most 16 ε of the cells times the largest pressure. Deep layers are interpolated from the same coarse ones.
+// The volume's rows come from an inverse transform, the section's from sums over the lags: round-off of 16 ε Σ|p|,
+// at most 16 ε of the cells times the largest pressure.
 TEST_CASE("a section is the volume's values in its plane, at the cell centres nearest to it",
           "[stress][exact]") {
-  const std::string layers = "--depths 0,20um,0.2mm,0.7mm --components all ";
+  const std::string layers = "--depths 0,20um,0.2mm,0.7mm --components all --resolution full ";
   const Dataset volume = below(layers);
   const Grid grid = grid_of(volume);
   const double bound =
@@ -163,6 +163,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("all components are all stresses, and the directions of the principal ones are asked for by name",
+          "[stress][contract]") {
+  const Dataset all = below("--depths 0.1mm --components all"),
+                directions = below("--depths 0.1mm --components principal_directions"),
+                principal = below("--depths 0.1mm --components principal");
+  for (const char* name : {"von_mises", "max_shear", "octahedral_shear", "stress_1", "stress_3", "stress_xy"})
+    CHECK(all.find(name) != nullptr);
+  CHECK(all.find("direction_1_x") == nullptr);
+  CHECK(principal.find("stress_2") != nullptr);
+  CHECK(principal.find("direction_1_x") == nullptr);
+  CHECK(directions.find("direction_3_z") != nullptr);
+  CHECK(directions.find("stress_1") == nullptr);
+}
+
 TEST_CASE("a file, a pipe and a pipe of more than --memory carry the same volumes", "[stress][law]") {
   const std::string run = "asperity-stress " + pressed() + "--depths 0:1mm:7 --components all --no-history ";
   REQUIRE(shell(run + "-o file.nc && " + run + "> redirected.nc && " + run + "| cat > pipe.nc && " + run +
@@ -181,7 +195,7 @@ TEST_CASE("a file, a pipe and a pipe of more than --memory carry the same volume
 
 TEST_CASE("asperity-plot draws a section as the volume's in the same plane, and leaves out what was filled",
           "[stress][contract]") {
-  const std::string layers = "asperity-stress " + pressed() + "--depths 0:0.5mm:6 ";
+  const std::string layers = "asperity-stress " + pressed() + "--resolution full --depths 0:0.5mm:6 ";
   const Outcome run =
       shell(layers + "-o volume.nc && " + layers + "--section y=0 -o plane.nc && " + layers +
             "--section y=0 --above 0.2 -o part.nc && for f in volume plane part; do asperity-plot "
