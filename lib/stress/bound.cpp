@@ -14,7 +14,7 @@ double norm(const stress::Tensor& s) {
   return std::sqrt(sum);
 }
 
-// The largest norm at depth 1 under a unit force; beyond t = 4 it is below a tenth of that at 0.
+// The largest norm at depth 1 under a unit force.
 double largest_norm(double poisson, stress::Traction load) {
   constexpr int steps = 100;
   double top = 0;

@@ -5,8 +5,8 @@
 /// ‖σ‖ = √(Σ σij²) at depth z is therefore at most
 ///     (N + μ T) P / z²,   N = max ‖s‖ of the normal force, T of the tangential one,                     (1)
 /// and the von Mises stress, the principal stresses, the maximum shear and every component at most √(3/2) of that.
-/// At ν = ½, N = 3/2π, on the axis. Both maxima are taken over a lattice of t, spaced 0.04, and raised by a percent:
-/// a norm that falls by half within t = 0.3 of its maximum falls by 0.5 % at most on the way to the nearest point.
+/// At ν = ½, N = 3/2π, on the axis. Both maxima are taken over a lattice of t, spaced 0.04 as far as t = 4, beyond which
+/// the norm is below a sixth of them, and raised by a percent; finer lattices find 5e-4 more at the most, for any ν.
 #pragma once
 
 #include "grid/field.hpp"

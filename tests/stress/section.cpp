@@ -120,6 +120,55 @@ TEST_CASE("layers are handed over in order from the calling thread, none far ahe
                   std::runtime_error);
 }
 
+namespace {
+
+// The norm of the stress at depth 1 below a unit force.
+double norm(double x, double y, double nu, stress::Traction load) {
+  const stress::Tensor s = point_load_stress(x, y, 1, nu, load);
+  double sum = 0;
+  for (auto c : stress::components) sum += (c < stress::xy ? 1 : 2) * s[c] * s[c];
+  return std::sqrt(sum);
+}
+
+// Its maximum: lattices around the best point of the last, each a twentieth as wide.
+double largest_norm(double nu, stress::Traction load) {
+  double best = 0, x0 = 0, y0 = 0;
+  for (double half = 8; half > 1e-6; half /= 20) {
+    const double x_centre = x0, y_centre = y0;
+    for (int i = -100; i <= 100; ++i)
+      for (int j = -100; j <= 100; ++j) {
+        const double x = x_centre + 0.01 * half * i, y = y_centre + 0.01 * half * j;
+        if (const double value = norm(x, y, nu, load); value > best) best = value, x0 = x, y0 = y;
+      }
+  }
+  return best;
+}
+
+}  // namespace
+
+// Superposition carries the bound of a force over to any load, so that only the two maxima are to be tested: found here
+// on other lattices, finer at each step down to 1e-7 and four times as wide as the bound's, and far away.
+TEST_CASE("the bound of a unit force is at least its largest stress anywhere, and 1.01 times that at most",
+          "[bound][law]") {
+  const Grid grid{{1, 1}, 1, 1};
+  const Field unit = Field::Constant(1, 1, 1.0);
+  for (double nu : {0.0, 0.15, 0.3, 0.4, 0.5}) {
+    const double pressed = stress_bound(grid, unit, {}, nu, 1),
+                 slid = stress_bound(grid, unit, {1, 0}, nu, 1) - pressed;
+    for (auto [bound, load] : {std::pair{pressed, stress::normal}, std::pair{slid, stress::shear_x}}) {
+      const double top = std::sqrt(1.5) * largest_norm(nu, load);
+      CAPTURE(nu, load, top, bound);
+      CHECK(top <= bound);
+      CHECK(bound <= 1.0101 * top);
+      double far = 0;
+      for (double t = 4; t < 1e6; t *= 1.1)
+        for (double angle = 0; angle < 1.6; angle += 0.05)
+          far = std::max(far, norm(t * std::cos(angle), t * std::sin(angle), nu, load));
+      CHECK(far <= 0.16 * top);
+    }
+  }
+}
+
 TEST_CASE("no stress exceeds the bound of its load, and a force at one point comes near it", "[bound][law]") {
   const Grid grid{{24, 20}, 1, 1};
   Field point = Field::Zero(24, 20);
