@@ -34,6 +34,8 @@ struct DifferencePairs {
   /// Of a field without missing points, to first order as many of each.
   DifferencePairs(const Grid& grid) : heights(grid), dx(grid), dy(grid), dxx(grid), dyy(grid) {}
   DifferencePairs(const Pairs& of_heights, const Field& z, int threads = 1);
+  /// Where the field is not at hand: as many of each as there are heights.
+  explicit DifferencePairs(const Pairs& p) : heights(p), dx(p), dy(p), dxx(p), dyy(p) {}
 };
 
 /// From a correlation that is zero beyond its lags.

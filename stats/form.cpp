@@ -9,7 +9,6 @@
 #include <Eigen/Cholesky>
 
 #include "grid/error.hpp"
-#include "stats/missing.hpp"
 
 namespace asperity {
 namespace {
@@ -29,15 +28,10 @@ Eigen::MatrixXd gram_polynomials(Index n, int degree) {
   return p;
 }
 
-// Of the heights above `base` that are there.
-double mean_of_valid(const Field& z, double base) {
-  ValidSum total;
-  for (Index i = 0; i < z.rows(); ++i) {
-    const ValidSum row = sum_of_valid(z.row(i) - base);
-    total.sum += row.sum;
-    total.count += row.count;
-  }
-  return total.sum / total.count;
+Mean mean_of_valid(const Field& z) {
+  MeanSum sum;
+  sum.add(z);
+  return sum.mean();
 }
 
 struct Term {
@@ -100,9 +94,26 @@ Field without_form_of_valid(Field heights, const Eigen::MatrixXd& along_x, const
 
 }  // namespace
 
+void MeanSum::add(const Field& strip) {
+  if (!base_) {
+    if (strip.isNaN().all()) return;
+    base_ = first_valid(strip);
+  }
+  for (Index i = 0; i < strip.rows(); ++i) {
+    const ValidSum row = sum_of_valid(strip.row(i) - *base_);
+    total_.sum += row.sum;
+    total_.count += row.count;
+  }
+}
+
+Mean MeanSum::mean() const {
+  if (!base_) throw DataError("heights", "every point is missing");
+  return {*base_, total_.sum / total_.count};
+}
+
 Mean mean_above_base(const Field& z) {
   const double base = first_valid(z), above = (z - base).rowwise().mean().mean();
-  return {base, std::isnan(above) ? mean_of_valid(z, base) : above};
+  return std::isnan(above) ? mean_of_valid(z) : Mean{base, above};
 }
 
 Field without_form(const Field& z, int degree) {
@@ -112,7 +123,7 @@ Field without_form(const Field& z, int degree) {
   Field heights = z - first_valid(z);
   const double level = heights.rowwise().mean().mean();
   const bool complete = !std::isnan(level);
-  heights -= complete ? level : mean_of_valid(heights, 0);
+  heights -= complete ? level : mean_of_valid(heights).value();
   if (degree == 0) return heights;
   const Eigen::MatrixXd along_x = gram_polynomials(z.rows(), degree),
                         along_y = gram_polynomials(z.cols(), degree);

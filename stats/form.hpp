@@ -21,7 +21,10 @@
 /// J. P. Gram, J. reine angew. Math. 94 (1883) 41-73.
 #pragma once
 
+#include <optional>
+
 #include "grid/field.hpp"
+#include "stats/missing.hpp"
 
 namespace asperity {
 
@@ -33,6 +36,19 @@ struct Mean {
 
   double value() const { return base + above; }
 };
+/// The sums of a field that comes in strips.
+class MeanSum {
+ public:
+  void add(const Field& strip);
+  double count() const { return total_.count; }
+  /// Throws DataError("heights", …) when every point is missing.
+  Mean mean() const;
+
+ private:
+  std::optional<double> base_;
+  ValidSum total_;
+};
+
 /// Throws DataError("heights", …) when every point is missing.
 Mean mean_above_base(const Field& z);
 inline double mean(const Field& z) { return mean_above_base(z).value(); }

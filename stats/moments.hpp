@@ -15,9 +15,11 @@
 ///           numbers by recurrences in long double, a division per point and moment; a test compares the two.
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 #include "grid/field.hpp"
+#include "stats/form.hpp"
 
 namespace asperity {
 
@@ -31,7 +33,22 @@ struct Moments {
   double sz() const { return sp + sv; }
 };
 
-/// Throws DataError(variable, …) when every height is the same: skewness and kurtosis then have no value.
+/// The sums of a field that comes in strips.
+class MomentSums {
+ public:
+  /// `mean` is that of the whole field.
+  explicit MomentSums(const Mean& mean) : mean_(mean) {}
+  void add(const Field& strip);
+  /// Throws DataError(variable, …) when every height is the same: skewness and kurtosis then have no value.
+  Moments moments(std::string_view variable) const;
+
+ private:
+  Mean mean_;
+  double count_ = 0, absolute_ = 0, second_ = 0, third_ = 0, fourth_ = 0;
+  double highest_ = -std::numeric_limits<double>::infinity(),
+         lowest_ = std::numeric_limits<double>::infinity();
+};
+
 Moments moments(const Field& z, std::string_view variable = "heights");
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "stats/pairs.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "stats/lag_sums.hpp"
 #include "stats/missing.hpp"
@@ -30,13 +31,12 @@ Shape longest_lags(const Grid& grid) {
 
 }  // namespace
 
+Pairs::Pairs(const Grid& grid, LagField counts)
+    : grid_(grid), points_(counts(0, 0)), counts_(std::make_shared<const LagField>(std::move(counts))) {}
+
 Pairs Pairs::of(const Field& z, const Grid& grid, int threads) {
-  Pairs out(grid);
-  if (!has_missing(z)) return out;
-  const Field valid = validity(z);
-  out.points_ = valid.sum();
-  out.counts_ = std::make_shared<const LagField>(lag_sums(valid, grid, longest_lags(grid), threads).round());
-  return out;
+  if (!has_missing(z)) return Pairs(grid);
+  return {grid, LagField(lag_sums(validity(z), grid, longest_lags(grid), threads).round())};
 }
 
 double Pairs::share(Index p, Index q) const {

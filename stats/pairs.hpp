@@ -22,6 +22,8 @@ class Pairs {
  public:
   /// Of a field without missing points.
   Pairs(const Grid& grid) : grid_(grid), points_(static_cast<double>(grid.shape.cells())) {}
+  /// With n as it is counted, or estimated, at some lags; at others no pairs are known.
+  Pairs(const Grid& grid, LagField counts);
   /// Of a field whose missing points are NaN.
   static Pairs of(const Field& z, const Grid& grid, int threads = 1);
 

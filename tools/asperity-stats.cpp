@@ -1,4 +1,8 @@
 // Parameters of a surface with their standard errors.
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
 #include "ensemble_input.hpp"
 #include "stats_ensemble.hpp"
 #include "stats_groups.hpp"
@@ -7,16 +11,45 @@ using namespace asperity;
 
 namespace {
 
-cli::Rows rows_of(cli::Tool& tool, cli::Sample sample, const cli::StatsOptions& what, double section) {
-  if (!what.profile.empty()) return profile_rows(sample, what, section);
+void append(cli::Rows& out, const cli::Rows& rows) { out.insert(out.end(), rows.begin(), rows.end()); }
+
+bool larger_than_memory(const std::string& path, std::size_t memory) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  return fs::is_regular_file(path, none) && fs::file_size(path, none) > memory / 8;
+}
+
+cli::Rows rows_of_whole(const cli::Tool& tool, const Dataset& data, const cli::MeasuredOptions& options,
+                        const cli::StatsOptions& what) {
+  cli::WholeSample sample(cli::measure(data, options, tool.thread_count()), options.variable,
+                          tool.thread_count());
+  if (!what.profile.empty()) return profile_rows(sample, what, options.long_cutoff);
   cli::Rows out;
-  auto add = [&](const cli::Rows& rows) { out.insert(out.end(), rows.begin(), rows.end()); };
-  if (what.asks_for("height")) add(height_rows(sample));
-  if (!what.quantiles.empty()) add(quantile_rows(sample, what));
-  if (what.asks_for("gaussianity")) add(gaussianity_rows(sample));
-  if (what.asks_for("material")) add(material_rows(sample, what));
-  if (what.asks_for("spatial")) add(spatial_rows(tool, sample, what));
-  if (what.asks_for("hybrid")) add(hybrid_rows(sample, what));
+  if (what.asks_for("height")) append(out, height_rows(sample));
+  if (!what.quantiles.empty()) append(out, quantile_rows(sample, what));
+  if (what.asks_for("gaussianity")) append(out, gaussianity_rows(sample));
+  if (what.asks_for("material")) append(out, material_rows(sample, what));
+  if (what.asks_for("spatial")) append(out, spatial_rows(tool, sample, what));
+  if (what.asks_for("hybrid")) append(out, hybrid_rows(sample, what));
+  return out;
+}
+
+cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const cli::MeasuredOptions& options,
+                         const cli::StatsOptions& what) {
+  if (const std::string whole = what.needs_whole_field(tool, options); !whole.empty())
+    throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
+                                        " bytes are more than an eighth of it, and " + whole +
+                                        " needs the whole field");
+  const FieldFile file(path, options.variable);
+  cli::StripSample sample(file, options, {what.asks_for("hybrid"), what.memory, tool.thread_count()});
+  tool.note("read in strips of " + std::to_string(sample.rows()) + " rows");
+  if (sample.correlation_reaches_beyond())
+    tool.warn("the correlation is longer than half a strip of " + std::to_string(sample.rows()) +
+              " rows: standard errors are too small; see --memory");
+  cli::Rows out;
+  if (what.asks_for("height")) append(out, height_rows(sample));
+  if (!what.quantiles.empty()) append(out, quantile_rows(sample, what));
+  if (what.asks_for("hybrid")) append(out, hybrid_rows(sample, what));
   return out;
 }
 
@@ -49,13 +82,20 @@ int main(int argc, char** argv) {
     what.check(tool);
     cli::EnsembleRows ensemble;
     cli::Quantities last;
-    surfaces.for_each([&](const Dataset& data, const std::string& name) {
-      tool.detail(name);
-      cli::Sample sample(cli::measure(data, options, tool.thread_count()), options.variable,
-                         tool.thread_count());
-      last.rows = rows_of(tool, std::move(sample), what, options.long_cutoff);
-      ensemble.add(last.rows);
-    });
+    auto add = [&](cli::Rows rows) {
+      ensemble.add(rows);
+      last.rows = std::move(rows);
+    };
+    surfaces.for_each(
+        [&](const Dataset& data, const std::string& name) {
+          tool.detail(name);
+          add(rows_of_whole(tool, data, options, what));
+        },
+        [&](const std::string& path) {
+          const bool large = larger_than_memory(path, what.memory);
+          if (large) add(rows_in_strips(tool, path, options, what));
+          return large;
+        });
     if (ensemble.surfaces() == 1)
       cli::print(tool, last);
     else

@@ -26,14 +26,19 @@ struct EnsembleInput {
         "of files, one a line");
   }
 
-  /// visit(dataset, name) for one dataset after the other.
-  void for_each(const std::function<void(const Dataset&, const std::string&)>& visit) const {
-    if (files.empty()) return from_standard_input(visit);
+  using Visit = std::function<void(const Dataset&, const std::string&)>;
+  using VisitPath = std::function<bool(const std::string&)>;
+
+  /// visit(dataset, name) for one dataset after the other; but for files that `taken`, asked with their path, has
+  /// dealt with itself.
+  void for_each(
+      const Visit& visit, const VisitPath& taken = [](const std::string&) { return false; }) const {
+    if (files.empty()) return from_standard_input(visit, taken);
     for (const std::string& name : files)
       if (name == "-")
-        from_standard_input(visit);
+        from_standard_input(visit, taken);
       else
-        for (const std::string& match : matches(name)) visit(Tool::read(match), match);
+        for (const std::string& match : matches(name)) from_file(match, visit, taken);
   }
 
  private:
@@ -47,9 +52,13 @@ struct EnsembleInput {
     if (outcome != 0) throw CLI::ValidationError("SURFACES", "no file matches '" + name + "'");
     return names;
   }
-  static void from_standard_input(const std::function<void(const Dataset&, const std::string&)>& visit) {
+  static void from_file(const std::string& name, const Visit& visit, const VisitPath& taken) {
+    if (!taken(name)) visit(Tool::read(name), name);
+  }
+  static void from_standard_input(const Visit& visit, const VisitPath& taken) {
     if (stdin_is_terminal())
       throw CLI::ValidationError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
+    if (taken("/proc/self/fd/0")) return;  // when it is a file
     const std::string bytes = read_all("-");
     if (bytes.starts_with("CDF")) return visit(decode_netcdf(bytes), "-");
     std::istringstream names(bytes);
@@ -57,7 +66,7 @@ struct EnsembleInput {
     for (std::string name; std::getline(names, name);) {
       if (name.empty()) continue;
       any = true;
-      visit(Tool::read(name), name);
+      from_file(name, visit, taken);
     }
     if (!any) throw CLI::ValidationError("SURFACES", "the list on standard input names none");
   }

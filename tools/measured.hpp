@@ -99,16 +99,12 @@ inline void filter(Measured& measured, const MeasuredOptions& options, int threa
   if (!std::isnan(options.long_cutoff)) measured.heights -= mean_surface("lambda-c", options.long_cutoff);
 }
 
-inline Measured measure(const Dataset& data, const MeasuredOptions& options, int threads = 1) {
-  Measured out{.grid = grid_of(data), .heights = field_of(data, options.variable, Missing::not_a_number)};
+/// All that does not ask for the heights themselves.
+inline Measured without_heights(const Dataset& data, const MeasuredOptions& options) {
+  Measured out{.grid = grid_of(data), .heights = {}};
   const std::string units = data.at(options.variable).attributes.text("units");
   const bool heights = options.variable == "heights";
   out.units = heights ? "m" : units.empty() ? "1" : units;
-  out.level = mean(out.heights);
-  out.heights = without_form(out.heights, form_degree(options.level));
-  filter(out, options, threads);
-  if (!(out.heights.abs().maxCoeff<Eigen::PropagateNumbers>() > 0))
-    throw DataError(options.variable, "every value is the same");
   if (heights) out.target = carried_correlation(data, "acf_target", out.grid);
   const bool as_drawn = std::isnan(options.short_cutoff) && std::isnan(options.long_cutoff);
   if (heights && as_drawn && options.correlation != "estimate") {
@@ -119,6 +115,17 @@ inline Measured measure(const Dataset& data, const MeasuredOptions& options, int
     throw DataError(options.variable,
                     as_drawn ? "the dataset does not carry the correlation it was drawn with (acf_target)"
                              : "filtered heights have another correlation than they were drawn with");
+  return out;
+}
+
+inline Measured measure(const Dataset& data, const MeasuredOptions& options, int threads = 1) {
+  Measured out = without_heights(data, options);
+  out.heights = field_of(data, options.variable, Missing::not_a_number);
+  out.level = mean(out.heights);
+  out.heights = without_form(out.heights, form_degree(options.level));
+  filter(out, options, threads);
+  if (!(out.heights.abs().maxCoeff<Eigen::PropagateNumbers>() > 0))
+    throw DataError(options.variable, "every value is the same");
   return out;
 }
 

@@ -99,6 +99,24 @@ void add_summits(Rows& out, const std::string& prefix, const Summits& s, const s
                  "1 / mean curvature, " + which});
 }
 
+constexpr std::array<std::array<const char*, 2>, profile_parameters_count> profile_names{
+    {{"a", "arithmetic mean height"},
+     {"q", "root mean square height"},
+     {"sk", "skewness, 0 for a Gaussian"},
+     {"ku", "kurtosis, 3 for a Gaussian"},
+     {"p", "peak height, mean over the sections"},
+     {"v", "valley depth, mean over the sections"},
+     {"z", "maximum height, mean over the sections"},
+     {"t", "total height of the profile"},
+     {"dq", "root mean square slope, by seven points"},
+     {"Sm", "mean spacing of profile elements"}}};
+
+std::string profile_unit(int parameter, const std::string& of_heights) {
+  if (parameter == profile_sm) return "m";
+  const bool pure = parameter == profile_sk || parameter == profile_ku || parameter == profile_dq;
+  return pure ? "1" : of_heights;
+}
+
 }  // namespace
 
 // ---- the command line ----
@@ -125,6 +143,13 @@ void StatsOptions::declare(Tool& tool) {
                     "Parameters");
   tool.number("--acf-level", acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
               "Parameters");
+  tool.bytes(
+      "--memory", memory,
+      "Largest memory for the field. A file of more than an eighth of it is read in strips of rows, for "
+      "height, "
+      "hybrid and quantiles; the rest needs the whole field. Errors then rest on the correlation within the "
+      "strips, where the dataset carries none",
+      "Resources");
   tool.text("--direction", direction, "ANGLE",
             "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");
 }
@@ -143,6 +168,16 @@ void StatsOptions::check(const Tool& tool) const {
   if (!direction.empty()) parse_angle("direction", direction);
 }
 
+std::string StatsOptions::needs_whole_field(const Tool& tool, const MeasuredOptions& measured) const {
+  if (!profile.empty()) return "--profile";
+  for (const char* group : {"gaussianity", "material", "spatial"})
+    if (asks_for(group)) return std::string("--parameters ") + group;
+  if (form_degree(measured.level) > 0) return "--level " + measured.level;
+  for (const char* filter : {"--lambda-s", "--lambda-c"})
+    if (tool.given(filter)) return filter;
+  return "";
+}
+
 bool StatsOptions::asks_for(const std::string& group) const {
   bool asked = false;
   for (const std::string& word : split(groups, ',')) {
@@ -152,39 +187,6 @@ bool StatsOptions::asks_for(const std::string& group) const {
     asked = asked || word == group || word == "all";
   }
   return asked;
-}
-
-// ---- the field ----
-
-Sample::Sample(Measured measured, const std::string& variable, int threads)
-    : measured_(std::move(measured)),
-      variable_(variable),
-      threads_(threads),
-      moments_(asperity::moments(measured_.heights, variable)) {}
-
-const Pairs& Sample::pairs() {
-  if (!pairs_) pairs_ = Pairs::of(heights(), grid(), threads_);
-  return *pairs_;
-}
-
-const LagField& Sample::acf() {
-  if (!acf_)
-    acf_ = estimate_autocorrelation(heights(), pairs(),
-                                    {.max_lag = default_max_lag(grid()), .threads = threads_});
-  return *acf_;
-}
-
-const EffectiveSize& Sample::size() {
-  if (!size_)
-    size_ = measured_.drawn ? EffectiveSize(*measured_.drawn, pairs())
-                            : EffectiveSize::of_estimate(acf(), pairs());
-  return *size_;
-}
-
-DerivativeErrors Sample::derivative_errors() {
-  const DifferencePairs differences(pairs(), heights(), threads_);
-  return measured_.drawn ? asperity::derivative_errors(*measured_.drawn, differences)
-                         : derivative_errors_of_estimate(acf(), differences);
 }
 
 // ---- groups ----
@@ -216,16 +218,16 @@ Rows height_rows(Sample& sample) {
 }
 
 Rows quantile_rows(Sample& sample, const StatsOptions& options) {
-  const MaterialRatioCurve curve(sample.heights(), sample.threads());
+  const std::vector<double> asked = shares("quantiles", options.quantiles), heights = sample.quantiles(asked);
   Rows out;
-  for (const double share : shares("quantiles", options.quantiles))
-    out.push_back({"quantile_" + shortest(share), curve.quantile(share), sample.units(),
-                   material_height_error(1 - share, sample.moments(), sample.size()),
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    out.push_back({"quantile_" + shortest(asked[i]), heights[i], sample.units(),
+                   material_height_error(1 - asked[i], sample.moments(), sample.size()),
                    "height below which this share of the surface lies"});
   return out;
 }
 
-Rows gaussianity_rows(Sample& sample) {
+Rows gaussianity_rows(WholeSample& sample) {
   constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
   const auto fits = GaussianityTest(sample.size())(sample.heights(), sample.moments());
   Rows out;
@@ -239,7 +241,7 @@ Rows gaussianity_rows(Sample& sample) {
   return out;
 }
 
-Rows material_rows(Sample& sample, const StatsOptions& options) {
+Rows material_rows(WholeSample& sample, const StatsOptions& options) {
   const MaterialRatioCurve curve(sample.heights(), sample.threads());
   const auto [p, q] = options.material_ratios;
   const VolumeParameters volume = curve.volumes(p, q);
@@ -261,18 +263,7 @@ Rows material_rows(Sample& sample, const StatsOptions& options) {
   };
 }
 
-Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
-  constexpr std::array<std::array<const char*, 2>, profile_parameters_count> names{
-      {{"a", "arithmetic mean height"},
-       {"q", "root mean square height"},
-       {"sk", "skewness, 0 for a Gaussian"},
-       {"ku", "kurtosis, 3 for a Gaussian"},
-       {"p", "peak height, mean over the sections"},
-       {"v", "valley depth, mean over the sections"},
-       {"z", "maximum height, mean over the sections"},
-       {"t", "total height of the profile"},
-       {"dq", "root mean square slope, by seven points"},
-       {"Sm", "mean spacing of profile elements"}}};
+Rows profile_rows(WholeSample& sample, const StatsOptions& options, double section) {
   const bool filtered = !std::isnan(section), heights = sample.units() == "m";
   const LagField rho =
       sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), sample.pairs());
@@ -282,11 +273,9 @@ Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
   Rows out;
   for (int k = 0; k < profile_parameters_count; ++k) {
     if (k == profile_dq && !heights) continue;
-    const auto [name, meaning] = names[static_cast<std::size_t>(k)];
+    const auto [name, meaning] = profile_names[static_cast<std::size_t>(k)];
     const std::string symbol = (filtered ? "R" : "P") + std::string(name),
-                      unit = k == profile_sk || k == profile_ku || k == profile_dq ? "1"
-                             : k == profile_sm                                     ? "m"
-                                                                                   : sample.units();
+                      unit = profile_unit(k, sample.units());
     out.push_back({symbol, averages.mean[k], unit, averages.standard_error[k], meaning});
     out.push_back({symbol + "_spread", averages.spread[k], unit, unknown,
                    "standard deviation of " + symbol + " over the profiles"});
@@ -297,7 +286,7 @@ Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
   return out;
 }
 
-Rows spatial_rows(const Tool& tool, Sample& sample, const StatsOptions& options) {
+Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& options) {
   const Grid& grid = sample.grid();
   const LagField rho = sample.acf().normalised();
   const AcfError error(
@@ -322,8 +311,8 @@ Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
   if (sample.units() != "m")
     throw DataError(sample.variable(),
                     "slopes and areas are those of heights in m, not of " + sample.units());
-  const SlopeParameters slopes = slope_parameters(sample.heights(), sample.grid(), sample.threads());
-  const SpectralMoments m = spectral_moments(sample.heights(), sample.grid(), sample.threads());
+  const SlopeParameters slopes = sample.slopes();
+  const SpectralMoments m = sample.spectral_moments();
   const DerivativeErrors error = sample.derivative_errors();
   Rows out{{"Sdq", slopes.sdq, "1", 0.5 * slopes.sdq * error.square_slope, "root mean square slope"},
            {"Sdr", slopes.sdr, "1", slopes.sdr * error.square_slope,
@@ -335,7 +324,7 @@ Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
   if (!options.direction.empty())
     add_profile(out, "direction", m.along(parse_angle("direction", options.direction)), unknown, unknown,
                 "at " + options.direction);
-  add_summits(out, "summit_", counted_summits(sample.heights(), sample.grid(), sample.threads()), "counted");
+  add_summits(out, "summit_", sample.summits(), "counted");
   add_summits(out, "nayak_", expected_summits(m.isotropic()), "expected of a Gaussian surface");
   return out;
 }

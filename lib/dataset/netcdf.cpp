@@ -4,23 +4,20 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <system_error>
-#include <type_traits>
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include "dataset/netcdf_types.hpp"
 #include "dataset/sparse_file.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
+
+using namespace netcdf;
+
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
-
-void check(int status, const std::string& what) {
-  if (status != NC_NOERR) refuse(what + ": " + nc_strerror(status));
-}
 
 // An open dataset, closed without a word when an exception passes.
 class Handle {
@@ -34,68 +31,6 @@ class Handle {
   int id = -1;
   bool open = false;
 };
-
-// ---- types ----
-
-template <class T>
-constexpr nc_type external_type() {
-  if constexpr (std::is_same_v<T, char>) return NC_CHAR;
-  if constexpr (std::is_same_v<T, std::int8_t>) return NC_BYTE;
-  if constexpr (std::is_same_v<T, std::uint8_t>) return NC_UBYTE;
-  if constexpr (std::is_same_v<T, std::int16_t>) return NC_SHORT;
-  if constexpr (std::is_same_v<T, std::uint16_t>) return NC_USHORT;
-  if constexpr (std::is_same_v<T, std::int32_t>) return NC_INT;
-  if constexpr (std::is_same_v<T, std::uint32_t>) return NC_UINT;
-  if constexpr (std::is_same_v<T, std::int64_t>) return NC_INT64;
-  if constexpr (std::is_same_v<T, std::uint64_t>) return NC_UINT64;
-  if constexpr (std::is_same_v<T, float>) return NC_FLOAT;
-  if constexpr (std::is_same_v<T, double>) return NC_DOUBLE;
-}
-
-nc_type type_of(const Values& values) {
-  return std::visit([]<class V>(const V&) { return external_type<typename V::value_type>(); }, values);
-}
-
-std::size_t element_size(const Values& values) {
-  return std::visit([]<class V>(const V&) { return sizeof(typename V::value_type); }, values);
-}
-
-// Room for n elements of an external type.
-Values allocate(nc_type type, std::size_t n, const std::string& name) {
-  switch (type) {
-    case NC_CHAR:
-      return std::string(n, '\0');
-    case NC_BYTE:
-      return std::vector<std::int8_t>(n);
-    case NC_UBYTE:
-      return std::vector<std::uint8_t>(n);
-    case NC_SHORT:
-      return std::vector<std::int16_t>(n);
-    case NC_USHORT:
-      return std::vector<std::uint16_t>(n);
-    case NC_INT:
-      return std::vector<std::int32_t>(n);
-    case NC_UINT:
-      return std::vector<std::uint32_t>(n);
-    case NC_INT64:
-      return std::vector<std::int64_t>(n);
-    case NC_UINT64:
-      return std::vector<std::uint64_t>(n);
-    case NC_FLOAT:
-      return std::vector<float>(n);
-    case NC_DOUBLE:
-      return std::vector<double>(n);
-    default:
-      refuse(name + " is of a type that only NetCDF-4 has");
-  }
-}
-
-void* data(Values& values) {
-  return std::visit([](auto& v) { return static_cast<void*>(v.data()); }, values);
-}
-const void* data(const Values& values) {
-  return std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, values);
-}
 
 // ---- reading ----
 
@@ -208,6 +143,33 @@ void refuse_groups(int file) {
     refuse("it has groups, which only NetCDF-4 has");
 }
 
+bool lies_on(const Variable& variable, const std::vector<std::string>& dimensions) {
+  return !dimensions.empty() && std::ranges::all_of(dimensions, [&](const std::string& name) {
+    return std::ranges::find(variable.dimensions, name) != variable.dimensions.end();
+  });
+}
+
+// Of a file of `bytes`; the values of variables that lie on all of the deferred dimensions are not read.
+Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>& deferred) {
+  refuse_groups(file);
+  int dimensions = 0, variables = 0, attributes = 0;
+  check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
+  Dataset out;
+  out.dimensions = read_dimensions(file, dimensions);
+  out.attributes = read_attributes(file, NC_GLOBAL, attributes);
+  std::vector<Header> headers;
+  for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
+  if (classic(file)) refuse_if_cut_short(headers, bytes);
+  for (int v = 0; v < variables; ++v) {
+    Header& header = headers[static_cast<std::size_t>(v)];
+    const bool stays = lies_on(header.variable, deferred);
+    header.variable.values = allocate(header.type, stays ? 0 : header.elements, header.variable.name);
+    if (!stays && header.elements > 0) read_values(file, v, header.variable, bytes);
+    out.variables.push_back(std::move(header.variable));
+  }
+  return out;
+}
+
 // ---- writing ----
 
 // A positive status is the system's own: no room, or a limit.
@@ -298,6 +260,24 @@ void write_dataset(int file, const Dataset& dataset, std::size_t deferred) {
   }
 }
 
+// What a classic file of this head has at least, for beyond its end the library reads zeros: laid out once more, without
+// values, less what the last variable is padded by.
+std::size_t laid_out_size(int file, const Dataset& dataset) {
+  int format = 0;
+  check(nc_inq_format(file, &format), "format");
+  const int mode = format == NC_FORMAT_CDF5           ? NC_64BIT_DATA
+                   : format == NC_FORMAT_64BIT_OFFSET ? NC_64BIT_OFFSET
+                                                      : 0;
+  const SparseFile sparse;
+  Handle copy;
+  write_checked(nc_create(sparse.name().c_str(), NC_CLOBBER | mode, &copy.id), "create");
+  copy.open = true;
+  write_dataset(copy.id, dataset, dataset.variables.size());
+  copy.open = false;
+  write_checked(nc_close(copy.id), "close");
+  return sparse.size() - 3;
+}
+
 }  // namespace
 
 bool looks_like_netcdf(const std::string& bytes) {
@@ -314,22 +294,39 @@ Dataset decode_netcdf(const std::string& bytes) {
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
   file.open = true;
-  refuse_groups(file.id);
-  int dimensions = 0, variables = 0, attributes = 0;
-  check(nc_inq(file.id, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
+  return read_dataset(file.id, bytes.size(), {});
+}
 
-  Dataset out;
-  out.dimensions = read_dimensions(file.id, dimensions);
-  out.attributes = read_attributes(file.id, NC_GLOBAL, attributes);
-  std::vector<Header> headers;
-  for (int v = 0; v < variables; ++v) headers.push_back(read_header(file.id, v, out.dimensions));
-  if (classic(file.id)) refuse_if_cut_short(headers, bytes.size());
-  for (int v = 0; v < variables; ++v) {
-    Header& header = headers[static_cast<std::size_t>(v)];
-    header.variable.values = allocate(header.type, header.elements, header.variable.name);
-    if (header.elements > 0) read_values(file.id, v, header.variable, bytes.size());
-    out.variables.push_back(std::move(header.variable));
+NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {
+  Handle file;
+  check(nc_open(path.c_str(), NC_NOWRITE, &file.id), path + " cannot be read");
+  file.open = true;
+  const std::size_t bytes = std::filesystem::file_size(path);
+  dataset_ = read_dataset(file.id, bytes, deferred);
+  if (classic(file.id) && bytes < laid_out_size(file.id, dataset_))
+    refuse_cut_short("its last variable", bytes);
+  id_ = file.id;
+  file.open = false;
+}
+
+NetcdfFile::~NetcdfFile() { nc_close(id_); }
+
+Values NetcdfFile::rows(std::string_view variable, Index first, Index count) const {
+  int id = -1;
+  nc_type type = 0;
+  const std::string name(variable);
+  check(nc_inq_varid(id_, name.c_str(), &id), name);
+  check(nc_inq_vartype(id_, id, &type), name);
+  std::vector<std::size_t> start, counts;
+  std::size_t elements = 1;
+  for (const std::string& dimension : dataset_.at(variable).dimensions) {
+    const bool along = counts.empty();
+    start.push_back(along ? static_cast<std::size_t>(first) : 0);
+    counts.push_back(static_cast<std::size_t>(along ? count : dataset_.length(dimension)));
+    elements *= counts.back();
   }
+  Values out = allocate(type, elements, name);
+  check(nc_get_vara(id_, id, start.data(), counts.data(), data(out)), name + " cannot be read");
   return out;
 }
 

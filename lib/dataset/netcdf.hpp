@@ -9,6 +9,8 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "dataset/dataset.hpp"
 
@@ -20,6 +22,24 @@ bool looks_like_netcdf(const std::string& bytes);
 /// Throws DataError ("dataset") when the bytes are no NetCDF, are cut short, or hold a type that CDF-5
 /// cannot.
 Dataset decode_netcdf(const std::string& bytes);
+
+/// A file on disk, of which some variables are read by parts.
+class NetcdfFile {
+ public:
+  /// Reads all but the values of variables that lie on all of `deferred`; throws DataError as decode_netcdf does.
+  NetcdfFile(const std::string& path, const std::vector<std::string>& deferred);
+  ~NetcdfFile();
+  NetcdfFile(const NetcdfFile&) = delete;
+  NetcdfFile& operator=(const NetcdfFile&) = delete;
+
+  const Dataset& dataset() const { return dataset_; }
+  /// The values of a variable at `count` indices of its first dimension from `first` on.
+  Values rows(std::string_view variable, Index first, Index count) const;
+
+ private:
+  int id_ = -1;
+  Dataset dataset_;
+};
 
 std::string encode_netcdf(const Dataset& dataset);
 

@@ -1,8 +1,11 @@
 #include "dataset/layout.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <unistd.h>
 
+#include "dataset/field_file.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
 #include "grid/error.hpp"
@@ -181,4 +184,37 @@ TEST_CASE(
   }
   values()[11] = HUGE_VAL;
   CHECK_THROWS_AS(field_of(data, "heights", Missing::not_a_number), DataError);
+}
+
+TEST_CASE(
+    "a field read from its file by rows is the field read whole, its mask, fill value and unit included",
+    "[layout][exact]") {
+  Dataset data = with_heights(random_field(grid.shape, 8));
+  std::vector<std::int8_t> mask(24, 0);
+  mask[17] = 1;
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  set_table(data, "kernel", Field::Ones(3, 3), {"k"}, {"l"}, {"1", "kernel"});
+  data.find("heights")->attributes.set("_FillValue", -9999.0);
+  data.find("heights")->attributes.set("units", "nm");
+  std::get<std::vector<double>>(data.find("heights")->values)[7] = -9999;
+  const std::string path =
+      std::filesystem::temp_directory_path() / ("asperity_rows_" + std::to_string(getpid()) + ".nc");
+  const std::string bytes = encode_netcdf(data);
+  std::ofstream(path, std::ios::binary) << bytes;
+  {
+    const FieldFile file(path, "heights");
+    const Field whole = field_of(data, "heights", Missing::not_a_number);
+    CHECK(count(file.dataset().at("heights").values) == 0);
+    CHECK(count(file.dataset().at("kernel").values) == 9);
+    for (Index first = 0; first < grid.shape.nx; ++first) {
+      const Index rows = std::min<Index>(2, grid.shape.nx - first);
+      const Field part = file.rows(first, rows), same = whole.middleRows(first, rows);
+      CHECK((part == same || (part.isNaN() && same.isNaN())).all());
+    }
+    CHECK_THROWS_AS(FieldFile(path, "kernel"), DataError);
+    CHECK_THROWS_AS(FieldFile(path, "absent"), DataError);
+  }
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes.substr(0, bytes.size() - 64);
+  CHECK_THROWS_AS(FieldFile(path, "heights"), DataError);
+  std::filesystem::remove(path);
 }

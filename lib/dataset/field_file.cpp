@@ -1,0 +1,30 @@
+#include "dataset/field_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+
+FieldFile::FieldFile(const std::string& path, std::string_view variable)
+    : file_(path, {"x", "y"}), grid_(grid_of(file_.dataset())), variable_(variable) {
+  if (dataset().at(variable_).dimensions != std::vector<std::string>{"x", "y"})
+    throw DataError(variable_, "it does not lie on (x, y)");
+}
+
+// The rows are a dataset of their own, read as any other.
+Field FieldFile::rows(Index first, Index count) const {
+  Dataset strip;
+  strip.dimensions = dataset().dimensions;
+  std::ranges::find(strip.dimensions, "x", &Dimension::name)->length = count;
+  for (const std::string& name : {variable_, std::string("mask")})
+    if (const Variable* present = dataset().find(name)) {
+      Variable part = *present;
+      part.values = file_.rows(name, first, count);
+      strip.variables.push_back(std::move(part));
+    }
+  return field_of(strip, variable_, Missing::not_a_number);
+}
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+/// A dataset whose fields stay in the file, and are read by whole rows: for fields larger than memory.
+///
+/// What lies on both x and y is left in the file; everything else, coordinates, tables and attributes, is read.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "dataset/dataset.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/netcdf.hpp"
+
+namespace asperity {
+
+class FieldFile {
+ public:
+  /// A regular file; throws DataError as decode_netcdf does, and for a variable that field_of would refuse.
+  FieldFile(const std::string& path, std::string_view variable);
+
+  /// Without the values of fields.
+  const Dataset& dataset() const { return file_.dataset(); }
+  const Grid& grid() const { return grid_; }
+  /// `count` rows from `first` on in SI, missing points NaN. Throws DataError when one is infinite.
+  Field rows(Index first, Index count) const;
+
+ private:
+  NetcdfFile file_;
+  Grid grid_;
+  std::string variable_;
+};
+
+}  // namespace asperity

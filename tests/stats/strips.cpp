@@ -1,0 +1,132 @@
+// A field in strips beside the same field whole.
+#include <algorithm>
+#include <vector>
+
+#include "grid/error.hpp"
+#include "holes.hpp"
+#include "stats/missing.hpp"
+#include "stats/moments.hpp"
+#include "stats/selection.hpp"
+#include "stats/slopes.hpp"
+#include "stats/spectral_moments.hpp"
+#include "stats/strip_acf.hpp"
+#include "stats/summits.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// visit(strip, own) for strips of `rows`, with two rows behind them.
+template <class Visit>
+void for_each_strip(const Field& z, bool periodic, Index rows, Visit visit) {
+  const Index nx = z.rows();
+  for (Index first = 0; first < nx; first += rows) {
+    const Index own = std::min(rows, nx - first),
+                behind = periodic ? 2 : std::min<Index>(2, nx - first - own);
+    visit(Field(Field::NullaryExpr(own + behind, z.cols(),
+                                   [&](Index i, Index j) { return z((first + i) % nx, j); })),
+          own);
+  }
+}
+
+}  // namespace
+
+// Sums of rows are added in the order of the rows, whatever the strips.
+TEST_CASE("slopes, spectral moments and summits of strips are those of the whole field to the last bit",
+          "[strips][law]") {
+  for (const bool periodic : {false, true})
+    for (const bool holes : {false, true}) {
+      const Grid g{{29, 23}, 0.5, 0.7, periodic};
+      const Field z = holes ? with_holes(random_field(g.shape, 301), 0.1, 302) : random_field(g.shape, 301);
+      for (Index rows : {4, 7, 28}) {
+        SlopeSums slopes;
+        SpectralMomentSums spectral;
+        SummitSums summits;
+        for_each_strip(z, periodic, rows, [&](const Field& strip, Index own) {
+          slopes.add({strip, g, own});
+          spectral.add({strip, g, own}, mean(z));
+          summits.add({strip, g, own}, mean(z));
+        });
+        CAPTURE(periodic, holes, rows);
+        const SpectralMoments m = spectral.moments(g), whole = spectral_moments(z, g);
+        CHECK(slopes.parameters(g).sdq == slope_parameters(z, g).sdq);
+        CHECK(slopes.parameters(g).sdr == slope_parameters(z, g).sdr);
+        CHECK((m.m00 == whole.m00 && m.m20 == whole.m20 && m.m11 == whole.m11 && m.m02 == whole.m02));
+        CHECK((m.m40 == whole.m40 && m.m31 == whole.m31 && m.m22 == whole.m22 && m.m13 == whole.m13));
+        CHECK(m.m04 == whole.m04);
+        CHECK(summits.summits(g).count == counted_summits(z, g).count);
+        CHECK(summits.summits(g).mean_curvature == counted_summits(z, g).mean_curvature);
+      }
+    }
+}
+
+// As for whole fields: heights of multiples of 2⁻⁵⁰ m remain exact on top of 1 m.
+TEST_CASE("moments of strips are those of the whole field to round-off, 1 nm on 1 m included",
+          "[strips][exact]") {
+  const double unit = std::ldexp(1.0, -50);
+  const Field z = with_holes((random_field({64, 50}, 303) * (1e-9 / unit)).round() * unit + 1.0, 0.1, 304);
+  MeanSum level;
+  for_each_strip(z, false, 9, [&](const Field& strip, Index own) { level.add(strip.topRows(own)); });
+  MomentSums sums(level.mean());
+  for_each_strip(z, false, 9, [&](const Field& strip, Index own) { sums.add(strip.topRows(own)); });
+  const Moments m = sums.moments("heights"), whole = moments(z);
+  CHECK(relative_error(m.sq, whole.sq) <= 1e-13);
+  CHECK(relative_error(m.sa, whole.sa) <= 1e-13);
+  CHECK(std::abs(m.ssk - whole.ssk) <= 1e-13);
+  CHECK(relative_error(m.sku, whole.sku) <= 1e-13);
+  CHECK(relative_error(m.sp, whole.sp) <= 1e-13);
+  CHECK(level.count() == static_cast<double>((!z.isNaN()).count()));
+  CHECK_THROWS_AS(MeanSum().mean(), DataError);
+}
+
+TEST_CASE("ranks are those of the sorted heights, of both signs, repeated, tiny and infinite range",
+          "[strips][exact]") {
+  Field z = with_holes(random_field({40, 33}, 305), 0.1, 306);
+  z.topRows(9) = (8 * z.topRows(9)).round() / 8;  // many are equal
+  z(10, 30) = 1e300, z(11, 30) = -1e300, z(12, 30) = 5e-324, z(13, 30) = -5e-324, z(14, 30) = 0.0;
+  std::vector<double> sorted;
+  for (const double height : z.reshaped())
+    if (!std::isnan(height)) sorted.push_back(height);
+  std::ranges::sort(sorted);
+  const std::vector<std::uint64_t> ranks{
+      0, 1, 17, sorted.size() / 2, sorted.size() / 2 + 1, sorted.size() - 1};
+  RankSelection selection(ranks);
+  for (int pass = 0; pass < RankSelection::passes; ++pass) {
+    for_each_strip(z, false, 7, [&](const Field& strip, Index own) { selection.add(strip.topRows(own)); });
+    selection.end_pass();
+  }
+  for (std::size_t i = 0; i < ranks.size(); ++i) CHECK(selection.height(i) == sorted[ranks[i]]);
+}
+
+// Transforms add ε log2(torus) ≤ 12 ε of Σd² to each sum of pairs.
+TEST_CASE("the ACF of strips is the direct mean over the pairs that lie in one strip", "[strips][exact]") {
+  for (const bool holes : {false, true}) {
+    const Grid g = grid(23, 14);
+    const Field z = holes ? with_holes(random_field(g.shape, 307), 0.2, 308) : random_field(g.shape, 307);
+    const Index rows = 6;
+    StripAutocorrelation acf(g, rows);
+    for_each_strip(z, false, rows, [&](const Field& strip, Index own) { acf.add(strip.topRows(own)); });
+    const LagField R = acf.estimate();
+    CHECK(R.max_p() == 3);
+    for (Index p = 0; p <= R.max_p(); ++p)
+      for (Index q = -R.max_q(); q <= R.max_q(); ++q) {
+        double sum = 0, pairs = 0;
+        for_each_strip(z, false, rows, [&](const Field& strip, Index own) {
+          for_each_pair(strip.topRows(own), false, p, q, [&](double a, double b) { sum += a * b, ++pairs; });
+        });
+        CAPTURE(holes, p, q);
+        CHECK(std::abs(R(p, q) - sum / pairs) <= 12 * epsilon * zero_filled(z).square().sum() / pairs);
+      }
+    CHECK(acf.pairs().complete() == !holes);
+    CHECK(acf.pairs().points() == Approx(static_cast<double>((!z.isNaN()).count())).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a correlation still above a tenth at the strips' longest lag is told, and none that is shorter",
+          "[strips][contract]") {
+  const StripAutocorrelation strips(grid(60, 20), 12);
+  CHECK_FALSE(strips.reaches_beyond(triangular_correlation({6, 3})));
+  CHECK(strips.reaches_beyond(triangular_correlation({12, 3})));
+  CHECK_FALSE(StripAutocorrelation(grid(60, 20), 60).reaches_beyond(triangular_correlation({31, 3})));
+}
