@@ -8,6 +8,9 @@
 namespace asperity {
 namespace {
 
+// The share of S_2 in the tails that noise hides, times N/S_2: 7 of a triangular, 17 of an exponential correlation.
+constexpr double lost_tail = 10;
+
 // A lag of an estimate: weight as for_each_lag gives it, evidence = |ρ| √pairs/√N.
 struct Candidate {
   Index p, q;
@@ -29,16 +32,54 @@ std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   return lags;
 }
 
-// S_1 over twice the admitted reach, the field's mean put back.
-double sum_of_tail(const LagField& rho, const LagField& admitted, const Pairs& pairs) {
-  double sum = 0, lags = 0;
-  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
-    if (admitted(p / 2, q / 2) == 0) return;
-    sum += weight * rho(p, q);
-    lags += weight;
-  });
-  return std::max(0.0, sum / (1 - std::min(lags / pairs.points(), 0.5)));
-}
+// The lags (p,q) whose halves are admitted, and as a LagField that holds no more than those.
+class Tail {
+ public:
+  Tail(const LagField& rho, const LagField& admitted, const Pairs& pairs)
+      : pairs_(pairs), admitted_(admitted), rho_(twice_the_reach(rho, admitted)) {
+    for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
+      if (admitted_(p / 2, q / 2) == 0) return;
+      weight_ += weight;
+      if (p != 0 || q != 0) count_ += weight / pairs_.share(p, q);
+    });
+  }
+
+  /// S_1; what the field's mean took from each lag is put back.
+  double first_sum() const {
+    double sum = 0;
+    for_each([&](double rho, double weight) { sum += weight * rho; });
+    return std::max(0.0, sum / (1 - std::min(weight_ / pairs_.points(), 0.5)));
+  }
+  /// S_2 of (ρ + b)/(1 + b), less the noise that its squares hold.
+  double second_sum(double b) const {
+    double sum = 0;
+    for_each([&](double rho, double weight) { sum += weight * std::pow((rho + b) / (1 + b), 2); });
+    return std::max(1.0, sum / (1 + count_ / pairs_.points()));
+  }
+
+ private:
+  static LagField twice_the_reach(const LagField& rho, const LagField& admitted) {
+    const Field& a = admitted.half_plane();
+    Index p = 0, q = 0;
+    for (Index row = 0; row < a.rows(); ++row)
+      for (Index column = 0; column < a.cols(); ++column)
+        if (a(row, column) != 0) p = row, q = std::max(q, std::abs(column - admitted.max_q()));
+    p = std::min(2 * p + 1, rho.max_p());
+    q = std::min(2 * q + 1, rho.max_q());
+    return LagField(rho.half_plane().block(0, rho.max_q() - q, p + 1, 2 * q + 1));
+  }
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
+      if (admitted_(p / 2, q / 2) != 0) visit(rho_(p, q), weight);
+    });
+  }
+
+  const Pairs& pairs_;
+  const LagField& admitted_;
+  LagField rho_;
+  double weight_ = 0, count_ = 0;
+};
 
 }  // namespace
 
@@ -53,9 +94,15 @@ EffectiveSize::EffectiveSize(const LagField& correlation, const Pairs& pairs) : 
 }
 
 EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
-  const LagField admitted = significant_lags(estimate, pairs);
-  EffectiveSize size(admitted, pairs);
-  size.sums_[1] = sum_of_tail(estimate.normalised(), admitted, pairs);
+  const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
+  const Tail tail(rho, admitted, pairs);
+  const double s1 = tail.first_sum(), lost = s1 / pairs.points(), b = lost / (1 - std::min(lost, 0.5));
+  const Field& values = admitted.half_plane();
+  EffectiveSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
+  size.sums_[1] = s1;
+  const double s2 = tail.second_sum(b);
+  size.sums_[2] = s2 * (1 + lost_tail * s2 / pairs.points());
+  size.degrees_ = size.effective(2) / 8;
   return size;
 }
 

@@ -15,18 +15,19 @@
 ///
 /// An estimated ρ is mostly noise far out, of standard error √(S_2/N) (stats/acf_error.hpp); summed, that
 /// noise would be as large as S_2 itself. Therefore lags are admitted in the order of |ρ| for as long as the
-/// next exceeds three standard errors, √(S_2/pairs) with S_2 of those admitted. Of the noise 0.3 % passes; of
-/// an exponential tail below the level t is lost the part t²(1 + 2 ln 1/t) of S_2, 3 % for t = 0.07. S_1
-/// weighs the tail more: it is summed over twice the admitted reach (h where h/2 is admitted), where the tail
-/// has sunk to t², and the field's mean, which lowers each of the K lags by S_1/N, is put back:
-/// S_1 = Σ/(1 - K/N).
+/// next exceeds three standard errors, √(S_2/pairs) with S_2 of those admitted; of the noise 0.3 % passes. S_k, k ≥ 3,
+/// are summed over these. S_1 and S_2 weigh the tail more: they are summed over twice the admitted reach (h where h/2 is
+/// admitted), K lags. There the field's mean, which lowers each lag by b = S_1/N, is put back, and of the squares the
+/// noise S_2/N each is taken off:
+///     S_1 = Σ w ρ/(1 - K/N),     S_2 = Σ w [(ρ+b)/(1+b)]² / (1 + K/N).                              (6)
+/// What still lies beyond lowers S_2 by some 10 S_2/N of it, measured of triangular (7) and exponential (17) correlations,
+/// and is added. So known, ln S_1 and ln S_2 have a variance of 5 to 16 S_2/N: `degrees`, N/(8 S_2), are those of a
+/// standard error of this quality.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].
-/// Accuracy  The 95 % intervals cover 92–99 % with a known ρ, down to N_eff = N/S_2 = 40; with an estimated one
-///           94–97 % from N_eff = 600 on, but for Sa and Sq 92 % at 150 and 84 % at 40 (1600 fields of
-///           128 × 128 a row, validation/statistics_coverage). An S_k that noise makes negative, which no
-///           correlation has, counts as zero.
+/// Accuracy  first order in S_2/N; of the intervals that follow: stats/moment_interval.hpp. An S_k that noise makes
+///           negative, which no correlation has, counts as zero.
 /// Cost      at most 512 multiplications a lag, fewer where ρᵏ vanishes; two passes over an estimate's lags.
 ///
 /// F. G. Mehler, J. reine angew. Math. 66 (1866) 161-176.
@@ -35,6 +36,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 
 #include "grid/field.hpp"
 #include "stats/lag_field.hpp"
@@ -55,12 +57,13 @@ class EffectiveSize {
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
+  double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
   /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`. The weights beyond `powers` are taken
   /// with the last sum, which is larger than theirs.
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:
-  double points_;
+  double points_, degrees_ = std::numeric_limits<double>::infinity();
   std::array<double, powers + 1> sums_{};
 };
 

@@ -30,8 +30,10 @@ void add_profile(cli::Table& table, const cli::Measured& measured, const Result&
   const double spacing = x ? measured.grid.dx : measured.grid.dy, scale = absolute ? estimate.variance : 1;
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
-    std::vector<cli::Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, scale * estimate.rho(p, q),
-                               scale * estimate.standard_error(p, q, absolute)};
+    const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
+    std::vector<cli::Cell> row{
+        x ? "x" : "y", static_cast<double>(lag) * spacing, value,
+        error,         value - cli::half_width_95 * error, value + cli::half_width_95 * error};
     if (measured.target) row.push_back(scale * (*measured.target)(p, q));
     if (result.structure) row.push_back((*result.structure)(p, q));
     table.rows.push_back(std::move(row));
@@ -40,7 +42,13 @@ void add_profile(cli::Table& table, const cli::Measured& measured, const Result&
 
 cli::Table profiles(const cli::Measured& measured, const Result& result, bool absolute) {
   const std::string unit = absolute ? measured.units_to(2) : "1";
-  cli::Table table{{{"direction", ""}, {"lag", "m"}, {"acf", unit}, {"standard_error", unit}}, {}};
+  cli::Table table{{{"direction", ""},
+                    {"lag", "m"},
+                    {"acf", unit},
+                    {"standard_error", unit},
+                    {"low_95", unit},
+                    {"high_95", unit}},
+                   {}};
   if (measured.target) table.columns.push_back({"target", unit});
   if (result.structure) table.columns.push_back({"structure_function", measured.units_to(2)});
   for (const bool x : {true, false}) add_profile(table, measured, result, absolute, x);

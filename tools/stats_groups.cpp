@@ -15,6 +15,7 @@
 #include "stats/acf_lobe.hpp"
 #include "stats/gaussianity.hpp"
 #include "stats/material_ratio.hpp"
+#include "stats/moment_interval.hpp"
 #include "stats/profile.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
@@ -195,13 +196,17 @@ Rows height_rows(Sample& sample) {
   const Moments& m = sample.moments();
   const EffectiveSize& size = sample.size();
   const MomentErrors error = standard_errors(m, size);
+  const MomentIntervals interval = confidence_intervals(m, size);
+  auto ends = [](const Interval& i, double shift = 0) { return std::array{i.low + shift, i.high + shift}; };
+  const double level = sample.measured().level;
   const std::string& unit = sample.units();
   Rows out{
-      {"mean", sample.measured().level, unit, error.mean, "mean, subtracted from the heights below"},
-      {"Sa", m.sa, unit, error.sa, "arithmetic mean height"},
-      {"Sq", m.sq, unit, error.sq, "root mean square height"},
-      {"Ssk", m.ssk, "1", error.ssk, "skewness, 0 for a Gaussian"},
-      {"Sku", m.sku, "1", error.sku, "kurtosis, 3 for a Gaussian"},
+      {"mean", level, unit, error.mean, "mean, subtracted from the heights below",
+       ends(interval.mean, level - m.mean)},
+      {"Sa", m.sa, unit, error.sa, "arithmetic mean height", ends(interval.sa)},
+      {"Sq", m.sq, unit, error.sq, "root mean square height", ends(interval.sq)},
+      {"Ssk", m.ssk, "1", error.ssk, "skewness, 0 for a Gaussian", ends(interval.ssk)},
+      {"Sku", m.sku, "1", error.sku, "kurtosis, 3 for a Gaussian", ends(interval.sku)},
       {"Sp", m.sp, unit, unknown, "highest peak of the whole field"},
       {"Sv", m.sv, unit, unknown, "deepest valley of the whole field"},
       {"Sz", m.sz(), unit, unknown, "maximum height Sp + Sv"},

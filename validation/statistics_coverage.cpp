@@ -4,8 +4,9 @@
 //     statistics_coverage [FIELDS]        fields a row, 400 unless given
 //
 // Fields of 128 × 128 points, white noise averaged over w × w neighbours (correlation (1 - |p|/w)(1 -
-// |q|/w)). Each row counts how often |estimate - truth| ≤ 1.96 standard errors, once with errors from the
-// known correlation, once from the correlation estimated from the same field. The counts' own standard error
+// |q|/w)), and such with an exponential correlation of the length w. Each row counts how often the interval
+// (stats/moment_interval.hpp) holds the truth, once with the known correlation, once with the one estimated
+// from the same field. The counts' own standard error
 // is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 
 #include "stats/acf.hpp"
 #include "stats/effective_size.hpp"
+#include "stats/moment_interval.hpp"
 #include "stats/moments.hpp"
 #include "timing.hpp"
 
@@ -44,18 +46,34 @@ LagField triangular_correlation(Index width) {
       width, 2 * width - 1, [&](Index p, Index column) { return share(p) * share(column - (width - 1)); }));
 }
 
+// Of variance 1 and correlation exp(-(|p|+|q|)/length), by recursion from noise that is left behind.
+Field exponential_field(Shape shape, Index length, std::mt19937_64& generator) {
+  const Index run_in = 8 * length;
+  const double a = std::exp(-1 / static_cast<double>(length)), b = std::sqrt(1 - a * a);
+  Field z = white_noise({shape.nx + run_in, shape.ny + run_in}, generator);
+  for (Index i = 1; i < z.rows(); ++i) z.row(i) = a * z.row(i - 1) + b * z.row(i);
+  for (Index j = 1; j < z.cols(); ++j) z.col(j) = a * z.col(j - 1) + b * z.col(j);
+  return z.bottomRightCorner(shape.nx, shape.ny);
+}
+
+LagField exponential_correlation(Index length) {
+  const Index reach = 18 * length;
+  return LagField(Field::NullaryExpr(reach + 1, 2 * reach + 1, [=](Index p, Index column) {
+    return std::exp(-static_cast<double>(p + std::abs(column - reach)) / static_cast<double>(length));
+  }));
+}
+
 // Of the mean, Sa, Sq, Ssk and Sku.
 using Coverage = std::array<double, 5>;
 
-void count(Coverage& covered, const Moments& m, const MomentErrors& error) {
-  auto hit = [](double deviation, double standard_error) {
-    return std::abs(deviation) <= 1.96 * standard_error;
-  };
-  covered[0] += hit(m.mean, error.mean);
-  covered[1] += hit(m.sa - std::sqrt(2 / M_PI), error.sa);
-  covered[2] += hit(m.sq - 1, error.sq);
-  covered[3] += hit(m.ssk, error.ssk);
-  covered[4] += hit(m.sku - 3, error.sku);
+void count(Coverage& covered, const Moments& m, const EffectiveSize& size) {
+  auto holds = [](const Interval& i, double truth) { return i.low <= truth && truth <= i.high; };
+  const MomentIntervals i = confidence_intervals(m, size);
+  covered[0] += holds(i.mean, 0);
+  covered[1] += holds(i.sa, std::sqrt(2 / M_PI));
+  covered[2] += holds(i.sq, 1);
+  covered[3] += holds(i.ssk, 0);
+  covered[4] += holds(i.sku, 3);
 }
 
 void print(Index width, double n_eff, const char* correlation, const Coverage& covered, int fields) {
@@ -64,16 +82,17 @@ void print(Index width, double n_eff, const char* correlation, const Coverage& c
   fmt::print("\n");
 }
 
-void coverage(const Grid& grid, Index width, int fields) {
+template <class Draw>
+void coverage(const Grid& grid, Index width, const LagField& correlation, Draw draw, int fields) {
   std::mt19937_64 generator(static_cast<unsigned>(width));
-  const EffectiveSize known(triangular_correlation(width), grid);
+  const EffectiveSize known(correlation, grid);
   Coverage with_known{}, with_estimate{};
   for (int f = 0; f < fields; ++f) {
-    const Field z = moving_average(grid.shape, width, generator);
+    const Field z = draw(grid.shape, width, generator);
     const Moments m = moments(z);
     const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
-    count(with_known, m, standard_errors(m, known));
-    count(with_estimate, m, standard_errors(m, EffectiveSize::of_estimate(acf, grid)));
+    count(with_known, m, known);
+    count(with_estimate, m, EffectiveSize::of_estimate(acf, grid));
   }
   print(width, known.effective(2), "known", with_known, fields);
   print(width, known.effective(2), "estimated", with_estimate, fields);
@@ -102,7 +121,12 @@ int main(int argc, char** argv) {
   const int fields = argc > 1 ? std::max(1, std::atoi(argv[1])) : 400;
   fmt::print("Coverage [%] of 95 % intervals, {} fields of 128 x 128\n", fields);
   fmt::print("width     N_eff  errors      mean     Sa     Sq    Ssk    Sku\n");
-  for (Index width : {1, 4, 8, 16, 32}) coverage({{128, 128}, 1, 1, false}, width, fields);
+  const Grid grid{{128, 128}, 1, 1, false};
+  for (Index width : {1, 4, 8, 16, 32})
+    coverage(grid, width, triangular_correlation(width), moving_average, fields);
+  fmt::print("exponential, length\n");
+  for (Index length : {1, 3, 6, 12})
+    coverage(grid, length, exponential_correlation(length), exponential_field, fields);
   fmt::print("\nCost in real transforms of the same size, one thread\n");
   fmt::print("    n  transform [s]  moments      ACF    N_eff\n");
   for (Index n : {128, 256, 512, 1024}) cost(n);

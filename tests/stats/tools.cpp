@@ -174,8 +174,9 @@ TEST_CASE(
 TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
   const Outcome run = run_on_surface("asperity-acf drawn.nc --profiles --max-lag 20x15");
   REQUIRE(run.exit == 0);
-  CHECK(
-      run.out.starts_with("# direction\tlag [m]\tacf [1]\tstandard_error [1]\ttarget [1]\nx\t0\t1\t0\t1\n"));
+  CHECK(run.out.starts_with(
+      "# direction\tlag [m]\tacf [1]\tstandard_error [1]\tlow_95 [1]\thigh_95 [1]\ttarget [1]\n"
+      "x\t0\t1\t0\t1\t1\t1\n"));
   CHECK(lines(run.out) == 1 + 21 + 16);
   const Json absolute = json_of("asperity-acf drawn.nc --absolute --json");
   const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];

@@ -94,10 +94,24 @@ std::string Table::json() const {
   return object.dump(2) + "\n";
 }
 
+std::array<double, 2> Quantities::Row::interval_95() const {
+  return interval.value_or(
+      std::array{value - half_width_95 * standard_error, value + half_width_95 * standard_error});
+}
+
 Table Quantities::table() const {
-  Table out{{{"quantity", ""}, {"value", "SI"}, {"standard_error", "SI"}, {"unit", ""}, {"meaning", ""}}, {}};
-  for (const Row& row : rows)
-    out.rows.push_back({row.name, row.value, row.standard_error, row.unit, row.meaning});
+  Table out{{{"quantity", ""},
+             {"value", "SI"},
+             {"standard_error", "SI"},
+             {"low_95", "SI"},
+             {"high_95", "SI"},
+             {"unit", ""},
+             {"meaning", ""}},
+            {}};
+  for (const Row& row : rows) {
+    const auto [low, high] = row.interval_95();
+    out.rows.push_back({row.name, row.value, row.standard_error, low, high, row.unit, row.meaning});
+  }
   return out;
 }
 
@@ -105,7 +119,11 @@ std::string Quantities::json() const {
   Json object = Json::object();
   for (const Row& row : rows) {
     Json entry{{"value", json_of(row.value)}, {"unit", row.unit}};
-    if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
+    if (std::isfinite(row.standard_error)) {
+      const auto [low, high] = row.interval_95();
+      entry["standard_error"] = row.standard_error;
+      entry["interval_95"] = {json_of(low), json_of(high)};
+    }
     entry["meaning"] = row.meaning;
     object[row.name] = std::move(entry);
   }

@@ -3,6 +3,8 @@
 /// Numbers are printed in the shortest form that reads back to the same double, in the C locale.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,6 +12,9 @@
 namespace asperity::cli {
 
 class Tool;
+
+/// Of a 95 % interval of a Gaussian quantity, in standard errors.
+constexpr double half_width_95 = 1.959963984540054;
 
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
@@ -32,8 +37,8 @@ struct Table {
   std::string json() const;
 };
 
-/// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …,
-/// "standard_error": …}}.
+/// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …, "standard_error": …,
+/// "interval_95": [low, high]}}.
 struct Quantities {
   struct Row {
     std::string name;
@@ -41,6 +46,10 @@ struct Quantities {
     std::string unit;
     double standard_error;  ///< not finite: none is known
     std::string meaning;
+    /// Of 95 % confidence; absent: 1.96 standard errors about the value.
+    std::optional<std::array<double, 2>> interval = {};
+
+    std::array<double, 2> interval_95() const;
   };
   std::vector<Row> rows;
 

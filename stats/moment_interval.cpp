@@ -1,0 +1,46 @@
+#include "stats/moment_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gsl/gsl_cdf.h>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+// (2), (3).
+Interval of_scale(double value, double degrees, double tail) {
+  if (std::isinf(degrees)) return {value, value};
+  return {value * std::sqrt(degrees / gsl_cdf_chisq_Qinv(tail, degrees)),
+          value * std::sqrt(degrees / gsl_cdf_chisq_Pinv(tail, degrees))};
+}
+
+Interval about(double value, double half_width) { return {value - half_width, value + half_width}; }
+
+// n of independent heights; NaN, if the formula has no positive value.
+double skewness_error(double n) { return std::isinf(n) ? 0 : std::sqrt(6 * (n - 2) / ((n + 1) * (n + 3))); }
+double kurtosis_error(double n) {
+  if (std::isinf(n)) return 0;
+  return n > 3 ? std::sqrt(24 * n * (n - 2) * (n - 3) / ((n + 1) * (n + 1) * (n + 3) * (n + 5))) : NAN;
+}
+
+}  // namespace
+
+MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
+  if (!(level > 0 && level < 1))
+    throw ParameterError("confidence", "value " + std::to_string(level) + " is not between 0 and 1");
+  const double tail = (1 - level) / 2, u = gsl_cdf_ugaussian_Qinv(tail), patches = size.effective(2);
+  const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
+  const MomentErrors error = standard_errors(moments, size);
+  const double t = patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, size.degrees())) : NAN;
+  return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
+          .sa = of_scale(moments.sa / left, 0.5 * std::pow(moments.sa / error.sa, 2), tail),
+          .sq = of_scale(moments.sq / left, patches, tail),
+          .ssk = about(moments.ssk, u * skewness_error(size.effective(3))),
+          .sku = about(moments.sku + 6 / patches, u * kurtosis_error(size.effective(4)))};
+}
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "stats/moment_interval.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include "fields.hpp"
+#include "grid/error.hpp"
+#include "stats/acf.hpp"
+#include "stats/acf_error.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+bool holds(const Interval& i, double truth) { return i.low <= truth && truth <= i.high; }
+
+// Shares of fields whose 95 % intervals, from the correlation estimated from each, hold the truth.
+struct Coverage {
+  double mean = 0, sa = 0, sq = 0, ssk = 0, sku = 0, lag = 0;
+
+  Coverage(Shape shape, Shape window, int fields) {
+    const Grid g = grid(shape.nx, shape.ny);
+    const LagField rho = triangular_correlation(window);
+    const Index half = window.nx / 2;
+    for (int f = 0; f < fields; ++f) {
+      const Field z = moving_average(shape, window, static_cast<unsigned>(f));
+      const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
+      const MomentIntervals i = confidence_intervals(moments(z), EffectiveSize::of_estimate(acf, g));
+      const AcfError error(significant_lags(acf, g), g);
+      mean += holds(i.mean, 0);
+      sa += holds(i.sa, std::sqrt(2 / std::numbers::pi));
+      sq += holds(i.sq, 1);
+      ssk += holds(i.ssk, 0);
+      sku += holds(i.sku, 3);
+      lag += std::abs(acf.normalised()(half, 0) - rho(half, 0)) <= 1.96 * error.normalised(half, 0);
+    }
+    for (double* share : {&mean, &sa, &sq, &ssk, &sku, &lag}) *share /= fields;
+  }
+};
+
+}  // namespace
+
+// All S_k are 1.
+TEST_CASE("independent heights have Fisher's intervals", "[moment-interval][exact]") {
+  const EffectiveSize size(triangular_correlation({1, 1}), grid(5, 8));
+  const Moments m{.mean = 7, .sa = 1.5, .sq = 2, .ssk = 0.3, .sku = 2.5};
+  const MomentIntervals i = confidence_intervals(m, size);
+  const double left = std::sqrt(39.0 / 40), t = gsl_cdf_tdist_Qinv(0.025, 39);
+  CHECK(relative_error(i.mean.high - 7, t * 2 / std::sqrt(39)) <= 1e-12);
+  CHECK(relative_error(7 - i.mean.low, t * 2 / std::sqrt(39)) <= 1e-12);
+  CHECK(relative_error(i.sq.low, 2 / left * std::sqrt(40 / gsl_cdf_chisq_Pinv(0.975, 40))) <= 1e-12);
+  CHECK(relative_error(i.sq.high, 2 / left * std::sqrt(40 / gsl_cdf_chisq_Pinv(0.025, 40))) <= 1e-12);
+  CHECK(relative_error(i.ssk.high - i.ssk.low, 2 * 1.959964 * std::sqrt(6 * 38 / (41.0 * 43))) <= 1e-6);
+  CHECK(relative_error(i.sku.high + i.sku.low, 2 * (2.5 + 6 / 40.0)) <= 1e-12);
+  CHECK(relative_error(i.sku.high - i.sku.low,
+                       2 * 1.959964 * std::sqrt(24 * 40.0 * 38 * 37 / (41.0 * 41 * 43 * 45))) <= 1e-6);
+}
+
+TEST_CASE("an interval of half the confidence is narrower, and about the same scale",
+          "[moment-interval][law]") {
+  const Field z = moving_average({40, 40}, {3, 3}, 5);
+  const EffectiveSize size(triangular_correlation({3, 3}), grid(40, 40));
+  const MomentIntervals wide = confidence_intervals(moments(z), size),
+                        narrow = confidence_intervals(moments(z), size, 0.5);
+  for (auto part : {&MomentIntervals::mean, &MomentIntervals::sa, &MomentIntervals::sq, &MomentIntervals::ssk,
+                    &MomentIntervals::sku}) {
+    CHECK((wide.*part).low < (narrow.*part).low);
+    CHECK((narrow.*part).high < (wide.*part).high);
+  }
+}
+
+// 2000 fields each, of N/S_2 = 1100 and 150: the counts' own error is 0.5 %.
+TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % where it is short",
+          "[moment-interval][statistics]") {
+  const Coverage short_lengths({64, 64}, {3, 3}, 2000);
+  CAPTURE(short_lengths.mean, short_lengths.sa, short_lengths.sq, short_lengths.ssk, short_lengths.sku,
+          short_lengths.lag);
+  for (double share : {short_lengths.mean, short_lengths.sa, short_lengths.sq, short_lengths.ssk,
+                       short_lengths.sku, short_lengths.lag}) {
+    CHECK(share >= 0.93);
+    CHECK(share <= 0.97);
+  }
+}
+
+TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % where it is long",
+          "[moment-interval][statistics]") {
+  const Coverage long_lengths({64, 64}, {8, 8}, 2000);
+  CAPTURE(long_lengths.mean, long_lengths.sa, long_lengths.sq, long_lengths.ssk, long_lengths.sku,
+          long_lengths.lag);
+  for (double share : {long_lengths.mean, long_lengths.sa, long_lengths.sq, long_lengths.ssk,
+                       long_lengths.sku, long_lengths.lag}) {
+    CHECK(share >= 0.93);
+    CHECK(share <= 0.97);
+  }
+}
+
+TEST_CASE("a confidence that is none is refused, and so few patches have no interval",
+          "[moment-interval][contract]") {
+  const EffectiveSize few(triangular_correlation({9, 9}), grid(3, 3));
+  const Moments m{.mean = 0, .sa = 0.8, .sq = 1, .ssk = 0, .sku = 3};
+  for (double level : {0.0, 1.0, -2.0, std::nan("")})
+    CHECK_THROWS_AS(confidence_intervals(m, few, level), ParameterError);
+  CHECK(std::isnan(confidence_intervals(m, few).sku.low));
+}
