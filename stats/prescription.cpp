@@ -20,6 +20,7 @@ namespace {
 constexpr Index most_rows = 9, most_columns = 17;
 constexpr int draws = 8192;
 constexpr double most_score = 37;
+constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
 
 // The score of probabilities below and above, whichever is the smaller.
 double normal_score(double below, double above) {
@@ -127,10 +128,11 @@ void PrescriptionTest::add(const Field& z, const Grid& grid) {
   ++surfaces_;
 }
 
-// By Student's t where the error is the spread's own.
 double PrescriptionTest::score(double z, double skewness) const {
-  if (!prescription_.spread) return gamma_score(z, skewness / std::sqrt(surfaces_));
-  return normal_score(gsl_cdf_tdist_P(z, surfaces_ - 1), gsl_cdf_tdist_Q(z, surfaces_ - 1));
+  const double patches = surfaces_ / sums_[2];
+  const double t = prescription_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
+  const double degrees = prescription_.spread ? surfaces_ - 1 : patches / patches_per_degree;
+  return normal_score(gsl_cdf_tdist_P(t, degrees), gsl_cdf_tdist_Q(t, degrees));
 }
 
 Claim PrescriptionTest::claim(const std::string& name, Index quantity, double prescribed, double mean,

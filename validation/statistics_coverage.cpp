@@ -1,5 +1,5 @@
-// Coverage of the 95 % intervals of the moments against the correlation length, and the cost of the
-// statistics in transforms of the same size.
+// Coverage of the 95 % intervals of the moments against the correlation length, false alarms of the test of
+// a prescription, and the cost of the statistics in transforms of the same size.
 //
 //     statistics_coverage [FIELDS]        fields a row, 400 unless given
 //
@@ -20,6 +20,7 @@
 #include "stats/effective_size.hpp"
 #include "stats/moment_interval.hpp"
 #include "stats/moments.hpp"
+#include "stats/prescription.hpp"
 #include "timing.hpp"
 
 using namespace asperity;
@@ -98,6 +99,25 @@ void coverage(const Grid& grid, Index width, const LagField& correlation, Draw d
   print(width, known.effective(2), "estimated", with_estimate, fields);
 }
 
+// Of single surfaces that are as prescribed, at a stated 1 and 5 %.
+void false_alarms(Index n, Index width, int fields) {
+  std::mt19937_64 generator(static_cast<unsigned>(width));
+  const Grid grid{{n, n}, 1, 1, false};
+  const LagField correlation = triangular_correlation(width);
+  const PrescriptionTest untried({.correlation = correlation, .sq = 1}, grid);
+  int of_one = 0, of_five = 0;
+  for (int f = 0; f < fields; ++f) {
+    PrescriptionTest test = untried;
+    test.add(moving_average(grid.shape, width, generator), grid);
+    const double p = joint_p(test.claims());
+    of_one += p <= 0.01;
+    of_five += p <= 0.05;
+  }
+  fmt::print("{:5d}  {:5d}  {:8.0f}  {:5.2f}  {:5.2f}\n", n, width,
+             EffectiveSize(correlation, grid).effective(2), 100.0 * of_one / fields,
+             100.0 * of_five / fields);
+}
+
 void cost(Index n) {
   std::mt19937_64 generator(1);
   const Grid grid{{n, n}, 1, 1, false};
@@ -127,6 +147,10 @@ int main(int argc, char** argv) {
   fmt::print("exponential, length\n");
   for (Index length : {1, 3, 6, 12})
     coverage(grid, length, exponential_correlation(length), exponential_field, fields);
+  fmt::print(
+      "\nFalse alarms [%] of single surfaces that are as prescribed\n    n  width     N_eff  at 1%  at 5%\n");
+  for (const auto& [n, width] : {std::pair<Index, Index>{128, 11}, {64, 3}, {96, 4}})
+    false_alarms(n, width, fields);
   fmt::print("\nCost in real transforms of the same size, one thread\n");
   fmt::print("    n  transform [s]  moments      ACF    N_eff\n");
   for (Index n : {128, 256, 512, 1024}) cost(n);

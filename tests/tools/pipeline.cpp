@@ -173,10 +173,10 @@ TEST_CASE("bad data is exit 4 and one line that names the variable", "[contract]
       {"echo hello | " + contact, "dataset"},
       {contact + " nan.nc", "heights"},
       {contact + " none.nc", "heights"},
-      {"asperity-stats nan.nc", "heights"},
-      {"asperity-acf nan.nc", "heights"},
-      {"asperity-pdf nan.nc", "heights"},
-      {"asperity-psd nan.nc", "heights"},
+      {"asperity-stats none.nc", "heights"},
+      {"asperity-acf none.nc", "heights"},
+      {"asperity-pdf none.nc", "heights"},
+      {"asperity-psd none.nc", "heights"},
       {stress + " --poisson 0.3 good.nc", "pressure"},
   };
   for (const auto& [line, variable] : bad) {
