@@ -1,7 +1,8 @@
 /// The areal material ratio curve (Abbott and Firestone's bearing curve) and what is read off it.
 ///
-/// c(p), the inverse material ratio, is the height above which the share p of the surface lies: the (1-p)
-/// quantile, with the k-th highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, and straight lines between,
+/// c(p), the inverse material ratio, is the height above which the share p of the surface lies: the (1-p) quantile,
+/// with the k-th highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, and straight lines
+/// between,
 ///     c(0) = Sp,   c(1) = -Sv,   Smc(p) = c(p),   Smr = c⁻¹.                                          (1)
 /// The core is the first stretch [p₀, p₀ + 0.4] over which c falls least; the straight line that fits it best
 /// in least squares, drawn out to p = 0 and p = 1, meets them at the heights u and v,

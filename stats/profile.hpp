@@ -18,14 +18,14 @@
 ///     g_k(j) = Σ_p w_p ρ(p,j)ᵏ / Σ_p w_p ρ(p,0)ᵏ,   w_p the share of pairs at lag p along the profile,   (3)
 /// and the mean has the standard error, with c = Σ_j w_j g_k(j) over all distances,
 ///     SE = s √(c / (m - c)),   m/c the profiles that are independent,                                    (4)
-/// k = 3 for sk, 4 for ku, and 2 for all others: measured from the profile's mean, none has a linear component, and those
-/// beyond the second are less correlated. A dash where m ≤ 2c.
+/// k = 3 for sk, 4 for ku, and 2 for all others: measured from the profile's mean, none has a linear component, and
+/// those beyond the second are less correlated. A dash where m ≤ 2c.
 ///
 /// Symbols   z  heights, positive outwards [m]      l_sc  section length [m]      ρ  correlation
 /// Scope     Filters act on the surface before profiles are taken from it (stats/gaussian_filter.hpp). Missing points
 ///           are left out; no stencil (2) and no element reaches over one.
-/// Accuracy  (1) to round-off; (2) of a wave u = qΔ is (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u⁶/140, times its slope.
-///           p, v of a wave of N points a period are low by up to 5/N². (4) is that of Gaussian heights.
+/// Accuracy  (1) to round-off; (2) of a wave u = qΔ is (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u⁶/140, times its
+///           slope. p, v of a wave of N points a period are low by up to 5/N². (4) is that of Gaussian heights.
 /// Cost      a few passes over the data, one over the correlation.
 ///
 /// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2), whose limit of 10 % Rz and not that of 1 % in length is taken for Sm.

@@ -1,7 +1,8 @@
 /// Summits: counted on the grid, and expected of a Gaussian surface of the same spectral moments.
 ///
-/// Counted  A summit is a point higher than each of its eight neighbours; points at the edge of a field that
-///          is not periodic, or beside a missing point, are none, nor do they count as area. Its curvature is that of the parabolas through it along x and y,
+/// Counted  A summit is a point higher than each of its eight neighbours; points at the edge of a field that is not
+///          periodic, or beside a missing point, are none, nor do they count as area. Its curvature is that of the
+///          parabolas through it along x and y,
 ///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²],              (1)
 ///          and Greenwood and Williamson's model takes from them the density η, the radius R = 1/mean κ, and
 ///          the standard deviation σ_s of their heights.

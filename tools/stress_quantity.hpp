@@ -31,7 +31,8 @@ std::string stress_words();
 /// The quantities that were asked for, each once.
 class StressSelection {
  public:
-  /// A list of words, "all" standing for all stresses but not for their directions; throws ParameterError("components", …) for any other.
+  /// A list of words, "all" standing for all stresses but not for their directions; throws
+  /// ParameterError("components", …) for any other.
   explicit StressSelection(const std::string& list);
 
   stress::Set needs() const;

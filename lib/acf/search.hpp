@@ -10,8 +10,8 @@
 ///     meets the equations (acf/least_change.hpp), exactly where an autocorrelation with these lags exists,
 ///     or the n × m kernel of least squares (acf/least_squares.hpp),
 /// as KernelRequest::infeasible says. A smooth target, whose spectrum ends in round-off, is given the wider kernel at
-/// once. Of several candidates the one of the least error over all lags is kept, or of a table, which is noise at its far
-/// lags, the one of the least change.
+/// once. Of several candidates the one of the least error over all lags is kept, or of a table, which is noise at its
+/// far lags, the one of the least change.
 /// Patir's equations have no wider kernel: least squares answer for them.
 #pragma once
 

@@ -16,8 +16,8 @@
 ///
 /// Accuracy  principal stresses to 8 ε, the residual σv - λv to 16 ε of the largest component; a direction to that
 ///           over the distance to the next principal stress; directions normal to each other to 8 ε.
-/// Cost      some 60 ns a point of a row, less without the directions, all in vector arithmetic; an iterative solver takes seven times as long, the
-///           closed form of all three roots, with its 1e-8, twice.
+/// Cost      some 60 ns a point of a row, less without the directions, all in vector arithmetic; an iterative solver
+///           takes seven times as long, the closed form of all three roots, with its 1e-8, twice.
 ///
 /// [1] D. Eberly, A robust eigensolver for 3 × 3 symmetric matrices, Geometric Tools 2014.
 #pragma once

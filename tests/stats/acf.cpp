@@ -142,8 +142,8 @@ TEST_CASE("white noise has ACF errors sqrt(2/N) at zero and 1/sqrt(pairs) elsewh
   CHECK(error.normalised(0, 0) == 0);
 }
 
-// 400 fields: the mean's standard error is SE/20. The spread of a spread is 1/√800 = 3.5 %, and up to twice
-// that for the skewed sums of squares near lag zero; four of them. 4.2 standard errors leave 1 % for 7 × 13 lags together.
+// 400 fields: the mean's standard error is SE/20. The spread of a spread is 1/√800 = 3.5 %, and up to twice that for
+// the skewed sums of squares near lag zero; four of them. 4.2 standard errors leave 1 % for 7 × 13 lags together.
 TEST_CASE("over an ensemble the ACF estimate is unbiased and as wide as Bartlett's formulas say",
           "[acf-error][statistics]") {
   const Shape window{4, 3};

@@ -32,8 +32,9 @@ double brute_force(const Field& z, const Grid& grid, double cutoff, Index i, Ind
 
 }  // namespace
 
-// The polynomial's values reach d + 1; each of its (d+1)(d+2)/2 coefficients errs by ε √N of its norm, at most √N times its
-// largest value, and a basis function reaches √((2d+1)²/N) times √N of that: ε (d+1)² (2d+1)² bounds it amply.
+// The polynomial's values reach d + 1; each of its (d+1)(d+2)/2 coefficients errs by ε √N of its norm, at most √N
+// times its largest value, and a basis function reaches √((2d+1)²/N) times √N of that: ε (d+1)² (2d+1)² bounds it
+// amply.
 TEST_CASE("a polynomial of the form's degree leaves nothing but round-off", "[form][exact]") {
   for (int degree : {0, 1, 2, 5, 12}) {
     const Field z = Field::NullaryExpr(33, 48, [=](Index i, Index j) {

@@ -61,7 +61,8 @@ TEST_CASE("on the surface Huber's field is the pressure, hydrostatic-like inside
     CHECK(hertz_stress(0, r, 0, nu)[stress::zz] == Approx(-std::sqrt(1 - r * r)).epsilon(64 * epsilon));
 }
 
-// Cancellation of terms of the order of one, twice: 64 ε. At r = 1 itself, and at a depth of ε² of it, R loses half its digits.
+// Cancellation of terms of the order of one, twice: 64 ε. At r = 1 itself, and at a depth of ε² of it, R loses half
+// its digits.
 TEST_CASE("on the surface of a sliding Hertz contact the stress is linear in x and y", "[hertz][exact]") {
   constexpr double pi = std::numbers::pi;
   for (double nu : {0.0, 0.3, 0.5})

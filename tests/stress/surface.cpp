@@ -76,8 +76,9 @@ TEST_CASE("the error at the edge of a contact falls as the root of the cell", "[
     }
 }
 
-// The steps of qx lie at odd halves of Δx: Σ ln(k + ½) exceeds ∫ ln by ½ ln 2 to each side, and σxx has -(2/π) ln of the
-// distance from each, σxy half of that from the steps across y. Next to it stand terms of order 2, below a tenth of it here.
+// The steps of qx lie at odd halves of Δx: Σ ln(k + ½) exceeds ∫ ln by ½ ln 2 to each side, and σxx has -(2/π) ln of
+// the distance from each, σxy half of that from the steps across y. Next to it stand terms of order 2, below a tenth
+// of it here.
 TEST_CASE(
     "at the surface under friction the cells leave -(2 ln 2/pi) h of the traction's slope in the tangential "
     "stress",

@@ -2,7 +2,8 @@
 ///
 /// A named file comes into being when it is whole: until then it has no name, or, where the file system knows no
 /// files without one, a temporary name beside its own (cli/temporary.hpp). Nobody ever sees half of it, and a program
-/// that is interrupted leaves nothing behind. Every write is checked, the last flush too; failures are std::system_error with the file's name.
+/// that is interrupted leaves nothing behind. Every write is checked, the last flush too; failures are
+/// std::system_error with the file's name.
 #pragma once
 
 #include <cstdint>
