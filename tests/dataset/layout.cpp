@@ -162,7 +162,7 @@ TEST_CASE("units convert by their definition and refuse another dimension", "[un
 }
 
 TEST_CASE(
-    "missing points are NaN where they may be left out, by mask, by attribute or as NaN; infinity is refused",
+    "missing points are NaN where they may be left out, by mask, by attribute or as NaN, and infinity is refused",
     "[layout][contract]") {
   const Field heights = random_field(grid.shape, 7);
   Dataset data = with_heights(heights);
