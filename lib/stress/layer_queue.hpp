@@ -14,20 +14,21 @@ namespace asperity {
 /// finished(begin, end): the layers before `end` are complete.
 using LayersFinished = std::function<void(Index begin, Index end)>;
 
-/// compute(layer, work) for each layer < count, work of the thread; never of a layer `threads` or more beyond the last
-/// that finished() knows, so that as many buffers will do. finished() is called from the calling thread.
+/// compute(layer, work) for each layer < count, work of the thread. finished() is called from the calling thread; where
+/// there is one, no layer `threads` or more beyond the last that it knows is begun, so that as many buffers will do.
 template <class Work, class Compute>
 class LayerQueue {
  public:
   LayerQueue(Index count, int threads, Compute compute, const LayersFinished& finished)
       : count_(count),
-        window_(std::clamp<Index>(threads, 1, std::max<Index>(count, 1))),
+        workers_(std::clamp<Index>(threads, 1, std::max<Index>(count, 1))),
+        window_(finished ? workers_ : count),
         compute_(compute),
         finished_(finished),
         complete_(static_cast<std::size_t>(count)) {}
 
   void run() {
-    parallel_ranges(window_, static_cast<int>(window_), [&](Index, Index, int worker) {
+    parallel_ranges(workers_, static_cast<int>(workers_), [&](Index, Index, int worker) {
       try {
         take_part(worker == 0);
       } catch (...) {
@@ -72,7 +73,7 @@ class LayerQueue {
   bool drained() const { return next_ == count_; }
   bool over() const { return handed_over_ == count_; }
 
-  const Index count_, window_;
+  const Index count_, workers_, window_;
   Compute compute_;
   const LayersFinished& finished_;
   std::mutex mutex_;
