@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "stress/bound.hpp"
@@ -18,8 +19,8 @@ std::vector<double> depths_of_interest(const StressScene& s,
   if (!(s.least > 0) || !std::ranges::all_of(outputs, [](const auto& o) { return o.units == "Pa"; }))
     return s.depths;
   std::vector<double> out;
-  for (double z : s.depths)
-    if (!(stress_bound(s.grid, s.pressure, s.friction, s.poisson, z) < s.least)) out.push_back(z);
+  const StressBound bound(s.grid, s.pressure, s.friction, s.poisson);
+  std::ranges::copy_if(s.depths, std::back_inserter(out), [&](double z) { return !(bound.at(z) < s.least); });
   return out;
 }
 

@@ -26,13 +26,17 @@ double largest_norm(double poisson, stress::Traction load) {
 
 }  // namespace
 
-double stress_bound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
-                    double z) {
-  if (grid.periodic || !(z > 0)) return std::numeric_limits<double>::infinity();
+StressBound::StressBound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson)
+    : force_(std::numeric_limits<double>::infinity()) {
+  if (grid.periodic) return;
   const double sliding =
       friction.coefficient > 0 ? friction.coefficient * largest_norm(poisson, stress::shear_x) : 0;
-  return std::sqrt(1.5) * (largest_norm(poisson, stress::normal) + sliding) * pressure.abs().sum() *
-         grid.cell_area() / (z * z);
+  force_ = std::sqrt(1.5) * (largest_norm(poisson, stress::normal) + sliding) * pressure.abs().sum() *
+           grid.cell_area();
+}
+
+double StressBound::at(double z) const {
+  return z > 0 ? force_ / (z * z) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace asperity

@@ -14,8 +14,14 @@
 
 namespace asperity {
 
-/// √(3/2) times (1) at z > 0 [Pa]; infinite at the surface.
-double stress_bound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
-                    double z);
+class StressBound {
+ public:
+  StressBound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
+  /// √(3/2) times (1) at z > 0 [Pa]; infinite at the surface, and of a periodic load everywhere.
+  double at(double z) const;
+
+ private:
+  double force_;  ///< √(3/2) times (1), times z² [N]
+};
 
 }  // namespace asperity
