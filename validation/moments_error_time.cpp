@@ -89,8 +89,11 @@ std::string digits(const Values& values, const Values& exact) {
 int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 2048;
-  const std::pair<const char*, Values (*)(const Field&)> ways[] = {
-      {"asperity", ours}, {"gsl", by_gsl}, {"naive", naive}};
+  struct Way {
+    const char* name;
+    Values (*values)(const Field&);
+  };
+  const Way ways[] = {{"asperity", ours}, {"gsl", by_gsl}, {"naive", naive}};
   fmt::print("# way\tpoints\toffset_m\tdigits_Sa\tSq\tSsk\tSku\tseconds\tratio\n");
   for (Index n = 128; n <= largest; n *= 4)
     for (const double offset : {0.0, 1e-6, 1e-3, 1.0}) {
@@ -98,10 +101,10 @@ int main(int argc, char** argv) {
       const Values exact = reference(z);
       volatile double sink = 0;
       const double once = seconds_of([&] { sink = z.sum(); });
-      for (const auto& [name, way] : ways) {
-        const double seconds = seconds_of([&] { sink = static_cast<double>(way(z)[0]); });
-        fmt::print("{}\t{}x{}\t{:g}{}\t{:.2e}\t{:.1f}\n", name, n, n, offset, digits(way(z), exact), seconds,
-                   seconds / once);
+      for (const Way& way : ways) {
+        const double seconds = seconds_of([&] { sink = static_cast<double>(way.values(z)[0]); });
+        fmt::print("{}\t{}x{}\t{:g}{}\t{:.2e}\t{:.1f}\n", way.name, n, n, offset,
+                   digits(way.values(z), exact), seconds, seconds / once);
       }
     }
   return 0;
