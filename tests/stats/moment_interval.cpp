@@ -38,6 +38,14 @@ struct Coverage {
   }
 };
 
+void check_coverage(const Coverage& c) {
+  CAPTURE(c.mean, c.sa, c.sq, c.ssk, c.sku, c.lag);
+  for (double share : {c.mean, c.sa, c.sq, c.ssk, c.sku, c.lag}) {
+    CHECK(share >= 0.93);
+    CHECK(share <= 0.97);
+  }
+}
+
 }  // namespace
 
 // All S_k are 1.
@@ -72,26 +80,12 @@ TEST_CASE("an interval of half the confidence is narrower, and about the same sc
 // 2000 fields each, of N/S_2 = 1100 and 150: the counts' own error is 0.5 %.
 TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % where it is short",
           "[moment-interval][statistics]") {
-  const Coverage short_lengths({64, 64}, {3, 3}, 2000);
-  CAPTURE(short_lengths.mean, short_lengths.sa, short_lengths.sq, short_lengths.ssk, short_lengths.sku,
-          short_lengths.lag);
-  for (double share : {short_lengths.mean, short_lengths.sa, short_lengths.sq, short_lengths.ssk,
-                       short_lengths.sku, short_lengths.lag}) {
-    CHECK(share >= 0.93);
-    CHECK(share <= 0.97);
-  }
+  check_coverage({{64, 64}, {3, 3}, 2000});
 }
 
 TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % where it is long",
           "[moment-interval][statistics]") {
-  const Coverage long_lengths({64, 64}, {8, 8}, 2000);
-  CAPTURE(long_lengths.mean, long_lengths.sa, long_lengths.sq, long_lengths.ssk, long_lengths.sku,
-          long_lengths.lag);
-  for (double share : {long_lengths.mean, long_lengths.sa, long_lengths.sq, long_lengths.ssk,
-                       long_lengths.sku, long_lengths.lag}) {
-    CHECK(share >= 0.93);
-    CHECK(share <= 0.97);
-  }
+  check_coverage({{64, 64}, {8, 8}, 2000});
 }
 
 TEST_CASE("a confidence that is none is refused, and so few patches have no interval",
