@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "grid/error.hpp"
+#include "grid/parallel.hpp"
 #include "stats/form.hpp"
 #include "stats/lag_sums.hpp"
 #include "stats/missing.hpp"
@@ -14,12 +15,14 @@ namespace {
 
 constexpr double no_pair = std::numeric_limits<double>::quiet_NaN();
 
-void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag) {
-  for (Index p = 0; p <= max_lag.nx; ++p)
-    for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
-      const double share = pairs.share(p, q);
-      sums(p, max_lag.ny + q) = share > 0 ? sums(p, max_lag.ny + q) / share : no_pair;
-    }
+void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads) {
+  parallel_ranges(sums.rows(), threads, [&](Index begin, Index end, int) {
+    for (Index p = begin; p < end; ++p)
+      for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
+        const double share = pairs.share(p, q);
+        sums(p, max_lag.ny + q) = share > 0 ? sums(p, max_lag.ny + q) / share : no_pair;
+      }
+  });
 }
 
 }  // namespace
@@ -41,9 +44,10 @@ LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfP
   parameters.check(grid);
   Field d = parameters.level ? Field(z - *parameters.level) : without_form(z);
   if (!pairs.complete()) d = zero_filled(d);
-  Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads) / pairs.points();
+  Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads);
+  sums /= pairs.points();
   const bool divided = grid.periodic && pairs.complete();
-  if (!divided && !parameters.biased) divide_by_pairs(sums, pairs, parameters.max_lag);
+  if (!divided && !parameters.biased) divide_by_pairs(sums, pairs, parameters.max_lag, parameters.threads);
   return LagField(std::move(sums));
 }
 

@@ -32,17 +32,20 @@ HalfSpectrum correlate(const PrunedTransform& transform, const Field& f, int thr
 }
 
 // (1) times the torus' cells. Negative lags stand at the end of a row.
-Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag) {
+Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag, int threads) {
   constexpr Index group = RowTransform::rows;
-  const Index period = transform.torus().ny;
-  Field sums(max_lag.nx + 1, 2 * max_lag.ny + 1), lags(group, period);
-  RowTransform::Work work = transform.row_work();
-  for (Index first = 0; first <= max_lag.nx; first += group) {
-    const Index count = std::min(group, max_lag.nx + 1 - first);
-    transform.inverse_group(half, first, count, period, lags.data(), period, work);
-    sums.block(first, max_lag.ny, count, max_lag.ny + 1) = lags.topLeftCorner(count, max_lag.ny + 1);
-    sums.block(first, 0, count, max_lag.ny) = lags.topRightCorner(count, max_lag.ny);
-  }
+  const Index period = transform.torus().ny, rows = max_lag.nx + 1;
+  Field sums(rows, 2 * max_lag.ny + 1);
+  parallel_ranges((rows + group - 1) / group, threads, [&](Index begin, Index end, int) {
+    Field lags(group, period);
+    RowTransform::Work work = transform.row_work();
+    for (Index first = begin * group; first < std::min(end * group, rows); first += group) {
+      const Index count = std::min(group, rows - first);
+      transform.inverse_group(half, first, count, period, lags.data(), period, work);
+      sums.block(first, max_lag.ny, count, max_lag.ny + 1) = lags.topLeftCorner(count, max_lag.ny + 1);
+      sums.block(first, 0, count, max_lag.ny) = lags.topRightCorner(count, max_lag.ny);
+    }
+  });
   return sums;
 }
 
@@ -50,7 +53,7 @@ Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Sha
 
 Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
   const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
-  Field sums = half_plane(transform, correlate(transform, f, threads), max_lag);
+  Field sums = half_plane(transform, correlate(transform, f, threads), max_lag, threads);
   sums /= static_cast<double>(transform.torus().cells());
   return sums;
 }
