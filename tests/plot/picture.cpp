@@ -207,8 +207,10 @@ TEST_CASE("missing points stay empty and do not spoil the scale", "[plot][contra
   Dataset data = read_dataset("scene.nc");
   std::get<std::vector<double>>(data.find("heights")->values)[7] = std::nan("");
   write_dataset(data, "hole.nc");
-  const Outcome run = shell("asperity-plot hole.nc --kind map -o hole.svg");
-  INFO(run.error);
-  REQUIRE(run.exit == 0);
-  CHECK_THAT(words_of("hole.svg"), !ContainsSubstring("nan"));
+  for (const std::string kind : {"map", "acf", "pdf"}) {
+    const Outcome run = shell("asperity-plot hole.nc --kind " + kind + " -o hole.svg");
+    INFO(kind << run.error);
+    REQUIRE(run.exit == 0);
+    CHECK_THAT(words_of("hole.svg"), !ContainsSubstring("nan"));
+  }
 }

@@ -76,10 +76,10 @@ double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Gr
 
 void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const Grid grid = grid_of(data);
-  AcfParameters parameters;
-  parameters.max_lag = default_max_lag(grid);
-  const LagField rho = estimate_autocorrelation(field_of(data, "heights"), grid, parameters).normalised();
-  const AcfError error(significant_lags(rho, grid), grid);
+  const Field z = field_of(data, "heights", Missing::not_a_number);
+  const Pairs pairs = Pairs::of(z, grid);
+  const LagField rho = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)}).normalised();
+  const AcfError error(significant_lags(rho, pairs), pairs);
   const double most = lag_worth_showing(profiles, rho, grid);
   for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {
     profiles.found[0].lag.push_back(static_cast<double>(p) * grid.dx);

@@ -20,11 +20,11 @@ struct Distribution {
 
 Distribution distribution_of(const Case& c, const std::string& variable) {
   const Grid grid = grid_of(c.data);
-  const Field z = field_of(c.data, variable);
-  AcfParameters parameters;
-  parameters.max_lag = default_max_lag(grid);
-  const EffectiveSize size = EffectiveSize::of_estimate(estimate_autocorrelation(z, grid, parameters), grid);
-  Distribution out{moments(z), {}, static_cast<double>(z.size())};
+  const Field z = field_of(c.data, variable, Missing::not_a_number);
+  const Pairs pairs = Pairs::of(z, grid);
+  const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)});
+  const EffectiveSize size = EffectiveSize::of_estimate(acf, pairs);
+  Distribution out{moments(z), {}, size.points()};
   out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
   return out;
 }
