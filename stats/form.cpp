@@ -34,64 +34,6 @@ Mean mean_of_valid(const Field& z) {
   return sum.mean();
 }
 
-struct Term {
-  Index a, b;
-};
-
-std::vector<Term> terms_of(Index columns_x, Index columns_y, int degree) {
-  std::vector<Term> out;
-  for (Index a = 0; a < columns_x; ++a)
-    for (Index b = 0; b < columns_y && a + b <= degree; ++b) out.push_back({a, b});
-  return out;
-}
-
-// The products (3), the sum over j of a row first.
-Eigen::MatrixXd products_over_valid(const Field& valid, const Eigen::MatrixXd& along_x,
-                                    const Eigen::MatrixXd& along_y, const std::vector<Term>& terms) {
-  const auto n = static_cast<Index>(terms.size());
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
-  for (Index i = 0; i < valid.rows(); ++i) {
-    const Eigen::MatrixXd of_row =
-        along_y.transpose() * valid.row(i).matrix().transpose().asDiagonal() * along_y;
-    for (Index s = 0; s < n; ++s)
-      for (Index t = 0; t <= s; ++t) {
-        const auto [a, b] = terms[static_cast<std::size_t>(s)];
-        const auto [a2, b2] = terms[static_cast<std::size_t>(t)];
-        out(s, t) += along_x(i, a) * along_x(i, a2) * of_row(b, b2);
-      }
-  }
-  return out;
-}
-
-// Heights of which some are missing, above the form that fits the others best.
-Field without_form_of_valid(Field heights, const Eigen::MatrixXd& along_x, const Eigen::MatrixXd& along_y,
-                            int degree) {
-  const std::vector<Term> terms = terms_of(along_x.cols(), along_y.cols(), degree);
-  const Eigen::LDLT<Eigen::MatrixXd> products(
-      products_over_valid(validity(heights), along_x, along_y, terms));
-  const Eigen::ArrayXd pivots = products.vectorD();
-  if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
-    throw ParameterError(
-        "level",
-        std::to_string(degree) + ": the points that are not missing do not determine a form of this degree");
-  for (int pass = 0; pass < 3; ++pass) {
-    const Eigen::MatrixXd seen = along_x.transpose() * (zero_filled(heights).matrix() * along_y);
-    Eigen::VectorXd right(terms.size());
-    for (Index t = 0; t < right.size(); ++t) {
-      const auto [a, b] = terms[static_cast<std::size_t>(t)];
-      right(t) = seen(a, b);
-    }
-    const Eigen::VectorXd solved = products.solve(right);
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(along_x.cols(), along_y.cols());
-    for (Index t = 0; t < right.size(); ++t) {
-      const auto [a, b] = terms[static_cast<std::size_t>(t)];
-      c(a, b) = solved(t);
-    }
-    heights.matrix() -= along_x * (c * along_y.transpose());
-  }
-  return heights;
-}
-
 }  // namespace
 
 void MeanSum::add(const Field& strip) {
@@ -116,23 +58,90 @@ Mean mean_above_base(const Field& z) {
   return std::isnan(above) ? mean_of_valid(z) : Mean{base, above};
 }
 
-Field without_form(const Field& z, int degree) {
+FormFit::FormFit(Shape field, int degree) : degree_(degree) {
   if (degree < 0 || degree > largest_form_degree)
     throw ParameterError(
         "level", std::to_string(degree) + " is no degree from 0 to " + std::to_string(largest_form_degree));
+  along_x_ = gram_polynomials(field.nx, degree);
+  along_y_ = gram_polynomials(field.ny, degree);
+  for (Index a = 0; a < along_x_.cols(); ++a)
+    for (Index b = 0; b < along_y_.cols() && a + b <= degree; ++b) terms_.push_back({a, b});
+  const auto n = static_cast<Index>(terms_.size());
+  gram_ = Eigen::MatrixXd::Zero(n, n);
+  sums_ = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+}
+
+void FormFit::add(const Field& strip, Index first) {
+  const auto rows = along_x_.middleRows(first, strip.rows());
+  Eigen::MatrixXd sums = rows.transpose() * (strip.matrix() * along_y_);
+  const bool complete = !sums.hasNaN();
+  if (!complete) {
+    sums = rows.transpose() * (zero_filled(strip).matrix() * along_y_);
+    missing_ = true;
+  }
+  sums_ += sums;
+  if (steps_.empty()) gram_ += products(strip, first, complete);
+}
+
+// What a strip adds to (3), the sum over j of a row first.
+Eigen::MatrixXd FormFit::products(const Field& strip, Index first, bool complete) const {
+  const auto n = static_cast<Index>(terms_.size());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
+  auto add = [&](auto&& of_x, const Eigen::MatrixXd& of_y) {
+    for (Index s = 0; s < n; ++s)
+      for (Index t = 0; t <= s; ++t) {
+        const Term u = terms_[static_cast<std::size_t>(s)], v = terms_[static_cast<std::size_t>(t)];
+        out(s, t) += of_x(u.a, v.a) * of_y(u.b, v.b);
+      }
+  };
+  const auto rows = along_x_.middleRows(first, strip.rows());
+  if (complete) {
+    const Eigen::MatrixXd of_x = rows.transpose() * rows;
+    add(of_x, Eigen::MatrixXd::Identity(along_y_.cols(), along_y_.cols()));
+    return out;
+  }
+  const Field valid = validity(strip);
+  for (Index i = 0; i < strip.rows(); ++i) {
+    const auto weights = valid.row(i).matrix().transpose().asDiagonal();
+    add([&](Index a, Index a2) { return rows(i, a) * rows(i, a2); },
+        along_y_.transpose() * weights * along_y_);
+  }
+  return out;
+}
+
+void FormFit::end_pass() {
+  Eigen::VectorXd right(static_cast<Index>(terms_.size()));
+  for (Index t = 0; const Term& term : terms_) right(t++) = sums_(term.a, term.b);
+  if (missing_) {
+    const Eigen::LDLT<Eigen::MatrixXd> products(gram_);
+    const Eigen::ArrayXd pivots = products.vectorD();
+    if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+      throw ParameterError("level", std::to_string(degree_) +
+                                        ": the points that are not missing do not determine a form of this "
+                                        "degree");
+    right = products.solve(right);
+  }
+  Eigen::MatrixXd step = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+  for (Index t = 0; const Term& term : terms_) step(term.a, term.b) = right(t++);
+  steps_.push_back(std::move(step));
+  sums_.setZero();
+}
+
+void FormFit::remove(Eigen::Ref<Field> strip, Index first, std::size_t pass) const {
+  const auto rows = along_x_.middleRows(first, strip.rows());
+  for (; pass < steps_.size(); ++pass) strip.matrix() -= rows * (steps_[pass] * along_y_.transpose());
+}
+
+Field without_form(const Field& z, int degree) {
+  FormFit fit(shape_of(z), degree);
   Field heights = z - first_valid(z);
   const double level = heights.rowwise().mean().mean();
-  const bool complete = !std::isnan(level);
-  heights -= complete ? level : mean_of_valid(heights).value();
+  heights -= std::isnan(level) ? mean_of_valid(heights).value() : level;
   if (degree == 0) return heights;
-  const Eigen::MatrixXd along_x = gram_polynomials(z.rows(), degree),
-                        along_y = gram_polynomials(z.cols(), degree);
-  if (!complete) return without_form_of_valid(std::move(heights), along_x, along_y, degree);
-  for (int pass = 0; pass < 2; ++pass) {
-    Eigen::MatrixXd c = along_x.transpose() * (heights.matrix() * along_y);
-    for (Index a = 0; a < c.rows(); ++a)
-      for (Index b = std::max<Index>(0, degree + 1 - a); b < c.cols(); ++b) c(a, b) = 0;
-    heights.matrix() -= along_x * (c * along_y.transpose());
+  for (std::size_t pass = 0; !fit.done(); ++pass) {
+    fit.add(heights, 0);
+    fit.end_pass();
+    fit.remove(heights, 0, pass);
   }
   return heights;
 }

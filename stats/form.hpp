@@ -15,13 +15,14 @@
 ///           (1) is projected once more on what is left: within ε √(nx ny) of the form's rms.
 ///           (2) is solved three times, likewise, as long as no pivot of (3) is below 1e-10 of the largest; points
 ///           that determine a form less well than that are refused.
-/// Cost      degree 0: two passes over the data; else 4 (d+1) products a point and pass; with missing heights
-///           (d+1)² more a point, and (d+1)⁴/8 a row.
+/// Cost      degree 0: two passes over the data; else 4 (d+1) products a point and pass, two passes; with missing heights
+///           three, (d+1)² more a point and (d+1)⁴/8 a row.
 ///
 /// J. P. Gram, J. reine angew. Math. 94 (1883) 41-73.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "grid/field.hpp"
 #include "stats/missing.hpp"
@@ -52,6 +53,34 @@ class MeanSum {
 /// Throws DataError("heights", …) when every point is missing.
 Mean mean_above_base(const Field& z);
 inline double mean(const Field& z) { return mean_above_base(z).value(); }
+
+/// (1), or (2), of a field that comes in strips of its rows, or in a single one, by passes over it until done().
+class FormFit {
+ public:
+  /// Throws ParameterError("level") unless 0 ≤ degree ≤ 20.
+  FormFit(Shape field, int degree);
+
+  /// Heights whose first row is the field's row `first`, from a level near them and less the form of earlier passes.
+  void add(const Field& strip, Index first);
+  /// Throws ParameterError("level") where the points that are there do not determine the form.
+  void end_pass();
+  bool done() const { return steps_.size() == (missing_ ? 3 : 2); }
+  /// Takes away what the passes from `pass` on have found.
+  void remove(Eigen::Ref<Field> strip, Index first, std::size_t pass = 0) const;
+
+ private:
+  struct Term {
+    Index a, b;
+  };
+  Eigen::MatrixXd products(const Field& strip, Index first, bool complete) const;
+
+  int degree_;
+  Eigen::MatrixXd along_x_, along_y_;  ///< a column a polynomial
+  std::vector<Term> terms_;
+  Eigen::MatrixXd sums_, gram_;         ///< Σ P_a P_b z of the present pass, (3)
+  std::vector<Eigen::MatrixXd> steps_;  ///< what each pass added to c
+  bool missing_ = false;
+};
 
 /// The heights above (1), or (2). Throws ParameterError("level") unless 0 ≤ degree ≤ 20 and the points determine it.
 Field without_form(const Field& z, int degree = 0);

@@ -36,7 +36,7 @@ cli::Rows rows_of_whole(const cli::Tool& tool, const Dataset& data, const cli::M
 
 cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const cli::MeasuredOptions& options,
                          const cli::StatsOptions& what) {
-  if (const std::string whole = what.needs_whole_field(tool, options); !whole.empty())
+  if (const std::string whole = what.needs_whole_field(tool); !whole.empty())
     throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
                                         " bytes are more than an eighth of it, and " + whole +
                                         " needs the whole field");

@@ -147,9 +147,8 @@ void StatsOptions::declare(Tool& tool) {
   tool.bytes(
       "--memory", memory,
       "Largest memory for the field. A file of more than an eighth of it is read in strips of rows, for "
-      "height, "
-      "hybrid and quantiles; the rest needs the whole field. Errors then rest on the correlation within the "
-      "strips, where the dataset carries none",
+      "height, hybrid and quantiles above any --level; the rest needs the whole field. Errors then rest on "
+      "the correlation within the strips, where the dataset carries none",
       "Resources");
   tool.text("--direction", direction, "ANGLE",
             "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");
@@ -169,11 +168,10 @@ void StatsOptions::check(const Tool& tool) const {
   if (!direction.empty()) parse_angle("direction", direction);
 }
 
-std::string StatsOptions::needs_whole_field(const Tool& tool, const MeasuredOptions& measured) const {
+std::string StatsOptions::needs_whole_field(const Tool& tool) const {
   if (!profile.empty()) return "--profile";
   for (const char* group : {"gaussianity", "material", "spatial"})
     if (asks_for(group)) return std::string("--parameters ") + group;
-  if (form_degree(measured.level) > 0) return "--level " + measured.level;
   for (const char* filter : {"--lambda-s", "--lambda-c"})
     if (tool.given(filter)) return filter;
   return "";

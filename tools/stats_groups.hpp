@@ -20,7 +20,7 @@ struct StatsOptions {
   /// Throws ParameterError for an option of a group that is not asked for.
   void check(const Tool& tool) const;
   /// What needs the whole field in memory, as it stands on the command line; "" when nothing does.
-  std::string needs_whole_field(const Tool& tool, const MeasuredOptions& measured) const;
+  std::string needs_whole_field(const Tool& tool) const;
   /// Whether --parameters names the group, or all; throws ParameterError("parameters", …) for unknown words.
   bool asks_for(const std::string& group) const;
 };

@@ -73,6 +73,7 @@ StripSample::StripSample(const FieldFile& file, const MeasuredOptions& options, 
       request_(request),
       rows_(rows_of_strip(file.grid(), request.memory)) {
   measure_level();
+  if (const int degree = form_degree(options.level)) fit_form(degree);
   const bool complete = points_ == static_cast<double>(grid().shape.cells());
   if (!measured().drawn || !complete) correlation_.emplace(grid(), rows_, request_.threads);
   measure();
@@ -91,21 +92,33 @@ void StripSample::for_each_strip(Index behind, Visit visit) const {
       strip.bottomRows(around) = file_.rows(0, around);
     }
     strip = (strip - mean_.base) - mean_.above;
-    visit(strip, own);
+    if (form_) {
+      form_->remove(strip.topRows(within), first);
+      form_->remove(strip.bottomRows(strip.rows() - within), 0);
+    }
+    visit(strip, own, first);
   }
 }
 
 void StripSample::measure_level() {
   MeanSum sum;
-  for_each_strip(0, [&](const Field& strip, Index) { sum.add(strip); });
+  for_each_strip(0, [&](const Field& strip, Index, Index) { sum.add(strip); });
   mean_ = sum.mean();
   points_ = sum.count();
   measured_.level = mean_.value();
 }
 
+void StripSample::fit_form(int degree) {
+  form_.emplace(grid().shape, degree);
+  while (!form_->done()) {
+    for_each_strip(0, [&](const Field& strip, Index, Index first) { form_->add(strip, first); });
+    form_->end_pass();
+  }
+}
+
 void StripSample::measure() {
   MomentSums sums(Mean{});
-  for_each_strip(request_.derivatives ? 2 : 0, [&](const Field& strip, Index own) {
+  for_each_strip(request_.derivatives ? 2 : 0, [&](const Field& strip, Index own, Index) {
     const Field inner = strip.topRows(own);
     sums.add(inner);
     if (correlation_) correlation_->add(inner);
@@ -143,7 +156,7 @@ std::vector<double> StripSample::quantiles(const std::vector<double>& shares) {
   }
   RankSelection selection(ranks);
   for (int pass = 0; pass < RankSelection::passes; ++pass) {
-    for_each_strip(0, [&](const Field& strip, Index) { selection.add(strip); });
+    for_each_strip(0, [&](const Field& strip, Index, Index) { selection.add(strip); });
     selection.end_pass();
   }
   std::vector<double> out;

@@ -72,7 +72,8 @@ class WholeSample : public Sample {
   std::optional<EffectiveSize> size_;
 };
 
-/// Read in strips of whole rows: once for the mean, once for all else, and four times for quantiles.
+/// Read in strips of whole rows: once for the mean, two or three times for a form, once for all else, and four times
+/// for quantiles.
 class StripSample : public Sample {
  public:
   struct Request {
@@ -96,10 +97,11 @@ class StripSample : public Sample {
   std::vector<double> quantiles(const std::vector<double>& shares) override;
 
  private:
-  /// visit(strip, own rows): with `behind` rows more, as a Strip has them, above the mean.
+  /// visit(strip, own rows, first): with `behind` rows more, as a Strip has them, above the mean and the form.
   template <class Visit>
   void for_each_strip(Index behind, Visit visit) const;
   void measure_level();
+  void fit_form(int degree);
   void measure();
   void find_correlation();
 
@@ -107,6 +109,7 @@ class StripSample : public Sample {
   Request request_;
   Index rows_;
   Mean mean_;
+  std::optional<FormFit> form_;
   double points_ = 0;
   Moments moments_;
   SlopeSums slope_sums_;
