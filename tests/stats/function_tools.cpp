@@ -1,0 +1,147 @@
+// asperity-acf, asperity-psd and asperity-pdf on a dataset whose correlation is known.
+#include <algorithm>
+
+#include "drawn_surface.hpp"
+#include "stats/pairs.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
+  const Outcome run = run_on_surface("asperity-acf drawn.nc --profiles --max-lag 20x15");
+  REQUIRE(run.exit == 0);
+  CHECK(run.out.starts_with(
+      "# direction\tlag [m]\tacf [1]\tstandard_error [1]\tlow_95 [1]\thigh_95 [1]\ttarget [1]\n"
+      "x\t0\t1\t0\t1\t1\t1\n"));
+  CHECK(lines(run.out) == 1 + 21 + 16);
+  const Json absolute = json_of("asperity-acf drawn.nc --absolute --json");
+  const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
+  CHECK(absolute["acf"]["unit"] == "m2");
+  CHECK(relative_error(absolute["acf"]["values"][0], sq * sq) <= 100 * epsilon);
+}
+
+// A triangle falls to 10 % at 7.2 and 4.5 samples; between 7 and 8 samples, where the target reaches zero,
+// the interpolation is linear and exact.
+TEST_CASE("asperity-acf finds the 10 % lengths within four of their standard errors",
+          "[acf-tool][statistics]") {
+  const Json lengths = json_of("asperity-acf drawn.nc --lengths --json");
+  CHECK(relative_error(lengths["target_length_10_x"]["value"], 7.2 * 20e-6) <= 10 * epsilon);
+  CHECK(relative_error(lengths["target_length_10_y"]["value"], 4.5 * 30e-6) <= 10 * epsilon);
+  for (const char* name : {"length_10_x", "length_10_y", "length_e_x", "length_e_y", "gamma_10", "gamma_e"}) {
+    const double value = lengths[name]["value"], error = lengths[name]["standard_error"];
+    CAPTURE(name, value, error);
+    CHECK(std::abs(value - lengths[std::string("target_") + name]["value"].get<double>()) <= 4 * error);
+  }
+}
+
+TEST_CASE(
+    "into a pipe or a file asperity-acf adds the ACF over both signs of the lag and leaves the rest as it "
+    "was",
+    "[acf-tool][contract]") {
+  for (const char* how : {"asperity-acf --max-lag 12x9 < drawn.nc | cat > with-acf.nc",
+                          "asperity-acf drawn.nc --max-lag 12x9 -o with-acf.nc",
+                          "asperity-acf --dataset --max-lag 12x9 < drawn.nc > with-acf.nc"}) {
+    CAPTURE(how);
+    REQUIRE(run_on_surface(how).exit == 0);
+    const Dataset before = read_dataset("drawn.nc"), after = read_dataset("with-acf.nc");
+    for (const char* kept : {"heights", "acf_target", "p", "q"})
+      CHECK(after.at(kept).values == before.at(kept).values);
+    const Field acf = table_of(after, "acf");
+    CHECK(shape_of(acf) == Shape{13, 19});
+    CHECK(acf(0, 9) == 1);
+    CHECK(numbers(after.at("lag_y").values).front() == Approx(-9 * 30e-6).epsilon(1e-14));
+    CHECK(after.attributes.number("acf_length_10_x", 0) > 0);
+  }
+}
+
+TEST_CASE("acf_variance is the square of Sq, whatever the ACF is scaled to, and of heights only",
+          "[acf-tool][contract]") {
+  const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
+  for (const std::string scale : {"", " --absolute"}) {
+    REQUIRE(run_on_surface("asperity-acf drawn.nc -o with-acf.nc" + scale).exit == 0);
+    CHECK(relative_error(read_dataset("with-acf.nc").attributes.number("acf_variance", 0), sq * sq) <=
+          100 * epsilon);
+  }
+  Dataset data = read_dataset("with-acf.nc");
+  const Grid grid = grid_of(data);
+  set_field(data, "pressure", sample(grid, [](double x, double y) { return 1e9 * (x * x + y); }),
+            {"Pa", "pressure"});
+  write_dataset(data, "pressed.nc");
+  REQUIRE(shell("asperity-acf pressed.nc --variable pressure -q -o pressed-acf.nc").exit == 0);
+  CHECK(read_dataset("pressed-acf.nc").attributes.find("acf_variance") == nullptr);
+}
+
+TEST_CASE("asperity-acf --json prints the profiles, and does not go together with --dataset",
+          "[acf-tool][contract]") {
+  CHECK(json_of("asperity-acf drawn.nc --json") == json_of("asperity-acf drawn.nc --profiles --json"));
+  for (const char* two :
+       {"--dataset --json", "--dataset --profiles", "--profiles --lengths", "--dataset --lengths"}) {
+    const Outcome run = run_on_surface(std::string("asperity-acf drawn.nc ") + two);
+    CAPTURE(two, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+  }
+}
+
+TEST_CASE("asperity-acf measures lengths at any level and in any direction, and the ellipse of the contour",
+          "[acf-tool][statistics]") {
+  const Json lengths =
+      json_of("asperity-acf drawn.nc --lengths --json --acf-level 0.5,0.2 --direction 90deg");
+  CHECK(lengths.contains("length_20_x"));
+  CHECK_FALSE(lengths.contains("length_10_x"));
+  CHECK(relative_error(lengths["target_length_50_x"]["value"], 4 * 20e-6) <= 10 * epsilon);
+  CHECK(relative_error(lengths["length_50_direction"]["value"], lengths["length_50_y"]["value"]) <=
+        10 * epsilon);
+  // The window is 160 µm × 150 µm: nearly round.
+  CHECK(std::abs(lengths["ellipticity_50"]["value"].get<double>() - 1) <= 0.3);
+  for (const char* wrong : {"--acf-level 1.5", "--acf-level 10%", "--direction 1m"})
+    CHECK(run_on_surface(std::string("asperity-acf drawn.nc --lengths ") + wrong).exit == 2);
+}
+
+// S = 2(R(0,0) - R) over one and the same set of pairs; the sets at either end differ by the lag's share of points.
+TEST_CASE("asperity-acf --structure adds the structure function to the profiles and the dataset",
+          "[acf-tool][contract]") {
+  const Json table = json_of("asperity-acf drawn.nc --structure --absolute --json");
+  const auto S = table["structure_function"]["values"].get<std::vector<double>>();
+  const auto R = table["acf"]["values"].get<std::vector<double>>();
+  CHECK(table["structure_function"]["unit"] == "m2");
+  CHECK(S[0] <= 1e-12 * R[0]);
+  CHECK(relative_error(S[1], 2 * (R[0] - R[1])) <= 0.1);
+  REQUIRE(run_on_surface("asperity-acf drawn.nc --structure --max-lag 12x9 -o with-acf.nc").exit == 0);
+  CHECK(shape_of(table_of(read_dataset("with-acf.nc"), "structure_function")) == Shape{13, 19});
+}
+
+TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or profiles",
+          "[psd-tool][law]") {
+  REQUIRE(run_on_surface("asperity-psd drawn.nc --window none -o with-psd.nc").exit == 0);
+  const Dataset data = read_dataset("with-psd.nc");
+  const Grid grid = grid_of(data);
+  double sum = 0;
+  for_each_lag(
+      LagField(table_of(data, "psd")), Grid{grid.shape, grid.dx, grid.dy, true},
+      [&, psd = LagField(table_of(data, "psd"))](Index p, Index q, double w) { sum += w * psd(p, q); });
+  const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
+  CHECK(relative_error(sum / (grid.size_x() * grid.size_y()), sq * sq) <= 100 * epsilon);
+  CHECK(data.at("psd").attributes.text("units") == "m4");
+  CHECK(data.attributes.text("psd_window") == "none");
+  CHECK(data.has("acf_target"));
+
+  const Json rings = json_of("asperity-psd drawn.nc --json");
+  CHECK(rings == json_of("asperity-psd drawn.nc --radial --json"));
+  CHECK(rings["psd"]["unit"] == "m4");
+  const Json profiles = json_of("asperity-psd drawn.nc --profiles --json");
+  CHECK(profiles["psd"]["unit"] == "m3");
+  CHECK(profiles["psd"]["values"].size() == 49 + 41);
+  for (const char* two : {"--dataset --json", "--radial --profiles", "--window wide", "--correlation drawn"})
+    CHECK(run_on_surface(std::string("asperity-psd drawn.nc ") + two).exit == 2);
+}
+
+TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-tool][law]") {
+  const Json table = json_of("asperity-pdf drawn.nc --bins 24 --json");
+  const auto heights = table["height"]["values"].get<std::vector<double>>();
+  double count = 0, integral = 0;
+  for (double c : table["count"]["values"]) count += c;
+  for (double d : table["density"]["values"]) integral += d * (heights[1] - heights[0]);
+  CHECK(count == 7680);
+  CHECK(integral == Approx(1).epsilon(1e-12));
+  CHECK(table["density"]["unit"] == "m-1");
+}
