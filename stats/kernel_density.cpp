@@ -16,7 +16,6 @@ namespace {
 
 constexpr int terms = 14;
 constexpr double cell_width = 0.5, reach = 9;  // in bandwidths; φ(9) is 1e-18
-constexpr double least_bandwidth = 1e-5;       // of the range
 
 // (6): the moments of cells from `lowest` on.
 class Cells {
@@ -103,8 +102,7 @@ struct GaussianLaw {
 void check(double bandwidth, double range, int points) {
   if (points < 2) throw ParameterError("points", "value " + std::to_string(points) + " is below 2");
   if (!(bandwidth > 0 && bandwidth >= least_bandwidth * range && std::isfinite(bandwidth)))
-    throw ParameterError("bandwidth",
-                         "value " + std::to_string(bandwidth / range) + " of the range is not above 1e-5");
+    throw ParameterError("bandwidth", "is not finite, or below 1e-5 of the range of heights");
 }
 
 }  // namespace

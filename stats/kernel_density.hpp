@@ -43,12 +43,14 @@ struct DensityPoint {
   double misfit_error = 0;   ///< √(5): of density - gaussian
 };
 
+constexpr double least_bandwidth = 1e-5;  ///< of the range of heights
+
 /// (2), in the unit of the field.
 double silverman_bandwidth(const Moments& moments, double points);
 
 /// At `points` equidistant heights, three bandwidths beyond the lowest and the highest; missing heights are left out.
-/// Throws ParameterError("points", …) below 2, ParameterError("bandwidth", …) unless it is positive and at least
-/// 1e-5 of the range.
+/// Throws ParameterError("points", …) below 2, ParameterError("bandwidth", …) unless it is positive, finite and
+/// not less than the least.
 std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments, const EffectiveSize& size,
                                          double bandwidth, int points);
 

@@ -18,6 +18,7 @@
 ///           93.2 to 97.5 % (2000 fields a row, validation/statistics_coverage).
 /// Cost      none.
 ///
+/// E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688, for χ² of 10⁴ degrees and more;
 /// R. A. Fisher, The moments of the distribution for normal samples, Proc. R. Soc. A 130 (1930) 16-28.
 #pragma once
 

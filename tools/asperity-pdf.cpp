@@ -92,11 +92,19 @@ cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cl
   return out;
 }
 
+double bandwidth_for(const Options& what, const Moments& m, const EffectiveSize& size) {
+  if (std::isnan(what.bandwidth)) return silverman_bandwidth(m, size.points());
+  const double least = least_bandwidth * m.sz() / m.sq;
+  if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
+    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is not finite or below " +
+                                           cli::shortest(least) + " Sq, 1e-5 of the range of heights");
+  return what.bandwidth * m.sq;
+}
+
 cli::Table table_of(const cli::Measured& measured, const Moments& m, const EffectiveSize& size,
                     const Options& what, int threads) {
   if (what.estimate == "kernel") {
-    const double h =
-        std::isnan(what.bandwidth) ? silverman_bandwidth(m, size.points()) : what.bandwidth * m.sq;
+    const double h = bandwidth_for(what, m, size);
     return table_of_density(kernel_density(measured.heights, m, size, h, what.points ? what.points : 256),
                             measured);
   }

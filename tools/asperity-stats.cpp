@@ -92,9 +92,10 @@ int main(int argc, char** argv) {
           add(rows_of_whole(tool, data, options, what));
         },
         [&](const std::string& path) {
-          const bool large = larger_than_memory(path, what.memory);
-          if (large) add(rows_in_strips(tool, path, options, what));
-          return large;
+          const bool bounded = tool.given("--memory") || what.needs_whole_field(tool).empty();
+          const bool in_strips = bounded && larger_than_memory(path, what.memory);
+          if (in_strips) add(rows_in_strips(tool, path, options, what));
+          return in_strips;
         });
     if (ensemble.surfaces() == 1)
       cli::print(tool, last);

@@ -147,8 +147,9 @@ void StatsOptions::declare(Tool& tool) {
   tool.bytes(
       "--memory", memory,
       "Largest memory for the field. A file of more than an eighth of it is read in strips of rows, for "
-      "height, hybrid and quantiles above any --level; the rest needs the whole field. Errors then rest on "
-      "the correlation within the strips, where the dataset carries none",
+      "height, hybrid and quantiles above any --level; the rest needs the whole field, and is refused if the "
+      "bound was given. Errors then rest on the correlation within the strips, where the dataset carries "
+      "none",
       "Resources");
   tool.text("--direction", direction, "ANGLE",
             "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");

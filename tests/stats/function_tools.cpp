@@ -1,5 +1,6 @@
 // asperity-acf, asperity-psd and asperity-pdf on a dataset whose correlation is known.
 #include <algorithm>
+#include <numeric>
 
 #include "drawn_surface.hpp"
 #include "stats/pairs.hpp"
@@ -144,4 +145,46 @@ TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-t
   CHECK(count == 7680);
   CHECK(integral == Approx(1).epsilon(1e-12));
   CHECK(table["density"]["unit"] == "m-1");
+}
+
+// The curve's steps are 1/8 of the bandwidth, its ends three bandwidths out: 2.7e-3 of the outermost heights of 7680.
+TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel makes a lower peak",
+          "[pdf-tool][law]") {
+  auto peak = [](const std::string& options, double& integral) {
+    const Json table = json_of("asperity-pdf drawn.nc --json --estimate kernel " + options);
+    const auto heights = table["height"]["values"].get<std::vector<double>>();
+    const auto density = table["density"]["values"].get<std::vector<double>>();
+    integral = std::accumulate(density.begin(), density.end(), 0.0) * (heights[1] - heights[0]);
+    return *std::max_element(density.begin(), density.end());
+  };
+  double narrow = 0, wide = 0;
+  CHECK(peak("", narrow) > peak("--bandwidth 0.8 --points 500", wide));
+  CHECK(std::abs(narrow - 1) <= 1e-5);
+  CHECK(std::abs(wide - 1) <= 1e-5);
+}
+
+TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-stats", "[pdf-tool][law]") {
+  const Json table = json_of("asperity-pdf drawn.nc --json --estimate quantiles --points 21");
+  const auto heights = table["height"]["values"].get<std::vector<double>>();
+  CHECK(heights.size() == 21);
+  CHECK(std::is_sorted(heights.begin(), heights.end()));
+  CHECK(table["share"]["values"][10] == 0.5);
+  const Json median = json_of("asperity-stats drawn.nc --json --quantiles 0.5");
+  CHECK(heights[10] == median["quantile_0.5"]["value"]);
+  CHECK(table["standard_error"]["values"][10] == median["quantile_0.5"]["standard_error"]);
+}
+
+TEST_CASE("options of another estimate, or beyond its bounds, are refused by name", "[pdf-tool][contract]") {
+  for (const auto& [options, name] : {std::pair{"--bandwidth 0.2", "--bandwidth"},
+                                      {"--points 9", "--points"},
+                                      {"--estimate kernel --bins 4", "--bins"},
+                                      {"--estimate quantiles --bandwidth 1", "--bandwidth"},
+                                      {"--estimate kernel --bandwidth 0", "--bandwidth"},
+                                      {"--estimate kernel --bandwidth 1e-9", "--bandwidth"},
+                                      {"--estimate kernel --points 1", "--points"},
+                                      {"--estimate mode", "--estimate"}}) {
+    const Outcome run = run_on_surface(std::string("asperity-pdf drawn.nc ") + options);
+    CAPTURE(options, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1 && run.error.find(name) != std::string::npos));
+  }
 }

@@ -64,6 +64,37 @@ TEST_CASE("independent heights have Fisher's intervals", "[moment-interval][exac
                        2 * 1.959964 * std::sqrt(24 * 40.0 * 38 * 37 / (41.0 * 41 * 43 * 45))) <= 1e-6);
 }
 
+// Wilson and Hilferty's cube root against the chi-squared's own quantiles: 0.05 ν^{-3/2} of them, half of it of a root.
+TEST_CASE("at ten thousand independent heights the interval of Sq goes on as it was",
+          "[moment-interval][exact]") {
+  const EffectiveSize size(triangular_correlation({1, 1}), grid(100, 100));
+  const Interval sq = confidence_intervals({.sa = 0.8, .sq = 1, .sku = 3}, size).sq;
+  const double left = std::sqrt(1 - 1e-4), bound = 0.025 * std::pow(1e4, -1.5);
+  CHECK(relative_error(sq.low, std::sqrt(1e4 / gsl_cdf_chisq_Pinv(0.975, 1e4)) / left) <= bound);
+  CHECK(relative_error(sq.high, std::sqrt(1e4 / gsl_cdf_chisq_Pinv(0.025, 1e4)) / left) <= bound);
+}
+
+// Of 4e6 to 4e8 heights the intervals are 1.96 standard errors to first order; the second is their square.
+TEST_CASE("of millions of independent heights the intervals are 1.96 standard errors",
+          "[moment-interval][law]") {
+  for (Index n : {2000, 6000, 20000}) {
+    const EffectiveSize size(triangular_correlation({1, 1}), grid(n, n));
+    const Moments m{.mean = 0, .sa = 0.7978845608, .sq = 1, .ssk = 0, .sku = 3};
+    const MomentErrors error = standard_errors(m, size);
+    const MomentIntervals i = confidence_intervals(m, size);
+    auto halves = [&](const Interval& interval, double value, double of) {
+      CHECK(std::abs((interval.high - value) / (1.959964 * of) - 1) <= 6 * of / value + 1e-6);
+      CHECK(std::abs((value - interval.low) / (1.959964 * of) - 1) <= 6 * of / value + 1e-6);
+    };
+    CAPTURE(n);
+    halves(i.sq, 1, error.sq);
+    halves(i.sa, m.sa, error.sa);
+    halves(i.sku, 3, error.sku);
+    CHECK(relative_error(i.mean.high, 1.959964 * error.mean) <= 1e-5);
+    CHECK(relative_error(i.ssk.high, 1.959964 * error.ssk) <= 1e-5);
+  }
+}
+
 TEST_CASE("an interval of half the confidence is narrower, and about the same scale",
           "[moment-interval][law]") {
   const Field z = moving_average({40, 40}, {3, 3}, 5);
