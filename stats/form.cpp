@@ -127,9 +127,10 @@ void FormFit::end_pass() {
   sums_.setZero();
 }
 
-void FormFit::remove(Eigen::Ref<Field> strip, Index first, std::size_t pass) const {
-  const auto rows = along_x_.middleRows(first, strip.rows());
-  for (; pass < steps_.size(); ++pass) strip.matrix() -= rows * (steps_[pass] * along_y_.transpose());
+void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::size_t pass) const {
+  const auto along_x = along_x_.middleRows(row, heights.rows()),
+             along_y = along_y_.middleRows(column, heights.cols());
+  for (; pass < steps_.size(); ++pass) heights.matrix() -= along_x * (steps_[pass] * along_y.transpose());
 }
 
 Field without_form(const Field& z, int degree) {
@@ -141,7 +142,7 @@ Field without_form(const Field& z, int degree) {
   for (std::size_t pass = 0; !fit.done(); ++pass) {
     fit.add(heights, 0);
     fit.end_pass();
-    fit.remove(heights, 0, pass);
+    fit.remove(heights, 0, 0, pass);
   }
   return heights;
 }

@@ -65,8 +65,8 @@ class FormFit {
   /// Throws ParameterError("level") where the points that are there do not determine the form.
   void end_pass();
   bool done() const { return steps_.size() == (missing_ ? 3 : 2); }
-  /// Takes away what the passes from `pass` on have found.
-  void remove(Eigen::Ref<Field> strip, Index first, std::size_t pass = 0) const;
+  /// Takes away what the passes from `pass` on have found of heights whose first is the field's (row, column).
+  void remove(Eigen::Ref<Field> heights, Index row, Index column = 0, std::size_t pass = 0) const;
 
  private:
   struct Term {

@@ -48,36 +48,61 @@ double log_gaussian(double x) {
                  : -0.5 * x * x - std::log(-x * std::sqrt(2 * std::numbers::pi)) - 1 / (x * x);
 }
 
-double kolmogorov_smirnov(const std::vector<double>& x) {
-  const double n = static_cast<double>(x.size());
+double kolmogorov_smirnov(double n, const auto& for_each_run) {
   double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double below = static_cast<double>(i) / n, phi = gsl_cdf_ugaussian_P(x[i]);
-    largest = std::max({largest, phi - below, below + 1 / n - phi});
-  }
+  for_each_run([&](const HeightRun& run, double below) {
+    const double low = gsl_cdf_ugaussian_P(run.lowest),
+                 high = run.count > 1 ? gsl_cdf_ugaussian_P(run.highest) : low;
+    largest = std::max({largest, low - below / n, (below + 1) / n - low, high - (below + run.count - 1) / n,
+                        (below + run.count) / n - high});
+  });
   return std::sqrt(n) * largest;
 }
 
-double anderson_darling(const std::vector<double>& x) {
-  const double n = static_cast<double>(x.size());
+// What x_i adds to -(3), i from 0.
+double anderson_darling_term(double i, double n, double x) {
+  const double rank = (2 * i + 1) / n;
+  return rank * log_gaussian(x) + (2 - rank) * log_gaussian(-x) + 1;
+}
+
+// The terms of a run are those of a parabola through the first, the middle and the last.
+double anderson_darling(double n, const auto& for_each_run) {
   double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double rank = static_cast<double>(2 * i + 1) / n;
-    sum += rank * log_gaussian(x[i]) + (2 - rank) * log_gaussian(-x[i]) + 1;
-  }
+  for_each_run([&](const HeightRun& run, double below) {
+    const double m = run.count, first = anderson_darling_term(below, n, run.lowest);
+    if (m == 1) {
+      sum += first;
+      return;
+    }
+    const double last = anderson_darling_term(below + m - 1, n, run.highest),
+                 middle = anderson_darling_term(below + (m - 1) / 2, n, 0.5 * (run.lowest + run.highest));
+    sum += m * (middle + (first + last - 2 * middle) * (m + 1) / (6 * (m - 1)));
+  });
   return -sum;
 }
 
-double pearson(const std::vector<double>& x, int bins) {
-  const double expected = static_cast<double>(x.size()) / bins;
-  double sum = 0;
-  auto lower = x.begin();
-  for (int bin = 1; bin <= bins; ++bin) {
-    const auto upper =
-        bin < bins ? std::lower_bound(lower, x.end(), gsl_cdf_ugaussian_Pinv(static_cast<double>(bin) / bins))
-                   : x.end();
-    const double excess = static_cast<double>(upper - lower) - expected;
-    sum += excess * excess / expected;
+// How many heights lie below each edge between B bins.
+std::vector<double> counts_below_edges(double n, const auto& for_each_run, int bins) {
+  std::vector<double> counts;
+  auto edge = [&] { return gsl_cdf_ugaussian_Pinv(static_cast<double>(counts.size() + 1) / bins); };
+  double at = edge();
+  for_each_run([&](const HeightRun& run, double below) {
+    for (; static_cast<int>(counts.size()) < bins - 1 && at <= run.highest; at = edge())
+      counts.push_back(at <= run.lowest ? below
+                                        : below + std::ceil((at - run.lowest) / (run.highest - run.lowest) *
+                                                            (run.count - 1)));
+  });
+  counts.resize(static_cast<std::size_t>(bins - 1), n);
+  return counts;
+}
+
+double pearson(double n, const auto& for_each_run, int bins) {
+  const double expected = n / bins;
+  double sum = 0, lower = 0;
+  std::vector<double> edges = counts_below_edges(n, for_each_run, bins);
+  edges.push_back(n);
+  for (const double upper : edges) {
+    sum += std::pow(upper - lower - expected, 2) / expected;
     lower = upper;
   }
   return sum;
@@ -130,10 +155,10 @@ double GaussianityTest::Laws::jarque_bera_p(double statistic) const {
 GaussianityTest::GaussianityTest(const EffectiveSize& size)
     : bins_(bins_for(size)), laws_(size, bins_), naive_(independent(size), bins_) {}
 
-std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {
-  const std::vector<double> x = sorted(z, moments);
-  const double jb = laws_.jarque_bera(moments), ks = kolmogorov_smirnov(x), ad = anderson_darling(x),
-               chi = pearson(x, bins_);
+std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_each_run,
+                                                    const Moments& moments) const {
+  const double jb = laws_.jarque_bera(moments), ks = kolmogorov_smirnov(n, for_each_run),
+               ad = anderson_darling(n, for_each_run), chi = pearson(n, for_each_run, bins_);
   return {{
       {"Jarque-Bera", jb, laws_.jarque_bera_p(jb), naive_.jarque_bera_p(naive_.jarque_bera(moments))},
       {"Kolmogorov-Smirnov", ks, laws_.supremum.exceedance(ks), naive_.supremum.exceedance(ks)},
@@ -142,6 +167,28 @@ std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const M
       {"Pearson chi-squared", chi, weighted_chi_squared_exceedance(laws_.pearson, chi),
        weighted_chi_squared_exceedance(naive_.pearson, chi)},
   }};
+}
+
+std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {
+  const std::vector<double> x = sorted(z, moments);
+  auto for_each_run = [&](auto visit) {
+    for (double below = 0; const double height : x) visit(HeightRun{1, height, height}, below++);
+  };
+  return judge(static_cast<double>(x.size()), for_each_run, moments);
+}
+
+std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const std::vector<HeightRun>& ascending,
+                                                         const Moments& moments) const {
+  auto normalised = [&](double height) { return (height - moments.mean) / moments.sq; };
+  auto for_each_run = [&](auto visit) {
+    double below = 0;
+    for (const auto& [count, lowest, highest] : ascending) {
+      visit(HeightRun{count, normalised(lowest), normalised(highest)}, below);
+      below += count;
+    }
+    return below;
+  };
+  return judge(for_each_run([](const HeightRun&, double) {}), for_each_run, moments);
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <ranges>
 #include <string>
 
 #include <gsl/gsl_cdf.h>
@@ -56,12 +57,35 @@ struct Piece {
 
 MaterialRatioCurve::MaterialRatioCurve(const Field& z, int threads)
     : descending_(sorted_descending(z, threads)) {
+  check();
+}
+
+MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightRun>& ascending) {
+  double rank = 0;
+  auto add = [&](double at, double height) {
+    ranks_.push_back(at);
+    descending_.push_back(height);
+  };
+  for (const HeightRun& run : std::views::reverse(ascending)) {
+    add(rank, run.highest);
+    if (run.count > 1) add(rank + run.count - 1, run.lowest);
+    rank += run.count;
+  }
+  check();
+}
+
+void MaterialRatioCurve::check() const {
   if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs two heights");
 }
 
-double MaterialRatioCurve::at(double rank) const {
-  const double whole = std::clamp(std::floor(rank), 0.0, last() - 1), fraction = rank - whole;
-  const auto k = static_cast<std::size_t>(whole);
+std::size_t MaterialRatioCurve::piece_at(double rank) const {
+  if (ranks_.empty()) return static_cast<std::size_t>(std::clamp(std::floor(rank), 0.0, last() - 1));
+  return static_cast<std::size_t>(std::upper_bound(ranks_.begin() + 1, ranks_.end() - 1, rank) -
+                                  ranks_.begin() - 1);
+}
+
+double MaterialRatioCurve::within(std::size_t k, double rank) const {
+  const double fraction = (rank - rank_of(k)) / (rank_of(k + 1) - rank_of(k));
   return descending_[k] + fraction * (descending_[k + 1] - descending_[k]);
 }
 
@@ -74,21 +98,18 @@ double MaterialRatioCurve::ratio(double height) const {
   const auto below = std::lower_bound(descending_.begin(), descending_.end(), height, std::greater<>());
   if (below == descending_.begin()) return 0;
   if (below == descending_.end()) return 1;
-  const double above = *(below - 1), rank = static_cast<double>(below - 1 - descending_.begin());
-  return (rank + (above - height) / (above - *below)) / last();
+  const auto k = static_cast<std::size_t>(below - 1 - descending_.begin());
+  const double fraction = (descending_[k] - height) / (descending_[k] - *below);
+  return (rank_of(k) + fraction * (rank_of(k + 1) - rank_of(k))) / last();
 }
 
 template <class Visit>
 void MaterialRatioCurve::segments(double from, double to, Visit visit) const {
-  const double begin = from * last(), stop = to * last(), first = std::ceil(begin), end = std::floor(stop);
-  if (first > end) {
-    visit(Piece{begin, stop, at(begin), at(stop)});
-    return;
+  const double begin = from * last(), stop = to * last();
+  for (std::size_t k = piece_at(begin); k + 1 < descending_.size() && rank_of(k) < stop; ++k) {
+    const double first = std::max(begin, rank_of(k)), end = std::min(stop, rank_of(k + 1));
+    visit(Piece{first, end, within(k, first), within(k, end)});
   }
-  visit(Piece{begin, first, at(begin), at(first)});
-  for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k)
-    visit(Piece{static_cast<double>(k), static_cast<double>(k + 1), descending_[k], descending_[k + 1]});
-  visit(Piece{end, stop, at(end), at(stop)});
 }
 
 // ∫ (c - level) dp.
@@ -98,7 +119,7 @@ double MaterialRatioCurve::area(double from, double to, double level) const {
   return static_cast<double>(sum) / last();
 }
 
-// The fall over the core's width changes its slope only where either end passes a height.
+// The fall over the core's width changes its slope only where either end passes a corner of the curve.
 double MaterialRatioCurve::core_start() const {
   const double span = core_share * last(), room = last() - span;
   double best = 0, least = std::numeric_limits<double>::infinity();
@@ -107,9 +128,9 @@ double MaterialRatioCurve::core_start() const {
     const double fall = at(start) - at(start + span);
     if (fall < least || (fall == least && start < best)) least = fall, best = start;
   };
-  for (double k = 0; k <= last(); ++k) {
-    consider(k);
-    consider(k - span);
+  for (std::size_t k = 0; k < descending_.size(); ++k) {
+    consider(rank_of(k));
+    consider(rank_of(k) - span);
   }
   return best / last();
 }

@@ -22,8 +22,11 @@
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
 ///           Vm, Vv  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
 /// Accuracy  Exact for the piecewise straight curve (1) to round-off; for the smooth curve of a population,
-///           bias O(1/N). (5) to first order in 1/N.
-/// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4).
+///           bias O(1/N). (5) to first order in 1/N. By runs (stats/height_runs.hpp) c(p) strays by less than the
+///           width w of a cell, 2e-6 to 2e-5 Sq, in fact by w/√(4n) for n heights a run, and volumes by less than
+///           that; of two stretches that fall equally but for w the other may be the core.
+/// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and a few
+///           binary searches a run for (2).
 ///
 /// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes.
 /// E. J. Abbott, F. A. Firestone, Mechanical Engineering 55 (1933) 569-572.
@@ -34,6 +37,7 @@
 
 #include "grid/field.hpp"
 #include "stats/effective_size.hpp"
+#include "stats/height_runs.hpp"
 #include "stats/moments.hpp"
 
 namespace asperity {
@@ -53,6 +57,8 @@ class MaterialRatioCurve {
  public:
   /// Throws DataError("heights", …) for fewer than two heights.
   explicit MaterialRatioCurve(const Field& z, int threads = 1);
+  /// Straight from the lowest to the highest height of each run.
+  explicit MaterialRatioCurve(const std::vector<HeightRun>& ascending);
 
   /// c(p), 0 ≤ p ≤ 1; throws ParameterError("material-ratio", …) outside.
   double height(double ratio) const;
@@ -68,14 +74,18 @@ class MaterialRatioCurve {
   VolumeParameters volumes(double p = 0.1, double q = 0.8) const;
 
  private:
-  double last() const { return static_cast<double>(descending_.size() - 1); }
-  double at(double rank) const;  ///< c(rank/(N-1))
-  double core_start() const;     ///< rank
+  void check() const;
+  double rank_of(std::size_t k) const { return ranks_.empty() ? static_cast<double>(k) : ranks_[k]; }
+  double last() const { return rank_of(descending_.size() - 1); }
+  std::size_t piece_at(double rank) const;          ///< the k of the corners k, k + 1 beside it
+  double within(std::size_t k, double rank) const;  ///< c(rank/(N-1)) on that piece
+  double at(double rank) const { return within(piece_at(rank), rank); }
+  double core_start() const;
   template <class Visit>
   void segments(double from, double to, Visit visit) const;
   double area(double from, double to, double level) const;
 
-  std::vector<double> descending_;
+  std::vector<double> descending_, ranks_;  ///< heights of the corners, and their ranks; none: 0, 1, 2, …
 };
 
 /// What of the field's own the heights are measured by.

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "grid/error.hpp"
-#include "stats/ensemble.hpp"
 #include "stats/missing.hpp"
 
 namespace asperity {
@@ -140,30 +139,43 @@ ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step,
   return out;
 }
 
-ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
-                                 const LagField& rho) {
-  const Grid& grid = pairs.grid();
-  const bool x = along == Axis1D::x;
-  const double step = x ? grid.dx : grid.dy, length = x ? grid.size_x() : grid.size_y();
+ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section)
+    : grid_(grid), along_(along), section_(section) {
+  const double length = along == Axis1D::x ? grid.size_x() : grid.size_y();
   if (std::isfinite(section) && section > length * (1 + 1e-12))
     throw ParameterError("lambda-c", std::to_string(section) + " m: longer than the profiles, " +
                                          std::to_string(length) + " m");
-  Ensemble profiles;
-  for (Index i = 0, m = x ? z.cols() : z.rows(); i < m; ++i)
-    profiles.add(profile_parameters(x ? Eigen::ArrayXd(z.col(i)) : Eigen::ArrayXd(z.row(i).transpose()), step,
-                                    section, grid.periodic));
-  const Eigen::ArrayXd count = profiles.count();
-  ProfileAverages out{.mean = profiles.mean(),
-                      .spread = profiles.spread() * ((count - 1) / count).sqrt(),
+}
+
+void ProfileSums::add(const Field& heights) {
+  const bool x = along_ == Axis1D::x;
+  const double step = x ? grid_.dx : grid_.dy;
+  for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
+    const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
+    profiles_.add(profile_parameters(profile, step, section_, grid_.periodic));
+  }
+}
+
+ProfileAverages ProfileSums::averages(const Pairs& pairs, const LagField& rho) const {
+  const Eigen::ArrayXd count = profiles_.count();
+  ProfileAverages out{.mean = profiles_.mean(),
+                      .spread = profiles_.spread() * ((count - 1) / count).sqrt(),
                       .standard_error = {},
                       .profiles = count[profile_q],
-                      .independent = count[profile_q] / profiles_worth_one(rho, pairs, along, 2)};
+                      .independent = count[profile_q] / profiles_worth_one(rho, pairs, along_, 2)};
   for (int parameter = 0; parameter < profile_parameters_count; ++parameter) {
     const int k = parameter == profile_sk ? 3 : parameter == profile_ku ? 4 : 2;
     out.standard_error[parameter] =
-        standard_error(out.spread[parameter], count[parameter], profiles_worth_one(rho, pairs, along, k));
+        standard_error(out.spread[parameter], count[parameter], profiles_worth_one(rho, pairs, along_, k));
   }
   return out;
+}
+
+ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
+                                 const LagField& rho) {
+  ProfileSums sums(pairs.grid(), along, section);
+  sums.add(z);
+  return sums.averages(pairs, rho);
 }
 
 }  // namespace asperity

@@ -35,6 +35,7 @@
 #include <array>
 
 #include "grid/field.hpp"
+#include "stats/ensemble.hpp"
 #include "stats/lag_field.hpp"
 #include "stats/pairs.hpp"
 #include "stats/spectrum.hpp"
@@ -70,8 +71,24 @@ struct ProfileAverages {
   double independent = 0;  ///< m/c, k = 2
 };
 
-/// Of all profiles along the axis; ρ is a correlation that is zero beyond its lags. Throws ParameterError("lambda-c", …)
-/// when the section is longer than the profiles.
+/// The profiles along one axis of a field that comes in parts.
+class ProfileSums {
+ public:
+  /// Throws ParameterError("lambda-c", …) when the section is longer than the profiles.
+  ProfileSums(const Grid& grid, Axis1D along, double section);
+  /// Whole profiles: columns of heights along x, rows along y.
+  void add(const Field& heights);
+  /// ρ is a correlation that is zero beyond its lags.
+  ProfileAverages averages(const Pairs& pairs, const LagField& rho) const;
+
+ private:
+  Grid grid_;
+  Axis1D along_;
+  double section_;
+  Ensemble profiles_;
+};
+
+/// Of all profiles along the axis, at once.
 ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
                                  const LagField& rho);
 

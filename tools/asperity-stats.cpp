@@ -19,18 +19,24 @@ bool larger_than_memory(const std::string& path, std::size_t memory) {
   return fs::is_regular_file(path, none) && fs::file_size(path, none) > memory / 8;
 }
 
-cli::Rows rows_of_whole(const cli::Tool& tool, const Dataset& data, const cli::MeasuredOptions& options,
-                        const cli::StatsOptions& what) {
-  cli::WholeSample sample(cli::measure(data, options, tool.thread_count()), options.variable,
-                          tool.thread_count());
+// All but spatial.
+cli::Rows rows_of(cli::Sample& sample, const cli::MeasuredOptions& options, const cli::StatsOptions& what) {
   if (!what.profile.empty()) return profile_rows(sample, what, options.long_cutoff);
   cli::Rows out;
   if (what.asks_for("height")) append(out, height_rows(sample));
   if (!what.quantiles.empty()) append(out, quantile_rows(sample, what));
   if (what.asks_for("gaussianity")) append(out, gaussianity_rows(sample));
   if (what.asks_for("material")) append(out, material_rows(sample, what));
-  if (what.asks_for("spatial")) append(out, spatial_rows(tool, sample, what));
   if (what.asks_for("hybrid")) append(out, hybrid_rows(sample, what));
+  return out;
+}
+
+cli::Rows rows_of_whole(const cli::Tool& tool, const Dataset& data, const cli::MeasuredOptions& options,
+                        const cli::StatsOptions& what) {
+  cli::WholeSample sample(cli::measure(data, options, tool.thread_count()), options.variable,
+                          tool.thread_count());
+  cli::Rows out = rows_of(sample, options, what);
+  if (what.asks_for("spatial")) append(out, spatial_rows(tool, sample, what));
   return out;
 }
 
@@ -46,11 +52,7 @@ cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const c
   if (sample.correlation_reaches_beyond())
     tool.warn("the correlation is longer than half a strip of " + std::to_string(sample.rows()) +
               " rows: standard errors are too small; see --memory");
-  cli::Rows out;
-  if (what.asks_for("height")) append(out, height_rows(sample));
-  if (!what.quantiles.empty()) append(out, quantile_rows(sample, what));
-  if (what.asks_for("hybrid")) append(out, hybrid_rows(sample, what));
-  return out;
+  return rows_of(sample, options, what);
 }
 
 }  // namespace

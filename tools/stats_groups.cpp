@@ -13,10 +13,7 @@
 #include "stats/acf_error.hpp"
 #include "stats/acf_length.hpp"
 #include "stats/acf_lobe.hpp"
-#include "stats/gaussianity.hpp"
-#include "stats/material_ratio.hpp"
 #include "stats/moment_interval.hpp"
-#include "stats/profile.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
 #include "stats/spectrum.hpp"
@@ -26,8 +23,9 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array group_names{"height", "gaussianity", "material", "spatial", "hybrid", "all"};
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN(),
+                 unlimited = std::numeric_limits<double>::infinity();
+constexpr std::array group_names{"height", "gaussianity", "material", "hybrid", "spatial", "all"};
 
 std::vector<double> shares(const std::string& option, const std::string& list) {
   std::vector<double> out;
@@ -128,8 +126,8 @@ void StatsOptions::declare(Tool& tool) {
       "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), gaussianity (the tests of "
       "Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling and Pearson, with p-values that allow for the "
       "correlation and naive ones that do not), material (Sk, Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv), "
-      "spatial (Sal, Str, Std, ellipticity), hybrid (Sdq, Sdr, spectral "
-      "moments, summits), or all; only what is asked for is computed",
+      "hybrid (Sdq, Sdr, spectral moments, summits), spatial (Sal, Str, Std, ellipticity), or all; only what "
+      "is asked for is computed",
       "Parameters");
   tool.choice(
       "--profile", profile, {"x", "y"},
@@ -146,10 +144,10 @@ void StatsOptions::declare(Tool& tool) {
               "Parameters");
   tool.bytes(
       "--memory", memory,
-      "Largest memory for the field. A file of more than an eighth of it is read in strips of rows, for "
-      "height, hybrid and quantiles above any --level; the rest needs the whole field, and is refused if the "
-      "bound was given. Errors then rest on the correlation within the strips, where the dataset carries "
-      "none",
+      "Largest memory for the field. A file of more than an eighth of it is read in strips, above any "
+      "--level, for all but spatial and the filters, which need the whole field and are refused if the bound "
+      "was given. The order of the heights takes 25 MB more. Errors then rest on the correlation within the "
+      "strips, where the dataset carries none",
       "Resources");
   tool.text("--direction", direction, "ANGLE",
             "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");
@@ -170,9 +168,7 @@ void StatsOptions::check(const Tool& tool) const {
 }
 
 std::string StatsOptions::needs_whole_field(const Tool& tool) const {
-  if (!profile.empty()) return "--profile";
-  for (const char* group : {"gaussianity", "material", "spatial"})
-    if (asks_for(group)) return std::string("--parameters ") + group;
+  if (asks_for("spatial")) return "--parameters spatial";
   for (const char* filter : {"--lambda-s", "--lambda-c"})
     if (tool.given(filter)) return filter;
   return "";
@@ -183,7 +179,7 @@ bool StatsOptions::asks_for(const std::string& group) const {
   for (const std::string& word : split(groups, ',')) {
     if (std::ranges::find(group_names, word) == group_names.end())
       throw UsageError("parameters",
-                       "value \"" + word + "\" is not height, gaussianity, material, spatial, hybrid or all");
+                       "value \"" + word + "\" is not height, gaussianity, material, hybrid, spatial or all");
     asked = asked || word == group || word == "all";
   }
   return asked;
@@ -231,9 +227,9 @@ Rows quantile_rows(Sample& sample, const StatsOptions& options) {
   return out;
 }
 
-Rows gaussianity_rows(WholeSample& sample) {
+Rows gaussianity_rows(Sample& sample) {
   constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
-  const auto fits = GaussianityTest(sample.size())(sample.heights(), sample.moments());
+  const auto fits = sample.goodness_of_fit();
   Rows out;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const std::string symbol = symbols[i], test(fits[i].test);
@@ -245,8 +241,8 @@ Rows gaussianity_rows(WholeSample& sample) {
   return out;
 }
 
-Rows material_rows(WholeSample& sample, const StatsOptions& options) {
-  const MaterialRatioCurve curve(sample.heights(), sample.threads());
+Rows material_rows(Sample& sample, const StatsOptions& options) {
+  const MaterialRatioCurve curve = sample.material_ratio();
   const auto [p, q] = options.material_ratios;
   const VolumeParameters volume = curve.volumes(p, q);
   const CoreParameters core = curve.core();
@@ -267,13 +263,10 @@ Rows material_rows(WholeSample& sample, const StatsOptions& options) {
   };
 }
 
-Rows profile_rows(WholeSample& sample, const StatsOptions& options, double section) {
+Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
   const bool filtered = !std::isnan(section), heights = sample.units() == "m";
-  const LagField rho =
-      sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), sample.pairs());
   const ProfileAverages averages =
-      average_profiles(sample.heights(), sample.pairs(), options.profile == "x" ? Axis1D::x : Axis1D::y,
-                       filtered ? section : std::numeric_limits<double>::infinity(), rho);
+      sample.profiles(options.profile == "x" ? Axis1D::x : Axis1D::y, filtered ? section : unlimited);
   Rows out;
   for (int k = 0; k < profile_parameters_count; ++k) {
     if (k == profile_dq && !heights) continue;

@@ -30,11 +30,11 @@ using Rows = std::vector<Quantities::Row>;
 Rows height_rows(Sample& sample);
 Rows quantile_rows(Sample& sample, const StatsOptions& options);
 /// Each test's statistic and p-value, with and without the correlation of the heights.
-Rows gaussianity_rows(WholeSample& sample);
-Rows material_rows(WholeSample& sample, const StatsOptions& options);
+Rows gaussianity_rows(Sample& sample);
+Rows material_rows(Sample& sample, const StatsOptions& options);
 Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& options);
 /// Named P…, or R… where long waves were filtered out by a cut-off, `section`; NaN: none was.
-Rows profile_rows(WholeSample& sample, const StatsOptions& options, double section);
+Rows profile_rows(Sample& sample, const StatsOptions& options, double section);
 /// Throws DataError when the field is no length.
 Rows hybrid_rows(Sample& sample, const StatsOptions& options);
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/material_ratio.hpp"
 #include "stats/selection.hpp"
 
 namespace asperity::cli {
 namespace {
 
 constexpr std::size_t bytes_a_point = 80;  // of a strip, with its transform and its lags
+constexpr std::size_t bytes_a_point_of_columns = 32;
 constexpr Index least_rows = 4;
 
 // How many rows there are to a strip, all strips but the last of the same number.
@@ -22,6 +22,12 @@ Index rows_of_strip(const Grid& grid, std::size_t memory) {
                                    " points, " + std::to_string(row * static_cast<std::size_t>(least_rows)));
   const Index strips = (grid.shape.nx + most - 1) / most;
   return (grid.shape.nx + strips - 1) / strips;
+}
+
+// How many columns; at least one, whatever the memory.
+Index columns_of_strip(const Grid& grid, std::size_t memory) {
+  const std::size_t column = bytes_a_point_of_columns * static_cast<std::size_t>(grid.shape.nx);
+  return std::clamp<Index>(static_cast<Index>(memory / column), 1, grid.shape.ny);
 }
 
 }  // namespace
@@ -59,10 +65,15 @@ DerivativeErrors WholeSample::derivative_errors() {
 }
 
 std::vector<double> WholeSample::quantiles(const std::vector<double>& shares) {
-  const MaterialRatioCurve curve(heights(), threads_);
+  const MaterialRatioCurve curve = material_ratio();
   std::vector<double> out;
   for (const double share : shares) out.push_back(curve.quantile(share));
   return out;
+}
+
+ProfileAverages WholeSample::profiles(Axis1D along, double section) {
+  const LagField rho = measured().drawn ? *measured().drawn : significant_lags(acf(), pairs());
+  return average_profiles(heights(), pairs(), along, section, rho);
 }
 
 // ---- in strips ----
@@ -135,8 +146,37 @@ void StripSample::find_correlation() {
   pairs_ = correlation_ ? correlation_->pairs() : Pairs(grid());
   if (!measured().drawn) acf_ = correlation_->estimate();
   size_ = acf_ ? EffectiveSize::of_estimate(*acf_, *pairs_) : EffectiveSize(*measured().drawn, *pairs_);
-  reaches_beyond_ = correlation_ &&
-                    correlation_->reaches_beyond(acf_ ? significant_lags(*acf_, *pairs_) : *measured().drawn);
+  reaches_beyond_ = correlation_ && correlation_->reaches_beyond(known_correlation());
+}
+
+LagField StripSample::known_correlation() const {
+  return acf_ ? significant_lags(*acf_, *pairs_) : *measured().drawn;
+}
+
+const std::vector<HeightRun>& StripSample::runs() {
+  if (!runs_) {
+    HeightCells cells(moments_);
+    for_each_strip(0, [&](const Field& strip, Index, Index) { cells.add(strip); });
+    runs_ = cells.runs();
+  }
+  return *runs_;
+}
+
+ProfileAverages StripSample::profiles(Axis1D along, double section) {
+  ProfileSums sums(grid(), along, section);
+  if (along == Axis1D::y) {
+    for_each_strip(0, [&](const Field& strip, Index, Index) { sums.add(strip); });
+    return sums.averages(pairs(), known_correlation());
+  }
+  const auto [nx, ny] = grid().shape;
+  const Index columns = columns_of_strip(grid(), request_.memory);
+  for (Index first = 0; first < ny; first += columns) {
+    Field strip = file_.columns(first, std::min(columns, ny - first));
+    strip = (strip - mean_.base) - mean_.above;
+    if (form_) form_->remove(strip, 0, first);
+    sums.add(strip);
+  }
+  return sums.averages(pairs(), known_correlation());
 }
 
 DerivativeErrors StripSample::derivative_errors() {

@@ -2,6 +2,7 @@
 /// parameters need of it, computed once, when first needed.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,10 @@
 #include "dataset/field_file.hpp"
 #include "measured.hpp"
 #include "stats/derivative_error.hpp"
+#include "stats/gaussianity.hpp"
+#include "stats/height_runs.hpp"
+#include "stats/material_ratio.hpp"
+#include "stats/profile.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
 #include "stats/strip_acf.hpp"
@@ -37,6 +42,9 @@ class Sample {
   virtual CountedSummits summits() = 0;
   /// Heights below which these shares of the surface lie.
   virtual std::vector<double> quantiles(const std::vector<double>& shares) = 0;
+  virtual MaterialRatioCurve material_ratio() = 0;
+  virtual std::array<GoodnessOfFit, 4> goodness_of_fit() = 0;
+  virtual ProfileAverages profiles(Axis1D along, double section) = 0;
 
  protected:
   Measured measured_;
@@ -63,6 +71,11 @@ class WholeSample : public Sample {
   }
   CountedSummits summits() override { return counted_summits(heights(), grid(), threads_); }
   std::vector<double> quantiles(const std::vector<double>& shares) override;
+  MaterialRatioCurve material_ratio() override { return MaterialRatioCurve(heights(), threads_); }
+  std::array<GoodnessOfFit, 4> goodness_of_fit() override {
+    return GaussianityTest(size())(heights(), moments());
+  }
+  ProfileAverages profiles(Axis1D along, double section) override;
 
  private:
   int threads_;
@@ -72,8 +85,9 @@ class WholeSample : public Sample {
   std::optional<EffectiveSize> size_;
 };
 
-/// Read in strips of whole rows: once for the mean, two or three times for a form, once for all else, and four times
-/// for quantiles.
+/// Read in strips of whole rows: once for the mean, two or three times for a form, once for the moments, derivatives
+/// and the correlation, once for the order of the heights, once for profiles (along x in strips of columns), and four
+/// times for quantiles.
 class StripSample : public Sample {
  public:
   struct Request {
@@ -95,6 +109,11 @@ class StripSample : public Sample {
   SpectralMoments spectral_moments() override { return spectral_sums_.moments(grid()); }
   CountedSummits summits() override { return summit_sums_.summits(grid()); }
   std::vector<double> quantiles(const std::vector<double>& shares) override;
+  MaterialRatioCurve material_ratio() override { return MaterialRatioCurve(runs()); }
+  std::array<GoodnessOfFit, 4> goodness_of_fit() override {
+    return GaussianityTest(size())(runs(), moments());
+  }
+  ProfileAverages profiles(Axis1D along, double section) override;
 
  private:
   /// visit(strip, own rows, first): with `behind` rows more, as a Strip has them, above the mean and the form.
@@ -104,6 +123,9 @@ class StripSample : public Sample {
   void fit_form(int degree);
   void measure();
   void find_correlation();
+  /// The correlation that errors rest on, zero where it is not known.
+  LagField known_correlation() const;
+  const std::vector<HeightRun>& runs();
 
   const FieldFile& file_;
   Request request_;
@@ -120,6 +142,7 @@ class StripSample : public Sample {
   std::optional<LagField> acf_;
   std::optional<Pairs> pairs_;
   std::optional<EffectiveSize> size_;
+  std::optional<std::vector<HeightRun>> runs_;
   bool reaches_beyond_ = false;
 };
 

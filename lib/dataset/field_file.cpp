@@ -13,15 +13,20 @@ FieldFile::FieldFile(const std::string& path, std::string_view variable)
     throw DataError(variable_, "it does not lie on (x, y)");
 }
 
-// The rows are a dataset of their own, read as any other.
-Field FieldFile::rows(Index first, Index count) const {
+Field FieldFile::rows(Index first, Index count) const { return part(Axis::x, first, count); }
+
+Field FieldFile::columns(Index first, Index count) const { return part(Axis::y, first, count); }
+
+// The rows, or columns, are a dataset of their own, read as any other.
+Field FieldFile::part(Axis along, Index first, Index count) const {
+  const bool x = along == Axis::x;
   Dataset strip;
   strip.dimensions = dataset().dimensions;
-  std::ranges::find(strip.dimensions, "x", &Dimension::name)->length = count;
+  std::ranges::find(strip.dimensions, x ? "x" : "y", &Dimension::name)->length = count;
   for (const std::string& name : {variable_, std::string("mask")})
     if (const Variable* present = dataset().find(name)) {
       Variable part = *present;
-      part.values = file_.rows(name, first, count);
+      part.values = x ? file_.rows(name, first, count) : file_.columns(name, first, count);
       strip.variables.push_back(std::move(part));
     }
   return field_of(strip, variable_, Missing::not_a_number);

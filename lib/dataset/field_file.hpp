@@ -23,8 +23,13 @@ class FieldFile {
   const Grid& grid() const { return grid_; }
   /// `count` rows from `first` on in SI, missing points NaN. Throws DataError when one is infinite.
   Field rows(Index first, Index count) const;
+  /// The same of columns.
+  Field columns(Index first, Index count) const;
 
  private:
+  enum class Axis { x, y };
+  Field part(Axis along, Index first, Index count) const;
+
   NetcdfFile file_;
   Grid grid_;
   std::string variable_;

@@ -312,6 +312,14 @@ NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& 
 NetcdfFile::~NetcdfFile() { nc_close(id_); }
 
 Values NetcdfFile::rows(std::string_view variable, Index first, Index count) const {
+  return part(variable, 0, first, count);
+}
+
+Values NetcdfFile::columns(std::string_view variable, Index first, Index count) const {
+  return part(variable, dataset_.at(variable).dimensions.size() - 1, first, count);
+}
+
+Values NetcdfFile::part(std::string_view variable, std::size_t along, Index first, Index count) const {
   int id = -1;
   nc_type type = 0;
   const std::string name(variable);
@@ -320,9 +328,9 @@ Values NetcdfFile::rows(std::string_view variable, Index first, Index count) con
   std::vector<std::size_t> start, counts;
   std::size_t elements = 1;
   for (const std::string& dimension : dataset_.at(variable).dimensions) {
-    const bool along = counts.empty();
-    start.push_back(along ? static_cast<std::size_t>(first) : 0);
-    counts.push_back(static_cast<std::size_t>(along ? count : dataset_.length(dimension)));
+    const bool here = counts.size() == along;
+    start.push_back(here ? static_cast<std::size_t>(first) : 0);
+    counts.push_back(static_cast<std::size_t>(here ? count : dataset_.length(dimension)));
     elements *= counts.back();
   }
   Values out = allocate(type, elements, name);

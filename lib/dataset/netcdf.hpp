@@ -35,8 +35,12 @@ class NetcdfFile {
   const Dataset& dataset() const { return dataset_; }
   /// The values of a variable at `count` indices of its first dimension from `first` on.
   Values rows(std::string_view variable, Index first, Index count) const;
+  /// The same of its last dimension.
+  Values columns(std::string_view variable, Index first, Index count) const;
 
  private:
+  Values part(std::string_view variable, std::size_t along, Index first, Index count) const;
+
   int id_ = -1;
   Dataset dataset_;
 };

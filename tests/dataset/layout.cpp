@@ -211,6 +211,11 @@ TEST_CASE(
       const Field part = file.rows(first, rows), same = whole.middleRows(first, rows);
       CHECK((part == same || (part.isNaN() && same.isNaN())).all());
     }
+    for (Index first = 0; first < grid.shape.ny; first += 3) {
+      const Index columns = std::min<Index>(3, grid.shape.ny - first);
+      const Field part = file.columns(first, columns), same = whole.middleCols(first, columns);
+      CHECK((part == same || (part.isNaN() && same.isNaN())).all());
+    }
     CHECK_THROWS_AS(FieldFile(path, "kernel"), DataError);
     CHECK_THROWS_AS(FieldFile(path, "absent"), DataError);
   }

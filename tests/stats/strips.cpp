@@ -4,9 +4,14 @@
 
 #include "grid/error.hpp"
 #include "holes.hpp"
+#include "stats/effective_size.hpp"
 #include "stats/form.hpp"
+#include "stats/gaussianity.hpp"
+#include "stats/height_runs.hpp"
+#include "stats/material_ratio.hpp"
 #include "stats/missing.hpp"
 #include "stats/moments.hpp"
+#include "stats/profile.hpp"
 #include "stats/selection.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
@@ -29,6 +34,12 @@ void for_each_strip(const Field& z, bool periodic, Index rows, Visit visit) {
                                    [&](Index i, Index j) { return z((first + i) % nx, j); })),
           own);
   }
+}
+
+std::vector<HeightRun> runs_of(const Field& z, Index cells = HeightCells::default_cells) {
+  HeightCells out(moments(z), cells);
+  for_each_strip(z, false, 7, [&](const Field& strip, Index own) { out.add(strip.topRows(own)); });
+  return out.runs();
 }
 
 }  // namespace
@@ -155,4 +166,94 @@ TEST_CASE("a correlation still above a tenth at the strips' longest lag is told,
   CHECK_FALSE(strips.reaches_beyond(triangular_correlation({6, 3})));
   CHECK(strips.reaches_beyond(triangular_correlation({12, 3})));
   CHECK_FALSE(StripAutocorrelation(grid(60, 20), 60).reaches_beyond(triangular_correlation({31, 3})));
+}
+
+// Cells of 2e-6 Sa hold one or two of 1320 heights, or many that are equal.
+TEST_CASE("what rests on the order of heights is that of the whole field where runs hold two or equal ones",
+          "[strips][exact]") {
+  Field z = with_holes(random_field({40, 33}, 311), 0.1, 312);
+  z.topRows(9) = (8 * z.topRows(9)).round() / 8;
+  z(10, 30) = 1e3, z(11, 30) = -1e3;
+  const std::vector<HeightRun> runs = runs_of(z);
+  for (const HeightRun& run : runs) CHECK((run.count <= 2 || run.lowest == run.highest));
+  CHECK(std::ranges::is_sorted(runs, {}, &HeightRun::highest));
+
+  const MaterialRatioCurve curve(runs), whole(z);
+  for (const double p : {0.0, 0.013, 0.1, 0.5, 0.8, 0.999, 1.0}) {
+    CAPTURE(p);
+    CHECK(std::abs(curve.height(p) - whole.height(p)) <= 4 * epsilon * std::abs(whole.height(p)));
+    CHECK(curve.ratio(whole.height(p)) == Approx(whole.ratio(whole.height(p))).margin(4 * epsilon));
+  }
+  const CoreParameters core = curve.core(), of_whole = whole.core();
+  CHECK(core.sk == Approx(of_whole.sk).epsilon(1e-11));
+  CHECK(core.smr1 == Approx(of_whole.smr1).epsilon(1e-11));
+  CHECK(core.spk == Approx(of_whole.spk).epsilon(1e-11));
+  CHECK(core.svk == Approx(of_whole.svk).epsilon(1e-11));
+  CHECK(curve.volumes().vmc == Approx(whole.volumes().vmc).epsilon(1e-11));
+  CHECK(curve.volumes().vvv == Approx(whole.volumes().vvv).epsilon(1e-11));
+
+  const GaussianityTest test(EffectiveSize(triangular_correlation({3, 2}), Grid{{40, 33}, 1, 1, false}));
+  const auto fits = test(runs, moments(z)), fits_of_whole = test(z, moments(z));
+  for (std::size_t t = 0; t < fits.size(); ++t)
+    CHECK(fits[t].statistic == Approx(fits_of_whole[t].statistic).epsilon(1e-11));
+}
+
+// Each height strays by less than the range of its run; a volume by their mean, and by c(p)'s twice. In least squares
+// over 0.4 the slope strays by 3 δ/0.4, drawn out to the whole Sk by 7.5 δ. The others as the header says.
+TEST_CASE(
+    "with many heights a run the curve and the tests stray less than the runs are wide, and Sk by 7.5 of it",
+    "[strips][exact]") {
+  const Field z = moving_average({160, 150}, {4, 3}, 313);
+  const Moments m = moments(z);
+  const double n = static_cast<double>(z.size());
+  for (const Index cells : {512, 4096}) {
+    const std::vector<HeightRun> runs = runs_of(z, cells);
+    const double w = 2 / static_cast<double>(cells);
+    double mean_range = 0, largest_share = 0;
+    for (const auto& [count, lowest, highest] : runs) {
+      const double x = std::max(std::abs(lowest - m.mean), std::abs(highest - m.mean)) / m.sa;
+      CHECK(highest - lowest <= 1.001 * w * (1 + x) * (1 + x) * m.sa);
+      mean_range += count * (highest - lowest) / n, largest_share = std::max(largest_share, count / n);
+    }
+    CAPTURE(cells, mean_range, largest_share);
+    CHECK(largest_share * n > 3);
+
+    const MaterialRatioCurve curve(runs), whole(z);
+    const double in_core = w * 9 * m.sa;  // |x| ≤ 2
+    for (const double p : {0.05, 0.1, 0.3, 0.5, 0.77, 0.95})
+      CHECK(std::abs(curve.height(p) - whole.height(p)) <= in_core);
+    const CoreParameters core = curve.core(), of_whole = whole.core();
+    CHECK(std::abs(core.sk - of_whole.sk) <= 7.5 * in_core);
+    CHECK(std::abs(core.spk - of_whole.spk) <= 2 * 7.5 * in_core);
+    CHECK(std::abs(core.svk - of_whole.svk) <= 2 * 7.5 * in_core);
+    CHECK(std::abs(curve.volumes().vmp - whole.volumes().vmp) <= mean_range + 0.1 * in_core);
+    CHECK(std::abs(curve.volumes().vvv - whole.volumes().vvv) <= mean_range + 0.2 * in_core);
+
+    const GaussianityTest test(EffectiveSize(triangular_correlation({4, 3}), Grid{{160, 150}, 1, 1, false}));
+    const auto fits = test(runs, m), exact = test(z, m);
+    const double ks = exact[1].statistic, chi = exact[3].statistic, bins = test.bins();
+    CHECK(std::abs(fits[1].statistic - ks) <= std::sqrt(n) * largest_share);
+    CHECK(std::abs(fits[2].statistic - exact[2].statistic) <= 15 * std::sqrt(n) * w * ks);
+    CHECK(std::abs(fits[3].statistic - chi) <=
+          4 * bins * largest_share * (std::sqrt(n * chi) + bins * largest_share * n));
+  }
+}
+
+TEST_CASE("profile parameters of parts of the field average to those of the whole to the last bit",
+          "[strips][law]") {
+  for (const bool periodic : {false, true}) {
+    const Field z = with_holes(random_field({30, 26}, 315), 0.1, 316);
+    const Grid g{{30, 26}, 0.5, 0.7, periodic};
+    const LagField rho = triangular_correlation({3, 2});
+    for (const Axis1D along : {Axis1D::x, Axis1D::y}) {
+      ProfileSums sums(g, along, 4);
+      for (Index first = 0; first < (along == Axis1D::x ? 26 : 30); first += 9)
+        sums.add(along == Axis1D::x ? Field(z.middleCols(first, std::min<Index>(9, 26 - first)))
+                                    : Field(z.middleRows(first, std::min<Index>(9, 30 - first))));
+      const ProfileAverages parts = sums.averages(g, rho), whole = average_profiles(z, g, along, 4, rho);
+      CHECK((parts.mean == whole.mean).all());
+      CHECK((parts.spread == whole.spread).all());
+      CHECK((parts.standard_error == whole.standard_error).all());
+    }
+  }
 }

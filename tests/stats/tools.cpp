@@ -216,11 +216,12 @@ TEST_CASE(
 }
 
 // 96 × 80 heights are 61 kB, more than an eighth of 200 kB: strips of 31 rows. Order of the sums apart the same; the
-// median, near zero, and the form's sums pass on more of it.
+// median, near zero, and the form's sums pass on more of it, and A², what is left of 7680 terms of size 1.
 TEST_CASE(
     "asperity-stats in strips answers as on the whole field, from a file and from redirected standard input",
     "[stats-tool][law]") {
-  const std::string asked = "asperity-stats --json --parameters height,hybrid --quantiles 0,0.1,0.5,1 ";
+  const std::string asked =
+      "asperity-stats --json --parameters height,gaussianity,material,hybrid --quantiles 0,0.1,0.5,1 ";
   for (const std::string level : {"", "--level 3 "}) {
     const Json whole = json_of(asked + level + "drawn.nc");
     for (const char* input : {"--memory 200kB drawn.nc", "--memory 200kB < drawn.nc"}) {
@@ -233,7 +234,8 @@ TEST_CASE(
       for (const auto& [name, row] : whole.items()) {
         CAPTURE(name);
         const double value = row["value"], in_strips = strips[name]["value"];
-        CHECK(std::abs(in_strips - value) <= (level.empty() ? 1e-13 : 1e-11) * std::abs(value));
+        const double bound = name.starts_with("A2") ? 1e-10 : level.empty() ? 1e-13 : 1e-11;
+        CHECK(std::abs(in_strips - value) <= bound * std::abs(value));
         if (row.contains("standard_error"))
           CHECK(strips[name]["standard_error"].get<double>() ==
                 Approx(row["standard_error"].get<double>()).epsilon(1e-11));
@@ -247,11 +249,36 @@ TEST_CASE(
   CHECK(shell("cat drawn.nc | asperity-stats --memory 200kB").error.empty());
 }
 
+// 200 kB hold 31 rows and 65 columns. A form's sums have another order; of missing points only the pairs in strips
+// are counted for the profiles that are independent.
+TEST_CASE("asperity-stats --profile in strips of rows or columns answers as on the whole field",
+          "[stats-tool][law]") {
+  Dataset data = drawn_surface();
+  std::vector<std::int8_t> mask(96 * 80, 0);
+  for (std::size_t k = 1000; k < mask.size(); k += 17) mask[k] = 1;
+  set_flags(data, "mask", mask, "missing points", "present missing");
+  write_dataset(data, "masked.nc");
+  for (const std::string file : {"drawn.nc", "masked.nc"})
+    for (const std::string options : {"--profile x", "--profile y", "--profile x --level 2"}) {
+      const Json whole = json_of("asperity-stats --json " + options + " " + file);
+      const Outcome run = shell("asperity-stats --json --memory 200kB " + options + " " + file);
+      CAPTURE(file, options, run.error);
+      REQUIRE(run.exit == 0);
+      const Json strips = Json::parse(run.out);
+      for (const auto& [name, row] : whole.items()) {
+        const double value = row["value"];
+        CAPTURE(name);
+        const double bound = file == "masked.nc" && name == "profiles_eff" ? 3e-3 : 1e-11;
+        CHECK(std::abs(strips[name]["value"].get<double>() - value) <= bound * std::abs(value));
+      }
+    }
+}
+
 TEST_CASE(
     "asperity-stats refuses in one line what strips cannot give, and warns of a correlation longer than they",
     "[stats-tool][contract]") {
-  for (const char* whole : {"--parameters spatial", "--parameters material", "--parameters all",
-                            "--parameters gaussianity", "--profile x", "--lambda-c 1mm"}) {
+  for (const char* whole :
+       {"--parameters spatial", "--parameters all", "--lambda-c 1mm", "--profile x --lambda-c 1mm"}) {
     const Outcome run = run_on_surface(std::string("asperity-stats --memory 200kB drawn.nc ") + whole);
     CAPTURE(whole, run.error);
     CHECK((run.exit == 2 && lines(run.error) == 1));
