@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <ranges>
 #include <string>
 
 #include <gsl/gsl_cdf.h>
@@ -66,10 +65,10 @@ MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightRun>& ascending) 
     ranks_.push_back(at);
     descending_.push_back(height);
   };
-  for (const HeightRun& run : std::views::reverse(ascending)) {
-    add(rank, run.highest);
-    if (run.count > 1) add(rank + run.count - 1, run.lowest);
-    rank += run.count;
+  for (auto run = ascending.rbegin(); run != ascending.rend(); ++run) {
+    add(rank, run->highest);
+    if (run->count > 1) add(rank + run->count - 1, run->lowest);
+    rank += run->count;
   }
   check();
 }

@@ -187,7 +187,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a field read from its file by rows is the field read whole, its mask, fill value and unit included",
+    "a field read from its file by rows or columns is the field read whole, its mask, fill value and unit included",
     "[layout][exact]") {
   Dataset data = with_heights(random_field(grid.shape, 8));
   std::vector<std::int8_t> mask(24, 0);
