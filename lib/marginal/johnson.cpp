@@ -10,9 +10,9 @@ namespace asperity {
 
 namespace {
 
-using Block = std::array<double, 16>;
 using Family = Johnson::Family;
 
+constexpr std::size_t block_size = 16;
 // Within it e^u is finite; at 1/64 of δ it lies beyond ten standard deviations.
 constexpr double largest_u = 700;
 
@@ -77,16 +77,19 @@ auto with_quotient(const Johnson& j, Use use) {
   return use(Lognormal{});
 }
 
+// Whole blocks only, so that a value does not depend on its neighbours.
 template <class Quotient>
 void apply_by_blocks(const Johnson& j, std::span<double> values, Quotient q) {
   const double per_y = j.sign / j.delta, a = j.sign * j.slope, b = j.sign * j.offset;
-  for (std::size_t i = 0; i < values.size(); i += Block().size()) {
-    const auto part = values.subspan(i, std::min(Block().size(), values.size() - i));
-    Block z{};
-    std::copy(part.begin(), part.end(), z.begin());
-    for (double& value : z) value = a * q(exponent(value, per_y), expm1_of) - b;
-    std::copy_n(z.begin(), part.size(), part.begin());
-  }
+  auto block = [=](double* z) {
+    for (std::size_t i = 0; i < block_size; ++i) z[i] = a * q(exponent(z[i], per_y), expm1_of) - b;
+  };
+  const std::size_t rest = values.size() % block_size, whole = values.size() - rest;
+  for (std::size_t i = 0; i < whole; i += block_size) block(&values[i]);
+  std::array<double, block_size> last{};
+  std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(whole), rest, last.begin());
+  block(last.data());
+  std::copy_n(last.begin(), rest, values.begin() + static_cast<std::ptrdiff_t>(whole));
 }
 
 }  // namespace

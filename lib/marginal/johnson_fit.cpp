@@ -36,9 +36,9 @@ double symmetric_v(double kurtosis) {
   return std::log1p(2 * excess / (2 + std::sqrt(4 + 2 * excess))) / 2;
 }
 
-// Unit slope, no offset, positive skewness.
+// Unit slope, no offset, positive skewness. A difference, because -γ of a symmetric one would print as -0.
 Johnson plain(Family family, double gamma, double delta) {
-  return {family, family == Family::unbounded ? -gamma : gamma, delta, 1, 1, 0};
+  return {family, family == Family::unbounded ? 0 - gamma : gamma, delta, 1, 1, 0};
 }
 
 MarginalMoments moments_of(const Johnson& j) {
@@ -99,7 +99,7 @@ Johnson standardised(Johnson j) {
 
 Johnson mirrored(Johnson j) {
   j.sign = -1;
-  if (j.family == Family::unbounded || j.family == Family::bounded) j.gamma = -j.gamma;
+  j.gamma = 0 - j.gamma;
   return j;
 }
 
@@ -111,7 +111,19 @@ std::string text(double value) {
 
 void check_skewness(double skewness) {
   if (!(std::abs(skewness) <= largest_skewness))
-    throw ParameterError("skewness", text(skewness) + ": must lie in -50 ... 50");
+    throw ParameterError("skewness", text(skewness) + ": must lie in " + text(-largest_skewness) + " ... " +
+                                         text(largest_skewness));
+}
+
+void check_kurtosis(double skewness, double kurtosis) {
+  const double least = least_kurtosis(skewness);
+  if (kurtosis >= least && kurtosis <= largest_kurtosis) return;
+  std::string message = text(kurtosis) + ": must lie in " + text(least) + " ... " + text(largest_kurtosis) +
+                        " at skewness " + text(skewness);
+  if (kurtosis < least)
+    message += " (no heights have less than skewness^2 + 1 = " + text(skewness * skewness + 1) +
+               ", where they are two-valued)";
+  throw ParameterError("kurtosis", message);
 }
 
 }  // namespace
@@ -122,12 +134,7 @@ double least_kurtosis(double skewness) {
 }
 
 Johnson johnson_with(double skewness, double kurtosis) {
-  const double least = least_kurtosis(skewness);
-  if (!(kurtosis >= least && kurtosis <= largest_kurtosis))
-    throw ParameterError("kurtosis", text(kurtosis) + ": must lie in " + text(least) +
-                                         " ... 10000 at skewness " + text(skewness) +
-                                         " (no heights have less than skewness^2 + 1 = " +
-                                         text(skewness * skewness + 1) + ", where they are two-valued)");
+  check_kurtosis(skewness, kurtosis);
   const Johnson j = standardised(of_positive_skewness(std::abs(skewness), kurtosis));
   return skewness < 0 ? mirrored(j) : j;
 }

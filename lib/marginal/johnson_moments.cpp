@@ -5,20 +5,24 @@
 
 #include <Eigen/Core>
 
+#include "grid/field.hpp"
+
 namespace asperity {
 
 namespace {
 
-constexpr int nodes = 256;
-constexpr double step = 1.0 / 16, farthest = 5;
-constexpr double largest_y = 38;  // φ is 1e-314 there
+constexpr int most_nodes = 256;
+constexpr double step = 1.0 / 16;
+constexpr double farthest_centre = 5;
+// From the centre. Beyond it φ is below 1e-62 where S_B rises steeply, 1e-105 where S_U and S_L have their tails.
+constexpr double reach = 22;
 
-using Nodes = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, nodes, 1>;  // on the stack
+using Nodes = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_nodes, 1>;  // on the stack
 
 struct Substitution {
   Nodes sinh, cosh;
   Substitution() {
-    const Nodes s = Nodes::LinSpaced(nodes, -(nodes - 1) / 2.0, (nodes - 1) / 2.0) * step;
+    const Nodes s = Nodes::LinSpaced(most_nodes, (1 - most_nodes) / 2.0, (most_nodes - 1) / 2.0) * step;
     sinh = s.sinh();
     cosh = s.cosh();
   }
@@ -31,12 +35,15 @@ double expectation(const Nodes& weight, const Nodes& values) { return (weight * 
 MarginalMoments johnson_moments(const Johnson& j) {
   static const Substitution s;
   const bool steep = j.family == Johnson::Family::bounded && j.delta < 1;
-  const double centre = steep ? std::clamp(j.gamma, -farthest, farthest) : 0, width = steep ? j.delta : 1;
-  Nodes z = centre + width * s.sinh;
-  Nodes weight = s.cosh * (-z.square() / 2).exp();
+  const double centre = steep ? std::clamp(j.gamma, -farthest_centre, farthest_centre) : 0;
+  const double width = steep ? j.delta : 1;
+  const Index nodes =
+      2 * static_cast<Index>(std::min(std::ceil(std::asinh(reach / width) / step), most_nodes / 2.0));
+  const Index first = (most_nodes - nodes) / 2;
+  Nodes z = centre + width * s.sinh.segment(first, nodes);
+  Nodes weight = s.cosh.segment(first, nodes) * (-z.square() / 2).exp();
   weight /= weight.sum();
-  z = z.max(-largest_y).min(largest_y);
-  j.apply({z.data(), nodes});
+  j.apply({z.data(), static_cast<std::size_t>(nodes)});
 
   const double unit = z.abs().maxCoeff(), mean = expectation(weight, z / unit);
   const Nodes d = z / unit - mean, d2 = d.square();

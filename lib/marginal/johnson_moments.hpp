@@ -6,8 +6,8 @@
 /// with η = γ, ω = δ for S_B of δ < 1, which rises within |y - γ| ~ δ, and η = 0, ω = 1 otherwise.
 /// The rule converges exponentially in 1/h: the poles of S_B at y = γ ± iπδ stay π/2 from the real axis of s as δ → 0.
 ///
-/// Accuracy  a few ε of max(1, |moment|) with h = 1/16 and 256 nodes.
-/// Cost      8 us.
+/// Accuracy  a few ε of max(1, |moment|): h = 1/16 and |yᵢ - η| ≤ 22, at the most 256 nodes.
+/// Cost      1 to 2.5 µs.
 ///
 /// L. N. Trefethen, J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56 (2014) 385-458.
 #pragma once

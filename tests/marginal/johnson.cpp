@@ -250,6 +250,7 @@ TEST_CASE("A kurtosis beyond the edge is answered with the least", "[johnson][co
   CHECK_THROWS_WITH(johnson_with(-1, 1.9),
                     "1.9: must lie in 2.022059 ... 10000 at skewness -1 (no heights have less "
                     "than skewness^2 + 1 = 2, where they are two-valued)");
+  CHECK_THROWS_WITH(johnson_with(0, 11000), "11000: must lie in 1.016827 ... 10000 at skewness 0");
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   for (const Pair& p :
        {Pair{0, 1}, Pair{0, 1.01}, Pair{1, -5}, Pair{0, 1.1e4}, Pair{0, not_a_number}, Pair{20, 400}})
