@@ -1,10 +1,10 @@
 /// The plane of skewness and kurtosis: which Johnson distribution takes each cell, how exactly, in what time.
 ///
-/// A row is a skewness and a distance above the edge, K = Sk² + 1 + distance. `mean`, `variance`, `skewness` and
-/// `kurtosis` are the errors of the moments, the last two relative to the moment or to 1, as found by the trapezoidal
-/// rule in y with a spacing of min(δ, 1)/4 over ±24, which has nothing in common with the rule of the fit. `apply_ns`
-/// is the time of a height, copied and transformed. A cell nearer to the edge than johnson_with() goes is "refused", above its bounds left
-/// out; negative skewness is the mirror image.
+/// A row is a skewness and a distance above the edge, K = Sk² + 1 + distance. `mean`, `variance`, `skewness`
+/// and `kurtosis` are the errors of the moments, the last two relative to the moment or to 1, as found by the
+/// trapezoidal rule in y with a spacing of min(δ, 1)/4 over ±24, which has nothing in common with the rule of
+/// the fit. `apply_ns` is the time of a height, copied and transformed. A cell nearer to the edge than
+/// johnson_with() goes is "refused", one above its bounds left out; negative skewness is the mirror image.
 ///
 ///     johnson_plane
 #include <cmath>

@@ -16,8 +16,9 @@ constexpr std::size_t block_size = 16;
 // Within it e^u is finite; at 1/64 of δ it lies beyond ten standard deviations.
 constexpr double largest_u = 700;
 
-// 2^k (e^r - 1) + (2^k - 1), r = u - k ln 2 within ± ln(2)/2, by Taylor's series up to r^13/13!, whose rest is
-// 1e-17 of r. It has no branches or calls, so that the compiler makes vectors of it; the error is 1.3 ε of the value.
+// 2^k (e^r - 1) + (2^k - 1), r = u - k ln 2 within ± ln(2)/2, by Taylor's series up to r^13/13!, whose rest
+// is 1e-17 of r. It has no branches or calls, so that the compiler makes vectors of it; the error is 1.3 ε of
+// the value.
 inline double expm1_of(double u) {
   constexpr double rounder = 0x1.8p52;  // added to a number, it leaves the nearest integer in the lowest bits
   constexpr double per_ln2 = 0x1.71547652b82fep0, ln2 = 0x1.62e42fefa38p-1, ln2_rest = 0x1.ef35793c7673p-45;

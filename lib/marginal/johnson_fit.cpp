@@ -47,7 +47,8 @@ MarginalMoments moments_of(const Johnson& j) {
   return lognormal_moments(1 / (j.delta * j.delta));
 }
 
-// γ for which a distribution of this δ has the skewness; infinite where even S_L, the most skewed, has none larger.
+// γ for which a distribution of this δ has the skewness; infinite where even S_L, the most skewed, has none
+// larger.
 double gamma_for(Family family, double delta, double skewness) {
   if (skewness == 0) return 0;
   if (lognormal_moments(1 / (delta * delta)).skewness <= skewness) return infinity;

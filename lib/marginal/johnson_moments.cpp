@@ -14,7 +14,8 @@ namespace {
 constexpr int most_nodes = 256;
 constexpr double step = 1.0 / 16;
 constexpr double farthest_centre = 5;
-// From the centre. Beyond it φ is below 1e-62 where S_B rises steeply, 1e-105 where S_U and S_L have their tails.
+// From the centre. Beyond it φ is below 1e-62 where S_B rises steeply, 1e-105 where S_U and S_L have their
+// tails.
 constexpr double reach = 22;
 
 using Nodes = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_nodes, 1>;  // on the stack

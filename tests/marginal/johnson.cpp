@@ -14,19 +14,19 @@ using Family = Johnson::Family;
 
 namespace {
 
-// The trapezoidal rule in y itself. With a spacing of a quarter of δ or of 1 its error is below exp(-8π²): the poles of
-// S_B lie πδ from the real axis. φ is 1e-125 at the ends, and the fourth power of S_U at K = 1e4 below 1e70.
-MarginalMoments integrated(const Johnson& j) {
-  const double h = std::min(j.delta, 1.0) / 4;
-  const Index points = static_cast<Index>(48 / h);
-  Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(points, -24, 24), weight = (-y.square() / 2).exp();
-  weight /= weight.sum();
-  const Eigen::ArrayXd z = y.unaryExpr([&](double value) { return j(value); });
-  const double mean = (weight * z).sum();
-  const Eigen::ArrayXd d = z - mean;
-  const double variance = (weight * d.square()).sum();
-  return {mean, variance, (weight * d.cube()).sum() / std::pow(variance, 1.5),
-          (weight * d.square().square()).sum() / (variance * variance)};
+// The trapezoidal rule in y itself. With a spacing of a quarter of δ or of 1 its error is below exp(-8π²):
+// the poles of S_B lie πδ from the real axis. φ is 1e-125 at the ends, and the fourth power of S_U at K = 1e4
+// below 1e70. MarginalMoments integrated(const Johnson& j) {
+const double h = std::min(j.delta, 1.0) / 4;
+const Index points = static_cast<Index>(48 / h);
+Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(points, -24, 24), weight = (-y.square() / 2).exp();
+weight /= weight.sum();
+const Eigen::ArrayXd z = y.unaryExpr([&](double value) { return j(value); });
+const double mean = (weight * z).sum();
+const Eigen::ArrayXd d = z - mean;
+const double variance = (weight * d.square()).sum();
+return {mean, variance, (weight * d.cube()).sum() / std::pow(variance, 1.5),
+        (weight * d.square().square()).sum() / (variance * variance)};
 }
 
 double kurtosis_of_lognormal(double skewness) {
@@ -106,7 +106,7 @@ TEST_CASE("Skewness 4 and kurtosis 41 are the lognormal of w = 2", "[johnson][ex
   }
 }
 
-// γ = -δ/2 · asinh(...) of a known S_U: w and d chosen, Sk and K by the raw moments E[exp(kt)] = w^(k²/2).
+// Of chosen γ and δ: sinh t is a sum of lognormals, whose raw moments are E[exp(kt)] = exp(k²/2δ² - kγ/δ).
 TEST_CASE("S_U gives back the parameters whose raw lognormal moments it was asked for", "[johnson][exact]") {
   for (const double delta : {0.9, 1.5, 4.0})
     for (const double gamma : {-5.0, -1.0, -0.1, 0.3, 2.0}) {
@@ -140,9 +140,10 @@ TEST_CASE("S_B gives back the parameters of which the moments were taken", "[joh
     }
 }
 
-// Symmetric S_B is tanh(y/2δ). As δ → 0, with φ = φ(0)(1 - y²/2 + …) and ∫ t² sech² = π²/6, ∫ t² sech⁴ = (π²-6)/9,
+// Symmetric S_B is tanh(y/2δ). With φ = φ(0)(1 - y²/2 + …), ∫ t² sech² = π²/6 and ∫ t² sech⁴ = (π²-6)/9,
 //     A = E[sech²] = φ(0) [4δ - 2π²δ³/3],   B = E[sech² tanh²] = φ(0) [4δ/3 - 4δ³ (π²/18 + 2/3)],
-// K = (1-A-B)/(1-A)². The next term of A is φ(0)/8 ∫ y⁴ sech²(y/2δ) dy = φ(0) 7π⁴/30 δ⁵ = 9 δ⁵, and K's less than twice.
+// K = (1-A-B)/(1-A)². The next term of A is φ(0)/8 ∫ y⁴ sech²(y/2δ) dy = φ(0) 7π⁴/30 δ⁵ = 9 δ⁵, and K's less
+// than twice that.
 TEST_CASE("The least kurtosis at skewness 0 is that of two values with a narrow ascent", "[johnson][exact]") {
   const double delta = 1.0 / 64, phi = 1 / std::sqrt(2 * std::numbers::pi),
                pi2 = std::numbers::pi * std::numbers::pi;
@@ -209,8 +210,8 @@ TEST_CASE("g increases", "[johnson][law]") {
   }
 }
 
-// e^u - 1 is within 1.5 ε here and 1 ε in the C library, u = y/δ within ε of either, so that u, at most 9 · 64, tells
-// at the most |u| ε of e^u, and a(q - mean) a few ε of itself and of b.
+// e^u - 1 is within 1.5 ε here and 1 ε in the C library, u = y/δ within ε of either, so that u, at most 9 ·
+// 64, tells at the most |u| ε of e^u, and a(q - mean) a few ε of itself and of b.
 TEST_CASE("apply gives every value that g does, whatever its neighbours", "[johnson][law]") {
   for (const Pair& p : plane()) {
     const Johnson j = johnson_with(p.skewness, p.kurtosis);
