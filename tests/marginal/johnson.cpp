@@ -16,17 +16,18 @@ namespace {
 
 // The trapezoidal rule in y itself. With a spacing of a quarter of δ or of 1 its error is below exp(-8π²):
 // the poles of S_B lie πδ from the real axis. φ is 1e-125 at the ends, and the fourth power of S_U at K = 1e4
-// below 1e70. MarginalMoments integrated(const Johnson& j) {
-const double h = std::min(j.delta, 1.0) / 4;
-const Index points = static_cast<Index>(48 / h);
-Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(points, -24, 24), weight = (-y.square() / 2).exp();
-weight /= weight.sum();
-const Eigen::ArrayXd z = y.unaryExpr([&](double value) { return j(value); });
-const double mean = (weight * z).sum();
-const Eigen::ArrayXd d = z - mean;
-const double variance = (weight * d.square()).sum();
-return {mean, variance, (weight * d.cube()).sum() / std::pow(variance, 1.5),
-        (weight * d.square().square()).sum() / (variance * variance)};
+// below 1e70.
+MarginalMoments integrated(const Johnson& j) {
+  const double h = std::min(j.delta, 1.0) / 4;
+  const Index points = static_cast<Index>(48 / h);
+  Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(points, -24, 24), weight = (-y.square() / 2).exp();
+  weight /= weight.sum();
+  const Eigen::ArrayXd z = y.unaryExpr([&](double value) { return j(value); });
+  const double mean = (weight * z).sum();
+  const Eigen::ArrayXd d = z - mean;
+  const double variance = (weight * d.square()).sum();
+  return {mean, variance, (weight * d.cube()).sum() / std::pow(variance, 1.5),
+          (weight * d.square().square()).sum() / (variance * variance)};
 }
 
 double kurtosis_of_lognormal(double skewness) {
@@ -210,8 +211,8 @@ TEST_CASE("g increases", "[johnson][law]") {
   }
 }
 
-// e^u - 1 is within 1.5 ε here and 1 ε in the C library, u = y/δ within ε of either, so that u, at most 9 ·
-// 64, tells at the most |u| ε of e^u, and a(q - mean) a few ε of itself and of b.
+// e^u - 1 is within 1.5 ε here and 1 ε in the C library, u = y/δ within ε in both, which is |u| ε of e^u, and
+// the rest adds a few ε of z and of b.
 TEST_CASE("apply gives every value that g does, whatever its neighbours", "[johnson][law]") {
   for (const Pair& p : plane()) {
     const Johnson j = johnson_with(p.skewness, p.kurtosis);
@@ -249,8 +250,8 @@ TEST_CASE("The families are called normal, S_L, S_U and S_B", "[johnson][contrac
 
 TEST_CASE("A kurtosis beyond the edge is answered with the least", "[johnson][contract]") {
   CHECK_THROWS_WITH(johnson_with(-1, 1.9),
-                    "1.9: must lie in 2.022059 ... 10000 at skewness -1 (no heights have less "
-                    "than skewness^2 + 1 = 2, where they are two-valued)");
+                    "1.9: must lie in 2.022059 ... 10000 at skewness -1 "
+                    "(no heights have less than skewness^2 + 1 = 2, where they are two-valued)");
   CHECK_THROWS_WITH(johnson_with(0, 11000), "11000: must lie in 1.016827 ... 10000 at skewness 0");
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   for (const Pair& p :
