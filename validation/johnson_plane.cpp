@@ -1,13 +1,14 @@
 /// The plane of skewness and kurtosis: which Johnson distribution takes each cell, how exactly, in what time.
 ///
-/// A row is a skewness and a distance above the edge, K = Sk² + 1 + distance. `mean`, `variance`, `skewness`
-/// and `kurtosis` are the errors of the moments, the last two relative to the moment or to 1, as found by the
-/// trapezoidal rule in y with a spacing of min(δ, 1)/4 over ±24, which has nothing in common with the rule of
-/// the fit. `apply_ns` is the time of a height, copied and transformed. A cell nearer to the edge than
+/// A row is a skewness and a distance above the edge, K = Sk² + 1 + distance. `of_mean`, `of_variance`,
+/// `of_skewness` and `of_kurtosis` are the errors of the moments, the last two relative to the moment or to 1, as
+/// found by the trapezoidal rule in y with a spacing of min(δ, 1)/4 over ±24, which has nothing in common with the rule
+/// of the fit. `apply_ns` is the time of a height, copied and transformed. A cell nearer to the edge than
 /// johnson_with() goes is "refused", one above its bounds left out; negative skewness is the mirror image.
 ///
-///     johnson_plane
+///     johnson_plane [LARGEST_SKEWNESS]         50 unless given
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -58,14 +59,18 @@ void print_cell(double skewness, double kurtosis) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   print_conditions();
+  const double largest = argc > 1 ? std::atof(argv[1]) : 50;
   fmt::print(
-      "# skewness\tkurtosis\tfamily\tgamma\tdelta\tmean\tvariance\tskewness\tkurtosis\tfit_us\tapply_ns\n");
+      "# "
+      "skewness\tkurtosis\tfamily\tgamma\tdelta\tof_mean\tof_variance\tof_skewness\tof_kurtosis\tfit_"
+      "us\tapply_ns\n");
   for (const double skewness : {0.0, 1e-6, 0.01, 0.3, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0})
     for (const double distance :
          {0.01, 0.02, 0.05, 0.1, 0.3, 0.8, 1.5, 2.0, 3.0, 10.0, 30.0, 100.0, 1e3, 7e3})
-      if (const double kurtosis = skewness * skewness + 1 + distance; kurtosis <= largest_kurtosis)
+      if (const double kurtosis = skewness * skewness + 1 + distance;
+          skewness <= largest && kurtosis <= largest_kurtosis)
         print_cell(skewness, kurtosis);
   return 0;
 }

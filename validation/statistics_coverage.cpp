@@ -1,13 +1,16 @@
-// Coverage of the 95 % intervals of the moments against the correlation length, false alarms of the test of
-// a prescription, and the cost of the statistics in transforms of the same size.
-//
-//     statistics_coverage [FIELDS]        fields a row, 400 unless given
-//
-// Fields of 128 × 128 points, white noise averaged over w × w neighbours (correlation (1 - |p|/w)(1 -
-// |q|/w)), and such with an exponential correlation of the length w. Each row counts how often the interval
-// (stats/moment_interval.hpp) holds the truth, once with the known correlation, once with the one estimated
-// from the same field. The counts' own standard error
-// is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
+/// Coverage of the 95 % intervals of the moments against the correlation length, false alarms of the test of a
+/// prescription, and the cost of the statistics in transforms of the same size.
+///
+///     statistics_coverage [FIELDS]        fields a row, 400 unless given
+///
+/// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval (stats/moment_interval.hpp)
+/// that holds the truth, with the `correlation` known or estimated from the same field. Fields are white noise averaged
+/// over w × w neighbours, w the `width`, of correlation (1 - |p|/w)(1 - |q|/w); and such with an exponential
+/// correlation of that length. The standard error of a count is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
+///
+/// Second table: single surfaces that are as prescribed and yet fail at a stated 1 and 5 %, in per cent of FIELDS.
+///
+/// Third table: seconds of one real transform, and the statistics in these; one thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,14 +80,16 @@ void count(Coverage& covered, const Moments& m, const EffectiveSize& size) {
   covered[4] += holds(i.sku, 3);
 }
 
-void print(Index width, double n_eff, const char* correlation, const Coverage& covered, int fields) {
-  fmt::print("{:5d}  {:8.0f}  {:9s}", width, n_eff, correlation);
-  for (double hits : covered) fmt::print("  {:5.1f}", 100 * hits / fields);
+void print(const char* field, Index width, double n_eff, const char* correlation, const Coverage& covered,
+           int fields) {
+  fmt::print("{}\t{}\t{:.0f}\t{}", field, width, n_eff, correlation);
+  for (double hits : covered) fmt::print("\t{:.1f}", 100 * hits / fields);
   fmt::print("\n");
 }
 
 template <class Draw>
-void coverage(const Grid& grid, Index width, const LagField& correlation, Draw draw, int fields) {
+void coverage(const char* field, const Grid& grid, Index width, const LagField& correlation, Draw draw,
+              int fields) {
   std::mt19937_64 generator(static_cast<unsigned>(width));
   const EffectiveSize known(correlation, grid);
   Coverage with_known{}, with_estimate{};
@@ -95,8 +100,8 @@ void coverage(const Grid& grid, Index width, const LagField& correlation, Draw d
     count(with_known, m, known);
     count(with_estimate, m, EffectiveSize::of_estimate(acf, grid));
   }
-  print(width, known.effective(2), "known", with_known, fields);
-  print(width, known.effective(2), "estimated", with_estimate, fields);
+  print(field, width, known.effective(2), "known", with_known, fields);
+  print(field, width, known.effective(2), "estimated", with_estimate, fields);
 }
 
 // Of single surfaces that are as prescribed, at a stated 1 and 5 %.
@@ -113,9 +118,8 @@ void false_alarms(Index n, Index width, int fields) {
     of_one += p <= 0.01;
     of_five += p <= 0.05;
   }
-  fmt::print("{:5d}  {:5d}  {:8.0f}  {:5.2f}  {:5.2f}\n", n, width,
-             EffectiveSize(correlation, grid).effective(2), 100.0 * of_one / fields,
-             100.0 * of_five / fields);
+  fmt::print("{}\t{}\t{:.0f}\t{:.2f}\t{:.2f}\n", n, width, EffectiveSize(correlation, grid).effective(2),
+             100.0 * of_one / fields, 100.0 * of_five / fields);
 }
 
 void cost(Index n) {
@@ -129,7 +133,7 @@ void cost(Index n) {
   const LagField acf = estimate_autocorrelation(z, grid, half);
 
   const double one = seconds_of([&] { transform.forward(in.data(), out.data()); });
-  fmt::print("{:5d}  {:13.3e}  {:7.2f}  {:7.2f}  {:7.2f}\n", n, one, seconds_of([&] { moments(z); }) / one,
+  fmt::print("{}\t{:.2e}\t{:.2f}\t{:.2f}\t{:.2f}\n", n, one, seconds_of([&] { moments(z); }) / one,
              seconds_of([&] { estimate_autocorrelation(z, grid, half); }) / one,
              seconds_of([&] { EffectiveSize::of_estimate(acf, grid); }) / one);
 }
@@ -139,19 +143,16 @@ void cost(Index n) {
 int main(int argc, char** argv) {
   print_conditions();
   const int fields = argc > 1 ? std::max(1, std::atoi(argv[1])) : 400;
-  fmt::print("Coverage [%] of 95 % intervals, {} fields of 128 x 128\n", fields);
-  fmt::print("width     N_eff  errors      mean     Sa     Sq    Ssk    Sku\n");
   const Grid grid{{128, 128}, 1, 1, false};
+  fmt::print("# field\twidth\tN_eff\tcorrelation\tmean\tSa\tSq\tSsk\tSku\n");
   for (Index width : {1, 4, 8, 16, 32})
-    coverage(grid, width, triangular_correlation(width), moving_average, fields);
-  fmt::print("exponential, length\n");
+    coverage("average", grid, width, triangular_correlation(width), moving_average, fields);
   for (Index length : {1, 3, 6, 12})
-    coverage(grid, length, exponential_correlation(length), exponential_field, fields);
-  fmt::print(
-      "\nFalse alarms [%] of single surfaces that are as prescribed\n    n  width     N_eff  at 1%  at 5%\n");
+    coverage("exponential", grid, length, exponential_correlation(length), exponential_field, fields);
+  fmt::print("\n# n\twidth\tN_eff\tat_1\tat_5\n");
   for (const auto& [n, width] : {std::pair<Index, Index>{128, 11}, {64, 3}, {96, 4}})
     false_alarms(n, width, fields);
-  fmt::print("\nCost in real transforms of the same size, one thread\n");
-  fmt::print("    n  transform [s]  moments      ACF    N_eff\n");
+  fmt::print("\n# n\ttransform\tmoments\tACF\tN_eff\n");
   for (Index n : {128, 256, 512, 1024}) cost(n);
+  return 0;
 }

@@ -8,8 +8,8 @@
 /// stress. Seconds are per layer, the fastest of repeated batches; `ratio_to_padded_r2c` compares them with one
 /// real-to-complex transform of the padded square, timed in the same run, which is what is left to compare when the
 /// machine is busy.
-/// Second table: the largest von Mises stress among the points of a volume, 128 × 128 cells by so many layers down to
-/// a, against the closed form's; adapted layers against full ones.
+/// Second table: the largest von Mises stress among the points of a volume, 128 × 128 cells (or LARGEST_N, if less) by
+/// so many layers down to a, against the closed form's; adapted layers against full ones.
 /// Third table: round-off (stress_stability.hpp); depths in sides of a square cell of the same area.
 #include <cstdlib>
 
@@ -100,8 +100,8 @@ Found largest_in_volume(const StressSolver& solver, const std::vector<double>& z
   return top;
 }
 
-void layers_and_spacing(const Case& c) {
-  const Grid grid = square(128);
+void layers_and_spacing(const Case& c, Index n) {
+  const Grid grid = square(n);
   const Field pressure = hertz_pressure(grid);
   const StressSolver full(grid, pressure, c.friction, poisson),
       adapted(grid, pressure, c.friction, poisson, 1, DepthResolution::adapted);
@@ -121,10 +121,11 @@ void layers_and_spacing(const Case& c) {
 
 int main(int argc, char** argv) {
   print_conditions();
+  const Index largest = argc > 1 ? std::atol(argv[1]) : 512;
   fmt::print(
       "# case\tn\terror\torder\tmaximum\tdepth\tlayers\tsetup_seconds\tseconds\tratio_to_padded_r2c\n");
-  for (const Case& c : {resting, sliding}) discretisation(c, argc > 1 ? std::atol(argv[1]) : 512);
+  for (const Case& c : {resting, sliding}) discretisation(c, largest);
   fmt::print("# case\tlayers\tspacing\tmaximum\tdepth\tseconds_full\tseconds_adapted\n");
-  for (const Case& c : {resting, sliding}) layers_and_spacing(c);
+  for (const Case& c : {resting, sliding}) layers_and_spacing(c, std::min<Index>(largest, 128));
   print_stability();
 }

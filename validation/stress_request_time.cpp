@@ -1,11 +1,14 @@
 /// What each request for stresses costs: the volume, parts of it, and the search for the maximum.
 ///
+///     stress_request_time [LARGEST_N]         128, or 512 unless given
+///
 /// Below a Hertz contact of unit radius on n × n cells of a square three radii wide, ν = 0.3, layers at equal steps
 /// from the surface to 1.2 radii, everything from the pressure on: transforms planned, influences and pressure
 /// transformed, all values on the full grid. `cpu` is processor time of all threads, `wall` what passed, both of the
 /// fastest of five calls, `first` the processor time of the first, which pays for plans and fresh memory. `MB` is
 /// what the process grew by at its peak beyond the values kept. `r2c` is cpu a layer over one real-to-complex
 /// transform of the padded square; `error` the largest difference from the layers in full, over the largest pressure.
+#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <sys/resource.h>
@@ -112,8 +115,8 @@ void report_all(Index n, int layers) {
           std::copy_n(row[stress::zz], n, out.data() + (l * n + i) * n);
         });
   });
-  for (auto [resolution, name] : {std::pair{adapted, "section_adapted"}, std::pair{full, "section_full"}})
-    report(s, name, [&] {
+  for (DepthResolution resolution : {adapted, full})
+    report(s, resolution == full ? "section_full" : "section_adapted", [&] {
       StressSection(s.grid, s.pressure, {}, poisson, {true, n / 2}, 1, resolution)
           .rows(s.depths, stress::all,
                 [&](Index l, Index, const StressRow& row) { von_mises(row, n, out.row(l).data()); });
@@ -123,9 +126,9 @@ void report_all(Index n, int layers) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   print_conditions();
   fmt::print("# request\tn\tlayers\tfirst\tcpu\twall\tMB\tr2c\terror\n");
   report_all(128, 32);
-  report_all(512, 64);
+  if (argc < 2 || std::atol(argv[1]) >= 512) report_all(512, 64);
 }

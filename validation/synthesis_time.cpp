@@ -10,16 +10,18 @@
 /// Third table: `direct` and `transform` are seconds of the two summations, the noise included; `model` is the ratio
 /// direct/transform of the sums alone that the cost model predicts, which decides at 1.
 ///
-///     synthesis_time [LARGEST_N]
+/// Fourth table: what the exactness of the autocorrelation costs. An exponential target of five samples' decay length,
+/// lags that cover `c` decay lengths; `error` is the largest of the surface's autocorrelation over all lags of the
+/// plane, `kernel` the seconds of the kernel, `surface` those of N × N heights, the noise included.
+///
+///     synthesis_time [LARGEST_N]         1024 unless given
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "acf/kernel.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 
@@ -64,24 +66,10 @@ double padded_transform(Index n) {
   });
 }
 
-// The largest resident set of a process of its own that does this [MB].
-template <class Work>
-double peak(Work work) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    work();
-    ::_exit(0);
-  }
-  int status = 0;
-  rusage used{};
-  const bool done = child > 0 && ::wait4(child, &status, 0, &used) == child && status == 0;
-  return done ? static_cast<double>(used.ru_maxrss) * 1024e-6 : NAN;
-}
-
 void print_memory(Index size, Shape shape) {
   const Synthesis two = synthesis(size, shape, 2);
-  const double idle = peak([] {}), busy = peak([&] { two.surface(WhiteNoise(1), throw_away); });
-  fmt::print("{}\t{}\t{}\t{:.0f}\t{:.0f}\n", shape.nx, shape.ny, size, busy - idle,
+  const double peak = peak_memory([&] { two.surface(WhiteNoise(1), throw_away); });
+  fmt::print("{}\t{}\t{}\t{:.0f}\t{:.0f}\n", shape.nx, shape.ny, size, peak,
              static_cast<double>(two.working_set()) * 1e-6);
 }
 
@@ -100,21 +88,33 @@ void print_crossing(Index n, Index size) {
              model.direct / model.transform);
 }
 
+void print_exactness(Index n, double c) {
+  const ExponentialTarget target{5, 5, std::exp(-1)};
+  KernelRequest request;
+  request.target = target;
+  request.lags = target.lags(c);
+  const Kernel k = solve_kernel(request);
+  const Synthesis surfaces(k.values, {n, n}, {});
+  fmt::print("{}\t{}\t{}\t{:.1e}\t{:.2e}\t{:.2e}\n", n, c, k.values.rows(), k.report.error,
+             seconds_of([&] { solve_kernel(request); }), drawn(surfaces));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 1024;
   fmt::print("# N\tM\tK\tpeak\tworking_set\n");
-  // The largest last, for a process inherits what was freed before it.
-  for (Index size : {15, 61}) print_memory(size, {largest, largest});
+  for (Index size : {15, 61, 253}) print_memory(size, {largest, largest});
   if (largest >= 4096) print_memory(61, {65536, 4096});
-  print_memory(253, {largest, largest});
   fmt::print("\n# N\tK\tnoise\ttransforms\tsurface\tsurface_2\tratio\n");
   for (Index size : {15, 61, 253})
     for (Index n = 256; n <= largest; n *= 2) print_cost(n, size);
   fmt::print("\n# N\tK\tdirect\ttransform\tratio\tmodel\n");
   for (Index n : {64, 128, 512})
-    for (Index size : {1, 3, 5, 7, 9, 13, 17, 25}) print_crossing(n, size);
+    for (Index size : {1, 3, 5, 7, 9, 13, 17, 25})
+      if (n <= largest) print_crossing(n, size);
+  fmt::print("\n# N\tc\tK\terror\tkernel\tsurface\n");
+  for (double c : {3.0, 4.6, 6.0, 7.0, 9.0, 11.5, 14.0}) print_exactness(std::min<Index>(largest, 512), c);
   return 0;
 }

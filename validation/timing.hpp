@@ -1,14 +1,20 @@
 /// What the validation programs share: how long a call takes, and on what.
 ///
 /// The number of calls is doubled until a batch lasts 20 ms, so that the clock can be trusted; the fastest of eight
-/// batches is what the machine can do when nobody disturbs it.
+/// batches is what the machine can do when nobody disturbs it. After two seconds no further batch is begun.
 ///
 /// Calls are repeated in one process, which keeps what memory it has: a computation and the transforms that it is
 /// compared with find their pages where they left them. A program's first solve pays for its pages, about 2 us each.
+///
+/// Peak memory is that of a child process that does the work, less that of one that does nothing.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -32,10 +38,34 @@ double seconds_of(Call call) {
     for (int i = 0; i < calls; ++i) call();
     return watch.seconds();
   };
-  while (batch() < 0.02) calls *= 2;
   double fastest = batch();
-  for (int i = 1; i < 8; ++i) fastest = std::min(fastest, batch());
+  for (; fastest < 0.02; fastest = batch()) calls *= 2;
+  const Stopwatch total;
+  for (int i = 0; i < 8 && total.seconds() < 2; ++i) fastest = std::min(fastest, batch());
   return fastest / calls;
+}
+
+/// The largest resident set of a child process that does this [MB], NaN if it fails.
+template <class Work>
+double resident_peak(Work work) {
+  ::malloc_trim(0);
+  std::fflush(stdout);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  rusage used{};
+  const bool done = child > 0 && ::wait4(child, &status, 0, &used) == child && status == 0;
+  return done ? static_cast<double>(used.ru_maxrss) * 1024e-6 : NAN;
+}
+
+/// What this takes beyond what the process has already [MB].
+template <class Work>
+double peak_memory(Work work) {
+  const double idle = resident_peak([] {});
+  return resident_peak(work) - idle;
 }
 
 /// One real-to-complex transform of this size, the measure of every other cost.
@@ -61,8 +91,8 @@ inline void print_conditions() {
 #else
   const char* vectors = "SSE2";
 #endif
-  fmt::print(", {}, {}; fastest of eight batches of 20 ms, one thread unless said\n", vectors,
-             transform_version());
+  fmt::print(", {}, {}; fastest of eight batches of 20 ms, or of 2 s of them, one thread unless said\n",
+             vectors, transform_version());
 }
 
 }  // namespace asperity
