@@ -44,4 +44,26 @@ double AcfError::normalised(Index p, Index q) const {
   return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
 }
 
+double AcfError::convolution(Index p, Index q) const {
+  double sum = 0;
+  for (const auto& [k, l, rho] : support_) sum += rho * rho_(k + p, l + q);
+  return sum;
+}
+
+Eigen::MatrixXd AcfError::correlation(const std::vector<Shape>& lags) const {
+  const auto n = static_cast<Index>(lags.size());
+  const double square = convolution(0, 0);
+  Eigen::VectorXd rho(n), beside(n);
+  for (Index a = 0; const auto& [p, q] : lags) rho(a) = rho_(p, q), beside(a++) = convolution(p, q);
+  Eigen::MatrixXd out(n, n);
+  for (Index a = 0; a < n; ++a)
+    for (Index b = 0; b <= a; ++b) {
+      const Shape h = lags[static_cast<std::size_t>(a)], g = lags[static_cast<std::size_t>(b)];
+      out(a, b) = out(b, a) = convolution(h.nx - g.nx, h.ny - g.ny) + convolution(h.nx + g.nx, h.ny + g.ny) -
+                              2 * rho(b) * beside(a) - 2 * rho(a) * beside(b) + 2 * rho(a) * rho(b) * square;
+    }
+  const Eigen::VectorXd scale = out.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  return scale.asDiagonal() * out * scale.asDiagonal();
+}
+
 }  // namespace asperity

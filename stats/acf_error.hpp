@@ -34,6 +34,9 @@ class AcfError {
   double absolute(Index p, Index q) const;
   /// √(2), the standard error of ρ(p,q) = R(p,q)/R(0,0).
   double normalised(Index p, Index q) const;
+  /// How the errors (2) of two lags of a field much larger than they are correlated, by Bartlett too,
+  ///     C(h,g) ∝ c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0),   c = ρ*ρ.                 (3)
+  Eigen::MatrixXd correlation(const std::vector<Shape>& lags) const;
 
  private:
   struct Lag {
@@ -43,6 +46,7 @@ class AcfError {
   /// The weight of distance (k,l) among the pairs at lag (p,q).
   double weight(Index p, Index q, Index k, Index l) const;
   double pairs(Index p, Index q) const;
+  double convolution(Index p, Index q) const;  ///< c
 
   LagField rho_;
   Pairs pairs_;

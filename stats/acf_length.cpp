@@ -1,5 +1,6 @@
 #include "stats/acf_length.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -19,9 +20,11 @@ double between_lags(const LagField& rho, bool x, Index along, double across) {
 }  // namespace
 
 Crossing crossing_between(double above, double below, double level) {
-  if (below <= 0) return {(above - level) / (above - below), below - above};
-  const double decay = std::log(above / below);
-  return {std::log(above / level) / decay, -level * decay};
+  const Crossing linear{(above - level) / (above - below), below - above};
+  if (below <= 0) return linear;
+  const double decay = std::log(above / below), share = std::min(1.0, std::pow(2 * below / level, 2));
+  const Crossing exponential{std::log(above / level) / decay, -level * decay};
+  return {std::lerp(linear.lag, exponential.lag, share), std::lerp(linear.slope, exponential.slope, share)};
 }
 
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level) {

@@ -2,10 +2,11 @@
 ///
 /// Between the samples p and p+1 that enclose the level t, ln ρ is taken to be linear,
 ///     λ = p + ln(ρ_p / t) / ln(ρ_p / ρ_{p+1}),                                                     (1)
-/// exact for an exponential; where ρ_{p+1} ≤ 0 has no logarithm, ρ itself is linear.
+/// exact for an exponential. Where ρ_{p+1} ≤ 0 has no logarithm ρ itself is linear, and from there to ρ_{p+1} = t/2 the
+/// two pass into each other by (2ρ_{p+1}/t)², lest the noise of a ρ that is zero move λ by most of a sample.
 ///
 /// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1 or 1/e, say      ρ' slope per sample
-/// Accuracy  Of the interpolation: |error| ≤ max|(ln ρ)''| / (8 |(ln ρ)'|) samples, none for an exponential
+/// Accuracy  Of the interpolation, where ρ falls to no less than t/2 in a sample: |error| ≤ max|(ln ρ)''| / (8 |(ln ρ)'|) samples, none for an exponential
 ///           and 1/(8λ) for a Gaussian ρ. (Were ρ itself taken linear, ln(1/t)/(8λ) and about as much.)
 ///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/acf_error.hpp), usually far larger.
 ///

@@ -19,6 +19,7 @@ namespace {
 
 constexpr Index most_rows = 9, most_columns = 17;
 constexpr int draws = 8192;
+constexpr double least_density = 0.1;
 constexpr double most_score = 37;
 constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
 
@@ -75,32 +76,47 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   prescription_.check();
   prescription_.correlation = prescription.correlation.normalised();
   const LagField& rho = prescription_.correlation;
-  const EffectiveSize size(rho, grid);
-  for (std::size_t k = 1; k <= 4; ++k) sums_[k] = size.sum(static_cast<int>(k)) / size.points();
-  mean_share_ = sums_[1];
-  if (!(mean_share_ < 0.5))
-    throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
-
-  const double cells = size.points();
   const CorrelationPowers powers(rho, grid), of_square(LagField(rho.half_plane().square()), grid);
-  variance_skewness_ = 8 * powers.third(0, 0) / (cells * cells) / std::pow(2 * sums_[2], 1.5);
-  sku_skewness_ = 1728 * of_square.third(0, 0) / (cells * cells) / std::pow(24 * sums_[4], 1.5);
   choose_lags(powers);
+  complete_ = theory_of(grid);
+  total_.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()));
+  const double cells = static_cast<double>(grid.shape.cells());
+  variance_skewness_ = 8 * powers.third(0, 0) / (cells * cells) / std::pow(2 * complete_.sums[2], 1.5);
+  sku_skewness_ = 1728 * of_square.third(0, 0) / (cells * cells) / std::pow(24 * complete_.sums[4], 1.5);
+}
+
+void PrescriptionTest::Theory::operator+=(const Theory& other) {
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += other.sums[k];
+  lag_variances += other.lag_variances;
+}
+
+PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
+  const LagField& rho = prescription_.correlation;
+  const EffectiveSize size(rho, pairs);
+  Theory out{.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()))};
+  for (std::size_t k = 1; k <= 4; ++k) out.sums[k] = size.sum(static_cast<int>(k)) / size.points();
+  if (!(out.sums[1] < 0.5))
+    throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
+  const AcfError errors(rho, pairs);
+  for (Index i = 0; const Lag& lag : lags_) {
+    if (pairs.density(lag.p, lag.q) > least_density)
+      out.lag_variances(i) = std::pow(errors.normalised(lag.p, lag.q), 2);
+    ++i;
+  }
+  return out;
 }
 
 void PrescriptionTest::choose_lags(const CorrelationPowers& powers) {
   const LagField& rho = prescription_.correlation;
-  const AcfError errors(rho, grid_);
   const double cells = static_cast<double>(grid_.shape.cells());
   const Shape most = longest_lag(rho, grid_);
   const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
   for (Index p = 0; p <= most.nx; p += dp)
     for (Index q = p == 0 ? dq : -(most.ny / dq) * dq; q <= most.ny; q += dq) {
-      const double at = rho(p, q), error = errors.normalised(p, q);
-      const double variance = covariance(powers, {p, q}, at, {p, q}, at);
-      if (!(variance > 1e-12 * powers.second(0, 0)) || !(error > 0)) continue;
-      lags_.push_back({p, q, at, error,
-                       8 * third_cumulant(powers, p, q, at) / (std::sqrt(cells) * std::pow(variance, 1.5))});
+      const double at = rho(p, q), variance = covariance(powers, {p, q}, at, {p, q}, at);
+      if (!(variance > 1e-12 * powers.second(0, 0))) continue;
+      lags_.push_back(
+          {p, q, at, 8 * third_cumulant(powers, p, q, at) / (std::sqrt(cells) * std::pow(variance, 1.5))});
     }
   const auto count = static_cast<Index>(lags_.size());
   correlation_ = Eigen::MatrixXd::NullaryExpr(count, count, [&](Index a, Index b) {
@@ -117,19 +133,23 @@ void PrescriptionTest::add(const Field& z, const Grid& grid) {
       grid.periodic != grid_.periodic)
     throw DataError("heights", "the surface has another grid than the first one");
   const Moments m = moments(z);
+  const Pairs pairs = Pairs::of(z, grid_, prescription_.threads);
+  const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
   const LagField acf = estimate_autocorrelation(
-      z, grid_, {.max_lag = longest_lag(prescription_.correlation, grid_), .threads = prescription_.threads});
-  const double variance = acf(0, 0) / (1 - mean_share_);
-  Eigen::ArrayXd values(3 + static_cast<Index>(lags_.size()));
+      z, pairs, {.max_lag = longest_lag(prescription_.correlation, grid_), .threads = prescription_.threads});
+  const double w = theory.sums[1], variance = acf(0, 0) / (1 - w);
+  const auto count = static_cast<Index>(lags_.size());
+  Eigen::ArrayXd values(3 + count);
   values.head<3>() << variance, m.ssk, m.sku;
-  for (Index i = 3; const Lag& lag : lags_)
-    values(i++) = acf(lag.p, lag.q) - (lag.rho - mean_share_) * variance;
+  for (Index i = 0; const Lag& lag : lags_) values(3 + i++) = acf(lag.p, lag.q) - (lag.rho - w) * variance;
+  values.tail(count) = (theory.lag_variances > 0).select(values.tail(count), NAN);
   ensemble_.add(values);
+  total_ += theory;
   ++surfaces_;
 }
 
 double PrescriptionTest::score(double z, double skewness) const {
-  const double patches = surfaces_ / sums_[2];
+  const double patches = surfaces_ / mean_sum(2);
   const double t = prescription_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
   const double degrees = prescription_.spread ? surfaces_ - 1 : patches / patches_per_degree;
   return normal_score(gsl_cdf_tdist_P(t, degrees), gsl_cdf_tdist_Q(t, degrees));
@@ -148,7 +168,7 @@ Claim PrescriptionTest::claim(const std::string& name, Index quantity, double pr
 // Tested as a variance, told as an rms height.
 Claim PrescriptionTest::height_claim() const {
   const double variance = prescription_.sq * prescription_.sq, mean = ensemble_.mean()(0);
-  Claim out = claim("Sq", 0, variance, mean, variance * std::sqrt(2 * sums_[2]), variance_skewness_);
+  Claim out = claim("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_sum(2)), variance_skewness_);
   out.prescribed = prescription_.sq;
   out.mean = std::sqrt(mean);
   out.standard_error /= 2 * prescription_.sq;
@@ -160,14 +180,17 @@ Claim PrescriptionTest::correlation_claim() const {
   const Eigen::ArrayXd spread = ensemble_.standard_error() / ensemble_.mean()(0);
   Claim out{.quantity = "ACF", .p = 1};
   double largest = -1;
-  for (Index i = 3; const Lag& lag : lags_) {
-    const double error = prescription_.spread ? spread(i) : lag.error / std::sqrt(surfaces_);
-    const double strays = std::abs(score(mean(i) / error, lag.skewness));
-    if (strays > largest)
-      out = {"ACF", lag.rho, lag.rho + mean(i), error, mean(i) / error, 1, lag.p, lag.q}, largest = strays;
+  const Eigen::ArrayXd theory =
+      total_.lag_variances.sqrt() / ensemble_.count().tail(total_.lag_variances.size());
+  for (Index i = 0; const Lag& lag : lags_) {
+    const double strayed = mean(3 + i), error = prescription_.spread ? spread(3 + i) : theory(i);
     ++i;
+    if (!(error > 0)) continue;
+    const double strays = std::abs(score(strayed / error, lag.skewness));
+    if (strays > largest)
+      out = {"ACF", lag.rho, lag.rho + strayed, error, strayed / error, 1, lag.p, lag.q}, largest = strays;
   }
-  out.p = lags_.empty() ? 1 : largest_score_p(largest);
+  out.p = largest < 0 ? 1 : largest_score_p(largest);
   return out;
 }
 
@@ -192,9 +215,10 @@ std::vector<Claim> PrescriptionTest::claims() const {
   std::vector<Claim> out;
   if (std::isfinite(prescription_.sq)) out.push_back(height_claim());
   const Eigen::ArrayXd mean = ensemble_.mean();
-  const double bias = prescription_.spread ? 0 : 6 * sums_[2];
-  out.push_back(claim("Ssk", 1, prescription_.ssk, mean(1), std::sqrt(6 * sums_[3]), 0));
-  out.push_back(claim("Sku", 2, prescription_.sku, mean(2) + bias, std::sqrt(24 * sums_[4]), sku_skewness_));
+  const double bias = prescription_.spread ? 0 : 6 * mean_sum(2);
+  out.push_back(claim("Ssk", 1, prescription_.ssk, mean(1), std::sqrt(6 * mean_sum(3)), 0));
+  out.push_back(
+      claim("Sku", 2, prescription_.sku, mean(2) + bias, std::sqrt(24 * mean_sum(4)), sku_skewness_));
   if (!lags_.empty()) out.push_back(correlation_claim());
   return out;
 }

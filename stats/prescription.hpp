@@ -21,6 +21,11 @@
 /// For surfaces that are not meant to be Gaussian the theory has no errors; then they come from the ensemble's own
 /// spread, by Student's t of M - 1 degrees, without the terms in S_2.
 ///
+/// Points that are missing, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs
+/// that a surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; the
+/// third cumulants and (6) are taken as of complete surfaces. A lag counts for the surfaces that have more than a tenth
+/// of its pairs.
+///
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the half-plane:
 ///           errors of neighbouring lags are nearly the same.
 /// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a stated 1 %,
@@ -40,6 +45,7 @@
 #include "stats/correlation_powers.hpp"
 #include "stats/ensemble.hpp"
 #include "stats/lag_field.hpp"
+#include "stats/pairs.hpp"
 
 namespace asperity {
 
@@ -79,7 +85,7 @@ class PrescriptionTest {
  private:
   struct Lag {
     Index p, q;
-    double rho, error, skewness;  ///< error and skewness of one surface's e, per σ²
+    double rho, skewness;  ///< skewness of one surface's e
   };
   /// The normal score of a deviation of z standard errors.
   double score(double z, double skewness) const;
@@ -89,11 +95,20 @@ class PrescriptionTest {
   Claim correlation_claim() const;
   double largest_score_p(double score) const;
   void choose_lags(const CorrelationPowers& powers);
+  /// Of surfaces, one or the sum over many.
+  struct Theory {
+    std::array<double, 5> sums{};  ///< S_k/N
+    Eigen::ArrayXd lag_variances;  ///< of e per σ⁴; 0 where a surface has too few pairs
+
+    void operator+=(const Theory& other);
+  };
+  Theory theory_of(const Pairs& pairs) const;
+  /// The mean S_k/N over the surfaces.
+  double mean_sum(std::size_t k) const { return total_.sums[k] / surfaces_; }
 
   Prescription prescription_;
   Grid grid_;
-  double mean_share_ = 0;                            ///< w
-  std::array<double, 5> sums_{};                     ///< S_k/N
+  Theory complete_, total_;                          ///< of a surface that misses nothing; over all added
   double variance_skewness_ = 0, sku_skewness_ = 0;  ///< of one surface's
   std::vector<Lag> lags_;
   Eigen::MatrixXd correlation_;  ///< of the errors of the lags

@@ -36,13 +36,16 @@ class LengthRows {
     const auto crossing = first_crossing(rho_, grid_, angle, level_.value);
     if (!crossing) return std::nullopt;
     double error = unknown;
+    std::optional<std::array<double, 2>> interval;
     if (errors) {
+      const auto [low, high] = errors->lengths.along(angle, level_.value);
+      interval = {low, high};
       const Index p = std::lround(crossing->lag * std::cos(angle) / grid_.dx);
       const Index q = std::lround(crossing->lag * std::sin(angle) / grid_.dy);
       error = errors->standard_error(p, q, false) / -crossing->slope;
     }
     out_.rows.push_back({prefix_ + "length_" + level_.tag + "_" + name, crossing->lag, "m", error,
-                         "where the ACF has fallen to " + level_.text});
+                         "where the ACF has fallen to " + level_.text, interval});
     return Crossing{crossing->lag, error};
   }
   /// Of the first two: length and error each.
@@ -85,7 +88,9 @@ AcfEstimate AcfEstimate::of(const Measured& measured, const AcfParameters& param
   const Pairs pairs = Pairs::of(measured.heights, measured.grid, parameters.threads);
   const LagField acf = estimate_autocorrelation(measured.heights, pairs, parameters);
   const LagField known = measured.drawn ? *measured.drawn : significant_lags(acf, pairs);
-  return {acf.normalised(), AcfError(known, pairs), acf(0, 0), pairs, parameters.biased};
+  return {acf.normalised(),  AcfError(known, pairs),
+          acf(0, 0),         pairs,
+          parameters.biased, LengthIntervals(acf, pairs, measured.drawn)};
 }
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {

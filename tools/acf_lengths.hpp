@@ -7,6 +7,7 @@
 #include "cli/table.hpp"
 #include "measured.hpp"
 #include "stats/acf_error.hpp"
+#include "stats/length_interval.hpp"
 
 namespace asperity::cli {
 
@@ -17,6 +18,7 @@ struct AcfEstimate {
   double variance;  ///< R(0,0)
   Pairs pairs;
   bool biased;
+  LengthIntervals lengths;
 
   static AcfEstimate of(const Measured& measured, const AcfParameters& parameters);
   /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`.

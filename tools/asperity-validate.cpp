@@ -23,7 +23,8 @@ struct Options {
   void declare(cli::Tool& tool) {
     const std::string asked = "Prescribed", answer = "Answer";
     surfaces.declare(tool);
-    tool.text("--variable", variable, "NAME", "The field of heights", "Field");
+    tool.text("--variable", variable, "NAME",
+              "The field of heights, its missing points (mask, _FillValue, NaN) left out", "Field");
     tool.text("--target", target, "FILE",
               "Autocorrelation, as asperity-kernel --acf reads it; absent: acf_target of the first surface",
               asked);
@@ -140,7 +141,7 @@ int main(int argc, char** argv) {
     options.surfaces.for_each([&](const Dataset& data, const std::string& name) {
       if (!test) test = test_for(options, data, tool.thread_count());
       tool.detail(name);
-      test->add(heights_of(data, options.variable), grid_of(data));
+      test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));
     });
     const std::vector<Claim> claims = test->claims();
     tool.note(std::to_string(test->surfaces()) + " surfaces, " + std::to_string(test->lags()) + " lags");

@@ -13,6 +13,7 @@
 #include "stats/acf_error.hpp"
 #include "stats/acf_length.hpp"
 #include "stats/acf_lobe.hpp"
+#include "stats/length_interval.hpp"
 #include "stats/moment_interval.hpp"
 #include "stats/slopes.hpp"
 #include "stats/spectral_moments.hpp"
@@ -39,6 +40,10 @@ std::vector<double> shares(const std::string& option, const std::string& list) {
   return out;
 }
 
+std::array<double, 2> ends(const Interval& interval, double shift = 0) {
+  return {interval.low + shift, interval.high + shift};
+}
+
 // How the level in a direction strays: SE[ρ]/|dρ/dr|.
 double length_error(const LagField& rho, const Grid& grid, const AcfError& error, const Reach& reach,
                     double level) {
@@ -50,7 +55,7 @@ double length_error(const LagField& rho, const Grid& grid, const AcfError& error
 }
 
 void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Grid& grid,
-              const AcfError& error, const StatsOptions& options) {
+              const AcfError& error, const LengthIntervals& intervals, const StatsOptions& options) {
   const std::string level = shortest(options.acf_level);
   double relative = 0;
   auto length = [&](const Reach& reach) {
@@ -60,13 +65,15 @@ void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Gri
   };
   if (lobe.fastest) {
     out.push_back({"Sal", lobe.fastest->length, "m", length(*lobe.fastest),
-                   "autocorrelation length, of the fastest decay to " + level});
+                   "autocorrelation length, of the fastest decay to " + level,
+                   ends(intervals.fastest(options.acf_level))});
     out.push_back(
         {"Sal_direction", lobe.fastest->angle, "rad", unknown, "of that decay, from +x towards +y"});
   }
   if (lobe.slowest) {
     out.push_back({"slowest_decay", lobe.slowest->length, "m", length(*lobe.slowest),
-                   "length of the slowest decay to " + level});
+                   "length of the slowest decay to " + level,
+                   ends(intervals.along(lobe.slowest->angle, options.acf_level))});
     out.push_back({"slowest_direction", lobe.slowest->angle, "rad", unknown, "of that decay, the lay"});
   }
   if (const auto ratio = lobe.aspect_ratio())
@@ -192,7 +199,6 @@ Rows height_rows(Sample& sample) {
   const EffectiveSize& size = sample.size();
   const MomentErrors error = standard_errors(m, size);
   const MomentIntervals interval = confidence_intervals(m, size);
-  auto ends = [](const Interval& i, double shift = 0) { return std::array{i.low + shift, i.high + shift}; };
   const double level = sample.measured().level;
   const std::string& unit = sample.units();
   Rows out{
@@ -294,7 +300,7 @@ Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& opt
     tool.warn("the ACF stays above " + shortest(options.acf_level) +
               " up to half the field in some direction: Str has no value");
   Rows out;
-  add_lobe(out, lobe, rho, grid, error, options);
+  add_lobe(out, lobe, rho, grid, error, {sample.acf(), sample.pairs(), sample.measured().drawn}, options);
   const TextureDirection texture = texture_direction(
       power_spectrum(sample.heights(), grid, default_windows(grid), sample.threads()), grid);
   out.push_back({"Std", texture.angle, "rad", unknown,

@@ -1,26 +1,36 @@
-/// Coverage of the 95 % intervals of the moments against the correlation length, false alarms of the test of a
-/// prescription, and the cost of the statistics in transforms of the same size.
+/// Coverage of the 95 % intervals of the moments and of the correlation lengths against the correlation length, false
+/// alarms of the test of a prescription, and the cost of the statistics in transforms of the same size.
 ///
-///     statistics_coverage [FIELDS]        fields a row, 400 unless given
+///     statistics_coverage [FIELDS [TABLE]]     fields a row, 400 unless given; moments, lengths, alarms or cost alone
 ///
 /// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval (stats/moment_interval.hpp)
 /// that holds the truth, with the `correlation` known or estimated from the same field. Fields are white noise averaged
 /// over w × w neighbours, w the `width`, of correlation (1 - |p|/w)(1 - |q|/w); and such with an exponential
 /// correlation of that length. The standard error of a count is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
 ///
-/// Second table: single surfaces that are as prescribed and yet fail at a stated 1 and 5 %, in per cent of FIELDS.
+/// Second table: the same of Sal and of the lengths along x at 1/e and 10 % (stats/length_interval.hpp), and how many of
+/// these intervals lie wholly below and above the truth.
 ///
-/// Third table: seconds of one real transform, and the statistics in these; one thread.
+/// Third table: surfaces, or ensembles of them, that are as prescribed and yet fail at a stated 1 and 5 %, in per cent of
+/// FIELDS; with errors from theory or the spread, and with a third of the points missing.
+///
+/// Fourth table: seconds of one real transform, and the statistics in these; one thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <optional>
 #include <random>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "stats/acf.hpp"
+#include "stats/acf_length.hpp"
+#include "stats/acf_lobe.hpp"
 #include "stats/effective_size.hpp"
+#include "stats/length_interval.hpp"
 #include "stats/moment_interval.hpp"
 #include "stats/moments.hpp"
 #include "stats/prescription.hpp"
@@ -104,22 +114,87 @@ void coverage(const char* field, const Grid& grid, Index width, const LagField& 
   print(field, width, known.effective(2), "estimated", with_estimate, fields);
 }
 
-// Of single surfaces that are as prescribed, at a stated 1 and 5 %.
-void false_alarms(Index n, Index width, int fields) {
+// Of Sal and the lengths along x at 1/e and 10 %.
+struct Lengths {
+  double sal, at_e, at_tenth;
+};
+
+Lengths lengths_of(const LagField& rho, const Grid& grid) {
+  auto along_x = [&](double level) { return first_crossing(rho, grid, 0, level)->lag; };
+  return {central_lobe(rho, grid).fastest->length, along_x(1 / std::numbers::e), along_x(0.1)};
+}
+
+// How often an interval holds the truth, lies below it, and above it.
+struct Held {
+  int inside = 0, below = 0, above = 0;
+
+  void add(const Interval& i, double truth) { ++(truth < i.low ? above : truth > i.high ? below : inside); }
+};
+
+template <class Draw>
+void length_coverage(const char* field, const Grid& grid, Index width, const LagField& correlation, Draw draw,
+                     int fields) {
   std::mt19937_64 generator(static_cast<unsigned>(width));
-  const Grid grid{{n, n}, 1, 1, false};
-  const LagField correlation = triangular_correlation(width);
-  const PrescriptionTest untried({.correlation = correlation, .sq = 1}, grid);
-  int of_one = 0, of_five = 0;
+  const Index far = default_max_lag(grid).nx;
+  const Lengths truth = lengths_of(
+      LagField(Field::NullaryExpr(far + 1, 2 * far + 1,
+                                  [&](Index p, Index column) { return correlation(p, column - far); })),
+      grid);
+  std::array<std::array<Held, 3>, 2> held{};
   for (int f = 0; f < fields; ++f) {
+    const Field z = draw(grid.shape, width, generator);
+    const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
+    for (std::size_t which = 0; which < 2; ++which) {
+      const LengthIntervals of(acf, grid, which == 0 ? std::optional(correlation) : std::nullopt);
+      held[which][0].add(of.fastest(0.2), truth.sal);
+      held[which][1].add(of.along(0, 1 / std::numbers::e), truth.at_e);
+      held[which][2].add(of.along(0, 0.1), truth.at_tenth);
+    }
+  }
+  const double percent = 100.0 / fields;
+  for (std::size_t which = 0; which < 2; ++which) {
+    fmt::print("{}\t{}\t{:.0f}\t{}", field, width, EffectiveSize(correlation, grid).effective(2),
+               which == 0 ? "known" : "estimated");
+    for (const Held& h : held[which])
+      fmt::print("\t{:.1f}\t{:.1f}\t{:.1f}", percent * h.inside, percent * h.below, percent * h.above);
+    fmt::print("\n");
+  }
+}
+
+// A quarter of the field and a tenth of the other points.
+Field with_holes(Field z, std::mt19937_64& generator) {
+  std::bernoulli_distribution missing(0.1);
+  z = z.unaryExpr([&](double height) { return missing(generator) ? NAN : height; });
+  z.topLeftCorner(z.rows() / 2, z.cols() / 2).setConstant(NAN);
+  return z;
+}
+
+struct Alarms {
+  Index n, width;
+  int surfaces = 1;
+  bool spread = false, holes = false;
+};
+
+// Of surfaces that are as prescribed, at a stated 1 and 5 %.
+void false_alarms(const Alarms& a, int ensembles) {
+  std::mt19937_64 generator(static_cast<unsigned>(a.width));
+  const Grid grid{{a.n, a.n}, 1, 1, false};
+  const LagField correlation = triangular_correlation(a.width);
+  const PrescriptionTest untried({.correlation = correlation, .sq = 1, .spread = a.spread}, grid);
+  int of_one = 0, of_five = 0;
+  for (int e = 0; e < ensembles; ++e) {
     PrescriptionTest test = untried;
-    test.add(moving_average(grid.shape, width, generator), grid);
+    for (int m = 0; m < a.surfaces; ++m) {
+      const Field z = moving_average(grid.shape, a.width, generator);
+      test.add(a.holes ? with_holes(z, generator) : z, grid);
+    }
     const double p = joint_p(test.claims());
     of_one += p <= 0.01;
     of_five += p <= 0.05;
   }
-  fmt::print("{}\t{}\t{:.0f}\t{:.2f}\t{:.2f}\n", n, width, EffectiveSize(correlation, grid).effective(2),
-             100.0 * of_one / fields, 100.0 * of_five / fields);
+  fmt::print("{}\t{}\t{:.0f}\t{}\t{}\t{}\t{:.2f}\t{:.2f}\n", a.n, a.width,
+             EffectiveSize(correlation, grid).effective(2), a.surfaces, a.spread ? "spread" : "theory",
+             a.holes ? "third" : "none", 100.0 * of_one / ensembles, 100.0 * of_five / ensembles);
 }
 
 void cost(Index n) {
@@ -138,21 +213,54 @@ void cost(Index n) {
              seconds_of([&] { EffectiveSize::of_estimate(acf, grid); }) / one);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  print_conditions();
-  const int fields = argc > 1 ? std::max(1, std::atoi(argv[1])) : 400;
-  const Grid grid{{128, 128}, 1, 1, false};
+void coverage_of_moments(const Grid& grid, int fields) {
   fmt::print("# field\twidth\tN_eff\tcorrelation\tmean\tSa\tSq\tSsk\tSku\n");
   for (Index width : {1, 4, 8, 16, 32})
     coverage("average", grid, width, triangular_correlation(width), moving_average, fields);
   for (Index length : {1, 3, 6, 12})
     coverage("exponential", grid, length, exponential_correlation(length), exponential_field, fields);
-  fmt::print("\n# n\twidth\tN_eff\tat_1\tat_5\n");
-  for (const auto& [n, width] : {std::pair<Index, Index>{128, 11}, {64, 3}, {96, 4}})
-    false_alarms(n, width, fields);
+}
+
+void coverage_of_lengths(const Grid& grid, int fields) {
+  fmt::print(
+      "\n# "
+      "field\twidth\tN_eff\tcorrelation\tSal\tSal_below\tSal_above\te\te_below\te_above\ttenth\ttenth_below\t"
+      "tenth_above\n");
+  for (Index width : {4, 8, 16, 32})
+    length_coverage("average", grid, width, triangular_correlation(width), moving_average, fields);
+  for (Index length : {1, 3, 6})
+    length_coverage("exponential", grid, length, exponential_correlation(length), exponential_field, fields);
+}
+
+void all_false_alarms(int fields) {
+  fmt::print("\n# n\twidth\tN_eff\tsurfaces\terrors\tmissing\tat_1\tat_5\n");
+  for (const Alarms& row : {Alarms{128, 11},
+                            {64, 3},
+                            {96, 4},
+                            {128, 11, 1, false, true},
+                            {64, 3, 1, false, true},
+                            {64, 3, 12, true},
+                            {64, 7, 12, true},
+                            {64, 3, 30, true},
+                            {64, 3, 12, true, true}})
+    false_alarms(row, fields);
+}
+
+void costs() {
   fmt::print("\n# n\ttransform\tmoments\tACF\tN_eff\n");
   for (Index n : {128, 256, 512, 1024}) cost(n);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  print_conditions();
+  const int fields = argc > 1 ? std::max(1, std::atoi(argv[1])) : 400;
+  const std::string part = argc > 2 ? argv[2] : "";
+  const Grid grid{{128, 128}, 1, 1, false};
+  if (part == "" || part == "moments") coverage_of_moments(grid, fields);
+  if (part == "" || part == "lengths") coverage_of_lengths(grid, fields);
+  if (part == "" || part == "alarms") all_false_alarms(fields);
+  if (part == "" || part == "cost") costs();
   return 0;
 }

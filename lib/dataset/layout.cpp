@@ -167,9 +167,9 @@ Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {
   return field_times(dataset, variable, name == "heights" ? factor_to_metres(variable) : 1.0, missing);
 }
 
-Field heights_of(const Dataset& dataset, std::string_view name) {
+Field heights_of(const Dataset& dataset, std::string_view name, Missing missing) {
   const Variable& variable = dataset.at(name);
-  return field_times(dataset, variable, factor_to_metres(variable), Missing::refused);
+  return field_times(dataset, variable, factor_to_metres(variable), missing);
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {

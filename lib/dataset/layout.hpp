@@ -32,7 +32,7 @@ enum class Missing { refused, not_a_number };
 /// finite, or some of its points are missing and may not be.
 Field field_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 /// The same of a variable that must be a length, whatever its name, in metres.
-Field heights_of(const Dataset& dataset, std::string_view name);
+Field heights_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 
 struct Meaning {
   std::string_view units;      ///< SI, as UDUNITS writes it: "m", "Pa", "1"

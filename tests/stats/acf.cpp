@@ -133,6 +133,20 @@ TEST_CASE("a profile that jumps below zero is crossed on a straight line, one th
   CHECK_FALSE(first_crossing(rho.head(2), 0.1));
 }
 
+// From 0.25, the level 0.1: a straight line to zero is crossed at 0.6, and ln ρ would be at 0.17 for ρ = 1e-3.
+TEST_CASE("noise about a correlation of zero does not move the crossing before it by a tenth of a sample",
+          "[acf-length][law]") {
+  const double at_zero = crossing_between(0.25, 0, 0.1).lag;
+  CHECK(at_zero == Approx(0.6).epsilon(1e-14));
+  double former = at_zero;
+  for (double below = 1e-4; below <= 0.05; below += 1e-4) {
+    const double lag = crossing_between(0.25, below, 0.1).lag;
+    CHECK(std::abs(lag - at_zero) <= 0.1);
+    CHECK(std::abs(lag - former) <= 0.002);
+    former = lag;
+  }
+}
+
 // 1/n Σ over one lag: E[z⁴] - 1 = 2 at h = 0, E[z²]² = 1 elsewhere.
 TEST_CASE("white noise has ACF errors sqrt(2/N) at zero and 1/sqrt(pairs) elsewhere", "[acf-error][exact]") {
   const AcfError error(triangular_correlation({1, 1}), grid(20, 30));

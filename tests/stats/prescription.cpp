@@ -4,6 +4,7 @@
 
 #include "fields.hpp"
 #include "grid/error.hpp"
+#include "holes.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -15,7 +16,8 @@ Prescription prescription(Shape window, double sq = 1) {
 }
 
 // The share of ensembles of so many surfaces of which the answer at 5 % is "no".
-double rejected(const Prescription& asked, Shape drawn, int surfaces, int ensembles, bool squared = false) {
+double rejected(const Prescription& asked, Shape drawn, int surfaces, int ensembles, bool squared = false,
+                double missing = 0) {
   const Grid g = grid(72, 64);
   const PrescriptionTest fresh(asked, g);
   int no = 0;
@@ -23,7 +25,8 @@ double rejected(const Prescription& asked, Shape drawn, int surfaces, int ensemb
     PrescriptionTest test = fresh;
     for (int m = 0; m < surfaces; ++m) {
       const Field z = moving_average(g.shape, drawn, static_cast<unsigned>(10000 + e * surfaces + m));
-      test.add(squared ? Field(z * z.abs()) : z, g);
+      const Field heights = squared ? Field(z * z.abs()) : z;
+      test.add(missing > 0 ? with_holes(heights, missing, static_cast<unsigned>(m)) : heights, g);
     }
     no += joint_p(test.claims()) <= 0.05;
   }
@@ -67,6 +70,33 @@ TEST_CASE("an ensemble of another height, correlation or distribution is refused
   CHECK(rejected(prescription({4, 3}, 1.05), {4, 3}, 16, 5) == 1);
   CHECK(rejected(prescription({4, 3}), {5, 3}, 16, 5) == 1);
   CHECK(rejected(prescription({4, 3}), {4, 3}, 16, 5, true) == 1);
+}
+
+// A hole of a sixth of the field, and 20 % of the points, other ones of each surface. Three errors √(0.05·0.95/200).
+TEST_CASE("surfaces with missing points are refused no more often than stated, and other heights or ACFs are",
+          "[prescription][statistics]") {
+  const double bound = 0.05 + 3 * std::sqrt(0.05 * 0.95 / 200);
+  for (const Shape window : {Shape{1, 2}, Shape{6, 4}}) {
+    const double no = rejected(prescription(window), window, 1, 200, false, 0.2);
+    CAPTURE(window.nx, no);
+    CHECK(no <= bound);
+  }
+  CHECK(rejected(prescription({4, 3}, 1.07), {4, 3}, 16, 5, false, 0.2) == 1);
+  CHECK(rejected(prescription({4, 3}), {5, 3}, 16, 5, false, 0.2) == 1);
+}
+
+// The error of Sq is σ √(S_2/2N): as that of a complete field of the points that are there, where they are independent.
+TEST_CASE("the standard errors of a mean are those of the points that each surface has",
+          "[prescription][exact]") {
+  PrescriptionTest test(prescription({1, 1}), grid(40, 30));
+  double variance = 0;
+  for (unsigned m = 0; m < 3; ++m) {
+    const Field z = with_holes(white_noise({40, 30}, m), 0.1 + 0.2 * m, m);
+    test.add(z, grid(40, 30));
+    variance += 1 / (2 * static_cast<double>((!z.isNaN()).count())) / 9;
+  }
+  CHECK(test.claims()[0].standard_error == Approx(std::sqrt(variance)).epsilon(1e-12));
+  CHECK(test.claims()[1].standard_error == Approx(std::sqrt(12 * variance)).epsilon(1e-12));
 }
 
 // GSL's incomplete gamma function once ended the program here: a skewness of 1e-3, and of 40 errors.

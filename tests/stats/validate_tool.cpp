@@ -75,6 +75,25 @@ TEST_CASE("with errors from the spread the ensemble still agrees, and a single s
   CHECK(shell("asperity-validate e_*.nc -q --errors spread --skewness 1 --kurtosis 5").exit == 5);
 }
 
+TEST_CASE("asperity-validate leaves masked points out, and refuses another height all the same",
+          "[validate-tool][statistics]") {
+  for (const double sq : {0.4e-6, 0.45e-6}) {
+    write_ensemble(sq);
+    for (std::size_t m = 0; m < 6; ++m) {
+      const std::string name = "e_" + std::to_string(m) + ".nc";
+      Dataset data = read_dataset(name);
+      std::vector<std::int8_t> mask(72 * 64, 0);
+      for (std::size_t k = 100 * m; k < 100 * m + 700; ++k) mask[k] = 1;
+      for (std::size_t k = 700; k < mask.size(); k += 13) mask[k] = 1;
+      set_flags(data, "mask", mask, "missing points", "present missing");
+      write_dataset(data, name);
+    }
+    const Outcome run = shell("asperity-validate e_*.nc -q");
+    INFO(run.out << run.error);
+    CHECK(run.exit == (sq == 0.4e-6 ? 0 : 5));
+  }
+}
+
 TEST_CASE("asperity-validate refuses what it cannot judge in one line", "[validate-tool][contract]") {
   write_ensemble(0.4e-6);
   for (const char* wrong : {"--significance 0", "--significance 0.7", "--skewness 1", "--kurtosis 0.5"}) {
