@@ -5,18 +5,17 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <gsl/gsl_cdf.h>
 
 #include "stats/acf_length.hpp"
 #include "stats/acf_lobe.hpp"
-#include "surface/noise.hpp"
+#include "stats/gaussian_maximum.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr int directions = 12, draws = 8192;
+constexpr int directions = 12;
 
 // (1).
 LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
@@ -36,23 +35,6 @@ double length_at(double level, Length length) {
 
 Shape nearest_lag(const Grid& grid, double angle, double length) {
   return {std::lround(length * std::cos(angle) / grid.dx), std::lround(length * std::sin(angle) / grid.dy)};
-}
-
-// The quantile of the largest of correlated Gaussians.
-double largest_of(const Eigen::MatrixXd& correlation, double tail) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation);
-  const Eigen::MatrixXd root =
-      solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-  Eigen::VectorXd normals(root.cols());
-  std::vector<double> largest;
-  WhiteNoise noise(1);
-  for (int draw = 0; draw < draws; ++draw) {
-    noise.row(draw, {normals.data(), static_cast<std::size_t>(normals.size())});
-    largest.push_back((root * normals).maxCoeff());
-  }
-  const auto quantile = largest.begin() + static_cast<std::ptrdiff_t>((1 - tail) * draws);
-  std::ranges::nth_element(largest, quantile);
-  return *quantile;
 }
 
 }  // namespace
@@ -116,8 +98,10 @@ Interval LengthIntervals::fastest(double level, double confidence) const {
                below = 0.2 * (1 - confidence), single = quantile(above);
   const std::vector<Shape> lags = lags_within(level, fastest_at(level - 2 * single * error));
   const double largest =
-      lags.size() < 2 ? single
-                      : single / gsl_cdf_ugaussian_Qinv(above) * largest_of(error_.correlation(lags), above);
+      lags.size() < 2
+          ? single
+          : single / gsl_cdf_ugaussian_Qinv(above) *
+                GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(above);
   return {fastest_at(level + quantile(below) * error), fastest_at(level - largest * error)};
 }
 

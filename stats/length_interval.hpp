@@ -18,7 +18,9 @@
 ///
 /// Symbols   ρ  estimate, 1 at lag zero      N  points      S_k  sums over the correlation      SE  of ρ where it is t
 /// Scope     Gaussian heights.
-/// Accuracy  COVERAGE
+/// Accuracy  95 % intervals cover, of lengths along an axis at 1/e and 10 %, 92 to 98 % from N/S_2 = 468 on, and 94 to all
+///           at 153; of Sal 92 to 98 %, but at 153 90 % with a known correlation (1000 fields a row,
+///           validation/statistics_coverage).
 /// Cost      one Bartlett sum a length; of Sal up to 180, and a simulation of 8192 draws, 5 ms.
 #pragma once
 
