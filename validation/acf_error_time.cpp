@@ -7,7 +7,7 @@
 /// and the few others timed alone.
 ///
 /// The third table is the stability of the search: `outcome` is the report's answer, or "refused" with its exception;
-/// targets of more than 10 LARGEST_N² lags are left out.
+/// targets of more than 4 LARGEST_N² lags are left out.
 ///
 ///     acf_error_time [LARGEST_N]         lags a side, 63 unless given
 #include <cmath>
@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
       "\n# Stability\n# "
       "case\tdifficulty\tinfeasible\toutcome\tresidual\terror\tfeasibility\tkernel\tseconds\n");
   for (const Extreme& extreme : extremes())
-    if (extreme.lags.cells() <= 10 * largest * largest)
+    if (extreme.lags.cells() <= 4 * largest * largest)
       for (Infeasible i : {Infeasible::automatic, Infeasible::nearest, Infeasible::least_squares})
         outcome(extreme, i);
   return 0;

@@ -2,9 +2,9 @@
 ///
 ///     scene_time [N]         256 unless given
 ///
-/// The whole: a kernel of the exponential autocorrelation of 10 % length 0.328 mm; a surface of 0.4 µm rms on N × N cells
-/// of 3 mm × 3 mm; two steel spheres of 50 mm under 5000 N, limit pressure 3600 MPa, ε = 1e-8; von Mises stress in 32
-/// layers down to 0.8 mm. Then, always in full, with one thing changed:
+/// The whole: a kernel of the exponential autocorrelation of 10 % length 0.328 mm; a surface of 0.4 µm rms on N × N
+/// cells of 3 mm × 3 mm; two steel spheres of 50 mm under 5000 N, limit pressure 3600 MPa, ε = 1e-8; von Mises stress
+/// in 32 layers down to 0.8 mm. Then the same with one thing changed:
 ///     drawn again     the kernel is there already
 ///     smooth          no roughness
 ///     elastic         no limit pressure

@@ -1,7 +1,8 @@
 /// What the validation programs share: how long a call takes, and on what.
 ///
 /// The number of calls is doubled until a batch lasts 20 ms, so that the clock can be trusted; the fastest of eight
-/// batches is what the machine can do when nobody disturbs it. After two seconds no further batch is begun.
+/// batches is what the machine can do when nobody disturbs it. After two seconds no further batch is begun. The
+/// environment variable VALIDATION_BATCHES asks for fewer.
 ///
 /// Calls are repeated in one process, which keeps what memory it has: a computation and the transforms that it is
 /// compared with find their pages where they left them. A program's first solve pays for its pages, about 2 us each.
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -29,6 +31,12 @@ inline void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
 }
 
+/// How many batches are timed.
+inline int batches() {
+  const char* asked = std::getenv("VALIDATION_BATCHES");
+  return asked ? std::max(1, std::atoi(asked)) : 8;
+}
+
 /// Seconds a call.
 template <class Call>
 double seconds_of(Call call) {
@@ -41,7 +49,7 @@ double seconds_of(Call call) {
   double fastest = batch();
   for (; fastest < 0.02; fastest = batch()) calls *= 2;
   const Stopwatch total;
-  for (int i = 0; i < 8 && total.seconds() < 2; ++i) fastest = std::min(fastest, batch());
+  for (int i = 0; i < batches() && total.seconds() < 2; ++i) fastest = std::min(fastest, batch());
   return fastest / calls;
 }
 
@@ -91,8 +99,8 @@ inline void print_conditions() {
 #else
   const char* vectors = "SSE2";
 #endif
-  fmt::print(", {}, {}; fastest of eight batches of 20 ms, or of 2 s of them, one thread unless said\n",
-             vectors, transform_version());
+  fmt::print(", {}, {}; fastest of {} batches of 20 ms, or of 2 s of them, one thread unless said\n", vectors,
+             transform_version(), batches());
 }
 
 }  // namespace asperity

@@ -1,0 +1,42 @@
+heading "Statistics"
+run moments_error_time "$(size 128 2048)"
+run statistics_coverage "$(size 50 400)"
+
+text <<'END'
+Digits of the moments of a 1 nm roughness that stands on an offset, against a sum in long double; points on a line are
+offsets of 0, 1 µm, 1 mm and 1 m.
+END
+picture moments "Error of the kurtosis against seconds" <<'END'
+set ylabel 'relative error of Sku'
+set yrange [1e-17:1e2]
+ways = "asperity gsl naive"
+sizes = "128x128 512x512 2048x2048"
+plot for [i=1:3] for [n=1:3] '@moments_error_time-1.tsv' \
+  using 8:(strcol(1) eq word(ways, i) && strcol(2) eq word(sizes, n) ? 10**(-$7) : NaN) \
+  with linespoints linetype i pointtype word('7 6 4', n) title word(ways, i).', '.word(sizes, n)
+END
+table moments_error_time-1
+claim "The moments have thirteen digits whatever the offset." moments_error_time-1 '$c["way"] == "asperity"' \
+  '$c["digits_Sa"] >= 13 && $c["Sq"] >= 13 && $c["Ssk"] >= 13 && $c["Sku"] >= 13'
+text <<'END'
+Recurrences in long double, as GSL has them, lose a digit for each that the offset has over the roughness, for they
+start from a mean that was rounded to double; two passes about a shifted origin lose none and take a tenth of the time.
+A kurtosis from raw sums has no digit left at an offset of a thousand times the roughness, and says nothing about it.
+
+Coverage of the 95 % intervals, in per cent of all fields, with the correlation known and with the one that the field
+itself shows:
+END
+table statistics_coverage-1
+text <<'END'
+Neighbours are correlated, and N_eff, not N, says what a field is worth: from 150 on the intervals cover what they
+should, below that an estimated correlation makes them a little too narrow. Intervals that count all points as
+independent, at a width of 16, would be ten times too short.
+
+False alarms of `asperity-validate`, in per cent, and the cost of the statistics in real transforms of the same size:
+END
+table statistics_coverage-2
+table statistics_coverage-3
+text <<'END'
+The autocorrelation needs a padded transform there and back, some four times a transform of the field alone; how much a
+field is worth costs as much again, for its sums run over powers of the correlation at all lags.
+END

@@ -1,0 +1,126 @@
+# What validation/report writes its page with. A chapter calls
+#   heading TITLE, text <<END, run PROGRAM [ARGUMENT...], table, picture, claim
+# `run` leaves the tables of a program as results/PROGRAM-1.tsv, -2.tsv, …, which the others take by name. In a
+# condition on rows, an awk expression, `c["name"]` is the number of the column so named: '$c["N"] >= 256'.
+
+# begin FOLDER: builds the programs, starts the page FOLDER/RESULTS.md.
+begin() {
+  . cmake/packages
+  cmake/install-packages $build $run
+  [ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
+  cmake --build --preset release --target validation >&2
+  programs=$PWD/build/validation
+  local present
+  present=$(conditions)
+  mkdir -p "$1/results"
+  rm -f "$1"/results/*
+  echo "$present" >"$1/results/conditions.md"
+  begin_again "$1"
+}
+
+# begin_again FOLDER: starts the page, with the tables of an earlier run.
+begin_again() {
+  page=$1/RESULTS.md results=$1/results broken=0 held=0
+  cp "$results/conditions.md" "$page"
+}
+
+conditions() {
+  cat <<END
+# Error against run time, scaling, stability
+
+$(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; $(. /etc/os-release && echo "$PRETTY_NAME"); \
+$("$programs/johnson_plane" 0 | sed -n '1s/^# //p').
+
+Compiled with \`$(flags)\`, with $(versions), at commit $(git describe --always --dirty --exclude '*' \
+  2>/dev/null || echo unknown).
+
+This page is written by \`validation/report\`; programs, each with its columns explained at its top, are in \`validation/\`.
+Seconds are what the machine can do, not what it did on average. Where other work runs beside, compare seconds within a
+table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run.
+END
+}
+
+# Of the compiler, without paths and warnings.
+flags() { sed -n 's/^ *FLAGS = //p' build/build.ninja | head -1 | tr ' ' '\n' | grep -E '^-(O|D|m|f|std)' | tr '\n' ' ' | sed 's/ $//'; }
+versions() {
+  dpkg-query -W -f '${Package} ${Version}, ' libgsl-dev libsundials-dev libfftw3-dev libeigen3-dev libnetcdf-dev |
+    sed 's/, $//; s/lib\([a-z0-9]*\)-dev/\1/g; s/\(+dfsg\)\?-[^, ]*//g'
+}
+
+heading() { printf '\n## %s\n' "$1" >>"$page"; }
+text() { { echo; cat; } >>"$page"; }
+
+# run PROGRAM [ARGUMENT...]
+run() {
+  local start=$SECONDS
+  "$programs/$1" "${@:2}" >"$results/$1.out"
+  awk -F'\t' -v to="$results/$1" '
+    /^# .*\t/ { close(file); file = to "-" ++tables ".tsv"; sub(/^# /, ""); print >file; next }
+    /^#/ || NF < 2 || !file { next }
+    { print >file }' "$results/$1.out"
+  rm "$results/$1.out"
+  echo "$*: $((SECONDS - start)) s" >&2
+}
+
+# rows TABLE [CONDITION]: its header and these rows.
+rows() {
+  awk -F'\t' 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; print; next } '"${2:-1}" "$results/$1.tsv"
+}
+
+# table TABLE [CONDITION [COLUMN...]]
+table() {
+  {
+    echo
+    rows "$1" "${2:-1}" | awk -F'\t' -v columns="${*:3}" '
+      NR == 1 {
+        wanted = split(columns, name, " ")
+        for (i = 1; i <= NF; ++i) { c[$i] = i; if (!columns) name[++wanted] = $i }
+        for (k = 1; k <= wanted; ++k) { line = line "| " name[k] " "; rule = rule "|---" }
+        print line "|\n" rule "|"
+        next
+      }
+      { for (k = 1; k <= wanted; ++k) printf "| %s ", $c[name[k]]; print "|" }' | sed '1s/_/ /g'
+  } >>"$page"
+}
+
+# picture NAME CAPTION <<END: gnuplot's commands, after those that all pictures share; `data TABLE` is a file name.
+picture() {
+  {
+    cat <<'END'
+set terminal pngcairo size 760,420 font 'DejaVu Sans,10' background rgb 'white'
+set datafile separator tab
+set datafile missing NaN
+set logscale xy
+set format xy '10^{%L}'
+set xlabel 'seconds'
+set key outside right top samplen 2
+set grid linetype 1 linecolor rgb '#d8d8d8'
+set pointsize 0.8
+END
+    sed "s|@|$results/|g"
+  } | gnuplot 2>&1 >"$results/$1.png" | { grep -v 'no valid points' >&2 || true; }
+  printf '\n![%s](results/%s.png)\n' "$2" "$1" >>"$page"
+}
+
+# claim SENTENCE TABLE CONDITION EXPRESSION: every row of the condition, and there is one, makes the expression true.
+claim() {
+  local failing
+  failing=$(rows "$2" "$3" | awk -F'\t' '
+    NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
+    { ++seen }
+    !('"$4"') || /(^|\t)-?nan/ { print }
+    END { if (!seen) print "no row" }')
+  if [ -z "$failing" ]; then
+    printf '\n✓ %s\n' "$1" >>"$page"
+    held=$((held + 1))
+  else
+    printf '\n**Does not hold:** %s\n' "$1" >>"$page"
+    printf 'report: does not hold: %s\n%s\n' "$1" "$failing" >&2
+    broken=$((broken + 1))
+  fi
+}
+
+finish() {
+  echo "$page: $held claims hold, $broken do not; ${SECONDS} s" >&2
+  [ "$broken" -eq 0 ]
+}
