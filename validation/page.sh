@@ -3,13 +3,17 @@
 # `run` leaves the tables of a program as results/PROGRAM-1.tsv, -2.tsv, …, which the others take by name. In a
 # condition on rows, an awk expression, `c["name"]` is the number of the column so named: '$c["N"] >= 256'.
 
-# begin FOLDER: builds the programs, starts the page FOLDER/RESULTS.md.
-begin() {
+programs=$PWD/build/validation
+
+build() {
   . cmake/packages
   cmake/install-packages $build $run
   [ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
   cmake --build --preset release --target validation >&2
-  programs=$PWD/build/validation
+}
+
+# begin FOLDER: an empty page FOLDER/RESULTS.md.
+begin() {
   local present
   present=$(conditions)
   mkdir -p "$1/results"
@@ -18,7 +22,7 @@ begin() {
   begin_again "$1"
 }
 
-# begin_again FOLDER: starts the page, with the tables of an earlier run.
+# begin_again FOLDER: the same, with the tables of an earlier run.
 begin_again() {
   page=$1/RESULTS.md results=$1/results broken=0 held=0
   cp "$results/conditions.md" "$page"
@@ -50,9 +54,10 @@ versions() {
 heading() { printf '\n## %s\n' "$1" >>"$page"; }
 text() { { echo; cat; } >>"$page"; }
 
-# run PROGRAM [ARGUMENT...]
+# run PROGRAM [ARGUMENT...]: its tables, unless only those of other programs are wanted `again`.
 run() {
   local start=$SECONDS
+  [[ ! -v again || $again == *" $1 "* ]] || return 0
   "$programs/$1" "${@:2}" >"$results/$1.out"
   awk -F'\t' -v to="$results/$1" '
     /^# .*\t/ { close(file); file = to "-" ++tables ".tsv"; sub(/^# /, ""); print >file; next }
@@ -94,6 +99,7 @@ set logscale xy
 set format xy '10^{%L}'
 set xlabel 'seconds'
 set key outside right top samplen 2
+set for [i=1:9] linetype i linecolor rgb word('#0060ad #dd181f #2ca02c #8c4fb0 #e08000 #00a0b0 #8c6d31 #404040 #e377c2', i)
 set grid linetype 1 linecolor rgb '#d8d8d8'
 set pointsize 0.8
 END
@@ -102,10 +108,13 @@ END
   printf '\n![%s](results/%s.png)\n' "$2" "$1" >>"$page"
 }
 
-# claim SENTENCE TABLE CONDITION EXPRESSION: every row of the condition, and there is one, makes the expression true.
+# claim SENTENCE TABLE CONDITION EXPRESSION: every row of the condition, and there is one, makes the expression true, in
+# which abs(x) and least(x, y) may stand.
 claim() {
   local failing
   failing=$(rows "$2" "$3" | awk -F'\t' '
+    function abs(x) { return x < 0 ? -x : x }
+    function least(a, b) { return a < b ? a : b }
     NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
     { ++seen }
     !('"$4"') || /(^|\t)-?nan/ { print }

@@ -6,7 +6,8 @@
 /// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval
 /// (stats/moment_interval.hpp) that holds the truth, with the `correlation` known or estimated from the same field.
 /// Fields are white noise averaged over w × w neighbours, w the `width`, of correlation (1 - |p|/w)(1 - |q|/w); and such
-/// with an exponential correlation of that length. The standard error of a count is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
+/// with an exponential correlation of that length. The standard error of a count is √(0.05 · 0.95 / FIELDS), 1.1 % for
+/// 400.
 ///
 /// Second table: the same of Sal and of the lengths along x at 1/e and 10 % (stats/length_interval.hpp), and how many of
 /// these intervals lie wholly below and above the truth.

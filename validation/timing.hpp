@@ -46,9 +46,9 @@ double seconds_of(Call call) {
     for (int i = 0; i < calls; ++i) call();
     return watch.seconds();
   };
+  const Stopwatch total;
   double fastest = batch();
   for (; fastest < 0.02; fastest = batch()) calls *= 2;
-  const Stopwatch total;
   for (int i = 0; i < batches() && total.seconds() < 2; ++i) fastest = std::min(fastest, batch());
   return fastest / calls;
 }

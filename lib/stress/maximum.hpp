@@ -8,8 +8,8 @@
 /// parabola in x and one in y. Under friction the surface itself is looked at too, for there the trailing edge of a
 /// contact may bear most: of a sliding Hertz contact, ν = 0.3, from μ = 0.305 on.
 ///
-/// Accuracy  of the search: 3e-5 of the value for a smooth contact, 8e-5 when it slides, 4e-3 for rough ones. The
-///           stress itself is that of stress/layers.hpp.
+/// Accuracy  of the search: 8e-5 of the value for a smooth contact, 4e-3 for rough ones. The stress itself is that of
+///           stress/layers.hpp.
 /// Cost      about 15 layers of all components at 128 cells, one more each time the grid's side grows by
 ///           half, and a few to refine.
 #pragma once

@@ -12,23 +12,26 @@ plot '@synthesis_time-4.tsv' using 5:4 with linespoints pointtype 7 title 'kerne
 END
 table synthesis_time-4
 text <<'END'
-Four more digits of autocorrelation make each surface dearer by less than a factor of two, for the kernel is applied by
-transforms in tiles that stay in the cache, and a wider kernel only wastes a wider margin of them.
+Five more digits of autocorrelation make each surface dearer by a factor of two to three, not by the twenty-fold number
+of coefficients: the kernel is applied by transforms in tiles that stay in the cache, and a wider one wastes a wider margin
+of them.
 
 Cost on N × N heights with a kernel of K × K: `noise` and `transforms` are what cannot be saved, `ratio` what is left over
 the transforms of the whole padded surface.
 END
 table synthesis_time-2
 text <<'END'
-The ratio falls below one: tiles need less than one transform of the whole, which does not fit into the cache. Of a
-small kernel the noise is a third of all time. Two threads gain little where the surface is small, for a band's noise and
-tiles are handed out in pieces of some 0.1 ms.
+Where the surface is large and the kernel small the ratio falls below one: the transform of the whole leaves the cache,
+tiles do not. Of a small kernel the noise is a third of all time. Two threads gain nothing on small surfaces, which are done
+in pieces of some 0.1 ms, and nothing anywhere while the second core is busy with something else.
 
 Direct sum and transform, and `model`, the ratio that decides between them:
 END
 table synthesis_time-3 '$c["N"] > 64 || $c["K"] > 5'
 text <<'END'
-The model errs by up to a factor of three where noise, which it leaves out, is all there is; there the choice matters
-least. Peak memory, and what the program says beforehand that it will take, in MB:
+The model counts the sums alone. The seconds have the noise in them too, which is nearly all there is below K = 9: so the
+measured ratio lies nearer to one than the model, and where the model is near to one, and may choose wrongly, little is lost.
+
+Peak memory, and what the program says beforehand that it will take, in MB:
 END
 table synthesis_time-1
