@@ -7,7 +7,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
-#include "stats/hermite.hpp"
+#include "marginal/hermite.hpp"
 #include "surface/noise.hpp"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 /// Let F_N(x) be the share of the N heights with (z - z̄)/Sq ≤ x. By the Hermite series of the indicator, the
 /// terms k = 1 and 2 taken up by the fitted mean and rms height,
 ///     D(x) = √N (F_N(x) - Φ(x)) = -Σ_{k≥3} √S_k h_{k-1}(x)/√k g_k + O(N^{-1/2}),                     (1)
-/// h_k the Hermite functions (stats/hermite.hpp), S_k the sums over the correlation
+/// h_k the Hermite functions (marginal/hermite.hpp), S_k the sums over the correlation
 /// (stats/effective_size.hpp), and g_k the sample means of He_k(z)/√k!, over √(S_k/N): uncorrelated, of variance
 /// 1 exactly (Mehler), and in the limit of many independent patches independent Gaussians (Breuer and Major).
 /// D is then a Gaussian process of covariance

@@ -9,7 +9,7 @@
 #include <gsl/gsl_randist.h>
 
 #include "grid/error.hpp"
-#include "stats/hermite.hpp"
+#include "marginal/hermite.hpp"
 
 namespace asperity {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "grid/error.hpp"
 #include "grid/parallel.hpp"
-#include "stats/hermite.hpp"
+#include "marginal/hermite.hpp"
 #include "stats/missing.hpp"
 
 namespace asperity {
@@ -170,7 +170,7 @@ double material_height_error(double ratio, const Moments& moments, const Effecti
   if (ratio == 0 || ratio == 1) return std::numeric_limits<double>::infinity();
   const double a = gsl_cdf_ugaussian_Qinv(ratio), density = gsl_ran_ugaussian_pdf(a);
   const bool sq_fitted = fitted == Fitted::mean_and_sq;
-  HermiteFunction hermite(a, 1);
+  HermiteFunction hermite(a, 1.0);
   auto weight = [&](int k) {
     const double h = hermite.next();
     return k == 1 || (k == 2 && sq_fitted) ? 0 : h * h / k;

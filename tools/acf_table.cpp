@@ -1,7 +1,6 @@
 #include "acf_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
+#include "plain_text.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -80,7 +80,10 @@ AcfTable from_dataset(Dataset data) {
   out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
                                 step_of(data, variable.dimensions[1], middle));
   out.rms = rms_of(out.half_plane(0, middle), variable.attributes.text("units"));
-  if (std::isnan(out.rms) && name == "acf") out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
+  if (name == "acf") {
+    if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
+    out.heights = measured_with_acf(data);
+  }
   forget_surface(data);
   forget_kernel(data);
   out.dataset = std::move(data);
@@ -88,30 +91,6 @@ AcfTable from_dataset(Dataset data) {
 }
 
 // ---- text ----
-
-bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r'; }
-
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::size_t i = 0; i < line.size();) {
-    if (separates(line[i])) {
-      ++i;
-      continue;
-    }
-    const std::size_t begin = i;
-    while (i < line.size() && !separates(line[i])) ++i;
-    words.push_back(line.substr(begin, i - begin));
-  }
-  return words;
-}
-
-double number_of(std::string_view word, std::size_t line) {
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
-    refuse("line " + std::to_string(line) + " does not hold finite numbers alone");
-  return value;
-}
 
 struct HeadedColumn {
   std::string name, unit;
@@ -156,7 +135,7 @@ Text parse(std::string_view bytes) {
       continue;
     }
     std::vector<double> row;
-    for (std::string_view word : words_of(line)) row.push_back(number_of(word, number));
+    for (std::string_view word : words_of(line)) row.push_back(number_of(word, number, "acf"));
     if (row.empty()) continue;
     const std::size_t width =
         text.columns.empty() ? text.rows.empty() ? row.size() : text.rows[0].size() : text.columns.size();

@@ -14,6 +14,7 @@
 
 #include "dataset/dataset.hpp"
 #include "kernel_dataset.hpp"
+#include "marginal_dataset.hpp"
 
 namespace asperity::cli {
 
@@ -21,6 +22,7 @@ struct AcfTable {
   Field half_plane;  ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
   Spacing spacing;   ///< of the lags [m], where it is known
   double rms = NAN;  ///< [m], where it is known
+  HeightsWithAcf heights = {};  ///< whose autocorrelation it is
   Dataset dataset;   ///< what came with the table, less what belongs to the surface that it was taken from
 };
 

@@ -1,5 +1,7 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include "acf_lengths.hpp"
+#include "marginal_dataset.hpp"
+#include "stats/moments.hpp"
 #include "stats/structure_function.hpp"
 
 using namespace asperity;
@@ -8,7 +10,7 @@ namespace {
 
 struct Options {
   bool absolute = false, biased = false, structure = false, lengths = false, profiles = false,
-       dataset = false;
+       dataset = false, quantiles = false;
   Shape max_lag;
   cli::LengthsRequest request;
 };
@@ -19,6 +21,7 @@ using cli::AcfEstimate;
 struct Result {
   AcfEstimate estimate;
   std::optional<LagField> structure = {};  ///< in units squared
+  std::optional<MeasuredHeights> quantiles = {};
 };
 
 // ---- the two profiles ----
@@ -57,10 +60,17 @@ cli::Table profiles(const cli::Measured& measured, const Result& result, bool ab
 
 // ---- the dataset ----
 
+MeasuredHeights quantiles_of(const Field& heights) {
+  std::vector<double> sample(heights.data(), heights.data() + heights.size());
+  std::erase_if(sample, [](double z) { return std::isnan(z); });
+  return MeasuredHeights::of(std::move(sample));
+}
+
 // What an earlier run measured.
 void forget_acf(Dataset& data) {
   data.erase("acf");
   data.erase("structure_function");
+  data.erase("acf_quantiles");
   std::vector<std::string> stale;
   for (const Attribute& a : data.attributes)
     if (a.name.starts_with("acf_")) stale.push_back(a.name);
@@ -81,6 +91,10 @@ void add_to(Dataset& data, const cli::Measured& measured, const Result& result,
   if (result.structure)
     set_table(data, "structure_function", result.structure->half_plane(), lag_x, lag_y,
               {measured.units_to(2), "mean square difference of two points a lag apart"});
+  const Moments height = moments(measured.heights);
+  data.attributes.set("acf_skewness", height.ssk);
+  data.attributes.set("acf_kurtosis", height.sku);
+  if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (measured.units == "m") data.attributes.set("acf_variance", estimate.variance);
   for (const auto& row : lengths.rows) data.attributes.set("acf_" + row.name, row.value);
@@ -102,12 +116,18 @@ void declare(cli::Tool& tool, Options& what) {
             "Levels of R / R(0,0) at which lengths are measured", "Lengths");
   tool.text("--direction", what.request.direction, "ANGLE",
             "Lengths in this direction too, from +x towards +y: 30deg", "Lengths");
+  CLI::Option* quantiles = tool.flag(
+      "--quantiles", what.quantiles,
+      "Add the distribution of the heights to the dataset, for asperity-generate --marginal measured",
+      "Estimate");
   CLI::Option* lengths =
-      tool.flag("--lengths", what.lengths, "Print the lengths and the ellipticity", "Result");
+      tool.flag("--lengths", what.lengths, "Print the lengths and the ellipticity", "Result")
+          ->excludes(quantiles);
   CLI::Option* profiles =
       tool.flag("--profiles", what.profiles,
                 "Print the two profiles R(p,0) and R(0,q); so do --json alone and a terminal", "Result")
-          ->excludes(lengths);
+          ->excludes(lengths)
+          ->excludes(quantiles);
   tool.flag("--dataset", what.dataset, "Write the dataset with the ACF added, as into a pipe or a file",
             "Result")
       ->excludes(lengths)
@@ -140,7 +160,9 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-acf",
       "The autocorrelation of a surface. Passes the dataset on with the whole ACF over lag_x >= 0 and lag_y "
-      "of both signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, and the "
+      "of both signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, "
+      "skewness and "
+      "kurtosis of the heights as acf_skewness and acf_kurtosis, and the "
       "lengths at which it first falls to 10 % and to 1/e, or other levels, as acf_length_10_x and so on. Or "
       "prints these lengths; or, as on a terminal, the two profiles with standard errors, a row a lag, "
       "beside the target where the dataset carries one (acf_target).");
@@ -157,6 +179,7 @@ int main(int argc, char** argv) {
         measured, {.max_lag = max_lag, .biased = what.biased, .threads = tool.thread_count()})};
     if (what.structure)
       result.structure = structure_function(measured.heights, measured.grid, max_lag, tool.thread_count());
+    if (what.quantiles) result.quantiles = quantiles_of(measured.heights);
     auto lengths = [&] { return lengths_of(tool, measured, result.estimate, what.request); };
     if (what.lengths) {
       cli::print(tool, lengths());

@@ -1,10 +1,12 @@
 /// Draws random rough surfaces with a prescribed autocorrelation.
 #include <algorithm>
+#include <optional>
 
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "drawing.hpp"
 #include "kernel_solve.hpp"
+#include "marginal/prescribed.hpp"
 
 using namespace asperity;
 
@@ -12,6 +14,7 @@ namespace {
 
 struct Options {
   cli::KernelOptions acf;
+  cli::HeightsWithAcf measured;  ///< that came with a table of the autocorrelation
   std::string kernel;
   Shape shape;
   std::array<double, 2> size{NAN, NAN};
@@ -35,7 +38,7 @@ void declare(cli::Tool& tool, Options& o) {
             surface);
   tool.flag("--periodic", o.periodic, "A surface that continues itself at its edges", surface);
   tool.flag("--noise", o.noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
-  o.acf.declare(tool);
+  o.acf.declare(tool, true);
   tool.text(
       "--kernel", o.kernel, "FILE",
       "A kernel from asperity-kernel in place of these; - is standard input, which is read when no option "
@@ -65,10 +68,11 @@ void declare(cli::Tool& tool, Options& o) {
 }
 
 // The first option given of those that say which kernel to solve for, or nothing.
-std::string target_option(const cli::Tool& tool) {
+std::string target_option(const cli::Tool& tool, bool filters) {
   for (const CLI::Option* option : tool.app().get_options())
     if ((option->get_group() == "Autocorrelation" || option->get_group() == "Solution") &&
-        option->count() > 0 && option->get_name() != "--kernel")
+        option->count() > 0 && option->get_name() != "--kernel" &&
+        !(filters && option->get_name() == "--method"))
       return option->get_name().substr(2);
   return {};
 }
@@ -93,6 +97,7 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
       cli::wanted_kernel(tool, o.acf, sized ? cli::spacing_of(o.shape, o.size) : std::nullopt);
   if (!wanted.has_height) throw cli::UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, wanted.data);
+  o.measured = wanted.measured;
   cli::Solved kernel = cli::solve(std::move(wanted));
   code = cli::tell(tool, kernel, true);
   return std::move(kernel.data);
@@ -102,6 +107,10 @@ Dataset read_kernel(cli::Tool& tool, Options& o) {
   const std::string bytes = cli::read_all(tool.given("--kernel") ? o.kernel : "-");
   if (bytes.empty() && !tool.given("--kernel"))
     throw cli::UsageError("length", "is required, or --kernel, or a kernel on standard input");
+  const std::string heights = cli::MarginalOptions::given(tool);
+  if (!heights.empty() && !o.acf.filters())
+    throw cli::UsageError(heights,
+                          "is for the solution of the kernel, by asperity-kernel, or for --method filter");
   Dataset data = decode_netcdf(bytes);
   adopt_grid(tool, o, data);
   cli::forget_surface(data);
@@ -111,7 +120,7 @@ Dataset read_kernel(cli::Tool& tool, Options& o) {
 
 // The kernel of the options or of the file, and the exit code that follows from how it was solved.
 Dataset kernel_dataset(cli::Tool& tool, Options& o, cli::Exit& code) {
-  const std::string target = target_option(tool);
+  const std::string target = target_option(tool, o.acf.filters());
   if (!tool.given("--kernel") && (!target.empty() || cli::stdin_is_terminal())) return solved(tool, o, code);
   if (!target.empty()) throw cli::UsageError(target, "does not go together with --kernel");
   return read_kernel(tool, o);
@@ -142,6 +151,45 @@ cli::KernelTables tables_for(cli::Tool& tool, const Options& o, const Dataset& d
   return tables;
 }
 
+// What a surface is drawn from beside its kernel: the noise's distribution and what becomes of the average.
+struct Distribution {
+  Pointwise noise, heights;
+};
+
+void expect(Dataset& data, const char* way, const HeightMoments& moments) {
+  Attributes& a = data.attributes;
+  a.set("generate_heights", way);
+  a.set("generate_skewness_expected", moments.skewness);
+  a.set("generate_kurtosis_expected", moments.kurtosis);
+  a.set("generate_acf_error_expected", a.number("kernel_error", NAN) + a.number("kernel_hermite_tail", 0));
+}
+
+Distribution translated(Dataset& data, const cli::Marginal& marginal, double rms) {
+  expect(data, "translation", {0, 1, marginal.skewness, marginal.kurtosis});
+  return {{}, [apply = marginal.translation.apply, rms](std::span<double> values) {
+            apply(values);
+            for (double& z : values) z *= rms;
+          }};
+}
+
+Distribution filtered(const cli::Tool& tool, const Options& o, Dataset& data, const Field& kernel) {
+  const auto prescribed = o.acf.heights.moments(tool, o.measured, infeasible_named(o.acf.infeasible));
+  if (!prescribed) throw cli::UsageError("method", "filter: takes --skewness and --kurtosis");
+  const Translation noise = prescribed->noise(kernel);
+  expect(data, "filter", KernelCumulants::of(kernel).heights(height_moments(noise)));
+  return {noise.family == "normal" ? Pointwise{} : noise.apply, {}};
+}
+
+Distribution distribution_of(const cli::Tool& tool, const Options& o, Dataset& data,
+                             const cli::KernelTables& tables) {
+  const std::optional<cli::Marginal> marginal = cli::marginal_of(data);
+  if (marginal && o.acf.filters())
+    throw cli::UsageError("method", "filter: the kernel is of a Gaussian field below heights that are " +
+                                        marginal->translation.family + ", not of the heights");
+  if (marginal) return translated(data, *marginal, tables.rms());
+  return o.acf.filters() ? filtered(tool, o, data, tables.kernel) : Distribution{};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -159,10 +207,12 @@ int main(int argc, char** argv) {
     set_kernel(base, tables);
     set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
 
-    const Synthesis synthesis(tables.kernel, options.shape,
-                              {options.periodic, Summation::cheapest, tool.thread_count(), options.memory});
+    const Distribution distribution = distribution_of(tool, options, base, tables);
+    const Synthesis synthesis(
+        tables.kernel, options.shape,
+        {options.periodic, Summation::cheapest, tool.thread_count(), options.memory, distribution.heights});
     for (std::int64_t i = options.stream, end = i + options.count; i < end; ++i) {
-      const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(i));
+      const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(i), distribution.noise);
       const cli::Drawing drawing{synthesis,        noise,         tables.rms(),
                                  options.exact_rq, options.noise, options.memory};
       drawing.write(tool, base,

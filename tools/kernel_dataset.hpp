@@ -4,7 +4,8 @@
 ///     acf_target(p, q)     over the half plane p = 0…, q = -…0…+
 ///     acf_achieved(p, q)   the same lags
 /// in m and m2, or in units of the rms height where none is given; lags in metres, or in samples where no
-/// spacing is known. Global attributes kernel_* hold the effective parameters and what the
+/// spacing is known. Heights that are not Gaussian are a translation of what the kernel, of unit variance, averages
+/// (marginal_dataset.hpp). Global attributes kernel_* hold the effective parameters and what the
 /// solve achieved.
 #pragma once
 
@@ -23,10 +24,11 @@ struct KernelTables {
   Field kernel, acf_target, acf_achieved;
   bool has_height = false;  ///< in m and m2, not in units of the rms height
   Spacing spacing;          ///< of the lags
+  bool translated = false;  ///< the kernel's variance is 1 whatever the heights'
 
   double rms() const { return std::sqrt(acf_target(0, acf_target.cols() / 2)); }
   void scale(double factor) {
-    kernel *= factor;
+    if (!translated) kernel *= factor;
     acf_target *= factor * factor;
     acf_achieved *= factor * factor;
   }
@@ -55,7 +57,8 @@ inline void set_kernel(Dataset& data, const KernelTables& tables) {
   const Axis p{"p", 0, dx, lag, "lag in x"};
   const Axis q{"q", -(tables.acf_target.cols() / 2), dy, lag, "lag in y"};
   set_table(data, "kernel", tables.kernel, {"k", 0, 1, "1", "row of noise"},
-            {"l", 0, 1, "1", "column of noise"}, {height, "moving-average kernel of unit white noise"});
+            {"l", 0, 1, "1", "column of noise"},
+            {tables.translated ? "1" : height, "moving-average kernel of unit white noise"});
   set_table(data, "acf_target", tables.acf_target, p, q, {variance, "autocorrelation asked for"});
   set_table(data, "acf_achieved", tables.acf_achieved, p, q, {variance, "autocorrelation of the kernel"});
   data.attributes.set("kernel_rms", tables.rms());
@@ -77,12 +80,16 @@ inline Spacing lag_spacing(const Dataset& data) {
 
 /// Throws DataError when a table is missing or makes no sense.
 inline KernelTables kernel_of(const Dataset& data) {
-  KernelTables tables{
-      table_of(data, "kernel"), table_of(data, "acf_target"), table_of(data, "acf_achieved"), false, {}};
+  KernelTables tables{table_of(data, "kernel"),
+                      table_of(data, "acf_target"),
+                      table_of(data, "acf_achieved"),
+                      false,
+                      {},
+                      data.attributes.find("kernel_heights") != nullptr};
   if (tables.kernel.size() == 0) throw DataError("kernel", "it has no coefficients");
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
-  tables.has_height = data.at("kernel").attributes.text("units") == "m";
+  tables.has_height = data.at("acf_target").attributes.text("units") == "m2";
   tables.spacing = lag_spacing(data);
   return tables;
 }
@@ -96,6 +103,7 @@ inline void forget_surface(Dataset& data) {
 
 /// Leaves out a kernel and how it was solved for.
 inline void forget_kernel(Dataset& data) {
+  data.erase("kernel_quantiles");
   forget(data, [](const std::string& d) { return d == "k" || d == "l" || d == "p" || d == "q"; },
          {"kernel_"});
 }

@@ -1,6 +1,7 @@
 /// The options that say which autocorrelation a surface shall have, for the tools that solve for its kernel.
 ///
-/// Their groups in --help, "Autocorrelation" and "Solution", are also how asperity-generate knows them.
+/// Their groups in --help, "Autocorrelation" and "Solution", are also how asperity-generate knows them. The heights'
+/// distribution is one of them, for it changes the autocorrelation that the kernel is solved for.
 #pragma once
 
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "acf/kernel.hpp"
 #include "cli/tool.hpp"
+#include "marginal_options.hpp"
 
 namespace asperity::cli {
 
@@ -20,15 +22,19 @@ struct KernelOptions {
   double level = 0.1;
   double smoothness = 1, exponent = 1, hurst = 0.8;
   double rms = NAN;
+  MarginalOptions heights;
 
   Shape lags;  ///< 0x0: chosen
   double acf_tolerance = 1e-3, tolerance = 1e-10;
   std::string formulation, method = "newton-krylov", infeasible = "auto";
 
-  void declare(Tool& tool) {
+  /// A tool that draws may filter noise that is not Gaussian itself.
+  void declare(Tool& tool, bool draws = false) {
     declare_target(tool, "Autocorrelation");
-    declare_solution(tool, "Solution");
+    heights.declare(tool);
+    declare_solution(tool, "Solution", draws);
   }
+  bool filters() const { return method == "filter"; }
 
   /// The model of --target, its lengths in metres, or in samples where no spacing is known. Throws UsageError for
   /// options that it does not use.
@@ -88,7 +94,7 @@ struct KernelOptions {
               group);
   }
 
-  void declare_solution(Tool& tool, const std::string& group) {
+  void declare_solution(Tool& tool, const std::string& group, bool draws) {
     tool.counts("--lags", lags, 1,
                 "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or as a table gives a "
                 "kernel for",
@@ -100,9 +106,19 @@ struct KernelOptions {
                 "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
                 "quadrant, wrong at the mirrored lags; absent: by the target",
                 group);
-    tool.choice("--method", method, {"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"},
-                "How the equations are solved; spectral takes the root of the spectrum and solves nothing",
-                group);
+    std::vector<std::string> methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};
+    std::string filter;
+    if (draws) {
+      methods.push_back("filter");
+      filter =
+          "; filter solves by newton-krylov for Gaussian heights and draws noise that is skewed enough for "
+          "its "
+          "average to have --skewness and --kurtosis, where there is such noise";
+    }
+    tool.choice(
+        "--method", method, methods,
+        "How the equations are solved; spectral takes the root of the spectrum and solves nothing" + filter,
+        group);
     tool.choice("--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
                 "Where no kernel of --lags has this autocorrelation: a wider kernel or the nearest that "
                 "there is, if it changes the target by 1e-2 at most (auto) or however much (nearest); the "

@@ -7,6 +7,7 @@
 #include "acf/wording.hpp"
 #include "acf_table.hpp"
 #include "cli/table.hpp"
+#include "marginal/predistortion.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -48,6 +49,7 @@ void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
     out.has_height = true;
   }
   out.request.target = target_of_table(std::move(table.half_plane));
+  out.measured = std::move(table.heights);
   out.data = std::move(table.dataset);
   out.data.attributes.set("kernel_target", "table");
 }
@@ -83,6 +85,15 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   a.set("kernel_reason", report.reason);
 }
 
+// Solved for the field below the heights, whose distribution goes into the dataset.
+Kernel predistorted(Wanted& wanted) {
+  const Predistortion predistortion(wanted.marginal->translation);
+  set_marginal(wanted.data, *wanted.marginal);
+  wanted.data.attributes.set("kernel_least_acf", predistortion.map().lowest());
+  wanted.data.attributes.set("kernel_hermite_tail", predistortion.map().tail());
+  return predistortion.solve(wanted.request);
+}
+
 // "40x20 lags chosen: error over all lags 8.1e-4"
 std::string achieved(const Solved& s) {
   return text(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags" +
@@ -102,7 +113,7 @@ Wanted wanted_kernel(const Tool& tool, const KernelOptions& options, const Spaci
   KernelRequest& request = out.request;
   if (out.has_height) request.rms = options.rms;
   request.lags = options.lags;
-  request.method = method_named(options.method);
+  request.method = options.filters() ? Method::newton_krylov : method_named(options.method);
   request.infeasible = infeasible_named(options.infeasible);
   request.tolerance = options.tolerance;
   request.acf_tolerance = options.acf_tolerance;
@@ -111,15 +122,16 @@ Wanted wanted_kernel(const Tool& tool, const KernelOptions& options, const Spaci
     take_model(out, tool, options);
   else
     take_table(out, tool, options);
+  if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
   request.check();
   return out;
 }
 
 Solved solve(Wanted wanted) {
   const KernelRequest& request = wanted.request;
-  const Kernel kernel = solve_kernel(request);
-  set_kernel(wanted.data,
-             {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height, wanted.spacing});
+  const Kernel kernel = wanted.marginal ? predistorted(wanted) : solve_kernel(request);
+  set_kernel(wanted.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height,
+                           wanted.spacing, wanted.marginal.has_value()});
   describe(wanted.data.attributes, kernel, request);
   return {std::move(wanted.data),           kernel.report,        kernel.lags, request.lags == Shape{},
           request.target.known.has_value(), request.acf_tolerance};

@@ -11,8 +11,10 @@ namespace asperity::cli {
 /// A kernel that is to be solved for.
 struct Wanted {
   KernelRequest request;
-  Spacing spacing;          ///< of the samples
-  bool has_height = false;  ///< request.rms is a height [m]
+  Spacing spacing;                   ///< of the samples
+  bool has_height = false;           ///< request.rms is a height [m]
+  std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
+  HeightsWithAcf measured;           ///< what came with a table
   Dataset data;  ///< what the kernel is added to: the attributes of the target, the grid of its table
 };
 

@@ -16,19 +16,6 @@ Shape extent(const Target& target, Shape lags, const Field& kernel) {
   return {std::min(whole.nx, known.nx), std::min(whole.ny, known.ny)};
 }
 
-Field table(const Target& target, Shape extent) {
-  Field out(extent.nx, 2 * extent.ny - 1);
-  const Index middle = extent.ny - 1, columns = out.cols();
-  for (Index p = 0; p < extent.nx; ++p) {
-    const Index first = target.oriented ? 0 : middle;
-    const std::span row(out.data() + p * columns, static_cast<std::size_t>(columns));
-    target.row(static_cast<double>(p), static_cast<double>(first - middle),
-               row.subspan(static_cast<std::size_t>(first)));
-    if (!target.oriented) std::reverse_copy(row.end() - middle, row.end(), row.begin());
-  }
-  return out;
-}
-
 // The autocorrelation of a zero-phase kernel, by its real spectrum.
 Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows, Index columns) {
   const Shape reach = shape_of(kernel);  // of R: its lags are below
@@ -51,7 +38,22 @@ Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows,
   return out;
 }
 
-void measure(Kernel& kernel) {
+}  // namespace
+
+Field half_plane_of(const Target& target, Shape lags) {
+  Field out(lags.nx, 2 * lags.ny - 1);
+  const Index middle = lags.ny - 1, columns = out.cols();
+  for (Index p = 0; p < lags.nx; ++p) {
+    const Index first = target.oriented ? 0 : middle;
+    const std::span row(out.data() + p * columns, static_cast<std::size_t>(columns));
+    target.row(static_cast<double>(p), static_cast<double>(first - middle),
+               row.subspan(static_cast<std::size_t>(first)));
+    if (!target.oriented) std::reverse_copy(row.end() - middle, row.end(), row.begin());
+  }
+  return out;
+}
+
+void measure_errors(Kernel& kernel) {
   KernelReport& report = kernel.report;
   const auto error = (kernel.acf_achieved - kernel.acf_target).abs();  // evaluated where it is asked for
   const auto [n, m] = kernel.lags;
@@ -67,8 +69,6 @@ void measure(Kernel& kernel) {
         {report.tail, error.leftCols(middle - m + 1).maxCoeff(), error.rightCols(middle - m + 1).maxCoeff()});
 }
 
-}  // namespace
-
 std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values) {
   const double sum = values.square().sum();
   if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
@@ -77,13 +77,13 @@ std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation for
   kernel.formulation = formulation;
   kernel.lags = lags;
   kernel.values = std::move(values);
-  kernel.acf_target = table(target, extent(target, lags, kernel.values));
+  kernel.acf_target = half_plane_of(target, extent(target, lags, kernel.values));
   const Index rows = kernel.acf_target.rows(), columns = kernel.acf_target.cols();
   kernel.acf_achieved =
       formulation == Formulation::patir
           ? autocorrelation(kernel.values, rows, columns)
           : zero_phase_autocorrelation(kernel.values, formulation == Formulation::oriented, rows, columns);
-  measure(kernel);
+  measure_errors(kernel);
   return kernel;
 }
 

@@ -11,4 +11,9 @@ namespace asperity {
 /// zero. Its sign, which is free, becomes that of a positive sum.
 std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values);
 
+/// The target at 0 ≤ p < lags.nx, |q| < lags.ny, as the tables of a kernel hold it.
+Field half_plane_of(const Target& target, Shape lags);
+/// The errors of the report, anew from the tables.
+void measure_errors(Kernel& kernel);
+
 }  // namespace asperity

@@ -135,6 +135,11 @@ void scale(Kernel& kernel, double rms) {
 
 }  // namespace
 
+bool allows(Infeasible answer, double change) {
+  if (answer == Infeasible::automatic) return change <= Search::largest_change;
+  return answer != Infeasible::error || change == 0;
+}
+
 std::string_view name_of(Formulation formulation) { return text_of(formulations, formulation); }
 std::string_view name_of(Method method) { return text_of(methods, method); }
 std::string_view name_of(Infeasible infeasible) { return text_of(answers_to_infeasible, infeasible); }

@@ -55,6 +55,8 @@ enum class Infeasible {
   nearest,       ///< the closest by alternating projections, however far
   least_squares  ///< the n × m kernel of least squares, however far
 };
+/// Whether an autocorrelation, or a distribution of heights, may be changed by so much of the variance.
+bool allows(Infeasible answer, double change);
 std::string_view name_of(Formulation formulation);
 std::string_view name_of(Method method);
 std::string_view name_of(Infeasible infeasible);

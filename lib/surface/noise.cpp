@@ -52,14 +52,19 @@ struct WhiteNoise::Generator {
   void start(std::uint64_t h) { *static_cast<Taus2*>(gsl_rng_state(rng)) = state_from(h); }
 };
 
-WhiteNoise::WhiteNoise(std::uint64_t seed, std::uint64_t stream)
-    : seed_(seed), stream_(stream), generator_(std::make_unique<Generator>()) {}
+WhiteNoise::WhiteNoise(std::uint64_t seed, std::uint64_t stream, Pointwise translation)
+    : seed_(seed),
+      stream_(stream),
+      translation_(std::move(translation)),
+      generator_(std::make_unique<Generator>()) {}
 WhiteNoise::~WhiteNoise() = default;
-WhiteNoise::WhiteNoise(const WhiteNoise& other) : WhiteNoise(other.seed_, other.stream_) {}
+WhiteNoise::WhiteNoise(const WhiteNoise& other)
+    : WhiteNoise(other.seed_, other.stream_, other.translation_) {}
 
 void WhiteNoise::row(std::int64_t index, std::span<double> out) {
   generator_->start(hash(seed_, stream_, static_cast<std::uint64_t>(index)));
   for (double& eta : out) eta = gsl_ran_gaussian_ziggurat(generator_->rng, 1);
+  if (translation_) translation_(out);
 }
 
 std::string WhiteNoise::generator() {

@@ -1,7 +1,7 @@
-/// Unit white Gaussian noise, row by row.
+/// Unit white noise, row by row.
 ///
-/// η(i,j), independent and normal with mean 0 and variance 1, for any row i (negative ones too) and
-/// j = 0, 1, …. Every row has a generator of its own, started from a hash of (seed, stream, row): a row is
+/// η(i,j), independent with mean 0 and variance 1, for any row i (negative ones too) and j = 0, 1, …; normal, or of
+/// another distribution by a translation of the normal values. Every row has a generator of its own, started from a hash of (seed, stream, row): a row is
 /// the same whoever draws it, in whatever order, and on however many threads, and a longer row begins as a
 /// shorter one does.
 ///
@@ -23,13 +23,15 @@
 #include <string>
 
 #include "grid/field.hpp"
+#include "grid/pointwise.hpp"
 
 namespace asperity {
 
 class WhiteNoise {
  public:
-  /// `stream` counts independent noises of one seed: the surfaces of an ensemble.
-  explicit WhiteNoise(std::uint64_t seed, std::uint64_t stream = 0);
+  /// `stream` counts independent noises of one seed: the surfaces of an ensemble. `translation`, of mean 0 and variance
+  /// 1, if there is one, makes each value from a normal one.
+  explicit WhiteNoise(std::uint64_t seed, std::uint64_t stream = 0, Pointwise translation = {});
   ~WhiteNoise();
   WhiteNoise(const WhiteNoise&);
   WhiteNoise& operator=(const WhiteNoise&) = delete;
@@ -46,6 +48,7 @@ class WhiteNoise {
  private:
   struct Generator;
   std::uint64_t seed_, stream_;
+  Pointwise translation_;
   std::unique_ptr<Generator> generator_;
 };
 

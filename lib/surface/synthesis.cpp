@@ -79,8 +79,10 @@ void Synthesis::filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> o
     for (Index t = begin; t < end; ++t) {
       const Index i = t / across * tile.nx, j = t % across * tile.ny;
       const Index rows = std::min(tile.nx, out.rows() - i), columns = std::min(tile.ny, out.cols() - j);
-      worker->filter(noise.block(i, j, rows + kernel_.rows() - 1, columns + kernel_.cols() - 1),
-                     out.block(i, j, rows, columns));
+      Eigen::Ref<Field> heights = out.block(i, j, rows, columns);
+      worker->filter(noise.block(i, j, rows + kernel_.rows() - 1, columns + kernel_.cols() - 1), heights);
+      if (options_.translation)
+        for (Index row = 0; row < rows; ++row) options_.translation({&heights(row, 0), size(columns)});
     }
   });
 }

@@ -44,6 +44,7 @@ class Synthesis {
     int threads = 1;
     /// Bound of working_set() [byte]; fewer rows and threads are at work at a time to keep below it.
     std::size_t memory = std::numeric_limits<std::size_t>::max();
+    Pointwise translation = {};  ///< what a height of (1) becomes, if there is one
   };
 
   /// Throws ParameterError("shape") when the surface has no points, ParameterError("memory") when the lowest band

@@ -3,7 +3,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "fields.hpp"
-#include "stats/hermite.hpp"
+#include "marginal/hermite.hpp"
 #include "stats/weighted_chi_squared.hpp"
 
 using namespace asperity;

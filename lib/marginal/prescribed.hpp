@@ -1,0 +1,42 @@
+/// From a prescribed skewness and kurtosis to what a surface is drawn with.
+///
+/// Translation   the heights are z = σ g(y) of a Gaussian field y (marginal/translation.hpp): any pair that there is, and
+///               the autocorrelation of y is predistorted (marginal/predistortion.hpp).
+/// Filter        the white noise is η = g(y) and the kernel a is that of a Gaussian surface. Sums of independent
+///               values add their cumulants, so that z = Σ a η has
+///                   Sk = Sk_η f₃,  f₃ = Σa³/(Σa²)^(3/2),        K - 3 = (K_η - 3) f₄,  f₄ = Σa⁴/(Σa²)²,    (1)
+///               and the autocorrelation of the kernel, exactly. The wider the kernel is the nearer to zero f₃ and
+///               f₄ are and the more extreme the noise must be: often there is none.
+///
+/// Every distribution has K ≥ Sk² + 1. Where a kurtosis is too low, for the heights or for the noise, the least one of
+/// the same skewness takes its place if that is allowed.
+///
+/// Y. Z. Hu, K. Tonder, Simulation of 3-D random rough surface by 2-D digital filter and Fourier analysis, Int. J. Mach.
+/// Tools Manuf. 32 (1992) 83-90; V. Bakolas, Wear 254 (2003) 546-554.
+#pragma once
+
+#include "acf/kernel.hpp"
+#include "grid/field.hpp"
+#include "marginal/translation.hpp"
+
+namespace asperity {
+
+struct PrescribedHeights {
+  double skewness = 0, kurtosis = 3;
+  Infeasible infeasible = Infeasible::automatic;
+
+  /// Of the heights. Throws ParameterError("kurtosis") or ("skewness").
+  Translation translation() const;
+  /// Of the white noise that this kernel averages; the same errors, in terms of the heights.
+  Translation noise(const Field& kernel) const;
+};
+
+/// f₃ and f₄ of (1), and the moments of heights averaged from noise.
+struct KernelCumulants {
+  double third, fourth;
+
+  static KernelCumulants of(const Field& kernel);
+  HeightMoments heights(const HeightMoments& noise) const;
+};
+
+}  // namespace asperity

@@ -1,0 +1,185 @@
+// Surfaces whose heights are not Gaussian, from the command line.
+#include "dataset/layout.hpp"
+#include "stats/moments.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const std::string measured = std::string(ASPERITY_TEST_DATA) + "/afm-64x64.nc";
+const std::string common = " --rq 0.4um --length 6px,4px";
+const std::string grid = " --shape 300x200 --size 3mm,2mm --no-history";
+const std::string shaped = " --skewness -1.3 --kurtosis 6";
+
+void require(const std::string& line) {
+  const Outcome run = shell(line);
+  CAPTURE(line, run.error);
+  REQUIRE(run.exit == 0);
+}
+
+Field heights(const std::string& name) { return field_of(read_dataset(name), "heights"); }
+
+double attribute(const std::string& file, const std::string& name) {
+  return read_dataset(file).attributes.number(name, NAN);
+}
+
+// One line on standard error that names all of these, this exit code, and no file.
+void refused(const std::string& line, int exit, std::initializer_list<std::string> words) {
+  const Outcome run = shell(line + " -o absent.nc");
+  CAPTURE(line, run.error);
+  CHECK(run.exit == exit);
+  CHECK(lines(run.error) == 1);
+  for (const std::string& word : words) CHECK_THAT(run.error, ContainsSubstring(word));
+  CHECK(shell("ls absent.nc").exit != 0);
+}
+
+}  // namespace
+
+// 60000 heights of lengths 6 and 4 samples are worth some 1500: Ssk and Sku scatter by 0.1 and 0.6 (the moments of a
+// Gaussian by half of that), Sq by 2 %.
+TEST_CASE("a surface has the skewness and kurtosis asked for, and says what to expect",
+          "[heights][statistics]") {
+  require("asperity-generate" + grid + common + shaped + " --seed 3 -o s.nc");
+  const Moments m = moments(heights("s.nc"));
+  CHECK(std::abs(m.ssk + 1.3) <= 0.4);
+  CHECK(std::abs(m.sku - 6) <= 2.4);
+  CHECK(std::abs(m.sq / 0.4e-6 - 1) <= 0.1);
+  CHECK(std::abs(attribute("s.nc", "generate_skewness_expected") + 1.3) <= 1e-10);
+  CHECK(std::abs(attribute("s.nc", "generate_kurtosis_expected") - 6) <= 1e-10);
+  CHECK(attribute("s.nc", "generate_acf_error_expected") <= 1e-3);
+  CHECK(read_dataset("s.nc").attributes.text("generate_heights") == "translation");
+  CHECK(read_dataset("s.nc").attributes.text("kernel_heights") == "S_B");
+  CHECK(read_dataset("s.nc").at("kernel").attributes.text("units") == "1");
+  CHECK(read_dataset("s.nc").at("acf_target").attributes.text("units") == "m2");
+}
+
+TEST_CASE(
+    "a kernel from asperity-kernel draws the surface that one tool draws, from a pipe and after that too",
+    "[heights][law]") {
+  const std::string draw = "asperity-generate --seed 5" + grid;
+  require(draw + common + shaped + " -o one.nc");
+  require("asperity-kernel" + common + shaped + " --spacing 10um | " + draw + " -o two.nc");
+  require(draw + " --kernel two.nc -o three.nc");
+  CHECK((heights("one.nc") == heights("two.nc")).all());
+  CHECK((heights("one.nc") == heights("three.nc")).all());
+  // Another rms height stretches the heights and the correlation, not the kernel.
+  require(draw + " --kernel two.nc --rq 0.8um -o four.nc");
+  CHECK(((heights("four.nc") - 2 * heights("one.nc")).abs() <= 1e-20).all());
+}
+
+TEST_CASE("shaped surfaces depend neither on the memory nor on the threads, to the last bit",
+          "[heights][law]") {
+  for (const std::string way : {"", " --skewness -0.3 --kurtosis 3.4 --method filter"}) {
+    const std::string draw = "asperity-generate --shape 1500x40 --size 15mm,0.4mm --seed 7" + common +
+                             (way.empty() ? shaped : way);
+    require(draw + " -o whole.nc");
+    require(draw + " --threads 5 --memory 1100kB -o other.nc");
+    CHECK((heights("whole.nc") == heights("other.nc")).all());
+  }
+}
+
+TEST_CASE("a Gaussian pair of moments draws the Gaussian surface, by either way", "[heights][exact]") {
+  const std::string draw = "asperity-generate --seed 5" + grid + common;
+  require(draw + " -o gaussian.nc");
+  for (const std::string way : {"", " --method filter"}) {
+    require(draw + " --skewness 0 --kurtosis 3" + way + " -o same.nc");
+    CHECK((heights("gaussian.nc") == heights("same.nc")).all());
+  }
+}
+
+// The filtered noise's skewness and kurtosis are exact in the mean; the scatter as above.
+TEST_CASE("filtered noise gives skewness and kurtosis where the kernel leaves them, and says what to expect",
+          "[heights][statistics]") {
+  require("asperity-generate" + grid +
+          " --rq 0.4um --length 3px --seed 3 --method filter --skewness -0.6"
+          " --kurtosis 3.9 -o s.nc");
+  const Moments m = moments(heights("s.nc"));
+  CHECK(std::abs(m.ssk + 0.6) <= 0.2);
+  CHECK(std::abs(m.sku - 3.9) <= 0.6);
+  CHECK(std::abs(attribute("s.nc", "generate_skewness_expected") + 0.6) <= 1e-9);
+  CHECK(std::abs(attribute("s.nc", "generate_kurtosis_expected") - 3.9) <= 1e-9);
+  CHECK(read_dataset("s.nc").attributes.text("generate_heights") == "filter");
+}
+
+TEST_CASE("a Gaussian kernel from a pipe is drawn with filtered noise, and refused a translation",
+          "[heights][contract]") {
+  require("asperity-kernel" + common + " --spacing 10um -o gaussian.nc");
+  require("asperity-generate" + grid +
+          " --kernel gaussian.nc --method filter --skewness -0.1 --kurtosis 3.1 -o s.nc");
+  refused("asperity-generate" + grid + " --kernel gaussian.nc" + shaped, 2,
+          {"--skewness", "asperity-kernel"});
+  require("asperity-kernel" + common + shaped + " --spacing 10um -o shaped.nc");
+  refused("asperity-generate" + grid + " --kernel shaped.nc --method filter" + shaped, 2,
+          {"--method", "S_B"});
+}
+
+TEST_CASE("moments that there are not are refused with their bound, or changed as --infeasible says",
+          "[heights][contract]") {
+  const std::string draw = "asperity-generate" + grid + common;
+  refused(draw + " --skewness 2 --kurtosis 4.5", 2, {"--kurtosis", "4.5", "5"});
+  refused(draw + " --skewness 100 --kurtosis 1e5", 2, {"--skewness", "100", "50"});
+  refused(draw + " --skewness nan", 2, {"--skewness"});
+  refused(draw + " --kurtosis inf", 2, {"--kurtosis"});
+  refused(draw + " --method filter --skewness 0 --kurtosis 1.8", 2, {"--kurtosis", "1.8", "at least"});
+  refused(draw + " --method filter", 2, {"--method", "--skewness"});
+  require(draw + " --skewness 2 --kurtosis 4.5 --infeasible nearest -o s.nc");
+  const double kurtosis = attribute("s.nc", "generate_kurtosis_expected");
+  CHECK(kurtosis > 5);
+  CHECK(kurtosis < 5.5);
+}
+
+TEST_CASE("a correlation that skewed heights cannot have is refused, or changed with a warning",
+          "[heights][contract]") {
+  const std::string draw = "asperity-generate" + grid +
+                           " --rq 0.4um --target exponential-cosine --length 60px,20px --wavelength 20px"
+                           " --skewness -2 --kurtosis 10 --lags 20x20";
+  refused(draw, 2, {"--marginal", "correlate no lower than -0.71"});
+  const Outcome run = shell(draw + " --infeasible nearest --seed 1 -o s.nc");
+  CAPTURE(run.error);
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.error, ContainsSubstring("changes it by up to"));
+  CHECK(attribute("s.nc", "generate_acf_error_expected") > 0.02);
+}
+
+// The twin is 16 times the size of the measured surface, whose own heights tell their moments to some 0.2.
+TEST_CASE(
+    "one pipe draws twins of a measured surface, by its quantiles, by its moments, or by the heights of a "
+    "file",
+    "[heights][statistics]") {
+  require("asperity-acf " + measured + " --level plane --quantiles -o acf.nc");
+  const double skewness = attribute("acf.nc", "acf_skewness"), kurtosis = attribute("acf.nc", "acf_kurtosis");
+  for (const std::string marginal : {"measured", "johnson", measured.c_str()}) {
+    CAPTURE(marginal);
+    require("asperity-acf " + measured +
+            " --level plane --quantiles | asperity-generate --acf - --shape 256x256 --seed 2 --marginal " +
+            marginal + " -o twin.nc");
+    CHECK(std::abs(attribute("twin.nc", "generate_skewness_expected") - skewness) <= 0.3);
+    CHECK(std::abs(attribute("twin.nc", "generate_kurtosis_expected") - kurtosis) <= 1);
+    const Moments m = moments(heights("twin.nc"));
+    CHECK(std::abs(m.sq / std::sqrt(attribute("acf.nc", "acf_variance")) - 1) <= 0.2);
+    CHECK(std::abs(m.ssk - attribute("twin.nc", "generate_skewness_expected")) <= 0.5);
+  }
+}
+
+TEST_CASE("heights in a text file are a distribution, and what is none is refused", "[heights][contract]") {
+  const std::string draw = "asperity-generate" + grid + common;
+  require("seq 1 500 | awk 'BEGIN { print \"# um\" } { print log($1 / 500.5) }' > depths.txt");
+  require(draw + " --marginal depths.txt -o s.nc");
+  CHECK(std::abs(attribute("s.nc", "generate_skewness_expected") + 2) <= 0.3);  // an exponential of valleys
+  CHECK(read_dataset("s.nc").attributes.text("kernel_heights") == "measured");
+  require("asperity-generate --kernel s.nc --no-history -o again.nc --seed " +
+          std::to_string(static_cast<long>(attribute("s.nc", "generate_seed"))));
+  CHECK((heights("s.nc") == heights("again.nc")).all());
+  shell("seq 1 50 > few.txt; echo 1 2 three > words.txt; yes 3 | head -300 > same.txt");
+  refused(draw + " --marginal few.txt", 4, {"marginal", "50"});
+  refused(draw + " --marginal words.txt", 4, {"marginal", "line 1"});
+  refused(draw + " --marginal same.txt", 4, {"marginal", "the same"});
+  refused(draw + " --marginal nowhere.txt", 1, {"nowhere.txt"});
+  refused(draw + " --marginal measured", 2, {"--marginal", "--quantiles"});
+  refused(draw + " --marginal johnson", 2, {"--marginal", "--skewness"});
+  refused(draw + " --marginal gaussian --kurtosis 4", 2, {"--kurtosis", "gaussian"});
+  refused(draw + " --marginal depths.txt --method filter", 2, {"--marginal", "filter"});
+}

@@ -1,0 +1,49 @@
+/// The distribution of heights in a dataset.
+///
+/// Of a kernel whose heights are not Gaussian:
+///     kernel_heights                       S_L, S_U, S_B or measured
+///     kernel_skewness, kernel_kurtosis     of the heights
+///     kernel_gamma, kernel_delta           Johnson's parameters, where it is one of his
+///     kernel_quantiles(normal_score)       the heights of mean 0 and variance 1 at evenly spaced normal scores up to
+///                                          its attribute highest_score, where it is measured
+/// The kernel is then that of the Gaussian field below the heights, of unit variance; acf_target and acf_achieved are
+/// those of the heights.
+///
+/// Of a surface, by asperity-acf: the attributes acf_skewness and acf_kurtosis, and acf_quantiles(normal_score).
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "dataset/dataset.hpp"
+#include "marginal/measured.hpp"
+#include "marginal/translation.hpp"
+
+namespace asperity::cli {
+
+struct Marginal {
+  Translation translation;
+  double skewness, kurtosis;
+  std::optional<MeasuredHeights> measured = {};
+
+  static Marginal of(Translation translation);
+  static Marginal of(MeasuredHeights measured);
+};
+
+/// Writes that of a kernel.
+void set_marginal(Dataset& data, const Marginal& marginal);
+/// That of a kernel; none where its heights are Gaussian. Throws DataError("kernel_heights") or ("kernel_quantiles").
+std::optional<Marginal> marginal_of(const Dataset& data);
+
+/// What asperity-acf found of the heights beside their autocorrelation; NAN and none where it did not.
+struct HeightsWithAcf {
+  double skewness = NAN, kurtosis = NAN;
+  std::optional<MeasuredHeights> measured = {};
+};
+HeightsWithAcf measured_with_acf(const Dataset& data);
+
+/// A quantile table as a variable.
+void set_quantiles(Dataset& data, const std::string& name, const MeasuredHeights& measured);
+
+}  // namespace asperity::cli

@@ -1,0 +1,32 @@
+/// The options that say which heights a surface shall have.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/tool.hpp"
+#include "marginal/prescribed.hpp"
+#include "marginal_dataset.hpp"
+
+namespace asperity::cli {
+
+struct MarginalOptions {
+  std::string marginal = "gaussian";
+  double skewness = 0, kurtosis = 3;
+
+  void declare(Tool& tool);
+  /// The first of them that was given, or nothing.
+  static std::string given(const Tool& tool);
+
+  /// The moments asked for; none for Gaussian heights. Throws UsageError where a measured distribution is meant.
+  std::optional<PrescribedHeights> moments(const Tool& tool, const HeightsWithAcf& table,
+                                           Infeasible answer) const;
+  /// Of the heights; none where they are Gaussian. `table` is what came with the autocorrelation, `answer` what is
+  /// done about a kurtosis that there is not.
+  std::optional<Marginal> wanted(const Tool& tool, const HeightsWithAcf& table, Infeasible answer) const;
+
+ private:
+  bool chosen_by_moments(const Tool& tool) const;
+};
+
+}  // namespace asperity::cli
