@@ -28,6 +28,12 @@ Interval of_scale(double value, double degrees, double tail) {
 
 Interval about(double value, double half_width) { return {value - half_width, value + half_width}; }
 
+double tail_of(double level) {
+  if (!(level > 0 && level < 1))
+    throw ParameterError("confidence", "value " + std::to_string(level) + " is not between 0 and 1");
+  return (1 - level) / 2;
+}
+
 // n of independent heights; NaN, if the formula has no positive value.
 double skewness_error(double n) { return std::isinf(n) ? 0 : std::sqrt(6 * (n - 2) / ((n + 1) * (n + 3))); }
 double kurtosis_error(double n) {
@@ -38,17 +44,23 @@ double kurtosis_error(double n) {
 }  // namespace
 
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
-  if (!(level > 0 && level < 1))
-    throw ParameterError("confidence", "value " + std::to_string(level) + " is not between 0 and 1");
-  const double tail = (1 - level) / 2, u = gsl_cdf_ugaussian_Qinv(tail), patches = size.effective(2);
+  const double u = gsl_cdf_ugaussian_Qinv(tail_of(level));
+  MomentIntervals out = confidence_intervals(moments, standard_errors(moments, size), size, level);
+  out.ssk = about(moments.ssk, u * skewness_error(size.effective(3)));
+  out.sku = about(moments.sku + 6 / size.effective(2), u * kurtosis_error(size.effective(4)));
+  return out;
+}
+
+MomentIntervals confidence_intervals(const Moments& moments, const MomentErrors& error,
+                                     const EffectiveSize& size, double level) {
+  const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail), patches = size.effective(2);
   const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
-  const MomentErrors error = standard_errors(moments, size);
   const double t = patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, size.degrees())) : NAN;
   return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
           .sa = of_scale(moments.sa / left, 0.5 * std::pow(moments.sa / error.sa, 2), tail),
-          .sq = of_scale(moments.sq / left, patches, tail),
-          .ssk = about(moments.ssk, u * skewness_error(size.effective(3))),
-          .sku = about(moments.sku + 6 / patches, u * kurtosis_error(size.effective(4)))};
+          .sq = of_scale(moments.sq / left, 0.5 * std::pow(moments.sq / error.sq, 2), tail),
+          .ssk = about(moments.ssk, u * error.ssk),
+          .sku = about(moments.sku, u * error.sku)};
 }
 
 }  // namespace asperity

@@ -11,8 +11,11 @@
 /// where t, χ² and u are quantiles of Student's, the chi-squared and the normal distribution. (4) and (5) have the
 /// variances that hold for n independent heights; 3 - 6/ν_2 is what Sku is on average.
 ///
+/// Of heights that are not Gaussian the standard errors are given (stats/translation_error.hpp): Sq and Sa as in (2) with
+/// ν = ½ (Sq/SE[Sq])², Ssk and Sku ± u SE, (1) with its own.
+///
 /// Symbols   N  points      S_k  sums over the correlation
-/// Scope     Gaussian heights; (1) holds for any. Exact for independent ones, but for the normal quantile in (4), (5).
+/// Scope     Gaussian heights, but for the last. Exact for independent ones, but for the normal quantile in (4), (5).
 /// Accuracy  95 % intervals cover 93.2–97.2 % from N/S_2 = 150 on, with a known correlation or an estimated one; with
 ///           an estimate at 125 and an exponential correlation 91.7 (mean) to 97.5 % (Sku), at 41 and a triangular one
 ///           93.2 to 97.5 % (2000 fields a row, validation/statistics_coverage).
@@ -38,5 +41,8 @@ struct MomentIntervals {
 
 /// At a level between 0 and 1; throws ParameterError("confidence", …) outside.
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level = 0.95);
+/// Of heights with these errors, whatever their distribution.
+MomentIntervals confidence_intervals(const Moments& moments, const MomentErrors& errors,
+                                     const EffectiveSize& size, double level = 0.95);
 
 }  // namespace asperity

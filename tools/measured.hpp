@@ -14,6 +14,7 @@
 #include "cli/tool.hpp"
 #include "dataset/layout.hpp"
 #include "grid/error.hpp"
+#include "marginal_dataset.hpp"
 #include "stats/acf.hpp"
 #include "stats/effective_size.hpp"
 #include "stats/form.hpp"
@@ -58,6 +59,8 @@ struct Measured {
   std::string units = "1";              ///< SI
   std::optional<LagField> target = {};  ///< the correlation asked for, normalised
   std::optional<LagField> drawn = {};   ///< the one that errors rest on, normalised; none: estimate it
+  std::optional<Translation> distribution =
+      {};  ///< that the heights were drawn with, where it is not Gaussian
 
   /// As `units` to a power, in UDUNITS' notation: "m2", "Pa-1", and "1" for pure numbers.
   std::string units_to(int power) const { return units == "1" ? units : units + std::to_string(power); }
@@ -110,6 +113,7 @@ inline Measured without_heights(const Dataset& data, const MeasuredOptions& opti
   if (heights && as_drawn && options.correlation != "estimate") {
     out.drawn = carried_correlation(data, "acf_achieved", out.grid);
     if (!out.drawn) out.drawn = out.target;
+    if (const auto marginal = marginal_of(data)) out.distribution = marginal->translation;
   }
   if (options.correlation == "drawn" && !out.drawn)
     throw DataError(options.variable,

@@ -194,11 +194,27 @@ bool StatsOptions::asks_for(const std::string& group) const {
 
 // ---- groups ----
 
+// Of Gaussian heights, or of those that the field was drawn with or evidently has.
+struct MomentAccuracy {
+  MomentErrors error;
+  MomentIntervals interval;
+
+  explicit MomentAccuracy(Sample& sample)
+      : error(standard_errors(sample.moments(), sample.size())),
+        interval(confidence_intervals(sample.moments(), sample.size())) {
+    std::optional<Translation> heights = sample.measured().distribution;
+    if (!heights) heights = evident_translation(sample.moments(), error);
+    if (!heights) return;
+    const CorrelationMap map(*heights);
+    error = standard_errors(sample.moments(), *heights, sample.size_below(map));
+    interval = confidence_intervals(sample.moments(), error, sample.size());
+  }
+};
+
 Rows height_rows(Sample& sample) {
   const Moments& m = sample.moments();
   const EffectiveSize& size = sample.size();
-  const MomentErrors error = standard_errors(m, size);
-  const MomentIntervals interval = confidence_intervals(m, size);
+  const auto [error, interval] = MomentAccuracy(sample);
   const double level = sample.measured().level;
   const std::string& unit = sample.units();
   Rows out{

@@ -58,6 +58,11 @@ const EffectiveSize& WholeSample::size() {
   return *size_;
 }
 
+EffectiveSize WholeSample::size_below(const CorrelationMap& map) {
+  return measured().drawn ? EffectiveSize(underlying_correlation(*measured().drawn, map), pairs())
+                          : EffectiveSize::of_estimate(underlying_correlation(acf(), map), pairs());
+}
+
 DerivativeErrors WholeSample::derivative_errors() {
   const DifferencePairs differences(pairs(), heights(), threads_);
   return measured().drawn ? asperity::derivative_errors(*measured().drawn, differences)
@@ -147,6 +152,11 @@ void StripSample::find_correlation() {
   if (!measured().drawn) acf_ = correlation_->estimate();
   size_ = acf_ ? EffectiveSize::of_estimate(*acf_, *pairs_) : EffectiveSize(*measured().drawn, *pairs_);
   reaches_beyond_ = correlation_ && correlation_->reaches_beyond(known_correlation());
+}
+
+EffectiveSize StripSample::size_below(const CorrelationMap& map) {
+  return acf_ ? EffectiveSize::of_estimate(underlying_correlation(*acf_, map), *pairs_)
+              : EffectiveSize(underlying_correlation(*measured().drawn, map), *pairs_);
 }
 
 LagField StripSample::known_correlation() const {

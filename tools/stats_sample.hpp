@@ -18,6 +18,7 @@
 #include "stats/spectral_moments.hpp"
 #include "stats/strip_acf.hpp"
 #include "stats/summits.hpp"
+#include "stats/translation_error.hpp"
 
 namespace asperity::cli {
 
@@ -36,6 +37,8 @@ class Sample {
   virtual const Moments& moments() = 0;
   virtual const Pairs& pairs() = 0;
   virtual const EffectiveSize& size() = 0;
+  /// Of the Gaussian field below heights of this map.
+  virtual EffectiveSize size_below(const CorrelationMap& map) = 0;
   virtual DerivativeErrors derivative_errors() = 0;
   virtual SlopeParameters slopes() = 0;
   virtual SpectralMoments spectral_moments() = 0;
@@ -64,6 +67,7 @@ class WholeSample : public Sample {
   const Moments& moments() override { return moments_; }
   const Pairs& pairs() override;
   const EffectiveSize& size() override;
+  EffectiveSize size_below(const CorrelationMap& map) override;
   DerivativeErrors derivative_errors() override;
   SlopeParameters slopes() override { return slope_parameters(heights(), grid(), threads_); }
   SpectralMoments spectral_moments() override {
@@ -104,6 +108,7 @@ class StripSample : public Sample {
   const Moments& moments() override { return moments_; }
   const Pairs& pairs() override { return *pairs_; }
   const EffectiveSize& size() override { return *size_; }
+  EffectiveSize size_below(const CorrelationMap& map) override;
   DerivativeErrors derivative_errors() override;
   SlopeParameters slopes() override { return slope_sums_.parameters(grid()); }
   SpectralMoments spectral_moments() override { return spectral_sums_.moments(grid()); }
