@@ -88,6 +88,7 @@ void print_row(const Named& named, const PrescribedHeights& heights, const Kerne
   const double fit = watch.seconds();
   KernelRequest request;
   request.target = named.target.target();
+  request.infeasible = Infeasible::nearest;
   const Kernel kernel = predistortion.solve(request);
   const Field naive = gaussian.acf_achieved.unaryExpr([&](double r) { return predistortion.map()(r); });
   const double surface = surface_seconds(kernel, g.apply);

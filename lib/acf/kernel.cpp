@@ -109,6 +109,16 @@ Kernel solve_table(const KernelRequest& request) {
   }
 }
 
+// More lags give no kernel to a target that belongs to no surface: the nearest one is sought where that target has fallen
+// to the tolerance.
+Kernel solve_at_fallen(const KernelRequest& request) {
+  const Shape lags = request.target.reach(std::min(request.acf_tolerance, 0.5));
+  refuse_too_many(request, lags);
+  Search search(request, lags);
+  search.run();
+  return search.finish();
+}
+
 // More and more lags until the error over all of them is small enough. What can be had is answered by the
 // last of them.
 Kernel solve_at_open_lags(const KernelRequest& request) {
@@ -117,6 +127,7 @@ Kernel solve_at_open_lags(const KernelRequest& request) {
   for (int trial = 1;; ++trial, lags = more(lags)) {
     refuse_too_many(request, lags);
     Search search(request, lags);
+    if (search.belongs_to_no_surface()) return solve_at_fallen(request);
     search.run();
     const bool enough = search.solved() && search.best().report.error <= request.acf_tolerance;
     const bool hopeful = search.formulation() != Formulation::patir &&

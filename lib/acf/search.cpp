@@ -16,7 +16,6 @@ namespace asperity {
 namespace {
 
 constexpr double hopeless_share = 0.1;  // of the spectrum, negative
-constexpr double round_off = 1e-10;     // of the windowed spectrum
 constexpr double negligible_change = 1e-6;
 // A spectrum this close to zero, of its maximum, is that of a smooth target: Newton's matrix is singular there, the
 // root of the spectrum on a wider torus nearly exact. Somewhat below zero the latter is worth trying at once.
@@ -105,8 +104,8 @@ bool Search::wide_enough() {
 }
 
 bool Search::recognised() const {
-  return zero_phase_ && (exceeds_variance_ || feasibility_.windowed < -round_off ||
-                         feasibility_.negative_share > hopeless_share);
+  return belongs_to_no_surface() ||
+         (zero_phase_ && (exceeds_variance_ || feasibility_.negative_share > hopeless_share));
 }
 
 // ---- candidates ----

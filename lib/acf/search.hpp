@@ -27,12 +27,15 @@ namespace asperity {
 class Search {
  public:
   static constexpr double largest_change = 1e-2;  ///< that the automatic answer makes [σ²]
+  static constexpr double round_off = 1e-10;      ///< of the windowed spectrum
 
   /// The request must live as long as the search.
   Search(const KernelRequest& request, Shape lags);
 
   /// The method asked for. Throws ParameterError("target") or DataError("acf") when the target is not finite.
   void run();
+  /// Whether the target's spectrum is negative, whatever the lags: under Fejér's window it is an average of the whole.
+  bool belongs_to_no_surface() const { return zero_phase_ && feasibility_.windowed < -round_off; }
   bool solved() const { return best_ && (best_->report.residual <= request_.tolerance || spectral()); }
   const Kernel& best() const { return *best_; }
   Formulation formulation() const { return formulation_; }

@@ -79,9 +79,11 @@ TEST_CASE(
              {0, 3}, {-0.5, 4}, {1, 6}, {-1.3, 6}, {0, 1.8}, {-2, 10}, {3, 15}, {-3, 16}, {0, 1.1}}) {
       CAPTURE(name_of(target.model), target.angle, pair.skewness, pair.kurtosis);
       const Translation g = johnson_translation(pair.skewness, pair.kurtosis);
-      const Kernel kernel = Predistortion(g).solve(request_for(target));
+      KernelRequest request = request_for(target);
+      request.infeasible = Infeasible::nearest;
+      const Kernel kernel = Predistortion(g).solve(request);
       REQUIRE(kernel.report.converged);
-      CHECK(kernel.report.error <= 1e-2);
+      CHECK(kernel.report.error <= (target.model == Model::gaussian ? 0.15 : 1e-3));
       CHECK(std::abs(kernel.acf_target(3, 2 - kernel.first_q()) - target.target()(3, 2)) <= 1e-15);
       const Ensemble figures = drawn(kernel, g);
       const Eigen::ArrayXd error = figures.standard_error(),
