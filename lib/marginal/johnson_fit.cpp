@@ -41,7 +41,7 @@ Johnson plain(Family family, double gamma, double delta) {
   return {family, family == Family::unbounded ? 0 - gamma : gamma, delta, 1, 1, 0};
 }
 
-MarginalMoments moments_of(const Johnson& j) {
+HeightMoments moments_of(const Johnson& j) {
   if (j.family == Family::bounded) return johnson_moments(j);
   if (j.family == Family::unbounded) return unbounded_moments(j.gamma, j.delta);
   return lognormal_moments(1 / (j.delta * j.delta));
@@ -92,7 +92,7 @@ Johnson of_positive_skewness(double skewness, double kurtosis) {
 // Mean 0 and variance 1 by slope and offset.
 Johnson standardised(Johnson j) {
   if (j.family == Family::normal) return j;
-  const MarginalMoments m = moments_of(j);
+  const HeightMoments m = moments_of(j);
   j.slope = 1 / std::sqrt(m.variance);
   j.offset = m.mean * j.slope;
   return j;

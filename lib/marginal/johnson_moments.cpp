@@ -33,7 +33,7 @@ double expectation(const Nodes& weight, const Nodes& values) { return (weight * 
 
 }  // namespace
 
-MarginalMoments johnson_moments(const Johnson& j) {
+HeightMoments johnson_moments(const Johnson& j) {
   static const Substitution s;
   const bool steep = j.family == Johnson::Family::bounded && j.delta < 1;
   const double centre = steep ? std::clamp(j.gamma, -farthest_centre, farthest_centre) : 0;
@@ -53,7 +53,7 @@ MarginalMoments johnson_moments(const Johnson& j) {
           expectation(weight, d2.square()) / (variance * variance)};
 }
 
-MarginalMoments unbounded_moments(double gamma, double delta) {
+HeightMoments unbounded_moments(double gamma, double delta) {
   const double W = std::expm1(1 / (delta * delta)), w = 1 + W;
   const double d = std::exp(-2 * std::abs(gamma) / delta), less = -std::expm1(-2 * std::abs(gamma) / delta);
   const double V = w * (1 + d * d) + 2 * d;
@@ -64,7 +64,7 @@ MarginalMoments unbounded_moments(double gamma, double delta) {
           3 + W * excess / (V * V)};
 }
 
-MarginalMoments lognormal_moments(double v) {
+HeightMoments lognormal_moments(double v) {
   const double W = std::expm1(v), w = 1 + W;
   return {std::expm1(v / 2), w * W, std::sqrt(W) * (w + 2), 3 + W * (((w + 3) * w + 6) * w + 6)};
 }

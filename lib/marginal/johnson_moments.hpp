@@ -15,20 +15,17 @@
 /// 385-458.
 #pragma once
 
+#include "marginal/height_moments.hpp"
 #include "marginal/johnson.hpp"
 
 namespace asperity {
 
-struct MarginalMoments {
-  double mean = 0, variance = 1, skewness = 0, kurtosis = 3;
-};
-
 /// Of z = g(y), by (1) for every family.
-MarginalMoments johnson_moments(const Johnson& johnson);
+HeightMoments johnson_moments(const Johnson& johnson);
 
 /// Of S_U with a = 1, b = 0 and the upper sign, by the closed forms.
-MarginalMoments unbounded_moments(double gamma, double delta);
+HeightMoments unbounded_moments(double gamma, double delta);
 /// Of S_L so, at 1/δ² = v.
-MarginalMoments lognormal_moments(double v);
+HeightMoments lognormal_moments(double v);
 
 }  // namespace asperity

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "grid/pointwise.hpp"
+#include "marginal/height_moments.hpp"
 
 namespace asperity {
 
@@ -40,9 +41,6 @@ struct NormalQuadrature {
   Eigen::ArrayXd heights(const Translation& g) const;
 };
 
-struct HeightMoments {
-  double mean, variance, skewness, kurtosis;
-};
 /// Of g(y), by quadrature.
 HeightMoments height_moments(const Translation& g);
 

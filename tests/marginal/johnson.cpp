@@ -17,7 +17,7 @@ namespace {
 // The trapezoidal rule in y itself. With a spacing of a quarter of δ or of 1 its error is below exp(-8π²):
 // the poles of S_B lie πδ from the real axis. φ is 1e-125 at the ends, and the fourth power of S_U at K = 1e4
 // below 1e70.
-MarginalMoments integrated(const Johnson& j) {
+HeightMoments integrated(const Johnson& j) {
   const double h = std::min(j.delta, 1.0) / 4;
   const Index points = static_cast<Index>(48 / h);
   Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(points, -24, 24), weight = (-y.square() / 2).exp();
@@ -62,7 +62,7 @@ TEST_CASE("Any skewness and kurtosis of the plane is that of the heights to 1e-1
           "[johnson][law]") {
   for (const Pair& p : plane()) {
     const Johnson j = johnson_with(p.skewness, p.kurtosis);
-    const MarginalMoments m = integrated(j);
+    const HeightMoments m = integrated(j);
     CAPTURE(p.skewness, p.kurtosis, name_of(j.family), j.gamma, j.delta);
     CHECK(std::abs(m.mean) <= 1e-12);
     CHECK(std::abs(m.variance - 1) <= 1e-12);
@@ -75,7 +75,7 @@ TEST_CASE("Any skewness and kurtosis of the plane is that of the heights to 1e-1
 TEST_CASE("The moments of a Johnson distribution are its integrals", "[johnson][law]") {
   for (const Pair& p : plane()) {
     const Johnson j = johnson_with(p.skewness, p.kurtosis);
-    const MarginalMoments m = johnson_moments(j), exact = integrated(j);
+    const HeightMoments m = johnson_moments(j), exact = integrated(j);
     CAPTURE(p.skewness, p.kurtosis, name_of(j.family), j.gamma, j.delta);
     CHECK(std::abs(m.mean - exact.mean) <= 1e-13);
     CHECK(std::abs(m.variance - exact.variance) <= 1e-12);
@@ -132,7 +132,7 @@ TEST_CASE("S_B gives back the parameters of which the moments were taken", "[joh
   for (const double delta : {0.02, 0.1, 0.5, 1.0, 2.5})
     for (const double gamma : {-2.5, -1.0, 0.0, 0.1, 1.7, 3.0}) {
       const Johnson given{Family::bounded, gamma, delta, gamma < 0 ? -1.0 : 1.0};
-      const MarginalMoments m = integrated(given);
+      const HeightMoments m = integrated(given);
       const Johnson found = johnson_with(m.skewness, m.kurtosis);
       CAPTURE(delta, gamma, m.skewness, m.kurtosis);
       REQUIRE(found.family == Family::bounded);

@@ -46,16 +46,19 @@ TEST_CASE("the target below lognormal heights of correlation r is log(1 + (w-1) 
   CHECK(rho(0, 0) == 1);
 }
 
-TEST_CASE("the reach of a predistorted target holds all lags above its bound and no lag more",
+// r is known to be positive to the caller alone: below the bound lies what is between R_z(-t) and R_z(t).
+TEST_CASE("the reach of a predistorted target holds all lags above its bound, either sign, and no lag more",
           "[predistortion][law]") {
   const Target r = EllipticTarget{.length_x = 7, .length_y = 5}.target();
-  const Target rho = Predistortion(Lognormal{0.8}.translation()).target(r);
+  const Predistortion predistortion(Lognormal{0.8}.translation());
+  const Target rho = predistortion.target(r);
   for (double bound : {0.3, 1e-2, 1e-4}) {
     const auto [n, m] = rho.reach(bound);
     CHECK(rho(static_cast<double>(n), 0) <= bound);
     CHECK(rho(0, static_cast<double>(m)) <= bound);
-    CHECK(rho(static_cast<double>(n - 1), 0) > bound);
-    CHECK(rho(0, static_cast<double>(m - 1)) > bound);
+    const double below = -predistortion.map()(-bound);
+    CHECK(r(static_cast<double>(n - 1), 0) > below);
+    CHECK(r(0, static_cast<double>(m - 1)) > below);
   }
 }
 
