@@ -176,7 +176,9 @@ Distribution filtered(const cli::Tool& tool, const Options& o, Dataset& data, co
   const auto prescribed = o.acf.heights.moments(tool, o.measured, infeasible_named(o.acf.infeasible));
   if (!prescribed) throw cli::UsageError("method", "filter: takes --skewness and --kurtosis");
   const Translation noise = prescribed->noise(kernel);
-  expect(data, "filter", KernelCumulants::of(kernel).heights(height_moments(noise)));
+  const HeightMoments moments = KernelCumulants::of(kernel).heights(height_moments(noise));
+  cli::tell_kurtosis(tool, *prescribed, moments.kurtosis);
+  expect(data, "filter", moments);
   return {noise.family == "normal" ? Pointwise{} : noise.apply, {}};
 }
 

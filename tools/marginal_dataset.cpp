@@ -61,7 +61,8 @@ std::optional<Marginal> marginal_of(const Dataset& data) {
   const double skewness = data.attributes.number("kernel_skewness", NAN),
                kurtosis = data.attributes.number("kernel_kurtosis", NAN);
   try {
-    return Marginal{johnson_translation(skewness, kurtosis), skewness, kurtosis};
+    // Moments that were written may lie a round-off below the least there are.
+    return Marginal{PrescribedHeights{skewness, kurtosis}.translation(), skewness, kurtosis};
   } catch (const ParameterError& error) {
     throw DataError("kernel_heights", error.name + " " + error.what());
   }

@@ -1,5 +1,6 @@
 #include "marginal_options.hpp"
 
+#include "acf/wording.hpp"
 #include "cli/stream.hpp"
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
@@ -69,7 +70,9 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
     if (!prescribed) return std::nullopt;
     Translation translation = prescribed->translation();
     if (translation.family == "normal") return std::nullopt;
-    return Marginal::of(std::move(translation));
+    Marginal out = Marginal::of(std::move(translation));
+    tell_kurtosis(tool, *prescribed, out.kurtosis);
+    return out;
   }
   if (marginal == "measured") {
     if (!table.measured) throw UsageError("marginal", "measured: takes --acf from asperity-acf --quantiles");
@@ -78,6 +81,12 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
   if (marginal == "-" && stdin_is_terminal())
     throw UsageError("marginal", "no input: pipe heights in or name a file");
   return Marginal::of(MeasuredHeights::of(heights_in(marginal)));
+}
+
+void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {
+  if (std::abs(kurtosis - prescribed.kurtosis) > 1e-6 * kurtosis)
+    tool.warn("no heights of skewness " + shortest(prescribed.skewness) + " have the kurtosis " +
+              shortest(prescribed.kurtosis) + " in this way; " + number(kurtosis) + " takes its place");
 }
 
 }  // namespace asperity::cli

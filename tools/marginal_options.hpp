@@ -29,4 +29,7 @@ struct MarginalOptions {
   bool chosen_by_moments(const Tool& tool) const;
 };
 
+/// Warns of heights whose kurtosis is another than the one prescribed.
+void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis);
+
 }  // namespace asperity::cli
