@@ -41,26 +41,38 @@ double kurtosis_error(double n) {
   return n > 3 ? std::sqrt(24 * n * (n - 2) * (n - 3) / ((n + 1) * (n + 1) * (n + 3) * (n + 5))) : NAN;
 }
 
+// (1) to (3), of any errors.
+MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& error,
+                                   const EffectiveSize& size, double tail) {
+  const double patches = size.effective(2);
+  const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
+  const double t = patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, size.degrees())) : NAN;
+  auto degrees = [](double value, double error_of_it) { return 0.5 * std::pow(value / error_of_it, 2); };
+  return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
+          .sa = of_scale(moments.sa / left, degrees(moments.sa, error.sa), tail),
+          .sq = of_scale(moments.sq / left, degrees(moments.sq, error.sq), tail),
+          .ssk = {},
+          .sku = {}};
+}
+
 }  // namespace
 
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
-  const double u = gsl_cdf_ugaussian_Qinv(tail_of(level));
-  MomentIntervals out = confidence_intervals(moments, standard_errors(moments, size), size, level);
+  const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
+  MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
   out.ssk = about(moments.ssk, u * skewness_error(size.effective(3)));
   out.sku = about(moments.sku + 6 / size.effective(2), u * kurtosis_error(size.effective(4)));
   return out;
 }
 
-MomentIntervals confidence_intervals(const Moments& moments, const MomentErrors& error,
+MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
                                      const EffectiveSize& size, double level) {
-  const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail), patches = size.effective(2);
-  const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
-  const double t = patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, size.degrees())) : NAN;
-  return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
-          .sa = of_scale(moments.sa / left, 0.5 * std::pow(moments.sa / error.sa, 2), tail),
-          .sq = of_scale(moments.sq / left, 0.5 * std::pow(moments.sq / error.sq, 2), tail),
-          .ssk = about(moments.ssk, u * error.ssk),
-          .sku = about(moments.sku, u * error.sku)};
+  const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
+  const MomentErrors error = errors.standard_errors(moments.sq);
+  MomentIntervals out = intervals_of_scale(moments, error, size, tail);
+  out.ssk = about(moments.ssk - errors.ssk_bias(), u * error.ssk);
+  out.sku = about(moments.sku - errors.sku_bias(), u * error.sku);
+  return out;
 }
 
 }  // namespace asperity

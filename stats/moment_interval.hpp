@@ -11,8 +11,8 @@
 /// where t, χ² and u are quantiles of Student's, the chi-squared and the normal distribution. (4) and (5) have the
 /// variances that hold for n independent heights; 3 - 6/ν_2 is what Sku is on average.
 ///
-/// Of heights that are not Gaussian the standard errors are given (stats/translation_error.hpp): Sq and Sa as in (2) with
-/// ν = ½ (Sq/SE[Sq])², Ssk and Sku ± u SE, (1) with its own.
+/// Of heights that are not Gaussian, with the errors of stats/translation_error.hpp: Sq and Sa as in (2) with
+/// ν = ½ (Sq/SE[Sq])², Ssk and Sku less their bias ± u SE, (1) with its own error.
 ///
 /// Symbols   N  points      S_k  sums over the correlation
 /// Scope     Gaussian heights, but for the last. Exact for independent ones, but for the normal quantile in (4), (5).
@@ -27,6 +27,7 @@
 
 #include "stats/effective_size.hpp"
 #include "stats/moments.hpp"
+#include "stats/translation_error.hpp"
 
 namespace asperity {
 
@@ -41,8 +42,8 @@ struct MomentIntervals {
 
 /// At a level between 0 and 1; throws ParameterError("confidence", …) outside.
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level = 0.95);
-/// Of heights with these errors, whatever their distribution.
-MomentIntervals confidence_intervals(const Moments& moments, const MomentErrors& errors,
+/// Of heights that are not Gaussian.
+MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
                                      const EffectiveSize& size, double level = 0.95);
 
 }  // namespace asperity

@@ -6,11 +6,13 @@
 #include <gsl/gsl_cdf.h>
 
 #include "grid/error.hpp"
+#include "marginal/prescribed.hpp"
 #include "stats/acf.hpp"
 #include "stats/acf_error.hpp"
 #include "stats/correlation_powers.hpp"
 #include "stats/effective_size.hpp"
 #include "stats/moments.hpp"
+#include "stats/translation_error.hpp"
 
 namespace asperity {
 namespace {
@@ -75,6 +77,11 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   const LagField& rho = prescription_.correlation;
   const CorrelationPowers powers(rho, grid), of_square(LagField(rho.half_plane().square()), grid);
   choose_lags(powers);
+  if (prescription_.ssk != 0 || prescription_.sku != 3) {
+    const PrescribedHeights heights{prescription_.ssk, prescription_.sku, Infeasible::nearest};
+    const Translation g = heights.translation();
+    translated_ = Translated{g, underlying_correlation(rho, CorrelationMap(g))};
+  }
   complete_ = theory_of(grid);
   total_.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()));
   const double cells = static_cast<double>(grid.shape.cells());
@@ -84,6 +91,8 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
 
 void PrescriptionTest::Theory::operator+=(const Theory& other) {
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += other.sums[k];
+  ssk_bias += other.ssk_bias;
+  sku_bias += other.sku_bias;
   lag_variances += other.lag_variances;
 }
 
@@ -94,6 +103,12 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
   for (std::size_t k = 1; k <= 4; ++k) out.sums[k] = size.sum(static_cast<int>(k)) / size.points();
   if (!(out.sums[1] < 0.5))
     throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
+  out.sku_bias = -6 * out.sums[2];
+  if (translated_) {
+    const TranslationErrors errors(translated_->heights, EffectiveSize(translated_->below, pairs));
+    out.ssk_bias = errors.ssk_bias();
+    out.sku_bias = errors.sku_bias();
+  }
   const AcfError errors(rho, pairs);
   for (Index i = 0; const Lag& lag : lags_) {
     if (pairs.density(lag.p, lag.q) > least_density)
@@ -203,10 +218,9 @@ std::vector<Claim> PrescriptionTest::claims() const {
   std::vector<Claim> out;
   if (std::isfinite(prescription_.sq)) out.push_back(height_claim());
   const Eigen::ArrayXd mean = ensemble_.mean();
-  const double bias = 6 * mean_sum(2);
-  out.push_back(claim("Ssk", 1, prescription_.ssk, mean(1), std::sqrt(6 * mean_sum(3)), 0));
-  out.push_back(
-      claim("Sku", 2, prescription_.sku, mean(2) + bias, std::sqrt(24 * mean_sum(4)), sku_skewness_));
+  const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
+  out.push_back(claim("Ssk", 1, prescription_.ssk, ssk, std::sqrt(6 * mean_sum(3)), 0));
+  out.push_back(claim("Sku", 2, prescription_.sku, sku, std::sqrt(24 * mean_sum(4)), sku_skewness_));
   if (!lags_.empty()) out.push_back(correlation_claim());
   return out;
 }

@@ -20,7 +20,8 @@
 ///
 /// For surfaces that are not meant to be Gaussian the theory has no errors; then they come from the ensemble's own
 /// spread, by Student's t of M - 1 degrees, and of the lags together by Šidák's bound alone: t values of the same means
-/// stray from one another by their spreads. The bias of Sku is still that of Gaussian surfaces.
+/// stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation, Johnson's of the two
+/// that are prescribed (stats/translation_error.hpp).
 ///
 /// Points that are missing, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs
 /// that a surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; the
@@ -40,10 +41,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "grid/field.hpp"
+#include "marginal/translation.hpp"
 #include "stats/correlation_powers.hpp"
 #include "stats/ensemble.hpp"
 #include "stats/gaussian_maximum.hpp"
@@ -101,6 +104,7 @@ class PrescriptionTest {
   /// Of surfaces, one or the sum over many.
   struct Theory {
     std::array<double, 5> sums{};  ///< S_k/N
+    double ssk_bias = 0, sku_bias = 0;
     Eigen::ArrayXd lag_variances;  ///< of e per σ⁴; 0 where a surface has too few pairs
 
     void operator+=(const Theory& other);
@@ -110,6 +114,12 @@ class PrescriptionTest {
   double mean_sum(std::size_t k) const { return total_.sums[k] / surfaces_; }
 
   Prescription prescription_;
+  /// Of heights that are not Gaussian: Johnson's translation, and the correlation of the field below it.
+  struct Translated {
+    Translation heights;
+    LagField below;
+  };
+  std::optional<Translated> translated_;
   Grid grid_;
   Theory complete_, total_;                          ///< of a surface that misses nothing; over all added
   double variance_skewness_ = 0, sku_skewness_ = 0;  ///< of one surface's

@@ -9,15 +9,8 @@
 namespace asperity {
 namespace {
 
-// The square root of (2) for each column of f, values at the nodes of the law.
-Eigen::ArrayXd errors_of(const NormalQuadrature& law, const Eigen::ArrayXXd& f, const EffectiveSize& size) {
-  Eigen::ArrayXd variance = Eigen::ArrayXd::Zero(f.cols());
-  HermiteFunction h(law.nodes, law.weights);
-  h.next();
-  for (int k = 1; k <= EffectiveSize::powers; ++k)
-    variance += (f.matrix().transpose() * h.next().matrix()).array().square() * (size.sum(k) / size.points());
-  return variance.sqrt();
-}
+// The orders of S_k need nodes this close.
+constexpr double widest_step = 0.085;
 
 }  // namespace
 
@@ -33,24 +26,42 @@ std::optional<Translation> evident_translation(const Moments& moments, const Mom
   return johnson_translation(skewness, std::clamp(moments.sku, least_kurtosis(skewness), largest_kurtosis));
 }
 
-MomentErrors standard_errors(const Moments& moments, const Translation& g, const EffectiveSize& size) {
-  // Orders up to 512 need nodes 2/√512 apart.
-  const NormalQuadrature law(std::min(NormalQuadrature::step_for(g), 0.085));
+TranslationErrors::TranslationErrors(const Translation& g, const EffectiveSize& size)
+    : covariance_(decltype(covariance_)::Zero()) {
+  const NormalQuadrature law(std::min(NormalQuadrature::step_for(g), widest_step));
+  const Eigen::ArrayXd z = law.heights(g), square = z.square();
   const HeightMoments shape = height_moments(g);
-  const Eigen::ArrayXd z = law.heights(g), square = z.square() - 1;
-  const double s = shape.skewness, k = shape.kurtosis;
-  Eigen::ArrayXXd f(z.size(), 5);
-  f.col(0) = z;
-  f.col(1) = z.abs() - z * (law.weights * z.sign()).sum();
-  f.col(2) = square / 2;
-  f.col(3) = z.cube() - 3 * z - 1.5 * s * square;
-  f.col(4) = z.square().square() - 4 * s * z - 2 * k * square;
-  const Eigen::ArrayXd error = errors_of(law, f, size);
-  return {.mean = moments.sq * error(0),
-          .sa = moments.sq * error(1),
-          .sq = moments.sq * error(2),
-          .ssk = error(3),
-          .sku = error(4)};
+  skewness_ = shape.skewness;
+  kurtosis_ = shape.kurtosis;
+  sign_ = (law.weights * z.sign()).sum();
+  Eigen::Matrix<double, Eigen::Dynamic, 5> f(z.size(), 5);
+  f << z, square, z * square, square.square(), z.abs();
+  HermiteFunction h(law.nodes, law.weights);
+  h.next();
+  for (int k = 1; k <= EffectiveSize::powers; ++k) {
+    const Means c = f.transpose() * h.next().matrix();
+    covariance_ += c * c.transpose() * (size.sum(k) / size.points());
+  }
+}
+
+MomentErrors TranslationErrors::standard_errors(double sq) const {
+  const double s = skewness_, k = kurtosis_;
+  return {.mean = sq * error({1, 0, 0, 0, 0}),
+          .sa = sq * error({-sign_, 0, 0, 0, 1}),
+          .sq = sq * error({0, 0.5, 0, 0, 0}),
+          .ssk = error({-3, -1.5 * s, 1, 0, 0}),
+          .sku = error({-4 * s, -2 * k, 0, 1, 0})};
+}
+
+double TranslationErrors::ssk_bias() const {
+  const auto& v = covariance_;
+  return 1.5 * (v(0, 1) - v(1, 2) + skewness_ * v(0, 0)) + 1.875 * skewness_ * v(1, 1);
+}
+
+double TranslationErrors::sku_bias() const {
+  const auto& v = covariance_;
+  return -4 * v(0, 2) + (6 + 2 * kurtosis_) * v(0, 0) + 3 * kurtosis_ * v(1, 1) - 2 * v(1, 3) +
+         8 * skewness_ * v(0, 1);
 }
 
 }  // namespace asperity

@@ -1,22 +1,26 @@
-/// Standard errors of the moments of heights that are not Gaussian.
+/// Sampling errors of the moments of heights that are not Gaussian.
 ///
 /// Of a translation z = m + σ g(y) of a Gaussian field y of correlation ρ, g of mean 0, variance 1, skewness s and
-/// kurtosis k, each moment is to first order in 1/N its own value and the mean over the field of
-///     mean   g                                     Sq     (g² - 1)/2                                      (1)
-///     Ssk    g³ - s - 3g - (3/2) s (g² - 1)        Sku    g⁴ - k - 4 s g - 2 k (g² - 1)
-///     Sa     |g| - E|g| - g E[sign g]
-/// in units of σ where it has one: the field's own mean and rms height are thereby allowed for. The variance of the mean
-/// of f(y) over N points is (1) of stats/effective_size.hpp,
-///     Var = 1/N Σ_{k≥1} E[f h_k]² S_k,    S_k the sums over ρᵏ,                                           (2)
-/// h_k the orthonormal Hermite polynomials. Of g = y these are the errors of a Gaussian field.
+/// kurtosis k, let a, b, c, d be the means over the field of g, g² - 1, g³ - s, g⁴ - k. To the second order
+///     mean   a,                   Sq   b/2                      in units of σ                              (1)
+///     Ssk    s + c - 3a - (3/2) s b    + (3/2)(ab - bc + s a²) + (15/8) s b²
+///     Sku    k + d - 4s a - 2k b       - 4ac + (6+2k) a² + 3k b² - 2bd + 8s ab
+///     Sa     mean |g| - a E[sign g]
+/// where the field's own mean and rms height are allowed for. The covariance of the means of f(y) and f'(y) over N
+/// points is that of stats/effective_size.hpp (1),
+///     Cov = 1/N Σ_{k≥1} E[f h_k] E[f' h_k] S_k,    S_k the sums over ρᵏ,                                   (2)
+/// h_k the orthonormal Hermite polynomials. The linear terms give the errors, the quadratic ones the bias. Of g = y these
+/// are the errors of a Gaussian field and its biases, 0 and -6 S_2/N.
 ///
 /// Scope     translations. g is known of a drawn surface; of a measured one it is Johnson's of its Ssk and Sku.
-/// Cost      some 0.1 ms.
+/// Cost      some ms.
 ///
 /// M. Grigoriu, J. Eng. Mech. 110 (1984) 610-620.
 #pragma once
 
 #include <optional>
+
+#include <Eigen/Core>
 
 #include "marginal/correlation_map.hpp"
 #include "marginal/translation.hpp"
@@ -32,7 +36,23 @@ LagField underlying_correlation(const LagField& heights, const CorrelationMap& m
 /// field's standard errors; none where they may be. Moments beyond what the system covers are taken at its bounds.
 std::optional<Translation> evident_translation(const Moments& moments, const MomentErrors& gaussian);
 
-/// (1), in the unit of the field; `size` holds the sums over the correlation of y.
-MomentErrors standard_errors(const Moments& moments, const Translation& g, const EffectiveSize& size);
+class TranslationErrors {
+ public:
+  /// `size` holds the sums over the correlation of y.
+  TranslationErrors(const Translation& g, const EffectiveSize& size);
+
+  /// In the unit of the field, whose rms height is sq.
+  MomentErrors standard_errors(double sq) const;
+  double ssk_bias() const;
+  double sku_bias() const;
+
+ private:
+  using Means = Eigen::Matrix<double, 5, 1>;  ///< weights of a, b, c, d and the mean of |g|
+
+  double error(const Means& weights) const { return std::sqrt(weights.dot(covariance_ * weights)); }
+
+  double skewness_, kurtosis_, sign_;  ///< s, k, E[sign g]
+  Eigen::Matrix<double, 5, 5> covariance_;
+};
 
 }  // namespace asperity

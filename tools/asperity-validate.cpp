@@ -17,8 +17,8 @@ constexpr int not_as_prescribed = 5;
 
 struct Options {
   cli::EnsembleInput surfaces;
-  std::string target, variable = "heights", errors = "theory";
-  double rq = NAN, skewness = 0, kurtosis = 3, significance = 0.01;
+  std::string target, variable = "heights", errors = "auto";
+  double rq = NAN, skewness = NAN, kurtosis = NAN, significance = 0.01;
 
   void declare(cli::Tool& tool) {
     const std::string asked = "Prescribed", answer = "Answer";
@@ -29,15 +29,16 @@ struct Options {
               "Autocorrelation, as asperity-kernel --acf reads it; absent: acf_target of the first surface",
               asked);
     tool.quantity("--rq", rq, "m", "Rms height; absent: that of the target, where it has one", asked);
-    tool.number("--skewness", skewness, "Skewness", asked);
-    tool.number("--kurtosis", kurtosis, "Kurtosis, 3 for a Gaussian", asked);
+    tool.number("--skewness", skewness,
+                "Skewness; absent: what the first surface was drawn to have, or a Gaussian's, 0", asked);
+    tool.number("--kurtosis", kurtosis, "Kurtosis; absent: likewise, a Gaussian's being 3", asked);
     tool.number("--significance", significance,
                 "Largest rate of false alarms of the whole answer, between 0 and 0.5", answer);
     tool.choice(
-        "--errors", errors, {"theory", "spread"},
+        "--errors", errors, {"auto", "theory", "spread"},
         "Where standard errors come from: those of Gaussian surfaces of the target's correlation, for one "
-        "surface or many, or the spread over the ensemble, for any distribution and a dozen surfaces or "
-        "more",
+        "surface or many; the spread over the ensemble, for any distribution and a dozen surfaces or more; "
+        "auto takes theory where Gaussian heights are prescribed",
         answer);
   }
 
@@ -77,9 +78,13 @@ PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
   const Grid grid = grid_of(first);
   Prescription asked = o.target.empty() ? carried(first, grid) : from_file(o.target, grid);
   if (!std::isnan(o.rq)) asked.sq = o.rq;
-  asked.ssk = o.skewness;
-  asked.sku = o.kurtosis;
-  asked.spread = o.errors == "spread";
+  auto expected = [&](double given, const char* attribute, double gaussian) {
+    return std::isnan(given) ? first.attributes.number(attribute, gaussian) : given;
+  };
+  asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
+  asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", 3);
+  const bool gaussian = asked.ssk == 0 && asked.sku == 3;
+  asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = threads;
   return PrescriptionTest(asked, grid);
 }

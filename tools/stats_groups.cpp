@@ -205,9 +205,9 @@ struct MomentAccuracy {
     std::optional<Translation> heights = sample.measured().distribution;
     if (!heights) heights = evident_translation(sample.moments(), error);
     if (!heights) return;
-    const CorrelationMap map(*heights);
-    error = standard_errors(sample.moments(), *heights, sample.size_below(map));
-    interval = confidence_intervals(sample.moments(), error, sample.size());
+    const TranslationErrors errors(*heights, sample.size_below(CorrelationMap(*heights)));
+    error = errors.standard_errors(sample.moments().sq);
+    interval = confidence_intervals(sample.moments(), errors, sample.size());
   }
 };
 

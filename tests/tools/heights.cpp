@@ -1,4 +1,6 @@
 // Surfaces whose heights are not Gaussian, from the command line.
+#include <nlohmann/json.hpp>
+
 #include "dataset/layout.hpp"
 #include "stats/moments.hpp"
 #include "support.hpp"
@@ -87,6 +89,38 @@ TEST_CASE("a Gaussian pair of moments draws the Gaussian surface, by either way"
   for (const std::string way : {"", " --method filter"}) {
     require(draw + " --skewness 0 --kurtosis 3" + way + " -o same.nc");
     CHECK((heights("gaussian.nc") == heights("same.nc")).all());
+  }
+}
+
+// Fifteen surfaces; Student's t of fourteen degrees at 1 %.
+TEST_CASE("an ensemble of shaped surfaces is validated against what it was drawn to have",
+          "[heights][statistics]") {
+  require("asperity-generate --shape 128x128 --size 1mm --rq 0.4um --length 5px --seed 4 --count 15" +
+          shaped + " -o e_%02d.nc");
+  const Outcome agrees = shell("asperity-validate e_*.nc -q");
+  CAPTURE(agrees.out, agrees.error);
+  CHECK(agrees.exit == 0);
+  CHECK_THAT(agrees.out, ContainsSubstring("\t-1.3"));
+  CHECK(shell("asperity-validate e_*.nc -q --skewness 0 --kurtosis 3 --errors spread").exit == 5);
+  CHECK(shell("asperity-validate e_*.nc -q --skewness 0 --kurtosis 3").exit == 5);
+  const Outcome single = shell("asperity-validate e_00.nc -q");
+  CHECK(single.exit == 2);
+  CHECK_THAT(single.error, ContainsSubstring("--errors"));
+}
+
+// A Gaussian's errors would be 0.05 and 0.1.
+TEST_CASE("the standard errors of a shaped surface's moments are those of its distribution, drawn or evident",
+          "[heights][law]") {
+  require("asperity-generate" + grid + common + shaped + " --seed 3 -o s.nc");
+  for (const std::string correlation : {"auto", "estimate"}) {
+    const Outcome run = shell("asperity-stats s.nc --parameters height --json --correlation " + correlation);
+    INFO(run.error);
+    const auto rows = nlohmann::json::parse(run.out);
+    CAPTURE(correlation, run.out);
+    CHECK(rows["Sku"]["standard_error"].get<double>() > 0.3);
+    CHECK(rows["Ssk"]["standard_error"].get<double>() > 0.06);
+    CHECK(rows["Sku"]["interval_95"][0].get<double>() <= 6);
+    CHECK(rows["Sku"]["interval_95"][1].get<double>() >= 6);
   }
 }
 
