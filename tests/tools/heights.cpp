@@ -108,7 +108,7 @@ TEST_CASE("an ensemble of shaped surfaces is validated against what it was drawn
   CHECK_THAT(single.error, ContainsSubstring("--errors"));
 }
 
-// A Gaussian's errors would be 0.05 and 0.1.
+// A Gaussian's errors would be 0.018 and 0.029.
 TEST_CASE("the standard errors of a shaped surface's moments are those of its distribution, drawn or evident",
           "[heights][law]") {
   require("asperity-generate" + grid + common + shaped + " --seed 3 -o s.nc");
@@ -117,8 +117,8 @@ TEST_CASE("the standard errors of a shaped surface's moments are those of its di
     INFO(run.error);
     const auto rows = nlohmann::json::parse(run.out);
     CAPTURE(correlation, run.out);
-    CHECK(rows["Sku"]["standard_error"].get<double>() > 0.3);
-    CHECK(rows["Ssk"]["standard_error"].get<double>() > 0.06);
+    CHECK(rows["Sku"]["standard_error"].get<double>() > 0.2);
+    CHECK(rows["Ssk"]["standard_error"].get<double>() > 0.035);
     CHECK(rows["Sku"]["interval_95"][0].get<double>() <= 6);
     CHECK(rows["Sku"]["interval_95"][1].get<double>() >= 6);
   }
