@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   const int surfaces = argc > 1 ? std::atoi(argv[1]) : 40;
   fmt::print(
       "# target\tskewness\tkurtosis\tfamily\torders\tfit\tsolve\tsurface\twhole\tanswer\tacf_error\tnaive"
-      "\tmean_skewness\tstandard_error\tmean_kurtosis\tstandard_error\tacf_z\ttarget_z\tfilter\n");
+      "\tmean_skewness\tskewness_error\tmean_kurtosis\tkurtosis_error\tacf_z\ttarget_z\tfilter\n");
   for (const Named& named : targets) {
     KernelRequest request;
     request.target = named.target.target();

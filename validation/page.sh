@@ -33,7 +33,7 @@ conditions() {
 # Error against run time, scaling, stability
 
 $(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; $(. /etc/os-release && echo "$PRETTY_NAME"); \
-$("$programs/johnson_plane" 0 | sed -n '1s/^# //p').
+$("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 
 Compiled with \`$(flags)\`, with $(versions), at commit $(git describe --always --dirty --exclude '*' \
   2>/dev/null || echo unknown).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "acf/equations.hpp"
 #include "acf/search.hpp"
 #include "acf/wording.hpp"
 #include "grid/stopwatch.hpp"
@@ -109,13 +110,26 @@ Kernel solve_table(const KernelRequest& request) {
   }
 }
 
-// More lags give no kernel to a target that belongs to no surface: the nearest one is sought where that target has fallen
-// to the tolerance.
+// Whether the spectrum of a target is negative however many lags it is taken from: at those where it has fallen to 1e-6
+// it still is by half of what it was at 1e-4, while of a cut alone less than a tenth would be left.
+bool belongs_to_no_surface(const KernelRequest& request) {
+  if (request.formulation == Formulation::patir) return false;
+  auto least = [&](double fallen) {
+    const Shape lags = request.target.reach(fallen);
+    if (unknowns(lags) > most_unknowns) return 0.0;
+    return ZeroPhaseEquations(request.target, lags, request.target.oriented).feasibility().least;
+  };
+  const double near = least(1e-4);
+  return near < 0 && least(1e-6) < near / 2;
+}
+
+// Such a target has no kernel, and more lags are no remedy: the nearest one is sought where it has fallen to the
+// tolerance.
 Kernel solve_at_fallen(const KernelRequest& request) {
   const Shape lags = request.target.reach(std::min(request.acf_tolerance, 0.5));
   refuse_too_many(request, lags);
   Search search(request, lags);
-  search.run();
+  search.clip();
   return search.finish();
 }
 
@@ -127,8 +141,10 @@ Kernel solve_at_open_lags(const KernelRequest& request) {
   for (int trial = 1;; ++trial, lags = more(lags)) {
     refuse_too_many(request, lags);
     Search search(request, lags);
-    if (search.belongs_to_no_surface()) return solve_at_fallen(request);
     search.run();
+    if (trial == 1 && !search.solved() && request.method == Method::newton_krylov &&
+        belongs_to_no_surface(request))
+      return solve_at_fallen(request);
     const bool enough = search.solved() && search.best().report.error <= request.acf_tolerance;
     const bool hopeful = search.formulation() != Formulation::patir &&
                          (search.solved() || request.method == Method::newton_krylov);

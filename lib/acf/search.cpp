@@ -16,6 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr double hopeless_share = 0.1;  // of the spectrum, negative
+constexpr double round_off = 1e-10;     // of the windowed spectrum
 constexpr double negligible_change = 1e-6;
 // A spectrum this close to zero, of its maximum, is that of a smooth target: Newton's matrix is singular there, the
 // root of the spectrum on a wider torus nearly exact. Somewhat below zero the latter is worth trying at once.
@@ -61,11 +62,21 @@ Search::Search(const KernelRequest& request, Shape lags)
   }
 }
 
+void Search::take_root(std::string answer) {
+  consider(nearest_kernel(request_.target, lags_, oriented(), {.max_iterations = 0}).values,
+           std::move(answer));
+}
+
+void Search::clip() {
+  infeasible_ = hopeless_ = true;
+  reason_ = "its spectrum is negative whatever the lags";
+  take_root("nearest");
+}
+
 void Search::run() {
   if (spectral()) {
     reason_ = "the root of the spectrum";
-    return consider(nearest_kernel(request_.target, lags_, oriented(), {.max_iterations = 0}).values,
-                    "spectral");
+    return take_root("spectral");
   }
   if (request_.method == Method::newton_krylov) return newton();
   if (zero_phase_) zero_phase_->guard = false;
@@ -104,8 +115,8 @@ bool Search::wide_enough() {
 }
 
 bool Search::recognised() const {
-  return belongs_to_no_surface() ||
-         (zero_phase_ && (exceeds_variance_ || feasibility_.negative_share > hopeless_share));
+  return zero_phase_ && (hopeless_ || exceeds_variance_ || feasibility_.windowed < -round_off ||
+                         feasibility_.negative_share > hopeless_share);
 }
 
 // ---- candidates ----
@@ -176,6 +187,7 @@ void Search::descend(long budget) {
 
 // By a kernel of twice the lags.
 void Search::widen() {
+  if (hopeless_) return;
   const double tolerance = request_.tolerance / 2;
   const NearestKernel nearest = nearest_kernel(request_.target, lags_, oriented(), {.tolerance = tolerance});
   consider(with_least_change(nearest.values, request_.target, lags_, oriented(), {.tolerance = tolerance}),
@@ -194,7 +206,7 @@ std::string Search::excuse() const {
   std::string words = "no kernel of " + text(lags_) + " lags has this autocorrelation (" + reason_;
   if (feasibility_.least < 0)
     words += "; its spectrum falls to " + number(feasibility_.least) + " of its maximum";
-  return words + ")" + (request_.target.known ? "" : ": take more, such as " + text(twice));
+  return words + ")" + (request_.target.known || hopeless_ ? "" : ": take more, such as " + text(twice));
 }
 
 void Search::refuse(const std::string& message) const {

@@ -10,7 +10,8 @@
 ///     meets the equations (acf/least_change.hpp), exactly where an autocorrelation with these lags exists,
 ///     or the n × m kernel of least squares (acf/least_squares.hpp),
 /// as KernelRequest::infeasible says. A smooth target, whose spectrum ends in round-off, is given the wider kernel at
-/// once. Of several candidates the one of the least error over all lags is kept, or of a table, which is noise at its
+/// once; one whose spectrum is negative however many lags it is taken from (a predistorted smooth one, say) the root of
+/// the positive part. Of several candidates the one of the least error over all lags is kept, or of a table, which is noise at its
 /// far lags, the one of the least change.
 /// Patir's equations have no wider kernel: least squares answer for them.
 #pragma once
@@ -27,15 +28,15 @@ namespace asperity {
 class Search {
  public:
   static constexpr double largest_change = 1e-2;  ///< that the automatic answer makes [σ²]
-  static constexpr double round_off = 1e-10;      ///< of the windowed spectrum
 
   /// The request must live as long as the search.
   Search(const KernelRequest& request, Shape lags);
 
+  /// In place of run(), of a target whose spectrum is known to be negative whatever the lags: no kernel is sought but
+  /// the root of what is positive of it, the nearest over the whole plane.
+  void clip();
   /// The method asked for. Throws ParameterError("target") or DataError("acf") when the target is not finite.
   void run();
-  /// Whether the target's spectrum is negative, whatever the lags: under Fejér's window it is an average of the whole.
-  bool belongs_to_no_surface() const { return zero_phase_ && feasibility_.windowed < -round_off; }
   bool solved() const { return best_ && (best_->report.residual <= request_.tolerance || spectral()); }
   const Kernel& best() const { return *best_; }
   Formulation formulation() const { return formulation_; }
@@ -47,6 +48,7 @@ class Search {
   using Report = IterationResult;
 
   void newton();
+  void take_root(std::string answer);
   bool recognised() const;
   bool wide_enough();
   void answer();
@@ -73,7 +75,7 @@ class Search {
   std::optional<Kernel> best_;
   std::vector<double> descent_;  ///< where least squares have come to
   KernelReport counts_;
-  bool infeasible_ = false;
+  bool infeasible_ = false, hopeless_ = false;
   std::string reason_;
 };
 

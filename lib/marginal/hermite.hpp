@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
@@ -13,12 +14,12 @@ template <class Value>
 class HermiteFunction {
  public:
   HermiteFunction(Value x, Value weight) : x_(x), now_(weight), before_(0.0 * weight) {}
-  Value next() {
-    const Value value = now_;
-    now_ = (x_ * value - std::sqrt(k_) * before_) / std::sqrt(k_ + 1);
-    before_ = value;
+  /// The reference holds until the next call.
+  const Value& next() {
+    before_ = (x_ * now_ - std::sqrt(k_) * before_) * (1 / std::sqrt(k_ + 1));
+    std::swap(now_, before_);
     ++k_;
-    return value;
+    return before_;
   }
 
  private:

@@ -156,6 +156,36 @@ TEST_CASE("what is infeasible is answered as asked", "[kernel][contract]") {
   CHECK(squares.report.converged);
 }
 
+// exp(-(r/10)^2.3) belongs to no surface: its slopes would have the variance -R''(0) = 0. Clipping the spectrum is the least
+// change in the mean square over the plane, and the same from many lags as from those where 1e-3 is left.
+TEST_CASE("a target that no number of lags gives a kernel is clipped at once, as near as with many lags",
+          "[kernel][law]") {
+  KernelRequest request;
+  auto fall = [](double p, double q) { return std::exp(-std::pow(std::hypot(p, q) / 10, 2.3)); };
+  request.target = fall;
+  request.target.reach = [](double t) {
+    const auto n = static_cast<Index>(std::ceil(10 * std::pow(-std::log(t), 1 / 2.3)));
+    return Shape{n, n};
+  };
+  CHECK_THROWS_AS(solve_kernel(request), ParameterError);  // changed by more than 1e-2
+  request.infeasible = Infeasible::nearest;
+  const Kernel kernel = solve_kernel(request);
+  CHECK(kernel.report.answer == "nearest");
+  CHECK(kernel.report.newton_steps <= 20);  // of the one trial that asks
+  CHECK(kernel.lags == request.target.reach(1e-3));
+  CHECK(kernel.report.change > 1e-5);
+  CHECK_THAT(kernel.report.reason, ContainsSubstring("whatever the lags"));
+  CHECK(kernel.report.reason.find("take more") == std::string::npos);
+  request.method = Method::spectral;
+  request.lags = {80, 80};
+  CHECK(std::abs(solve_kernel(request).report.error - kernel.report.error) <=
+        0.05 * kernel.report.error + 1e-4);
+  request.method = Method::newton_krylov;
+  request.lags = {};
+  request.infeasible = Infeasible::error;
+  CHECK_THROWS_AS(solve_kernel(request), ParameterError);
+}
+
 // What only a table knows: no autocorrelation of any surface, for R(1) = -0.9 would make a variance negative:
 // E(z0 + z1 + z2)² = 3 + 4 R(1) + 2 R(2) < 0.
 TEST_CASE("a table that no surface has is refused by its name, or answered by the nearest",
