@@ -15,7 +15,7 @@
 /// `seconds` with their set-up, FFTW's plans apart, the fastest of several; `transforms` the same in real transforms of
 /// (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak beyond what it has
 /// already, plans and influences included, its input not (2 MB are the program's own pages); `doubles` the same in
-/// doubles a cell. A stage ends where the next grid would take more than 60 s.
+/// doubles a cell. A stage ends where the next grid would take more than 25 s.
 ///
 /// Second table: the `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from LARGEST_N/2 if that is less).
 #include <cstdlib>
@@ -41,7 +41,7 @@ using namespace asperity;
 
 namespace {
 
-constexpr double longest = 60;
+constexpr double longest = 25;
 
 using Work = std::function<void()>;
 /// What a stage does on N × N cells on so many threads, its input made.

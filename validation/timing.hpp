@@ -55,7 +55,7 @@ double seconds_of(Call call) {
 
 /// The largest resident set of a child process that does this [MB], NaN if it fails.
 template <class Work>
-double resident_peak(Work work) {
+double resident_peak(const Work& work) {
   ::malloc_trim(0);
   std::fflush(stdout);
   const pid_t child = ::fork();
@@ -71,7 +71,7 @@ double resident_peak(Work work) {
 
 /// What this takes beyond what the process has already [MB].
 template <class Work>
-double peak_memory(Work work) {
+double peak_memory(const Work& work) {
   const double idle = resident_peak([] {});
   return resident_peak(work) - idle;
 }

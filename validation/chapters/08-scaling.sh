@@ -31,3 +31,13 @@ text <<'END'
 The exponent of seconds against N² log N, fitted from N = 256 on:
 END
 table scaling-2
+text <<'END'
+An exponent of one is what the method promises; what is above it comes from memory farther away. Rough contacts are the
+exception: an exponential autocorrelation shows more and smaller asperities on each finer grid, and those take more
+convolutions. The `transforms` of nearly every other stage fall with N, for a plain transform of (2N)² points leaves the cache
+between N = 256 and 1024, while the stages, which prune the padding and work in blocks, do so later and in smaller pieces.
+
+A surface takes less memory than its own heights, for it is drawn in bands. A contact takes some ten doubles a cell. The
+search for the largest stress, which keeps six components and their transforms at several resolutions, takes five times
+that, and is what limits the grid.
+END
