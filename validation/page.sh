@@ -22,9 +22,10 @@ begin() {
   begin_again "$1"
 }
 
-# begin_again FOLDER: the same, with the tables of an earlier run.
+# begin_again FOLDER [PROGRAM...]: the same, with the tables of an earlier run, but for these programs'.
 begin_again() {
   page=$1/RESULTS.md results=$1/results broken=0 held=0
+  [ $# -eq 1 ] || printf '\nRun again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.md"
   cp "$results/conditions.md" "$page"
 }
 
@@ -35,8 +36,7 @@ conditions() {
 $(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; $(. /etc/os-release && echo "$PRETTY_NAME"); \
 $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 
-Compiled with \`$(flags)\`, with $(versions), at commit $(git describe --always --dirty --exclude '*' \
-  2>/dev/null || echo unknown).
+Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
 This page is written by \`validation/report\`; programs, each with its columns explained at its top, are in \`validation/\`.
 Seconds are what the machine can do, not what it did on average. Where other work runs beside, compare seconds within a
@@ -44,6 +44,7 @@ table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same 
 END
 }
 
+commit() { git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown; }
 # Of the compiler, without paths and warnings.
 flags() { sed -n 's/^ *FLAGS = //p' build/build.ninja | head -1 | tr ' ' '\n' | grep -E '^-(O|D|m|f|std)' | tr '\n' ' ' | sed 's/ $//'; }
 versions() {

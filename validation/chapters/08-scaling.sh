@@ -20,7 +20,7 @@ set xlabel 'N'
 set ylabel 'MB'
 set logscale x 2
 set format x '%.0f'
-set format y '%.0f'
+set format y '%g'
 stages = "kernel synthesis moments acf psd smooth rough volume maximum"
 plot for [i=1:words(stages)] '@scaling-1.tsv' using 2:(strcol(1) eq word(stages, i) && $3 == 1 ? $6 : NaN) \
   with linespoints linetype i pointtype 7 title word(stages, i), \
