@@ -120,7 +120,8 @@ struct KernelOptions {
         "How the equations are solved; spectral takes the root of the spectrum and solves nothing" + filter,
         group);
     tool.choice("--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
-                "Where no kernel of --lags has this autocorrelation: a wider kernel or the nearest that "
+                "Where no kernel of --lags has this autocorrelation, or no heights this kurtosis: a wider "
+                "kernel or the nearest that "
                 "there is, if it changes the target by 1e-2 at most (auto) or however much (nearest); the "
                 "kernel of least squares; or an error",
                 group);
