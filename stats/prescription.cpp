@@ -21,6 +21,8 @@ constexpr Index most_rows = 9, most_columns = 17;
 constexpr double least_density = 0.1;
 constexpr double most_score = 37;
 constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
+constexpr double degrees_of_spread =
+    0.75;  // a surface, less one: figures are more skewed than Student's law knows
 
 // The score of probabilities below and above, whichever is the smaller.
 double normal_score(double below, double above) {
@@ -164,7 +166,8 @@ void PrescriptionTest::add(const Field& z, const Grid& grid) {
 double PrescriptionTest::score(double z, double skewness) const {
   const double patches = surfaces_ / mean_sum(2);
   const double t = prescription_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
-  const double degrees = prescription_.spread ? surfaces_ - 1 : patches / patches_per_degree;
+  const double degrees =
+      prescription_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
   return normal_score(gsl_cdf_tdist_P(t, degrees), gsl_cdf_tdist_Q(t, degrees));
 }
 

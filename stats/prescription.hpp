@@ -19,9 +19,9 @@
 /// that it is falsely "no" no more often than the significance.
 ///
 /// For surfaces that are not meant to be Gaussian the theory has no errors; then they come from the ensemble's own
-/// spread, by Student's t of M - 1 degrees, and of the lags together by Šidák's bound alone: t values of the same means
-/// stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation, Johnson's of the two
-/// that are prescribed (stats/translation_error.hpp).
+/// spread, by Student's t of ¾(M - 1) degrees, as was measured, and of the lags together by Šidák's bound alone: t values
+/// of the same means stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation,
+/// Johnson's of the two that are prescribed (stats/translation_error.hpp).
 ///
 /// Points that are missing, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs
 /// that a surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; the
@@ -32,8 +32,8 @@
 ///           errors of neighbouring lags are nearly the same.
 /// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a stated 1 %,
 ///           3.4, 4.3 and 4.3 % at 5 %; with a third of the points missing 0.75 and 0.65 %, 2.9 and 3.2 %
-///           (validation/statistics_coverage). Errors from the spread, of 1000 ensembles of twelve surfaces, 1.1 and 1.4 %
-///           (each to 0.3 %), 4.5 and 5.6 % (to 0.7 %); of thirty 1.0 and 3.7 %.
+///           (validation/statistics_coverage). Errors from the spread, of 1000 ensembles of twelve surfaces, 0.3 and 0.6 %,
+///           2.9 and 4.2 %, with holes 1.0 and 4.3 %; of thirty 0.9 and 3.2 %.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
 /// J. P. Imhof, Biometrika 48 (1961) 419-426; E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688;

@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "Gaussian surfaces are refused at most at the stated rate: of 2000 single ones of N_eff = 300 and more "
       "0.6 to 0.75 % at 1 %, 3.4 to 4.3 % at 5 %. The means are freed of the bias that each field's own mean "
-      "and Sq bring. --errors spread takes Student's t: of a dozen surfaces 1.1 to 1.4 % and 4.5 to 5.6 %. "
+      "and Sq bring. --errors spread takes Student's t: of a dozen surfaces 0.3 to 1 % and 2.9 to 4.3 %. "
       "Surfaces "
       "drawn with --exact-rq have no spread of Sq, which then always agrees. Lags of up to a quarter of the "
       "field are compared.");

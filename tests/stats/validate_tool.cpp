@@ -63,7 +63,7 @@ TEST_CASE("asperity-validate reads names or one dataset from standard input, to 
   CHECK(shell("asperity-validate e_*.nc -q --target e_0.nc").out == named);
 }
 
-// Six surfaces: Student's t of five degrees.
+// Six surfaces: Student's t of 3.75 degrees.
 TEST_CASE("with errors from the spread the ensemble still agrees, and a single surface is refused",
           "[validate-tool][statistics]") {
   write_ensemble(0.4e-6);
