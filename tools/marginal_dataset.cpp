@@ -1,7 +1,6 @@
 #include "marginal_dataset.hpp"
 
 #include "grid/error.hpp"
-#include "marginal/prescribed.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -25,15 +24,10 @@ MeasuredHeights quantiles_of(const Variable& variable) {
 
 }  // namespace
 
-Marginal Marginal::of(Translation translation) {
-  const HeightMoments moments = height_moments(translation);
-  return {std::move(translation), moments.skewness, moments.kurtosis};
-}
-
 Marginal Marginal::of(MeasuredHeights measured) {
-  Marginal out = of(measured.translation());
-  out.measured = std::move(measured);
-  return out;
+  Translation translation = measured.translation();
+  const HeightMoments moments = height_moments(translation);
+  return {std::move(translation), moments.skewness, moments.kurtosis, std::move(measured)};
 }
 
 void set_quantiles(Dataset& data, const std::string& name, const MeasuredHeights& measured) {
@@ -61,8 +55,7 @@ std::optional<Marginal> marginal_of(const Dataset& data) {
   const double skewness = data.attributes.number("kernel_skewness", NAN),
                kurtosis = data.attributes.number("kernel_kurtosis", NAN);
   try {
-    // Moments that were written may lie a round-off below the least there are.
-    return Marginal{PrescribedHeights{skewness, kurtosis}.translation(), skewness, kurtosis};
+    return Marginal{johnson_translation(skewness, kurtosis), skewness, kurtosis};
   } catch (const ParameterError& error) {
     throw DataError("kernel_heights", error.name + " " + error.what());
   }

@@ -27,7 +27,6 @@ struct Marginal {
   double skewness, kurtosis;
   std::optional<MeasuredHeights> measured = {};
 
-  static Marginal of(Translation translation);
   static Marginal of(MeasuredHeights measured);
 };
 

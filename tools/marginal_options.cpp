@@ -70,9 +70,9 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
     if (!prescribed) return std::nullopt;
     Translation translation = prescribed->translation();
     if (translation.family == "normal") return std::nullopt;
-    Marginal out = Marginal::of(std::move(translation));
-    tell_kurtosis(tool, *prescribed, out.kurtosis);
-    return out;
+    const double kurtosis_had = prescribed->feasible().kurtosis;
+    tell_kurtosis(tool, *prescribed, kurtosis_had);
+    return Marginal{std::move(translation), prescribed->skewness, kurtosis_had};
   }
   if (marginal == "measured") {
     if (!table.measured) throw UsageError("marginal", "measured: takes --acf from asperity-acf --quantiles");

@@ -16,10 +16,14 @@ double shortfall(double skewness, double kurtosis) {
 
 }  // namespace
 
+PrescribedHeights PrescribedHeights::feasible() const {
+  const double least = least_kurtosis(skewness);
+  return {skewness, kurtosis < least && allows(infeasible, least - kurtosis) ? least : kurtosis, infeasible};
+}
+
 Translation PrescribedHeights::translation() const {
-  const double short_by = shortfall(skewness, kurtosis);
-  // Where no change is allowed johnson_with says what is wrong.
-  return johnson_translation(skewness, allows(infeasible, short_by) ? kurtosis + short_by : kurtosis);
+  const PrescribedHeights heights = feasible();
+  return johnson_translation(heights.skewness, heights.kurtosis);
 }
 
 KernelCumulants KernelCumulants::of(const Field& kernel) {

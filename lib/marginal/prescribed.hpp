@@ -25,7 +25,9 @@ struct PrescribedHeights {
   double skewness = 0, kurtosis = 3;
   Infeasible infeasible = Infeasible::automatic;
 
-  /// Of the heights. Throws ParameterError("kurtosis") or ("skewness").
+  /// These, or with the least kurtosis of the skewness where that is higher and may take its place.
+  PrescribedHeights feasible() const;
+  /// Of the heights, feasible. Throws ParameterError("kurtosis") or ("skewness").
   Translation translation() const;
   /// Of the white noise that this kernel averages; the same errors, in terms of the heights.
   Translation noise(const Field& kernel) const;

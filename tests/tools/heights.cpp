@@ -162,6 +162,8 @@ TEST_CASE("moments that there are not are refused with their bound, or changed a
   CHECK_THAT(shell(draw + " --skewness 2 --kurtosis 4.5 --infeasible nearest -o s.nc").error,
              ContainsSubstring("no heights of skewness 2 have the kurtosis 4.5"));
   const double kurtosis = attribute("s.nc", "generate_kurtosis_expected");
+  for (const std::string bound : {"--skewness 0 --kurtosis 1e4", "--skewness -50 --kurtosis 1e4"})
+    require(draw + " " + bound + " -o bound.nc");
   CHECK(kurtosis > 5);
   CHECK(kurtosis < 5.5);
 }
