@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "grid/error.hpp"
@@ -34,15 +35,18 @@ void MomentSums::add(const Field& strip) {
 }
 
 Moments MomentSums::moments(std::string_view variable) const {
-  const double n = count_, variance = second_ / n;
-  if (!(variance > 0))
+  const double n = count_, variance = second_ / n, fourth = fourth_ / n;
+  if (count_ > 0 && !(highest_ > lowest_))
     throw DataError(std::string(variable),
                     "every value is the same: skewness and kurtosis need some roughness");
+  if (!(variance * variance >= std::numeric_limits<double>::min() && std::isfinite(fourth)))
+    throw DataError(std::string(variable),
+                    "a value is infinite, or its fourth power leaves the range of a double");
   return {.mean = mean_.value(),
           .sa = absolute_ / n,
           .sq = std::sqrt(variance),
           .ssk = third_ / n / (variance * std::sqrt(variance)),
-          .sku = fourth_ / n / (variance * variance),
+          .sku = fourth / (variance * variance),
           .sp = highest_,
           .sv = -lowest_};
 }

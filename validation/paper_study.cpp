@@ -12,7 +12,7 @@
 /// First table: a row a case, the mean over the seeds and, ending in _se, its standard error. The smooth contact first.
 ///     answer        to the equations of the kernel (acf/kernel.hpp), "exact" or how else they were met
 ///     Sq, Ssk, Sku  of the heights, the study's Rq [µm], Rsk and Rku
-///     length_x, _y  at which the surface's own autocorrelation has fallen to 10 % [samples]
+///     length_x, _y  at which the surface's own autocorrelation has fallen to 10 % [samples]; 64 where it has not by then
 ///     p_max         greatest pressure [MPa]
 ///     area          real area of contact [mm²]
 ///     plastic       share of it at the limit pressure
@@ -90,7 +90,7 @@ void measure_heights(const Field& z, Row& out) {
       estimate_autocorrelation(z, grid(), {.max_lag = {n_cells / 2, n_cells / 2}, .level = 0.0});
   auto length = [](const Eigen::ArrayXd& profile) {
     const auto crossing = first_crossing(profile / profile(0), 0.1);
-    return crossing ? crossing->lag : NAN;
+    return crossing ? crossing->lag : static_cast<double>(profile.size() - 1);
   };
   out(sq) = 1e6 * m.sq, out(ssk) = m.ssk, out(sku) = m.sku;
   out(length_x) = length(acf.along_x()), out(length_y) = length(acf.along_y());
@@ -166,9 +166,9 @@ void print_against_smooth(const Case& c, const Row& smooth) {
 
 void print_against(const Case& c, const Case& other) {
   const Table d = c.values - other.values;
-  for (Quantity q : {length_x, length_y, area, plastic, von_mises_max, depth, near})
+  for (Quantity q : {area, plastic, von_mises_max, depth, near})
     print_finding("changed", c, other.name(), q, d.col(q), 0, p_changed(d.col(q)));
-  const std::array bounds{0.02, 0.1, 0.1};
+  const std::array bounds{0.05, 0.1, 0.1};
   for (Quantity q : {sq, ssk, sku}) {
     const Eigen::ArrayXd x = q == sq ? Eigen::ArrayXd(d.col(q) / (1e6 * rms)) : Eigen::ArrayXd(d.col(q));
     const double bound = bounds[static_cast<std::size_t>(q)];

@@ -107,15 +107,25 @@ std::string describe(ContactStop stop, const ContactParameters& parameters) {
   return fmt::format("the limit of {} convolutions is reached", parameters.max_convolutions);
 }
 
+// Squares of pressures beyond 1e154 are infinite: then no residual says anything.
+void check_range(const ContactParameters& parameters, bool finite) {
+  if (finite) return;
+  const bool sunk = parameters.approach.has_value();
+  throw ParameterError(sunk ? "approach" : "load",
+                       fmt::format("{} {}: the pressures or displacements leave the range of a double",
+                                   parameters.approach.value_or(parameters.load), sunk ? "m" : "N"));
+}
+
 // Everything that the solution on the finest grid tells; its fields become the result's.
-void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedGradients& solved) {
+void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedGradients& solved,
+          const ContactParameters& parameters) {
   const ContactResidual& residual = solved.residual();
   const Blocks blocks = problem.blocks();
   contact.pressure = std::move(solved.pressure());
   contact.gap = std::move(solved.gap());
   contact.displacement = std::move(problem.h);  // of g = h + K p, until the pass
   contact.state.resize(static_cast<std::size_t>(grid.shape.cells()));
-  const Eigen::Array2d sums = blocks.sum([&](Block b) {
+  const Eigen::Array3d sums = blocks.sum([&](Block b) {
     const auto p = b.of(std::as_const(contact.pressure));
     auto g = b.of(contact.gap), u = b.of(contact.displacement);
     u = g - u;
@@ -123,8 +133,9 @@ void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedG
     std::transform(p.begin(), p.end(), contact.state.begin() + b.begin, [&](double x) {
       return x <= 0 ? Contact::open : problem.is_free(x) ? Contact::elastic : Contact::at_limit;
     });
-    return Eigen::Array2d(p.sum(), g.max(0.0).sum());
+    return Eigen::Array3d(p.sum(), g.max(0.0).sum(), u.sum());
   });
+  check_range(parameters, sums.isFinite().all());
   contact.approach = residual.approach + problem.datum;
   contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
   contact.max_pressure = residual.max_pressure;
@@ -166,7 +177,7 @@ Field solve_level(Contact& contact, Level& level, Field start, bool near, Window
   if (!finest) return std::move(gradients.pressure());
   contact.converged = stop == ContactStop::converged;
   contact.reason = describe(stop, parameters);
-  keep(contact, grid, level.problem, gradients);
+  keep(contact, grid, level.problem, gradients, parameters);
   return {};
 }
 

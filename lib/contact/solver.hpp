@@ -93,7 +93,7 @@ struct Contact {
 /// Solves with the half-space's operator, the periodic one where the grid is periodic. Throws
 /// DataError("heights") when the gap is not finite, DataError("pressure") when the start is not or does not
 /// fit, ParameterError("load") when not even p_Y on every cell carries it, ParameterError("approach") when the
-/// bodies do not touch at it or no contact has it.
+/// bodies do not touch at it or no contact has it, and either when what it asks for leaves the range of a double.
 Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 

@@ -18,6 +18,9 @@ static_assert(width == LayerInfluence::width);
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
+// Of the largest: squares of its stresses, also deep below it, are numbers that doubles hold.
+constexpr double least_pressure = 1e-100, greatest_pressure = 1e100;
+
 // From one of eight rows to the next.
 Index apart(Index ny) { return (ny + width - 1) / width * width; }
 
@@ -29,6 +32,10 @@ void check_load(const Grid& grid, const Field& pressure, const Friction& frictio
     throw ParameterError("poisson", fmt::format("{} is not between 0 and 0.5", poisson));
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
+  const double largest = pressure.size() > 0 ? pressure.abs().maxCoeff() : 0;
+  if (largest != 0 && !(largest >= least_pressure && largest <= greatest_pressure))
+    throw DataError("pressure", fmt::format("{} Pa is its largest value: must lie in {:g} ... {:g} Pa",
+                                            largest, least_pressure, greatest_pressure));
 }
 
 StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads,

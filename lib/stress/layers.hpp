@@ -46,7 +46,7 @@ using StressRow = std::array<const double*, 6>;
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
 /// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, ("friction") or ("friction-angle") unless they are such,
-/// DataError("pressure") unless the pressure fits the grid and is finite.
+/// DataError("pressure") unless the pressure fits the grid, is finite and its largest value 0 or 1e-100 … 1e100 Pa.
 void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
 /// Throws ParameterError("depth") unless 0 ≤ z < ∞.
 void check_depth(double z);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "grid/error.hpp"
 
@@ -32,6 +33,8 @@ double HeightSurvey::rms() const { return std::sqrt(squares_ / count_); }
 Rescaling exact_rms(const HeightSurvey& survey, double rms) {
   if (!(survey.high() > survey.low()))
     throw ParameterError("exact-rq", "all heights are equal and cannot be scaled");
+  if (!(survey.rms() * survey.rms() >= std::numeric_limits<double>::min() && std::isfinite(survey.rms())))
+    throw ParameterError("exact-rq", "the squares of the heights leave the range of a double");
   return {survey.mean(), rms / survey.rms()};
 }
 

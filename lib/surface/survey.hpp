@@ -39,7 +39,8 @@ class HeightSurvey {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
 };
 
-/// To mean zero and the root mean square `rms`. Throws ParameterError("exact-rq") when all heights are equal.
+/// To mean zero and the root mean square `rms`. Throws ParameterError("exact-rq") when all heights are equal, or
+/// so small or large that their squares are no numbers.
 Rescaling exact_rms(const HeightSurvey& survey, double rms);
 
 }  // namespace asperity

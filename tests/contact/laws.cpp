@@ -221,6 +221,17 @@ TEST_CASE("heights that are not finite or do not fit the grid are refused", "[co
   CHECK_THROWS_AS(press(grid, gap), DataError);
 }
 
+// Once 1e305 N was "converged" with pressures of NaN: their squares are infinite, and max|w| of NaN was 0.
+TEST_CASE("a load or approach whose pressures or displacements no double holds is refused",
+          "[contact][contract]") {
+  const Grid grid = square(32);
+  const Field gap = undeformed_gap(grid, spheres);
+  CHECK_THROWS_AS(press(grid, gap, {.load = 1e305}), ParameterError);
+  CHECK_THROWS_AS(press(grid, gap, {.load = 0, .approach = 1e305}), ParameterError);
+  CHECK_THROWS_AS(solve_contact(grid, gap, 1e-300, {.load = load}), ParameterError);
+  CHECK(press(grid, gap, {.load = 1e100}).residual <= 1e-6);
+}
+
 TEST_CASE("contact at the edge and contact of few cells are reported", "[contact][contract]") {
   const Grid grid = square(32);
   const Field gap = undeformed_gap(grid, spheres);

@@ -101,6 +101,17 @@ TEST_CASE("a field of equal heights is refused by the name of its variable", "[m
   }
 }
 
+// An infinite height once made NaN of all moments, and heights of 1e-160 a kurtosis of 0/0.
+TEST_CASE("heights that are infinite or whose fourth powers leave the range of a double are refused",
+          "[moments][contract]") {
+  Field z = random_field({16, 16}, 4);
+  CHECK(relative_error(moments(1e-70 * z).sku, moments(z).sku) <= round_off(z));
+  CHECK(relative_error(moments(1e70 * z).sku, moments(z).sku) <= round_off(z));
+  for (double scale : {1e-310, 1e-160, 1e160, 1e300}) CHECK_THROWS_AS(moments(scale * z), DataError);
+  z(3, 4) = -std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(moments(z), DataError);
+}
+
 // The plane's values reach 1; what is left of them after the projection is their rounding.
 TEST_CASE("removing the plane takes any plane away and leaves nothing for a second removal", "[form][law]") {
   const Field z = random_field({24, 37}, 9);

@@ -280,4 +280,8 @@ TEST_CASE("a solver refuses what it cannot answer and names it", "[layers][contr
   CHECK_THROWS_AS(StressSolver(oblong, broken, 0.3), DataError);
   CHECK_THROWS_AS(StressSolver(oblong, Field::Ones(13, 20), 0.3), DataError);
   CHECK_THROWS_AS(layer(StressSolver(oblong, p, 0.3), -1e-9), ParameterError);
+  // The von Mises stress of these was infinite and 0.
+  CHECK_THROWS_AS(StressSolver(oblong, 1e300 * p, 0.3), DataError);
+  CHECK_THROWS_AS(StressSolver(oblong, 1e-300 * p, 0.3), DataError);
+  CHECK_NOTHROW(StressSolver(oblong, 0 * p, 0.3));
 }

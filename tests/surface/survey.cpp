@@ -54,4 +54,8 @@ TEST_CASE("rescaling to an exact rms leaves no mean and the rms height asked for
 
 TEST_CASE("heights that are all equal cannot be given an rms", "[survey][contract]") {
   CHECK_THROWS_AS(exact_rms(surveyed(Field::Constant(4, 4, 0.1), 2), 1), ParameterError);
+  // Their squares vanish; the factor was infinite, the heights NaN.
+  Field small = Field::Zero(4, 4);
+  small(1, 1) = 1e-300;
+  CHECK_THROWS_AS(exact_rms(surveyed(small, 2), 1), ParameterError);
 }

@@ -1,0 +1,7 @@
+#include "stability.hpp"
+
+namespace asperity {
+
+void marginal_stability() {}
+
+}  // namespace asperity
