@@ -178,7 +178,8 @@ void print_against(const Case& c, const Case& other) {
 
 void print_row(const std::string& head, const Row& mean, const Row& error) {
   fmt::print("{}", head);
-  for (Index q = 0; q < mean.size(); ++q) fmt::print("\t{:.4g}\t{:.2g}", mean(q), error(q));
+  for (Index q = 0; q < mean.size(); ++q)
+    fmt::print("{}", std::isnan(mean(q)) ? "\t-\t-" : fmt::format("\t{:.4g}\t{:.2g}", mean(q), error(q)));
   fmt::print("\n");
   std::fflush(stdout);
 }

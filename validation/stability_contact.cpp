@@ -77,7 +77,7 @@ void loads(const StabilityTable& table) {
       return residual(p);
     });
   for (double load : {0.0, -1.0, 1e305, infinity, nan})
-    table.refused(fmt::format("{:g} N", load), "no load", [&] {
+    table.refused(fmt::format("a load of {:g} N", load), "no load", [&] {
       Pressed p(contact_scene("A", 32));
       p.load = load;
       p.contact();

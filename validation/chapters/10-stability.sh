@@ -1,4 +1,16 @@
 heading "Stability"
+run stability
+
+text <<'END'
+Stiff and extreme cases, stage by stage: what makes each of them hard, and how it ends. What has an answer is judged by a
+figure and its bound; what has none is refused by the name of the option or of the variable. No case ends in a crash, in a
+number that is none, or in silence.
+END
+for stage in kernel surface marginal statistics contact stress; do
+  text <<<"**${stage^}**"
+  table stability-1 '$c["stage"] == "'$stage'"' case hard outcome measure figure bound
+done
+claim "Every case that has an answer keeps its bound, and every other is refused." stability-1 1 '$c["holds"] == "yes"'
 
 text <<'END'
 Targets that have no kernel, or hardly one, and what is answered: exactly, by a wider kernel, by the nearest autocorrelation
