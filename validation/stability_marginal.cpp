@@ -95,7 +95,7 @@ KernelRequest exponential(Index lags, Infeasible infeasible = Infeasible::automa
 void correlations(const StabilityTable& table) {
   for (auto [skewness, kurtosis] : {std::pair{0.0, 1.02}, {3.0, 20.0}, {-10.0, 200.0}, {0.0, 1e4}})
     table.answered(fmt::format("correlation of skewness {:g}, kurtosis {:g} and back", skewness, kurtosis),
-                   "a steep map", [&] {
+                   "a steep map", [skewness = skewness, kurtosis = kurtosis] {
                      const CorrelationMap map(johnson_translation(skewness, kurtosis));
                      double worst = 0;
                      for (double r : {-0.01, 0.0, 0.01, 0.5, 0.99, 1.0})
