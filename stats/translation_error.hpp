@@ -13,6 +13,9 @@
 /// are the errors of a Gaussian field and its biases, 0 and -6 S_2/N.
 ///
 /// Scope     translations. g is known of a drawn surface; of a measured one it is Johnson's of its Ssk and Sku.
+/// Accuracy  95 % intervals cover 94 to 98 % of 2000 fields with g known, N_eff 592 to 8068, kurtosis 1.8 to 10; with g
+///           from the field 93 to 97 %, but for those of Ssk and Sku of few long-tailed heights: of kurtosis 6 and
+///           N_eff = 626 down to 89 %, of 10 to 87 % (validation/heights_coverage). A Gaussian's cover 5 to 50 % of Sku.
 /// Cost      some ms.
 ///
 /// M. Grigoriu, J. Eng. Mech. 110 (1984) 610-620.
