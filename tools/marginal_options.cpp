@@ -1,5 +1,7 @@
 #include "marginal_options.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "acf/wording.hpp"
 #include "cli/stream.hpp"
 #include "cli/table.hpp"
@@ -11,14 +13,46 @@
 namespace asperity::cli {
 namespace {
 
+// The value of a quantity in a table of asperity-stats, text or JSON; NAN where there is none.
+double quantity_in(std::string_view bytes, const std::string& name) {
+  if (bytes.starts_with('{')) {
+    const auto table = nlohmann::json::parse(bytes, nullptr, false);
+    const auto row = table.is_object() ? table.find(name) : table.end();
+    if (table.is_discarded() || row == table.end() || !row->contains("value")) return NAN;
+    return (*row)["value"].is_number() ? (*row)["value"].get<double>() : NAN;
+  }
+  for (std::size_t line = 1; !bytes.empty(); ++line) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    const auto words = words_of(bytes.substr(0, end));
+    if (words.size() > 1 && words[0] == name) return number_of(words[1], line, "marginal");
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+  return NAN;
+}
+
+std::optional<HeightMoments> moments_in(const std::string& bytes) {
+  if (looks_like_netcdf(bytes)) return std::nullopt;
+  const HeightMoments found{0, 1, quantity_in(bytes, "Ssk"), quantity_in(bytes, "Sku")};
+  if (std::isnan(found.skewness) || std::isnan(found.kurtosis)) return std::nullopt;
+  return found;
+}
+
 // The heights of a dataset that are there, or the numbers of a text.
-std::vector<double> heights_in(const std::string& name) {
-  const std::string bytes = read_all(name);
+std::vector<double> heights_in(const std::string& bytes) {
   if (!looks_like_netcdf(bytes)) return numbers_in(bytes, "marginal");
   const Field field = field_of(decode_netcdf(bytes), "heights", Missing::not_a_number);
   std::vector<double> out(field.data(), field.data() + field.size());
   std::erase_if(out, [](double z) { return std::isnan(z); });
   return out;
+}
+
+// Johnson's; none where they are Gaussian.
+std::optional<Marginal> johnson(const Tool& tool, const PrescribedHeights& prescribed) {
+  Translation translation = prescribed.translation();
+  if (translation.family == "normal") return std::nullopt;
+  const double kurtosis = prescribed.feasible().kurtosis;
+  tell_kurtosis(tool, prescribed, kurtosis);
+  return Marginal{std::move(translation), prescribed.skewness, kurtosis};
 }
 
 }  // namespace
@@ -32,8 +66,9 @@ void MarginalOptions::declare(Tool& tool) {
       "--marginal", marginal, "NAME|FILE",
       "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone takes "
       "those that asperity-acf found with --acf; measured, the quantiles of --acf by asperity-acf "
-      "--quantiles; "
-      "or that of the heights in a dataset or a text FILE",
+      "--quantiles; or that of FILE: the heights of a dataset or a text, or, as by johnson, the Ssk and Sku "
+      "of a "
+      "table of asperity-stats",
       group);
 }
 
@@ -67,12 +102,7 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
                                                 Infeasible answer) const {
   if (chosen_by_moments(tool) || marginal == "gaussian" || marginal == "johnson") {
     const auto prescribed = moments(tool, table, answer);
-    if (!prescribed) return std::nullopt;
-    Translation translation = prescribed->translation();
-    if (translation.family == "normal") return std::nullopt;
-    const double kurtosis_had = prescribed->feasible().kurtosis;
-    tell_kurtosis(tool, *prescribed, kurtosis_had);
-    return Marginal{std::move(translation), prescribed->skewness, kurtosis_had};
+    return prescribed ? johnson(tool, *prescribed) : std::nullopt;
   }
   if (marginal == "measured") {
     if (!table.measured) throw UsageError("marginal", "measured: takes --acf from asperity-acf --quantiles");
@@ -80,7 +110,9 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
   }
   if (marginal == "-" && stdin_is_terminal())
     throw UsageError("marginal", "no input: pipe heights in or name a file");
-  return Marginal::of(MeasuredHeights::of(heights_in(marginal)));
+  const std::string bytes = read_all(marginal);
+  if (const auto found = moments_in(bytes)) return johnson(tool, {found->skewness, found->kurtosis, answer});
+  return Marginal::of(MeasuredHeights::of(heights_in(bytes)));
 }
 
 void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {

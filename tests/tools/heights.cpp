@@ -201,6 +201,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("the table of asperity-stats, text or JSON, gives a twin its skewness and kurtosis",
+          "[heights][law]") {
+  require("asperity-acf " + measured + " --level plane -o acf.nc");
+  for (const std::string json : {"", " --json"}) {
+    require("asperity-stats " + measured + " --level plane" + json +
+            " | asperity-generate --acf acf.nc --shape 64x64 --seed 2 --marginal - -o twin.nc");
+    CHECK(relative_error(attribute("twin.nc", "generate_skewness_expected"),
+                         attribute("acf.nc", "acf_skewness")) <= 1e-12);
+    CHECK(relative_error(attribute("twin.nc", "generate_kurtosis_expected"),
+                         attribute("acf.nc", "acf_kurtosis")) <= 1e-12);
+  }
+  shell("echo '{\"Ssk\": 3' > broken.json");
+  refused("asperity-generate --acf acf.nc --shape 64x64 --marginal broken.json", 4, {"marginal", "line 1"});
+}
+
 TEST_CASE("heights in a text file are a distribution, and what is none is refused", "[heights][contract]") {
   const std::string draw = "asperity-generate" + grid + common;
   require("seq 1 500 | awk 'BEGIN { print \"# um\" } { print log($1 / 500.5) }' > depths.txt");
