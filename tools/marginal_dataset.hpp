@@ -3,7 +3,6 @@
 /// Of a kernel whose heights are not Gaussian:
 ///     kernel_heights                       S_L, S_U, S_B or measured
 ///     kernel_skewness, kernel_kurtosis     of the heights
-///     kernel_gamma, kernel_delta           Johnson's parameters, where it is one of his
 ///     kernel_quantiles(normal_score)       the heights of mean 0 and variance 1 at evenly spaced normal scores up to
 ///                                          its attribute highest_score, where it is measured
 /// The kernel is then that of the Gaussian field below the heights, of unit variance; acf_target and acf_achieved are

@@ -67,8 +67,7 @@ void MarginalOptions::declare(Tool& tool) {
       "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone takes "
       "those that asperity-acf found with --acf; measured, the quantiles of --acf by asperity-acf "
       "--quantiles; or that of FILE: the heights of a dataset or a text, or, as by johnson, the Ssk and Sku "
-      "of a "
-      "table of asperity-stats",
+      "of a table of asperity-stats",
       group);
 }
 

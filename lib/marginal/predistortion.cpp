@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "acf/appraisal.hpp"
-#include "acf/search.hpp"
 #include "acf/wording.hpp"
 
 namespace asperity {
 namespace {
+
+// Lags that are looked at for the lowest value: a model that falls more slowly has it nearer than this.
+constexpr Index farthest = 4096;
 
 [[noreturn]] void refuse(const Target& target, const std::string& message) {
   if (target.known) throw DataError("acf", message);
@@ -36,7 +38,8 @@ Target Predistortion::target(const Target& heights) const {
 double Predistortion::change(const Target& heights) const {
   const double lowest = map_->lowest();
   if (lowest <= -1 + 1e-12 || (!heights.known && !heights.reach)) return 0;
-  const Shape lags = heights.known ? *heights.known : heights.reach(-lowest);
+  Shape lags = heights.known ? *heights.known : heights.reach(-lowest);
+  lags = {std::min(lags.nx, farthest), std::min(lags.ny, farthest)};
   std::vector<double> row(static_cast<std::size_t>(2 * lags.ny - 1));
   double least = lowest;
   for (Index p = 0; p < lags.nx; ++p) {
