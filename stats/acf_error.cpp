@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/lag_sums.hpp"
+
 namespace asperity {
 
 AcfError::AcfError(const LagField& correlation, const Pairs& pairs)
@@ -44,22 +46,42 @@ double AcfError::normalised(Index p, Index q) const {
   return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
 }
 
-double AcfError::convolution(Index p, Index q) const {
-  double sum = 0;
-  for (const auto& [k, l, rho] : support_) sum += rho * rho_(k + p, l + q);
-  return sum;
+// c of a ρ that ends at P is zero beyond 2P.
+LagField AcfError::convolution(Shape max_lag, bool tapered) const {
+  const Shape reach = rho_.reach();
+  Field plane = Field::Zero(2 * reach.nx + 1, 2 * reach.ny + 1);
+  for (const auto& [p, q, rho] : support_)
+    plane(reach.nx + p, reach.ny + q) = rho * (tapered ? std::sqrt(weight(0, 0, p, q)) : 1);
+  const Shape lags{std::min(max_lag.nx, 2 * reach.nx), std::min(max_lag.ny, 2 * reach.ny)};
+  return LagField(lag_sums(plane, {{plane.rows(), plane.cols()}, 1, 1, false}, lags));
+}
+
+LagField AcfError::normalised(Shape max_lag) const {
+  const LagField c = convolution({2 * max_lag.nx, 2 * max_lag.ny}, true);
+  const double square = c(0, 0);
+  auto error = [&](Index p, Index column) {
+    const Index q = column - max_lag.ny;
+    if (p == 0 && q == 0) return 0.0;
+    const double rho = rho_(p, q), sum = square * (1 + 2 * rho * rho) - 4 * rho * c(p, q) + c(2 * p, 2 * q);
+    return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
+  };
+  return LagField(Field::NullaryExpr(max_lag.nx + 1, 2 * max_lag.ny + 1, error));
 }
 
 Eigen::MatrixXd AcfError::correlation(const std::vector<Shape>& lags) const {
   const auto n = static_cast<Index>(lags.size());
-  const double square = convolution(0, 0);
+  Shape farthest{0, 0};
+  for (const auto& [p, q] : lags)
+    farthest = {std::max(farthest.nx, std::abs(p)), std::max(farthest.ny, std::abs(q))};
+  const LagField c = convolution({2 * farthest.nx, 2 * farthest.ny}, false);
+  const double square = c(0, 0);
   Eigen::VectorXd rho(n), beside(n);
-  for (Index a = 0; const auto& [p, q] : lags) rho(a) = rho_(p, q), beside(a++) = convolution(p, q);
+  for (Index a = 0; const auto& [p, q] : lags) rho(a) = rho_(p, q), beside(a++) = c(p, q);
   Eigen::MatrixXd out(n, n);
   for (Index a = 0; a < n; ++a)
     for (Index b = 0; b <= a; ++b) {
       const Shape h = lags[static_cast<std::size_t>(a)], g = lags[static_cast<std::size_t>(b)];
-      out(a, b) = out(b, a) = convolution(h.nx - g.nx, h.ny - g.ny) + convolution(h.nx + g.nx, h.ny + g.ny) -
+      out(a, b) = out(b, a) = c(h.nx - g.nx, h.ny - g.ny) + c(h.nx + g.nx, h.ny + g.ny) -
                               2 * rho(b) * beside(a) - 2 * rho(a) * beside(b) + 2 * rho(a) * rho(b) * square;
     }
   const Eigen::VectorXd scale = out.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();

@@ -13,7 +13,7 @@
 ///
 /// Accuracy  (1) for a known ρ; the sample mean in place of the known one changes it by O(1/n²). From an
 ///           estimate use its significant_lags (stats/effective_size.hpp).
-/// Cost      per lag the number of lags at which ρ is not zero.
+/// Cost      per lag the number of lags at which ρ is not zero; (3) one autocorrelation of ρ for all lags.
 ///
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once
@@ -34,8 +34,11 @@ class AcfError {
   double absolute(Index p, Index q) const;
   /// √(2), the standard error of ρ(p,q) = R(p,q)/R(0,0).
   double normalised(Index p, Index q) const;
+  /// (2) at all lags up to these, with w_h(k) = w_0(k): ρ is tapered by √w_0, of which c = ρ*ρ holds all sums,
+  ///     n_h Var[R(h)/R(0)] = c(0) (1 + 2ρ(h)²) - 4ρ(h) c(h) + c(2h).                               (3)
+  LagField normalised(Shape max_lag) const;
   /// How the errors (2) of two lags of a field much larger than they are correlated, by Bartlett too,
-  ///     C(h,g) ∝ c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0),   c = ρ*ρ.                 (3)
+  ///     C(h,g) ∝ c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0),   c = ρ*ρ.                 (4)
   Eigen::MatrixXd correlation(const std::vector<Shape>& lags) const;
 
  private:
@@ -46,7 +49,7 @@ class AcfError {
   /// The weight of distance (k,l) among the pairs at lag (p,q).
   double weight(Index p, Index q, Index k, Index l) const;
   double pairs(Index p, Index q) const;
-  double convolution(Index p, Index q) const;  ///< c
+  LagField convolution(Shape max_lag, bool tapered) const;  ///< c
 
   LagField rho_;
   Pairs pairs_;

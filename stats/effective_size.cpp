@@ -59,14 +59,8 @@ class Tail {
 
  private:
   static LagField twice_the_reach(const LagField& rho, const LagField& admitted) {
-    const Field& a = admitted.half_plane();
-    Index p = 0, q = 0;
-    for (Index row = 0; row < a.rows(); ++row)
-      for (Index column = 0; column < a.cols(); ++column)
-        if (a(row, column) != 0) p = row, q = std::max(q, std::abs(column - admitted.max_q()));
-    p = std::min(2 * p + 1, rho.max_p());
-    q = std::min(2 * q + 1, rho.max_q());
-    return LagField(rho.half_plane().block(0, rho.max_q() - q, p + 1, 2 * q + 1));
+    const auto [p, q] = admitted.reach();
+    return rho.within({2 * p + 1, 2 * q + 1});
   }
   template <class Visit>
   void for_each(Visit visit) const {

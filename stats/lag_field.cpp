@@ -1,5 +1,6 @@
 #include "stats/lag_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,19 @@ LagField::LagField(Field half_plane) : values_(std::move(half_plane)) {
 double LagField::operator()(Index p, Index q) const {
   if (p < 0) return (*this)(-p, -q);
   return p <= max_p() && std::abs(q) <= max_q() ? values_(p, max_q() + q) : 0.0;
+}
+
+Shape LagField::reach() const {
+  Shape out{0, 0};
+  for (Index p = 0; p < values_.rows(); ++p)
+    for (Index column = 0; column < values_.cols(); ++column)
+      if (values_(p, column) != 0) out = {p, std::max(out.ny, std::abs(column - max_q()))};
+  return out;
+}
+
+LagField LagField::within(Shape max_lag) const {
+  const Index p = std::min(max_lag.nx, max_p()), q = std::min(max_lag.ny, max_q());
+  return LagField(values_.block(0, max_q() - q, p + 1, 2 * q + 1));
 }
 
 Eigen::ArrayXd LagField::along_x() const { return values_.col(max_q()); }

@@ -17,6 +17,10 @@ class LagField {
   Index max_q() const { return values_.cols() / 2; }
   /// The value at any lag, zero beyond P and Q.
   double operator()(Index p, Index q) const;
+  /// The farthest |p| and |q| of lags that are not zero.
+  Shape reach() const;
+  /// The lags up to these, or as far as there are any.
+  LagField within(Shape max_lag) const;
   /// Row p, column Q + q.
   const Field& half_plane() const { return values_; }
 

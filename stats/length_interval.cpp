@@ -23,16 +23,6 @@ LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
   return LagField((rho.half_plane() + b) / (1 + b));
 }
 
-EffectiveSize size_of(const LagField& estimate, const Pairs& pairs, const std::optional<LagField>& known) {
-  return known ? EffectiveSize(*known, pairs) : EffectiveSize::of_estimate(estimate, pairs);
-}
-
-// The length at a level, if there is such a level and the correlation falls to it.
-template <class Length>
-double length_at(double level, Length length) {
-  return level > 0 && level < 1 ? length(level) : level < 1 ? none : 0;
-}
-
 Shape nearest_lag(const Grid& grid, double angle, double length) {
   return {std::lround(length * std::cos(angle) / grid.dx), std::lround(length * std::sin(angle) / grid.dy)};
 }
@@ -41,16 +31,20 @@ Shape nearest_lag(const Grid& grid, double angle, double length) {
 
 LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,
                                  const std::optional<LagField>& known)
-    : rho_(estimate.normalised()),
-      freed_(rho_),
+    : LengthIntervals(estimate.normalised(), significant_lags(estimate, pairs), pairs, known) {}
+
+LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
+                                 const std::optional<LagField>& known)
+    : freed_(rho),
       grid_(pairs.grid()),
-      error_(known ? *known : significant_lags(estimate, pairs), pairs) {
-  const EffectiveSize size = size_of(estimate, pairs, known);
-  freed_ = freed_of_mean(rho_, size);
+      error_(known ? *known : admitted, pairs),
+      strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
+  const EffectiveSize size = known ? EffectiveSize(*known, pairs) : EffectiveSize::of_estimate(rho, pairs);
+  freed_ = freed_of_mean(rho, size);
   degrees_ = size.degrees();
-  if (!known)
-    inflation_ = std::sqrt(
-        std::max(1.0, size.sum(2) / EffectiveSize(significant_lags(estimate, pairs), pairs).sum(2)));
+  if (known) return;
+  const double tail = size.sum(2) / EffectiveSize(admitted, pairs).sum(2);
+  strays_ = LagField(strays_.half_plane() * std::sqrt(std::max(1.0, tail)));
 }
 
 double LengthIntervals::quantile(double tail) const {
@@ -58,51 +52,52 @@ double LengthIntervals::quantile(double tail) const {
                               : gsl_cdf_tdist_Qinv(tail, std::max(degrees_, 1.0));
 }
 
-double LengthIntervals::error_at(double angle, double length) const {
-  const auto [p, q] = nearest_lag(grid_, angle, length);
-  return inflation_ * error_.normalised(p, q);
+LagField LengthIntervals::band(double u) const {
+  return LagField(freed_.half_plane() + u * strays_.half_plane());
 }
 
 Interval LengthIntervals::along(double angle, double level, double confidence) const {
-  const auto at = first_crossing(rho_, grid_, angle, level);
-  if (!at) return {none, none};
-  const double strays = quantile((1 - confidence) / 2) * error_at(angle, at->lag);
-  auto length = [&](double t) {
-    const auto crossing = first_crossing(freed_, grid_, angle, t);
+  const double u = quantile((1 - confidence) / 2);
+  auto end = [&](double side) {
+    const auto crossing = first_crossing(band(side * u), grid_, angle, level);
     return crossing ? crossing->lag : none;
   };
-  return {length_at(level + strays, length), length_at(level - strays, length)};
+  return {end(-1), end(1)};
 }
 
-double LengthIntervals::fastest_at(double level) const {
-  return length_at(level, [&](double t) {
-    const auto reach = central_lobe(freed_, grid_, t).fastest;
-    return reach ? reach->length : none;
-  });
+double LengthIntervals::fastest_of(const LagField& rho, double level) const {
+  const auto reach = central_lobe(rho, grid_, level).fastest;
+  return reach ? reach->length : none;
 }
 
-std::vector<Shape> LengthIntervals::lags_within(double level, double length) const {
-  std::vector<Shape> out;
+std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) const {
+  std::vector<Reached> out;
   for (int direction = 0; direction < directions; ++direction) {
     const double angle = std::numbers::pi * direction / directions;
-    const auto at = first_crossing(freed_, grid_, angle, level);
-    if (at && !(at->lag > length)) out.push_back(nearest_lag(grid_, angle, at->lag));
+    if (const auto at = first_crossing(freed_, grid_, angle, level))
+      out.push_back({nearest_lag(grid_, angle, at->lag), at->lag});
   }
   return out;
 }
 
+double LengthIntervals::quantile_of_least(const std::vector<Reached>& reached, double tail) const {
+  if (reached.size() < 2) return quantile(tail);
+  std::vector<Shape> lags;
+  for (const Reached& r : reached) lags.push_back(r.lag);
+  return quantile(tail) / gsl_cdf_ugaussian_Qinv(tail) *
+         GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
+}
+
+double LengthIntervals::longest_fastest(double level, double tail) const {
+  for (std::vector<Reached> reached = all_around(level);;) {
+    const double end = fastest_of(band(quantile_of_least(reached, tail)), level);
+    if (std::erase_if(reached, [&](const Reached& r) { return r.length > end; }) == 0) return end;
+  }
+}
+
 Interval LengthIntervals::fastest(double level, double confidence) const {
-  const auto at = central_lobe(rho_, grid_, level).fastest;
-  if (!at) return {none, none};
-  const double error = error_at(at->angle, at->length), above = 0.8 * (1 - confidence),
-               below = 0.2 * (1 - confidence), single = quantile(above);
-  const std::vector<Shape> lags = lags_within(level, fastest_at(level - 2 * single * error));
-  const double largest =
-      lags.size() < 2
-          ? single
-          : single / gsl_cdf_ugaussian_Qinv(above) *
-                GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(above);
-  return {fastest_at(level + quantile(below) * error), fastest_at(level - largest * error)};
+  const double tail = 1 - confidence;
+  return {fastest_of(band(-quantile(tail / 2)), level), longest_fastest(level, tail)};
 }
 
 }  // namespace asperity

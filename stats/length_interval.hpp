@@ -1,27 +1,28 @@
 /// Confidence intervals of correlation lengths.
 ///
-/// A length is where an estimate of the correlation falls to a level t (stats/acf_length.hpp). Over the lags about it the
-/// estimate strays by nearly the same, SE of them (stats/acf_error.hpp), and all of it lies low, for the field's own
-/// mean is taken from the heights. Put back,
+/// A length is where an estimate of the correlation falls to a level t (stats/acf_length.hpp). At a lag h it strays by
+/// SE(h) (stats/acf_error.hpp), and lies low, for the field's own mean is taken from the heights. Put back,
 ///     ρ' = (ρ + b)/(1 + b),   b = S_1/(N - S_1),                                                       (1)
-/// and the interval at the level 1 - 2a goes from where ρ' falls to t + u SE to where it falls to t - u SE,
-///     λ(ρ', t + u SE) … λ(ρ', t - u SE),                                                              (2)
-/// without an end where ρ' does not fall so far: symmetric about λ only where ρ is straight, and as far as SE is small.
+/// and a length is held at the level 1 - 2a where ρ' does not stray from t by more than u errors of that very lag: the
+/// interval goes from where the one side of a band falls to t to where the other does,
+///     λ(ρ' - u SE) … λ(ρ' + u SE),                                                                     (2)
+/// without an end where that side does not fall so far. SE grows with h, so that λ lies nearer the lower end.
 ///
 /// Sal is the least of the lengths in all directions, and the least of many that stray is low. Its interval is (2) with
-/// Sal for λ, but above with a larger u: the quantile of the largest of Gaussians that are correlated as the errors of ρ
-/// are (stats/acf_error.hpp, (3)) in those of 12 directions in which λ is within twice (2), simulated with a fixed seed. From
-/// below Sal is hardly ever missed; a fifth of 2a is left for that, four fifths for the upper end.
+/// Sal for λ, but above u is the quantile of the largest of Gaussians that are correlated as the errors of ρ are
+/// (stats/acf_error.hpp, (4)), in those of 12 directions whose λ(ρ') is within the interval that they make; simulated with
+/// a fixed seed. From below Sal is hardly ever missed: the upper end takes all of 2a.
 ///
 /// Of a known correlation u is the normal quantile. An estimated one is cut where noise begins, so that its SE, of squares
 /// of the lags, is √(S_2'/S_2) too small, S_2' with the tail (stats/effective_size.hpp); u is Student's of its degrees.
 ///
-/// Symbols   ρ  estimate, 1 at lag zero      N  points      S_k  sums over the correlation      SE  of ρ where it is t
+/// Symbols   ρ  estimate, 1 at lag zero      N  points      S_k  sums over the correlation      λ(f)  where f falls to t
 /// Scope     Gaussian heights.
-/// Accuracy  95 % intervals cover, of lengths along an axis at 1/e and 10 %, 92 to 98 % from N/S_2 = 468 on, and 94 to all
-///           at 153; of Sal 92 to 98 %, but at 153 90 % with a known correlation (1000 fields a row,
-///           validation/statistics_coverage).
-/// Cost      one Bartlett sum a length; of Sal up to 180, and a simulation of 8192 draws, 5 ms.
+/// Accuracy  95 % intervals cover, of 1000 fields a row (validation/statistics_coverage): lengths along an axis at 1/e and
+///           10 % 93.7 to 96.5 % from N/S_2 = 468 on, and 94.5 to 97.5 % down to 41 with a known correlation, to 99.3 %
+///           with an estimated one; Sal 93.5 to 97.5 % of all rows.
+/// Cost      one autocorrelation of ρ; of an interval a pass over the lags an end, of Sal also one to four simulations
+///           of 8192 draws, 5 ms each.
 #pragma once
 
 #include <optional>
@@ -46,19 +47,29 @@ class LengthIntervals {
   Interval fastest(double level, double confidence = 0.95) const;
 
  private:
+  LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
+                  const std::optional<LagField>& known);
   /// A quantile of the normal law, or of Student's.
   double quantile(double tail) const;
-  /// SE at the lag nearest to a length in a direction.
-  double error_at(double angle, double length) const;
-  /// Sal of ρ'.
-  double fastest_at(double level) const;
-  /// The lags where ρ' falls to a level within a length, of those in 12 directions.
-  std::vector<Shape> lags_within(double level, double length) const;
+  /// ρ' + u SE at all lags.
+  LagField band(double u) const;
+  /// Sal of such a field.
+  double fastest_of(const LagField& rho, double level) const;
+  /// Where ρ' falls to a level in each of 12 directions.
+  struct Reached {
+    Shape lag;
+    double length;
+  };
+  std::vector<Reached> all_around(double level) const;
+  /// The quantile of the largest stray among these.
+  double quantile_of_least(const std::vector<Reached>& reached, double tail) const;
+  double longest_fastest(double level, double tail) const;
 
-  LagField rho_, freed_;  ///< ρ, ρ'
+  LagField freed_;  ///< ρ'
   Grid grid_;
   AcfError error_;
-  double inflation_ = 1, degrees_;
+  LagField strays_;  ///< SE
+  double degrees_;
 };
 
 }  // namespace asperity

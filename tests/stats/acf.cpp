@@ -164,6 +164,7 @@ TEST_CASE("over an ensemble the ACF estimate is unbiased and as wide as Bartlett
   const Grid g = grid(48, 40);
   const LagField rho = triangular_correlation(window);
   const AcfError error(rho, g);
+  const LagField of_all = error.normalised({6, 6});
   std::vector<Spread> absolute(7 * 13), normalised(7 * 13);
   for (unsigned seed = 0; seed < 400; ++seed) {
     const LagField acf =
@@ -182,5 +183,17 @@ TEST_CASE("over an ensemble the ACF estimate is unbiased and as wide as Bartlett
       CHECK(std::abs(absolute[k].mean() - rho(p, q)) <= 4.2 * error.absolute(p, q) / 20);
       CHECK(absolute[k].deviation() == Approx(error.absolute(p, q)).epsilon(0.2));
       CHECK(normalised[k].deviation() == Approx(error.normalised(p, q)).epsilon(0.2));
+      CHECK(normalised[k].deviation() == Approx(of_all(p, q)).epsilon(0.2));
+    }
+}
+
+// Weights are 1. Sums of 7 · 5 lags squared, their square roots near zero: 1e-13 of c(0), 3e-7 where all of it cancels.
+TEST_CASE("on a periodic grid the ACF's errors of all lags at once are those of each", "[acf-error][exact]") {
+  const AcfError error(triangular_correlation({4, 3}), grid(48, 40, true));
+  const LagField all = error.normalised({9, 8});
+  for (Index p = 0; p <= 9; ++p)
+    for (Index q = -8; q <= 8; ++q) {
+      CAPTURE(p, q);
+      CHECK(std::abs(std::pow(all(p, q), 2) - std::pow(error.normalised(p, q), 2)) <= 1e-13);
     }
 }
