@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
       "distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they are not "
       "Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals of the height "
       "parameters hold 93 to 97 % from N_eff = 150 on, with the correlation that a dataset carries or an estimated "
-      "one, and 92 to 98 % at 41; those of Sal and of lengths 93 to 98 % from N_eff = 450 on. Peak "
+      "one, and 92 to 98 % at 41; those of Sal and of lengths 94 to 97 % from N_eff = 450 on. Peak "
       "and valley have none, nor has what shows a dash. Slopes and curvatures are "
       "those of differences of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to "
       "6.6/n^2 (m4). The mean over profiles has the standard error of those that are independent.");

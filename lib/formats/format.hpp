@@ -1,0 +1,36 @@
+/// The formats of maps that are read and written, and which one a file is in.
+///
+/// A file's first bytes tell, else its name's extension; where neither does it is a matrix of text, if it is text
+/// at all. Each format has a header of its own beside this one that says what of it is understood.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "formats/map.hpp"
+
+namespace asperity {
+
+struct Format {
+  std::string_view name;                       ///< as on the command line
+  std::string_view extensions;                 ///< lower case, separated by blanks
+  std::string_view title;                      ///< in words
+  bool (*recognises)(std::string_view bytes);  ///< by the first bytes; null where they do not tell
+  /// Throws DataError("map" or what the format calls it, …) for bytes that are not what they claim to be, in time and memory
+  /// of the order of their number.
+  Map (*decode)(std::string_view bytes, Order order);
+  /// Throws DataError for a map that the format cannot hold.
+  std::string (*encode)(const Map& map, Order order);
+};
+
+std::span<const Format> formats();
+
+/// Throws ParameterError(option, …), with the names that there are.
+const Format& format_named(std::string_view name, const std::string& option);
+/// By the name's extension; null when there is none of it.
+const Format* format_by_extension(std::string_view file_name);
+/// Of a file's bytes and name. Throws DataError("map", …) when nothing knows them.
+const Format& format_of(std::string_view bytes, std::string_view file_name);
+
+}  // namespace asperity

@@ -1,0 +1,92 @@
+#include "formats/map.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double fill = 9.969209968386869e36;  // NetCDF's own for doubles
+
+Grid grid_of(const Map& map) {
+  for (const double spacing : map.spacing)
+    if (!(spacing > 0 && std::isfinite(spacing)))
+      throw DataError("x",
+                      "the file does not say how large the map is: asperity-convert --size gives it a size");
+  return {shape_of(map.values), map.spacing[0], map.spacing[1], false};
+}
+
+void set_mask(Dataset& dataset, const Field& values) {
+  std::vector<std::int8_t> missing;
+  missing.reserve(static_cast<std::size_t>(values.size()));
+  for (Index i = 0; i < values.rows(); ++i)
+    for (Index j = 0; j < values.cols(); ++j) missing.push_back(std::isnan(values(i, j)));
+  set_flags(dataset, "mask", missing, "where there is no height", "measured missing");
+}
+
+// The range is that of the points that are there.
+void set_with_missing(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
+  const Field filled = values.isNaN().select(fill, values);
+  set_field(dataset, name, filled, meaning);
+  Attributes& attributes = dataset.find(name)->attributes;
+  attributes.set("_FillValue", fill);
+  const double low = values.minCoeff<Eigen::PropagateNumbers>(),
+               high = values.maxCoeff<Eigen::PropagateNumbers>();
+  attributes.set_values("actual_range", Values(std::vector<double>{low, high}));
+  set_mask(dataset, values);
+}
+
+}  // namespace
+
+double metres_per(std::string_view unit, const std::string& variable) {
+  try {
+    return unit_factor(std::string(unit), "m");
+  } catch (const std::invalid_argument& error) {
+    throw DataError(variable, error.what());
+  }
+}
+
+void set_units(Map& map, std::string_view unit) {
+  map.units = unit;
+  double factor = 1;
+  try {
+    factor = unit_factor(map.units, "m");
+  } catch (const std::invalid_argument&) {
+    return;
+  }
+  map.units = "m";
+  if (factor != 1) map.values *= factor;
+}
+
+Dataset dataset_of(const Map& map) {
+  Dataset out;
+  set_grid(out, grid_of(map));
+  const bool heights = map.units.empty() || map.units == "m";
+  const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
+                    words = map.title.empty() ? name : map.title;
+  if (map.values.isNaN().all()) throw DataError(name, "every point is missing");
+  if (map.values.hasNaN())
+    set_with_missing(out, name, map.values, {units, words});
+  else
+    set_field(out, name, map.values, {units, words});
+  return out;
+}
+
+Map map_of(const Dataset& dataset, std::string_view variable) {
+  const Grid grid = asperity::grid_of(dataset);
+  const Attributes& attributes = dataset.at(variable).attributes;
+  std::string units = attributes.text("units");
+  if (units.empty()) units = attributes.text("unit");
+  Map out{.values = field_of(dataset, variable, Missing::not_a_number),
+          .spacing = {grid.dx, grid.dy},
+          .units = units,
+          .title = attributes.text("long_name")};
+  if (variable == "heights") out.units = "m";
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+/// A map of one quantity over a rectangle, as the files of other programs hold it.
+///
+/// It stands between their formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp). Whatever a file's lines
+/// are, values are (x, y), x the first index. Lengths become metres and heights in a unit of length too; any
+/// other quantity keeps its unit.
+///
+/// A file's lines. Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) settle what runs along a line, x in
+/// all of them, and the first line is that of the least y; ESRI's, a chart, begins with the north, the largest. A bare
+/// matrix (text, npy) does not say: Order tells.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "dataset/dataset.hpp"
+#include "grid/field.hpp"
+
+namespace asperity {
+
+/// The indices of a bare matrix, the slower one first: `xy` has a line for each x, `yx` one for each y.
+enum class Order { xy, yx };
+
+struct Map {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  Field values;                                     ///< (x, y) in SI if they are lengths; NaN where missing
+  std::array<double, 2> spacing{unknown, unknown};  ///< Δx, Δy [m]; NaN where the file does not say
+  std::string units = {};  ///< "m", or what is not a length; "" where the file does not say
+  std::string title = {};  ///< the channel's name, or ""
+};
+
+/// The factor to metres of a unit of length as instruments spell it ("µm", "um", "nm", "m"). Throws DataError(variable,
+/// …) when it is none.
+double metres_per(std::string_view unit, const std::string& variable);
+/// Values and their unit: scaled to metres if it is a length, else as they are.
+void set_units(Map& map, std::string_view unit);
+
+/// As a dataset with x, y and `heights`, or `values` where the quantity is no length; missing points become `mask` and
+/// _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the map has no size.
+Dataset dataset_of(const Map& map);
+/// A variable on (x, y) of a dataset.
+Map map_of(const Dataset& dataset, std::string_view variable);
+
+}  // namespace asperity

@@ -1,0 +1,142 @@
+#include "formats/raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index block = 32;
+
+// Calls visit(T{}) with the type's number.
+template <class Visit>
+auto with_type(NumberType type, Visit visit) {
+  switch (type) {
+    case NumberType::int8:
+      return visit(std::int8_t{});
+    case NumberType::uint8:
+      return visit(std::uint8_t{});
+    case NumberType::int16:
+      return visit(std::int16_t{});
+    case NumberType::uint16:
+      return visit(std::uint16_t{});
+    case NumberType::int32:
+      return visit(std::int32_t{});
+    case NumberType::uint32:
+      return visit(std::uint32_t{});
+    case NumberType::int64:
+      return visit(std::int64_t{});
+    case NumberType::uint64:
+      return visit(std::uint64_t{});
+    case NumberType::float32:
+      return visit(float{});
+    case NumberType::float64:
+      break;
+  }
+  return visit(double{});
+}
+
+// Calls at(i, j, place) for all cells, place counted in the file's order, such that both stay in the cache.
+template <class At>
+void for_each_cell(Shape shape, Order order, At at) {
+  if (order == Order::xy) {
+    for (Index i = 0; i < shape.nx; ++i)
+      for (Index j = 0; j < shape.ny; ++j) at(i, j, i * shape.ny + j);
+    return;
+  }
+  for (Index first_i = 0; first_i < shape.nx; first_i += block)
+    for (Index first_j = 0; first_j < shape.ny; first_j += block)
+      for (Index i = first_i; i < std::min(first_i + block, shape.nx); ++i)
+        for (Index j = first_j; j < std::min(first_j + block, shape.ny); ++j) at(i, j, j * shape.nx + i);
+}
+
+template <class T>
+void reverse_bytes(T& number) {
+  char* bytes = reinterpret_cast<char*>(&number);
+  std::reverse(bytes, bytes + sizeof(T));
+}
+
+template <class T>
+T whole(double value) {
+  const double rounded = std::nearbyint(value);
+  const double least = static_cast<double>(std::numeric_limits<T>::min()),
+               beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);
+  if (!(rounded >= least && rounded < beyond))
+    throw DataError("values",
+                    std::to_string(value) + " does not fit into " + std::to_string(8 * sizeof(T)) + " bits");
+  return static_cast<T>(rounded);
+}
+
+template <class T>
+T converted(double value) {
+  if constexpr (std::is_integral_v<T>)
+    return whole<T>(value);
+  else
+    return static_cast<T>(value);
+}
+
+}  // namespace
+
+std::size_t size_of(NumberType type) {
+  return with_type(type, [](auto number) { return sizeof number; });
+}
+
+template <class T>
+T number_from(const char* bytes, std::endian order) {
+  T number;
+  std::memcpy(&number, bytes, sizeof number);
+  if (order != std::endian::native) reverse_bytes(number);
+  return number;
+}
+
+template std::int8_t number_from(const char*, std::endian);
+template std::uint8_t number_from(const char*, std::endian);
+template std::int16_t number_from(const char*, std::endian);
+template std::uint16_t number_from(const char*, std::endian);
+template std::int32_t number_from(const char*, std::endian);
+template std::uint32_t number_from(const char*, std::endian);
+template std::int64_t number_from(const char*, std::endian);
+template std::uint64_t number_from(const char*, std::endian);
+template float number_from(const char*, std::endian);
+template double number_from(const char*, std::endian);
+
+void check_shape(Shape shape, std::size_t cells, const std::string& variable) {
+  const std::string size = std::to_string(shape.nx) + " x " + std::to_string(shape.ny);
+  if (shape.nx < 1 || shape.ny < 1) throw DataError(variable, "its size " + size + " holds no point");
+  if (static_cast<std::size_t>(shape.nx) > cells / static_cast<std::size_t>(shape.ny))
+    throw DataError(variable, "it is cut short: " + size + " points are more than the " +
+                                  std::to_string(cells) + " that it holds");
+}
+
+Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable) {
+  check_shape(shape, bytes.size() / size_of(raster.type), variable);
+  Field out(shape.nx, shape.ny);
+  with_type(raster.type, [&](auto number) {
+    using T = decltype(number);
+    for_each_cell(shape, raster.order, [&](Index i, Index j, Index place) {
+      const char* at = bytes.data() + static_cast<std::size_t>(place) * sizeof(T);
+      out(i, j) = static_cast<double>(number_from<T>(at, raster.endian));
+    });
+  });
+  return out;
+}
+
+std::string bytes_of(const Field& field, const Raster& raster) {
+  std::string out(static_cast<std::size_t>(field.size()) * size_of(raster.type), '\0');
+  with_type(raster.type, [&](auto kind) {
+    using T = decltype(kind);
+    for_each_cell(shape_of(field), raster.order, [&](Index i, Index j, Index place) {
+      T number = converted<T>(field(i, j));
+      if (raster.endian != std::endian::native) reverse_bytes(number);
+      std::memcpy(out.data() + static_cast<std::size_t>(place) * sizeof(T), &number, sizeof number);
+    });
+  });
+  return out;
+}
+
+}  // namespace asperity

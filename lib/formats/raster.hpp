@@ -1,0 +1,42 @@
+/// Numbers in memory as a file's bytes, and back: any of the machine's types in either byte order, a matrix in either
+/// order of its indices.
+///
+/// Accuracy  exact into double but for 64-bit integers, which are rounded to 53 bits.
+/// Cost      one pass, transposed in blocks that stay in the cache.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "formats/map.hpp"
+#include "grid/field.hpp"
+
+namespace asperity {
+
+enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+std::size_t size_of(NumberType type);
+
+/// A number of type T from its bytes.
+template <class T>
+T number_from(const char* bytes, std::endian order);
+
+/// How a file's block of numbers is to be read.
+struct Raster {
+  NumberType type = NumberType::float64;
+  std::endian endian = std::endian::little;
+  Order order = Order::yx;  ///< which index is the slower one
+};
+
+/// The first cells of `bytes` as a field. Throws DataError(variable, …) before any memory is taken when there are fewer
+/// bytes than the shape needs, or the shape is empty or impossible.
+Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable);
+/// Values are rounded to whole numbers for an integer type; those that it cannot hold throw DataError.
+std::string bytes_of(const Field& field, const Raster& raster);
+
+/// Throws DataError(variable, …) unless the shape is one of at least one cell and at most `cells` of them.
+void check_shape(Shape shape, std::size_t cells, const std::string& variable);
+
+}  // namespace asperity

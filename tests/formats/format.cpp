@@ -1,0 +1,109 @@
+#include "formats/format.hpp"
+
+#include "dataset/layout.hpp"
+#include "formats/raster.hpp"
+#include "grid/error.hpp"
+#include "maps.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+TEST_CASE("a format is known by its first bytes, then by its name, then as text", "[formats][contract]") {
+  CHECK(format_of("# Width: 1 m\n# Height: 1 m\n1 2\n", "a.csv").name == "gwyddion-text");
+  CHECK(format_of("1 2\n", "folder.d/A.CSV").name == "text");
+  CHECK(format_of("1 2\n", "-").name == "text");
+  CHECK_THROWS_AS(format_of(std::string("\x01\x02\0", 3), "a.unknown"), DataError);
+  CHECK_THROWS_AS(format_of("", "a.txt"), DataError);
+  CHECK_THROWS_AS(format_named("word", "format"), ParameterError);
+}
+
+TEST_CASE(
+    "a format that is written for an extension is one that is read again, the same to the last bit of double",
+    "[formats][exact]") {
+  for (const Format& format : formats()) {
+    CAPTURE(format.name);
+    CHECK(&format_named(format.name, "format") == &format);
+    const std::string bytes = format.encode(small_map(), Order::xy);
+    if (format.recognises) CHECK(format.recognises(bytes));
+    CHECK(same(format.decode(bytes, Order::xy).values, small_map().values));
+  }
+}
+
+// A prefix of what a format holds is a smaller map or no map, and never anything else.
+TEST_CASE("a file that is cut short anywhere is refused, or is a smaller map", "[formats][contract]") {
+  for (const Format& format : formats()) {
+    const std::string bytes = format.encode(small_map(), Order::xy);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      CAPTURE(format.name, size);
+      try {
+        const Map map = format.decode(bytes.substr(0, size), Order::xy);
+        CHECK(map.values.size() <= small_map().values.size());
+      } catch (const DataError&) {
+        SUCCEED();
+      }
+    }
+  }
+}
+
+TEST_CASE("a dataset of a map with missing points has a mask, and the map is had from it again",
+          "[formats][exact]") {
+  const Map map = map_with_holes();
+  const Dataset data = dataset_of(map);
+  CHECK(numbers(data.at("mask").values)[0] == 1);
+  CHECK_THROWS_AS(field_of(data, "heights"), DataError);
+  CHECK(data.at("heights").attributes.number("actual_range", 0) == -0.5);
+  const Map again = map_of(data, "heights");
+  CHECK(same(again.values, map.values));
+  CHECK(relative_error(again.spacing[1], map.spacing[1]) <= 2 * epsilon);
+}
+
+TEST_CASE("a map without a size or without a point makes no dataset", "[formats][contract]") {
+  Map map = small_map();
+  map.spacing[1] = Map::unknown;
+  CHECK_THROWS_WITH(dataset_of(map), Catch::Matchers::Contains("asperity-convert --size"));
+  map = small_map();
+  map.values.setConstant(std::nan(""));
+  CHECK_THROWS_WITH(dataset_of(map), "every point is missing");
+}
+
+TEST_CASE("heights in any unit of length become metres, other quantities keep theirs", "[formats][exact]") {
+  Map map = small_map();
+  set_units(map, "µm");
+  CHECK(map.units == "m");
+  CHECK(relative_error(map.values(4, 2), 8e-6) <= 2 * epsilon);
+  map = small_map();
+  set_units(map, "V");
+  CHECK(dataset_of(map).at("values").attributes.text("units") == "V");
+  CHECK(map.values(4, 2) == 8);
+}
+
+TEST_CASE("numbers of every type, byte order and order of indices come back", "[formats][exact]") {
+  Field z(70, 45);
+  for (Index i = 0; i < z.size(); ++i) z(i) = static_cast<double>((37 * i) % 120);
+  for (int type = 0; type <= static_cast<int>(NumberType::float64); ++type)
+    for (const std::endian endian : {std::endian::little, std::endian::big})
+      for (const Order order : {Order::xy, Order::yx}) {
+        const Raster raster{static_cast<NumberType>(type), endian, order};
+        const std::string bytes = bytes_of(z, raster);
+        CAPTURE(type, endian == std::endian::big, order == Order::xy);
+        CHECK(bytes.size() == 70 * 45 * size_of(raster.type));
+        CHECK(same(field_from(bytes, {70, 45}, raster, "map"), z));
+        CHECK_THROWS_AS(field_from(bytes, {70, 46}, raster, "map"), DataError);
+      }
+}
+
+TEST_CASE("a number that does not fit its integer is refused, one half is rounded to even",
+          "[formats][contract]") {
+  const Raster byte{NumberType::int8, std::endian::little, Order::xy};
+  CHECK_THROWS_AS(bytes_of(Field::Constant(1, 1, 128), byte), DataError);
+  CHECK_THROWS_AS(bytes_of(Field::Constant(1, 1, std::nan("")), byte), DataError);
+  CHECK(bytes_of(Field::Constant(1, 1, -128), byte) == "\x80");
+  CHECK(bytes_of(Field::Constant(1, 1, 2.5), byte) == "\x02");
+}
+
+TEST_CASE("a shape that its bytes cannot hold is refused before memory is taken", "[formats][contract]") {
+  CHECK_THROWS_AS(check_shape({Index{1} << 40, Index{1} << 40}, 1000, "map"), DataError);
+  CHECK_THROWS_AS(check_shape({-3, 4}, 1000, "map"), DataError);
+  CHECK_THROWS_AS(check_shape({0, 4}, 1000, "map"), DataError);
+  CHECK_NOTHROW(check_shape({10, 100}, 1000, "map"));
+}
