@@ -36,7 +36,7 @@ void MomentSums::add(const Field& strip) {
 
 Moments MomentSums::moments(std::string_view variable) const {
   const double n = count_, variance = second_ / n, fourth = fourth_ / n;
-  if (count_ > 0 && !(highest_ > lowest_))
+  if (highest_ == lowest_ && std::isfinite(highest_))
     throw DataError(std::string(variable),
                     "every value is the same: skewness and kurtosis need some roughness");
   if (!(variance * variance >= std::numeric_limits<double>::min() && std::isfinite(fourth)))

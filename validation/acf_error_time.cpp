@@ -6,7 +6,7 @@
 /// report included, over that of its transforms: those of its residuals, products and preconditionings as they ran,
 /// and the few others timed alone.
 ///
-/// The third table is the stability of the search: `outcome` is the report's answer, or "refused" with its exception;
+/// The third table is the stability of the search: `outcome` is the report's answer, or "refused" and why;
 /// targets of more than 4 LARGEST_N² lags are left out.
 ///
 ///     acf_error_time [LARGEST_N]         lags a side, 63 unless given
@@ -161,7 +161,7 @@ void outcome(const Extreme& extreme, Infeasible infeasible) {
     fmt::print("{}\t{:.1e}\t{:.1e}\t{:.1e}\t{}x{}\t{:.2e}\n", r.answer, r.residual, r.error, r.feasibility,
                k.values.rows(), k.values.cols(), r.seconds);
   } catch (const std::exception& e) {
-    fmt::print("refused\t{}\t{:.2e}\n", e.what(), watch.seconds());
+    fmt::print("refused: {}\t-\t-\t-\t-\t{:.2e}\n", e.what(), watch.seconds());
   }
 }
 

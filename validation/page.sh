@@ -1,5 +1,5 @@
 # What validation/report writes its page with. A chapter calls
-#   heading TITLE, text <<END, run PROGRAM [ARGUMENT...], table, picture, claim
+#   heading TITLE, text <<END, run PROGRAM [ARGUMENT...], table, picture, shown, claim
 # `run` leaves the tables of a program as results/PROGRAM-1.tsv, -2.tsv, …, which the others take by name. In a
 # condition on rows, an awk expression, `c["name"]` is the number of the column so named: '$c["N"] >= 256'.
 
@@ -9,7 +9,7 @@ build() {
   . cmake/packages
   cmake/install-packages $build $run
   [ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
-  cmake --build --preset release --target validation >&2
+  cmake --build --preset release --target validation tools >&2
 }
 
 # begin FOLDER: an empty page FOLDER/RESULTS.md.
@@ -40,7 +40,8 @@ Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
 This page is written by \`validation/report\`; programs, each with its columns explained at its top, are in \`validation/\`.
 Seconds are what the machine can do, not what it did on average. Where other work runs beside, compare seconds within a
-table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run.
+table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run. All that is not
+time or memory is the same in every run: \`validation/report --same\`.
 END
 }
 
@@ -55,10 +56,13 @@ versions() {
 heading() { printf '\n## %s\n' "$1" >>"$page"; }
 text() { { echo; cat; } >>"$page"; }
 
-# run PROGRAM [ARGUMENT...]: its tables, unless only those of other programs are wanted `again`.
+# wanted PROGRAM: it is to be run, unless only others are wanted `again`.
+wanted() { [[ ! -v again || $again == *" $1 "* ]]; }
+
+# run PROGRAM [ARGUMENT...]: its tables.
 run() {
   local start=$SECONDS
-  [[ ! -v again || $again == *" $1 "* ]] || return 0
+  wanted "$1" || return 0
   "$programs/$1" "${@:2}" >"$results/$1.out"
   awk -F'\t' -v to="$results/$1" '
     /^# .*\t/ { close(file); file = to "-" ++tables ".tsv"; sub(/^# /, ""); print >file; next }
@@ -106,8 +110,11 @@ set pointsize 0.8
 END
     sed "s|@|$results/|g"
   } | gnuplot 2>&1 >"$results/$1.png" | { grep -v 'no valid points' >&2 || true; }
-  printf '\n![%s](results/%s.png)\n' "$2" "$1" >>"$page"
+  shown "$1" "$2"
 }
+
+# shown NAME CAPTION: a picture that is there.
+shown() { printf '\n![%s](results/%s.png)\n' "$2" "$1" >>"$page"; }
 
 # claim SENTENCE TABLE CONDITION EXPRESSION: every row of the condition, and there is one, makes the expression true, in
 # which abs(x) and least(x, y) may stand.

@@ -15,7 +15,8 @@
 /// `seconds` with their set-up, FFTW's plans apart, the fastest of several; `transforms` the same in real transforms of
 /// (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak beyond what it has
 /// already, plans and influences included, its input not (2 MB are the program's own pages); `doubles` the same in
-/// doubles a cell. A stage ends where the next grid would take more than 25 s.
+/// doubles a cell. What takes more than 10 s is timed once, plans and all. N = 4096 is left out where it would take more
+/// than two minutes, or three quarters of the memory.
 ///
 /// Second table: the `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from LARGEST_N/2 if that is less).
 #include <cstdlib>
@@ -41,7 +42,8 @@ using namespace asperity;
 
 namespace {
 
-constexpr double longest = 25;
+constexpr Index always = 2048;
+constexpr double long_run = 10, longest = 120;
 
 using Work = std::function<void()>;
 /// What a stage does on N × N cells on so many threads, its input made.
@@ -126,7 +128,7 @@ constexpr Named stages[] = {{"kernel", kernel, false},
 
 struct Point {
   Index n = 0;
-  double seconds = 0;
+  double seconds = 0, megabytes = 0;
 };
 
 double unit_of(Index n) {
@@ -152,17 +154,28 @@ double transform_seconds(Index n) {
   return at->second;
 }
 
+Point measured(const Work& work, Index n) {
+  const Stopwatch watch;
+  const double megabytes = peak_memory(work), once = watch.seconds();
+  return {n, once > long_run ? once : seconds_of(work), megabytes};
+}
+
+// Whether the next grid, four times as large, is small enough for this machine.
+bool may_grow(const Point& last) {
+  const double memory = 1e-6 * static_cast<double>(::sysconf(_SC_PHYS_PAGES) * ::sysconf(_SC_PAGESIZE));
+  return 2 * last.n <= always || (4.5 * last.seconds <= longest && 4 * last.megabytes <= 0.75 * memory);
+}
+
 std::vector<Point> grow(const Named& stage, int threads, Index largest) {
   std::vector<Point> points;
   for (Index n = 64; n <= largest; n *= 2) {
-    if (!points.empty() && 4.5 * points.back().seconds > longest) break;
-    const Work work = stage.stage(n, threads);
-    const double megabytes = peak_memory(work), seconds = seconds_of(work);
-    fmt::print("{}\t{}\t{}\t{:.2e}\t{:.2f}\t{:.1f}\t{:.1f}\n", stage.name, n, threads, seconds,
-               seconds / transform_seconds(n), megabytes,
-               megabytes * 1e6 / (8 * static_cast<double>(n) * static_cast<double>(n)));
+    if (!points.empty() && !may_grow(points.back())) break;
+    const Point p = measured(stage.stage(n, threads), n);
+    fmt::print("{}\t{}\t{}\t{:.2e}\t{:.2f}\t{:.1f}\t{:.1f}\n", stage.name, n, threads, p.seconds,
+               p.seconds / transform_seconds(n), p.megabytes,
+               p.megabytes * 1e6 / (8 * static_cast<double>(n) * static_cast<double>(n)));
     std::fflush(stdout);
-    points.push_back({n, seconds});
+    points.push_back(p);
   }
   return points;
 }

@@ -63,6 +63,22 @@ unsigned big_endian(const std::string& bytes, std::size_t at) {
   return out;
 }
 
+void check_texts_inside(const std::string& name) {
+  const std::string svg = bytes_of(name);
+  int width = 0, height = 0, texts = 0;
+  REQUIRE(std::sscanf(svg.c_str() + svg.find("viewBox="), "viewBox=\"0 0 %d %d", &width, &height) == 2);
+  const std::string place = "<g transform=\"translate(";
+  for (auto at = svg.find(place); at != svg.npos; at = svg.find(place, at + 1)) {
+    double x = 0, y = 0;  // of the base line
+    REQUIRE(std::sscanf(svg.c_str() + at + place.size(), "%lf,%lf", &x, &y) == 2);
+    CAPTURE(x, y, width, height);
+    CHECK((0 <= x && x <= width));
+    CHECK((0 <= y && y <= height - 0.005 * width));  // room for what hangs below the line
+    ++texts;
+  }
+  CHECK(texts >= 4);
+}
+
 }  // namespace
 
 TEST_CASE("every kind draws a PNG of the size asked for, and says nothing", "[plot][contract]") {
@@ -98,21 +114,20 @@ TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contra
 // The label of the x axis used to stand half below the lower edge of an SVG: gnuplot places it by the terminal's fonts.
 TEST_CASE("no text of an SVG leaves its canvas", "[plot][law]") {
   for (const char* kind : kinds) {
+    CAPTURE(kind);
     REQUIRE(plot(std::string("--kind ") + kind + " -o edge.svg").exit == 0);
-    const std::string svg = bytes_of("edge.svg");
-    int width = 0, height = 0, texts = 0;
-    REQUIRE(std::sscanf(svg.c_str() + svg.find("viewBox="), "viewBox=\"0 0 %d %d", &width, &height) == 2);
-    const std::string place = "<g transform=\"translate(";
-    for (auto at = svg.find(place); at != svg.npos; at = svg.find(place, at + 1)) {
-      double x = 0, y = 0;  // of the base line
-      REQUIRE(std::sscanf(svg.c_str() + at + place.size(), "%lf,%lf", &x, &y) == 2);
-      CAPTURE(kind, x, y, width, height);
-      CHECK((0 <= x && x <= width));
-      CHECK((0 <= y && y <= height - 0.005 * width));  // room for what hangs below the line
-      ++texts;
-    }
-    CHECK(texts >= 4);
+    check_texts_inside("edge.svg");
   }
+}
+
+// A legend of four profiles used to begin and to end beyond the edges.
+TEST_CASE("a legend that is longer than a line takes several", "[plot][law]") {
+  const std::string four = scene() + " " + scene() + " " + scene() + " " + scene();
+  REQUIRE(shell("asperity-plot " + four + " --kind profile -o four.svg --labels '" +
+                "the first surface,the second surface,the third surface,the fourth surface'")
+              .exit == 0);
+  check_texts_inside("four.svg");
+  CHECK_THAT(words_of("four.svg"), ContainsSubstring("first") && ContainsSubstring("fourth"));
 }
 
 TEST_CASE("the same dataset gives the same bytes", "[plot][contract]") {

@@ -41,7 +41,7 @@ Script contact(const Cases& cases, const Request& request) {
                                             states.low < 0 ? states.low : states.high));
   }
   const Unit length = unit_for(reach(patches[0]), "m");
-  Sheet sheet{.columns = static_cast<int>(cases.size()), .legend = true};
+  Sheet sheet{.columns = static_cast<int>(cases.size()), .legend = legend()};
   sheet.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   Figure figure(request, sheet, default_title(patches));
   figure.script.line("set palette maxcolors 3 defined (0 '{}', 1 '{}', 2 '{}')", state_colours[0],
@@ -49,7 +49,7 @@ Script contact(const Cases& cases, const Request& request) {
   figure.script.line("set cbrange [-0.5:2.5]");
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Lattice at = plan_view(figure, patches[c], length, c, cases[c].label);
-    if (c + 1 == cases.size()) figure.legend(legend());
+    if (c + 1 == cases.size()) figure.legend();
     figure.script.draw("plot", {raster(patches[c].values, at, "with image")});
   }
   return figure.script;

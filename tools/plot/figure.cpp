@@ -13,6 +13,7 @@ constexpr double free_aspect = 0.62;
 constexpr double title_height = 2.0, label_height = 1.5, line_of_legend = 2.0;
 constexpr int x_label_tag = 100;
 constexpr int y_label_tag = 101;  // beyond the tags of labels that have none
+constexpr double key_length = 2.0, letter_width = 0.6, legend_gap = 1.6;
 constexpr double bar_distance = 0.8, bar_width = 0.9;
 
 // The width of a sheet [em]: of one column 32, of three 60.
@@ -22,6 +23,25 @@ double em_across(int columns) { return 18.0 + 14.0 * columns; }
 double characters(const std::string& text) {
   return static_cast<double>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+using LegendLine = std::vector<LegendEntry>;
+
+double length_of(const LegendEntry& e) { return key_length + letter_width * characters(e.name); }
+double length_of(const LegendLine& line) {
+  double out = -legend_gap;
+  for (const LegendEntry& e : line) out += length_of(e) + legend_gap;
+  return out;
+}
+
+// A line is broken before the entry that would not fit in.
+std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double longest) {
+  std::vector<LegendLine> out;
+  for (const LegendEntry& e : entries) {
+    if (out.empty() || length_of(out.back()) + legend_gap + length_of(e) > longest) out.emplace_back();
+    out.back().push_back(e);
+  }
+  return out;
 }
 
 // The length of the longest number on a colour bar, in characters.
@@ -44,9 +64,11 @@ std::string title_or(const Request& request, const std::string& otherwise) {
 }
 
 Figure::Figure(const Request& request, Sheet sheet, std::string title)
-    : sheet_(sheet), title_(title_or(request, title)) {
+    : sheet_(std::move(sheet)),
+      legend_lines_(lines_of(sheet_.legend, em_across(sheet_.columns) - sheet_.left)),
+      title_(title_or(request, title)) {
   if (!title_.empty()) sheet_.top += title_height;
-  if (sheet_.legend) sheet_.top += line_of_legend;
+  sheet_.top += line_of_legend * static_cast<double>(legend_lines_.size());
   if (sheet_.columns > 1) sheet_.top += label_height;
   fit(request);
   begin(request.format);
@@ -161,19 +183,21 @@ double Figure::legend_height() const {
   return bottom_ + panels_high() + (sheet_.columns > 1 ? label_height : 0) * em_ + 1.1 * em_;
 }
 
-// Entries one after the other with even gaps, centred over the panels.
-void Figure::legend(const std::vector<LegendEntry>& entries) {
-  constexpr double key = 2.0, letter = 0.6, gap = 1.6;
-  auto length = [&](const LegendEntry& e) { return (key + letter * characters(e.name)) * em_; };
-  double total = -gap * em_;
-  for (const LegendEntry& e : entries) total += length(e) + gap * em_;
-  double x = left_ + 0.5 * (panels_wide() - total);
-  const double y = legend_height();
-  for (const LegendEntry& e : entries) {
-    script.line("set label {} at screen {},{} left noenhanced", quoted(e.name), screen_x(x + key * em_),
-                screen_y(y));
+void Figure::legend() {
+  double y = legend_height() + line_of_legend * em_ * static_cast<double>(legend_lines_.size());
+  for (const LegendLine& line : legend_lines_) legend_line(line, y -= line_of_legend * em_);
+}
+
+// Entries one after the other with even gaps, centred over the panels, or on the sheet where they are longer.
+void Figure::legend_line(const LegendLine& line, double y) {
+  const double length = length_of(line) * em_, wide = panels_wide();
+  double x =
+      length <= wide ? left_ + 0.5 * (wide - length) : 0.5 * (static_cast<double>(pixels_.nx) - length);
+  for (const LegendEntry& e : line) {
+    script.line("set label {} at screen {},{} left noenhanced", quoted(e.name),
+                screen_x(x + key_length * em_), screen_y(y));
     legend_key(e, x, y);
-    x += length(e) + gap * em_;
+    x += (length_of(e) + legend_gap) * em_;
   }
 }
 

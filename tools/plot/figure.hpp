@@ -14,22 +14,22 @@
 
 namespace asperity::plot {
 
-struct Sheet {
-  int rows = 1, columns = 1;
-  double aspect = 0;                                        ///< height over width of a panel; 0: any
-  double left = 5.2, right = 1.2, bottom = 4.0, top = 0.8;  ///< margins around the panels [em]
-  double gap_x = 1.4, gap_y = 1.4;                          ///< between panels [em]
-  bool legend = false;                                      ///< a line of it above the panels
-};
-
-/// How flat a panel of equal scales along both axes may be; beyond, the scales part and the figure says so.
-inline constexpr double flattest = 0.16, tallest = 2.5;
-
 struct LegendEntry {
   enum class Key { line, dashes, box };
   Key key;
   std::string colour, name;
 };
+
+struct Sheet {
+  int rows = 1, columns = 1;
+  double aspect = 0;                                        ///< height over width of a panel; 0: any
+  double left = 5.2, right = 1.2, bottom = 4.0, top = 0.8;  ///< margins around the panels [em]
+  double gap_x = 1.4, gap_y = 1.4;                          ///< between panels [em]
+  std::vector<LegendEntry> legend = {};                     ///< above the panels
+};
+
+/// How flat a panel of equal scales along both axes may be; beyond, the scales part and the figure says so.
+inline constexpr double flattest = 0.16, tallest = 2.5;
 
 class Figure {
  public:
@@ -44,8 +44,8 @@ class Figure {
   /// Colours for values divided by the unit's factor; the bar is drawn with the last panel.
   void colours(const Colours& colours, const Unit& unit, const std::string& quantity);
 
-  /// One line above the panels.
-  void legend(const std::vector<LegendEntry>& entries);
+  /// The sheet's legend, once, in as many lines as it takes.
+  void legend();
 
   double em_wide() const { return panel_width_ / em_; }  ///< of a panel [em]
   double em_high() const { return panel_height_ / em_; }
@@ -59,6 +59,7 @@ class Figure {
   void begin(const std::string& format);
   void colour_bar(const Colours& colours, const Unit& unit, const std::string& quantity);
   void legend_key(const LegendEntry& entry, double x, double y);
+  void legend_line(const std::vector<LegendEntry>& entries, double y);
   double legend_height() const;
   double panels_wide() const {
     return sheet_.columns * (panel_width_ + sheet_.gap_x * em_) - sheet_.gap_x * em_;
@@ -70,6 +71,7 @@ class Figure {
   double screen_y(double px) const { return px / static_cast<double>(pixels_.ny); }
 
   Sheet sheet_;
+  std::vector<std::vector<LegendEntry>> legend_lines_;
   std::string title_;
   Shape pixels_;
   double em_ = 0, panel_width_ = 0, panel_height_ = 0, left_ = 0, bottom_ = 0, panel_x_ = 0, panel_y_ = 0;

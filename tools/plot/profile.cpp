@@ -76,7 +76,8 @@ Script profile(const Cases& cases, const Request& request) {
   double reach = 0;
   for (const Row& row : rows) reach = std::max(reach, range_of(row.traces[0].position).magnitude());
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
-  Sheet sheet{.rows = static_cast<int>(rows.size()), .gap_y = 4.4, .legend = cases.size() > 1};
+  Sheet sheet{.rows = static_cast<int>(rows.size()), .gap_y = 4.4};
+  if (cases.size() > 1) sheet.legend = legend(cases);
   sheet.aspect = rows.size() > 1 ? 0.32 : 0.45;
   Figure figure(request, sheet, "");
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -87,7 +88,7 @@ Script profile(const Cases& cases, const Request& request) {
         {along.low / length.factor, along.high / length.factor},
         fmt::format("{} at {}", length.label(row.section.along_x ? "x" : "y"), row.section.label()));
     figure.y_axis({values.low / value.factor, values.high / value.factor}, value.label(quantity.name));
-    if (r == 0 && cases.size() > 1) figure.legend(legend(cases));
+    if (r == 0) figure.legend();
     std::vector<Layer> layers;
     for (std::size_t c = 0; c < cases.size(); ++c) {
       const char* colour = line_colour(c);

@@ -3,7 +3,7 @@ run scaling "$(size 256 4096)"
 
 text <<'END'
 Seconds and peak memory of every stage on N × N cells. `transforms` measures a stage in padded r2c transforms, of (2N)²
-points; `doubles` its memory in doubles a cell.
+points; `doubles` its memory in doubles a cell. A kernel is solved, and moments are summed, on one thread.
 END
 picture scaling "Seconds against N, one thread" <<'END'
 set xlabel 'N'
@@ -36,6 +36,9 @@ An exponent of one is what the method promises; what is above it comes from memo
 exception: an exponential autocorrelation shows more and smaller asperities on each finer grid, and those take more
 convolutions. The `transforms` of nearly every other stage fall with N, for a plain transform of (2N)² points leaves the cache
 between N = 256 and 1024, while the stages, which prune the padding and work in blocks, do so later and in smaller pieces.
+
+Two threads gain where the work is long and in independent pieces: a spectrum, the layers of a volume. A contact does its work
+in many short steps, most on coarser grids, and gains on the largest grids only; on small ones the threads wait for one another.
 
 A surface takes less memory than its own heights, for it is drawn in bands. A contact takes some ten doubles a cell. The
 search for the largest stress, which keeps six components and their transforms at several resolutions, takes five times

@@ -1,6 +1,24 @@
 heading "The study of 2009 again"
 run paper_study "$(size 5 50)"
 
+# The study's figures by the tools, as ./demo draws them: results/paper-*.png.
+draw_study() (
+  . validation/study.sh
+  PATH="$PWD/build/bin:$PATH"
+  pictures=$(realpath "$results")
+  datasets=$(mktemp -d)
+  trap 'rm -r "$datasets"' EXIT
+  cd "$datasets"
+  smooth smooth
+  rough 17x4-10 --lags 17x4 --length 17px,4px
+  rough 13x13-10 --lags 13x13 --length 13px,13px
+  rough 17x4-1 --lags 17x4 --length 8.5px,2px
+  rough 13x13-1 --lags 13x13 --length 6.5px,6.5px
+  figures "smooth,17 × 4 to 10 %,13 × 13 to 10 %,17 × 4 to 1 %,13 × 13 to 1 %" smooth {17x4,13x13}-10 {17x4,13x13}-1
+  for figure in *.png; do mv "$figure" "$pictures/paper-$figure"; done
+)
+! wanted paper_study || draw_study
+
 text <<'END'
 Creţu, Bălan and Urzică pressed two spheres together, one of them rough, and asked what the lengths of the autocorrelation
 change when the height moments stay as they are. Here are their cases, n × m lags with the exponential autocorrelation cut
@@ -43,4 +61,47 @@ claim "Between the cases Sq differs by less than 5 %, Ssk and Sku by less than 0
 text <<'END'
 What is left of a difference in Sq is no accident: heights are counted from the surface's own mean, which follows long
 waves and takes S₁/2N of Sq away, 0.9 % at 17 × 14 lags cut at 10 %.
+
+**Its figures**: the smooth spheres, and two of the cases under both cuts, drawn from one noise and scaled to 0.4 µm rms. First
+the noise, which looks the same wherever one looks:
 END
+shown paper-noise "White noise, seed 7"
+text <<'END'
+The surfaces: ridges along x where the lengths differ, hills as wide as long where they do not; cut at 1 %, at half the lengths,
+finer ones of the same height.
+END
+shown paper-surface "Surfaces, heights 200 times enlarged"
+text <<'END'
+Their distributions of height, which cannot be told apart from the Gaussian nor, but for the width of their errors, from one
+another; longer waves leave fewer independent heights.
+END
+shown paper-pdf "Distributions of height with twice their standard errors"
+text <<'END'
+Profiles through the middle, where the cases can be told only by how fast they change:
+END
+shown paper-profiles "Profiles along x and y"
+text <<'END'
+The autocorrelations prescribed and estimated: within twice their errors up to the last lag prescribed. Cut at 10 %, that is
+375 µm along x and 70 µm along y, or 281 µm, and beyond it the surface falls off faster than the exponential.
+END
+shown paper-acf "Autocorrelation along x and y, of the surface and of the target without its cut"
+text <<'END'
+Pressure: what was a smooth cap stands on ridges or hills that reach the limit, and leaves hollows between them empty.
+END
+shown paper-pressure "Contact pressure"
+text <<'END'
+Real area, and the part of it at the limit pressure: the shorter the waves, the smaller the one and the larger the other.
+END
+shown paper-contact "Contact area, elastic and at the limit pressure"
+text <<'END'
+The von Mises stress in the vertical section through its maximum: there is one below each asperity that touches, some 9 µm
+deep and, below the worst, higher than the one that all of them share below the middle of the contact. The worst stands
+anywhere, and a section far from the middle misses what is below it.
+END
+shown paper-von-mises "Von Mises stress, section through the maximum"
+shown paper-von-mises-surface "The same, the upper 0.2 mm"
+text <<'END'
+In the middle section only what is above 0.6 p₀: below roughness this zone is Hertz's still, at his depth; its size changes
+from one surface to the next.
+END
+shown paper-von-mises-detail "Von Mises stress above 0.6 p0, section through the middle"

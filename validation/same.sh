@@ -1,0 +1,44 @@
+# Whether two runs of validation/report give the same figures.
+
+# What a clock or the memory in use decides, table by table; all else is the same each time.
+measured='
+acf_error_time-1 seconds ratio
+acf_error_time-2 seconds ratio
+acf_error_time-3 seconds
+chain_error_time-1 setup seconds draw contact stress
+contact_error_time-1 setup_seconds seconds over_operators convolution_over_r2c
+contact_error_time-2 setup_seconds seconds over_operators
+heights_error_time-1 fit solve surface whole
+heights_plane-1 fit_us apply_ns map_ms
+moments_error_time-1 seconds ratio
+scaling-1 seconds transforms MB doubles
+scaling-2 exponent
+scene_time-1 kernel draw contact stress sum share
+statistics_coverage-4 transform moments ACF N_eff
+stress_error_time-1 setup_seconds seconds ratio_to_padded_r2c
+stress_error_time-2 seconds_full seconds_adapted
+stress_request_time-1 first cpu wall MB r2c
+synthesis_time-1 peak
+synthesis_time-2 noise transforms surface surface_2 ratio
+synthesis_time-3 direct transform ratio
+synthesis_time-4 kernel surface
+'
+
+# lasting FOLDER TABLE: the table without what is measured.
+lasting() {
+  awk -F'\t' -v measured="$(sed -n "s/^$2 //p" <<<"$measured")" '
+    BEGIN { split(measured, names, " "); for (k in names) left_out[names[k]] }
+    NR == 1 { for (i = 1; i <= NF; ++i) if (!($i in left_out)) kept[++n] = i }
+    { for (k = 1; k <= n; ++k) printf "%s%s", $kept[k], k < n ? "\t" : "\n" }' "$1/results/$2.tsv"
+}
+
+# same FOLDER FOLDER: prints what differs, and fails where something does.
+same() {
+  local table picture differing=0
+  for table in "$1"/results/*.tsv; do
+    table=$(basename "$table" .tsv)
+    diff --label "$1: $table" --label "$2: $table" -u0 <(lasting "$1" "$table") <(lasting "$2" "$table") || differing=1
+  done
+  for picture in "$1"/results/paper-*.png; do cmp "$picture" "$2/results/$(basename "$picture")" || differing=1; done
+  return "$differing"
+}
