@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "formats/esri.hpp"
+#include "formats/gsf.hpp"
 #include "formats/gwyddion_text.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
@@ -14,6 +16,8 @@ namespace {
 constexpr Format all[] = {
     {"gwyddion-text", "", "Gwyddion's text export, with its head", recognises_gwyddion_text,
      decode_gwyddion_text, encode_gwyddion_text},
+    {"gsf", "gsf", "Gwyddion Simple Field, 32-bit floats", recognises_gsf, decode_gsf, encode_gsf, true},
+    {"esri", "asc", "ESRI's ASCII grid", recognises_esri, decode_esri, encode_esri},
     {"text", "txt csv tsv dat asc xyz", "matrix of numbers in plain text", nullptr, decode_text_matrix,
      encode_text_matrix},
 };
@@ -59,7 +63,7 @@ const Format& format_of(std::string_view bytes, std::string_view file_name) {
   if (bytes.empty()) throw DataError("map", "it is empty");
   for (const Format& format : all)
     if (format.recognises && format.recognises(bytes)) return format;
-  if (const Format* format = format_by_extension(file_name)) return *format;
+  if (const Format* format = format_by_extension(file_name); format && !format->recognises) return *format;
   if (looks_like_text(bytes)) return format_named("text", "format");
   throw DataError("map", "it is in none of the formats that are known, by its first bytes or its name");
 }

@@ -1,7 +1,7 @@
 /// The formats of maps that are read and written, and which one a file is in.
 ///
-/// A file's first bytes tell, else its name's extension; where neither does it is a matrix of text, if it is text
-/// at all. Each format has a header of its own beside this one that says what of it is understood.
+/// A file's first bytes tell, else its name's extension if that is of a format whose first bytes do not; where neither
+/// does it is a matrix of text, if it is text at all. Each format has a header of its own beside this one that says what of it is understood.
 #pragma once
 
 #include <span>
@@ -22,6 +22,7 @@ struct Format {
   Map (*decode)(std::string_view bytes, Order order);
   /// Throws DataError for a map that the format cannot hold.
   std::string (*encode)(const Map& map, Order order);
+  bool single = false;  ///< writes numbers of single precision, 24 bits
 };
 
 std::span<const Format> formats();

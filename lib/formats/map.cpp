@@ -62,12 +62,19 @@ void set_units(Map& map, std::string_view unit) {
   if (factor != 1) map.values *= factor;
 }
 
+void check_size(const Map& map, std::string_view format) {
+  for (const double spacing : map.spacing)
+    if (!(spacing > 0 && std::isfinite(spacing)))
+      throw DataError("map", std::string(format) + " states the map's size, which is not known");
+}
+
 Dataset dataset_of(const Map& map) {
   Dataset out;
   set_grid(out, grid_of(map));
   const bool heights = map.units.empty() || map.units == "m";
   const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
                     words = map.title.empty() ? name : map.title;
+  if (map.values.isInf().any()) throw DataError(name, "a point is infinite");
   if (map.values.isNaN().all()) throw DataError(name, "every point is missing");
   if (map.values.hasNaN())
     set_with_missing(out, name, map.values, {units, words});

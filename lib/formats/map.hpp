@@ -37,8 +37,12 @@ double metres_per(std::string_view unit, const std::string& variable);
 /// Values and their unit: scaled to metres if it is a length, else as they are.
 void set_units(Map& map, std::string_view unit);
 
+/// Throws DataError("map", …) for a map of unknown size; `format` is what cannot do without, as a sentence begins.
+void check_size(const Map& map, std::string_view format);
+
 /// As a dataset with x, y and `heights`, or `values` where the quantity is no length; missing points become `mask` and
-/// _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the map has no size.
+/// _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the map has no size,
+/// DataError(name, …) when a point is infinite or none is there.
 Dataset dataset_of(const Map& map);
 /// A variable on (x, y) of a dataset.
 Map map_of(const Dataset& dataset, std::string_view variable);

@@ -74,10 +74,11 @@ T whole(double value) {
 
 template <class T>
 T converted(double value) {
-  if constexpr (std::is_integral_v<T>)
-    return whole<T>(value);
-  else
-    return static_cast<T>(value);
+  if constexpr (std::is_integral_v<T>) return whole<T>(value);
+  if constexpr (std::is_same_v<T, float>)
+    if (std::abs(value) > std::numeric_limits<float>::max())
+      throw DataError("values", std::to_string(value) + " does not fit into single precision");
+  return static_cast<T>(value);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct Raster {
 /// The first cells of `bytes` as a field. Throws DataError(variable, …) before any memory is taken when there are fewer
 /// bytes than the shape needs, or the shape is empty or impossible.
 Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable);
-/// Values are rounded to whole numbers for an integer type; those that it cannot hold throw DataError.
+/// Values are rounded to whole numbers for an integer type; those that a type cannot hold throw DataError.
 std::string bytes_of(const Field& field, const Raster& raster);
 
 /// Throws DataError(variable, …) unless the shape is one of at least one cell and at most `cells` of them.

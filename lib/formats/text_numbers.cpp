@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "formats/raster.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -124,6 +125,16 @@ std::vector<double> numbers_of(std::string_view text, const std::string& variabl
   for_each_number(
       text, variable, first_line, [&](double value) { values.push_back(value); }, [](std::size_t) {});
   return values;
+}
+
+Field field_of_lines(std::string_view text, Shape shape, const std::string& variable,
+                     std::size_t first_line) {
+  check_shape(shape, text.size() / 2 + 1, variable);
+  const std::vector<double> values = numbers_of(text, variable, first_line);
+  if (values.size() != static_cast<std::size_t>(shape.cells()))
+    throw DataError(variable, "it holds " + std::to_string(values.size()) + " numbers where its head says " +
+                                  std::to_string(shape.nx) + " x " + std::to_string(shape.ny));
+  return Eigen::Map<const Field>(values.data(), shape.ny, shape.nx).transpose();
 }
 
 void append_number(std::string& text, double value) {

@@ -29,6 +29,11 @@ Field matrix_of(std::string_view text, const std::string& variable, std::size_t 
 std::vector<double> numbers_of(std::string_view text, const std::string& variable,
                                std::size_t first_line = 1);
 
+/// As many numbers as the shape has, line by line, each along x, however the text is broken into lines. Throws DataError before
+/// memory is taken for a shape that the text cannot hold, and where there are more or fewer.
+Field field_of_lines(std::string_view text, Shape shape, const std::string& variable,
+                     std::size_t first_line = 1);
+
 /// The shortest decimal fraction that is read back the same; "nan" for a missing point.
 void append_number(std::string& text, double value);
 /// A line for each row of the field.

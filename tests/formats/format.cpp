@@ -18,14 +18,16 @@ TEST_CASE("a format is known by its first bytes, then by its name, then as text"
 }
 
 TEST_CASE(
-    "a format that is written for an extension is one that is read again, the same to the last bit of double",
+    "a format that is written for an extension is one that is read again, the same to the last bit it holds",
     "[formats][exact]") {
   for (const Format& format : formats()) {
     CAPTURE(format.name);
     CHECK(&format_named(format.name, "format") == &format);
     const std::string bytes = format.encode(small_map(), Order::xy);
     if (format.recognises) CHECK(format.recognises(bytes));
-    CHECK(same(format.decode(bytes, Order::xy).values, small_map().values));
+    const Field z = small_map().values;
+    const Field expected = format.single ? Field(z.cast<float>().cast<double>()) : z;
+    CHECK(same(format.decode(bytes, Order::xy).values, expected));
   }
 }
 

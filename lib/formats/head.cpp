@@ -1,0 +1,69 @@
+#include "formats/head.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "formats/text_numbers.hpp"
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+bool same_key(std::string_view a, std::string_view b) { return a.size() == b.size() && lower(a) == lower(b); }
+
+std::optional<std::string_view> value_of(std::string_view lines, std::string_view separators,
+                                         std::string_view key) {
+  while (!lines.empty()) {
+    const std::string_view line = trimmed(take_line(lines));
+    const std::size_t end = line.find_first_of(separators);
+    if (end != line.npos && same_key(trimmed(line.substr(0, end)), key)) return trimmed(line.substr(end + 1));
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse(std::string_view key, std::string_view value, std::string_view what) {
+  if (value.empty()) throw DataError("map", "its head does not state " + std::string(key));
+  throw DataError("map", "its " + std::string(key) + ", '" + one_line(value.substr(0, 24)) + "', is " +
+                             std::string(what));
+}
+
+}  // namespace
+
+bool Head::has(std::string_view key) const { return value_of(lines_, separators_, key).has_value(); }
+
+std::string_view Head::text(std::string_view key) const {
+  return value_of(lines_, separators_, key).value_or("");
+}
+
+double Head::number(std::string_view key) const {
+  const std::string_view value = text(key);
+  const double out = number_of(value).value_or(std::nan(""));
+  if (!std::isfinite(out)) refuse(key, value, "no number");
+  return out;
+}
+
+double Head::positive(std::string_view key) const {
+  const double out = number(key);
+  if (!(out > 0)) refuse(key, text(key), "not positive");
+  return out;
+}
+
+Index Head::count(std::string_view key) const {
+  const std::string_view value = text(key);
+  Index out = 0;
+  const auto [rest, error] = std::from_chars(value.data(), value.data() + value.size(), out);
+  if (error != std::errc() || rest != value.data() + value.size() || out < 0)
+    refuse(key, value, "no whole number from 0 on");
+  return out;
+}
+
+std::string one_line(std::string_view text) {
+  std::string out(text);
+  std::ranges::replace_if(
+      out, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return out;
+}
+
+}  // namespace asperity

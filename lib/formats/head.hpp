@@ -1,0 +1,34 @@
+/// Heads of files: lines of a key, a separator and a value.
+///
+/// A head is a view of the file's text and is searched anew for each key, so that it takes no memory, however long it is.
+/// Upper and lower case are the same in a key; the first line of a key counts.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "grid/field.hpp"
+
+namespace asperity {
+
+class Head {
+ public:
+  /// `separators` are the characters of which the first one ends the key.
+  Head(std::string_view lines, std::string_view separators) : lines_(lines), separators_(separators) {}
+
+  bool has(std::string_view key) const;
+  /// The value without blanks at its ends, "" where there is none.
+  std::string_view text(std::string_view key) const;
+  /// Throw DataError("map", …) where the value is missing, or no finite number, no positive one, no whole one from 0 on.
+  double number(std::string_view key) const;
+  double positive(std::string_view key) const;
+  Index count(std::string_view key) const;
+
+ private:
+  std::string_view lines_, separators_;
+};
+
+/// A title for a head: without what would end its line.
+std::string one_line(std::string_view text);
+
+}  // namespace asperity
