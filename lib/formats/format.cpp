@@ -7,6 +7,7 @@
 #include "formats/gwyddion_text.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/x3p.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -18,6 +19,7 @@ constexpr Format all[] = {
      decode_gwyddion_text, encode_gwyddion_text},
     {"gsf", "gsf", "Gwyddion Simple Field, 32-bit floats", recognises_gsf, decode_gsf, encode_gsf, true},
     {"esri", "asc", "ESRI's ASCII grid", recognises_esri, decode_esri, encode_esri},
+    {"x3p", "x3p", "X3P, ISO 5436-2 and ISO 25178-72", recognises_x3p, decode_x3p, encode_x3p},
     {"text", "txt csv tsv dat asc xyz", "matrix of numbers in plain text", nullptr, decode_text_matrix,
      encode_text_matrix},
 };

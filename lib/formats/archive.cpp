@@ -1,0 +1,140 @@
+#include "formats/archive.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include <zip.h>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t most_deflated = 1032;  // zlib's own bound of what one byte can yield
+constexpr std::uint16_t day = 0x21;          // 1980-01-01, the first that an archive knows
+
+struct CloseEntry {
+  void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+struct FreeSource {
+  void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+using Source = std::unique_ptr<zip_source_t, FreeSource>;
+
+Source source_of(std::string_view bytes) {
+  zip_error_t error;
+  zip_error_init(&error);
+  Source out(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error));
+  zip_error_fini(&error);
+  if (!out) throw std::bad_alloc();
+  return out;
+}
+
+// The archive takes a share in the source.
+zip_t* open(zip_source_t* source, int flags) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_t* out = zip_open_from_source(source, flags, &error);
+  zip_error_fini(&error);
+  if (out) zip_source_keep(source);
+  return out;
+}
+
+void require(bool done, zip_t* archive) {
+  if (!done) throw std::runtime_error(std::string("an archive cannot be written: ") + zip_strerror(archive));
+}
+
+void add(zip_t* archive, const ZipEntry& entry) {
+  zip_source_t* source = zip_source_buffer(archive, entry.bytes.data(), entry.bytes.size(), 0);
+  require(source != nullptr, archive);
+  const zip_int64_t index = zip_file_add(archive, entry.name.c_str(), source, ZIP_FL_ENC_UTF_8);
+  if (index < 0) zip_source_free(source);
+  require(index >= 0, archive);
+  const auto place = static_cast<zip_uint64_t>(index);
+  require(zip_set_file_compression(archive, place, ZIP_CM_STORE, 0) == 0, archive);
+  require(zip_file_set_dostime(archive, place, 0, day, 0) == 0, archive);
+}
+
+std::string all_of(zip_source_t* source) {
+  zip_stat_t stat;
+  if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0)
+    throw std::runtime_error("an archive cannot be read back");
+  std::string out(stat.size, '\0');
+  const zip_int64_t got = zip_source_read(source, out.data(), out.size());
+  zip_source_close(source);
+  if (got < 0 || static_cast<std::size_t>(got) != out.size())
+    throw std::runtime_error("an archive cannot be read back");
+  return out;
+}
+
+}  // namespace
+
+void ZipArchive::Close::operator()(zip* archive) const { zip_discard(archive); }
+
+ZipArchive::ZipArchive(std::string_view bytes, std::string variable) : variable_(std::move(variable)) {
+  const Source source = source_of(bytes);
+  archive_.reset(open(source.get(), ZIP_RDONLY));
+  if (!archive_) throw DataError(variable_, "it is no zip archive, or is cut short");
+}
+
+bool ZipArchive::has(const std::string& name) const {
+  return zip_name_locate(archive_.get(), name.c_str(), 0) >= 0;
+}
+
+ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
+  const std::string quoted = "'" + name.substr(0, 64) + "' in the archive ";
+  const zip_int64_t index = zip_name_locate(archive_.get(), name.c_str(), 0);
+  if (index < 0) throw DataError(variable_, "there is no " + quoted);
+  zip_stat_t stat;
+  const auto place = static_cast<zip_uint64_t>(index);
+  constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
+  if (zip_stat_index(archive_.get(), place, 0, &stat) != 0 || (stat.valid & needed) != needed)
+    throw DataError(variable_, quoted + "states no size");
+  if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
+    throw DataError(variable_, quoted + "is neither stored nor deflated");
+  if (stat.size / most_deflated > stat.comp_size)
+    throw DataError(variable_, quoted + "claims " + std::to_string(stat.size) + " bytes, more than its " +
+                                   std::to_string(stat.comp_size) + " can hold");
+  return {place, stat.size, stat.comp_size};
+}
+
+std::size_t ZipArchive::size(const std::string& name) const { return entry(name).size; }
+
+std::size_t ZipArchive::stored_size(const std::string& name) const { return entry(name).stored; }
+
+std::string ZipArchive::read(const std::string& name) const {
+  const Entry found = entry(name);
+  const std::string quoted = "'" + name.substr(0, 64) + "' in the archive ";
+  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(archive_.get(), found.index, 0));
+  if (!file) throw DataError(variable_, quoted + "cannot be read: " + zip_strerror(archive_.get()));
+  std::string out;
+  for (std::size_t piece = 1 << 16;; piece = std::max(piece, out.size())) {
+    const std::size_t before = out.size(), room = std::min(piece, found.size - before + 1);
+    out.resize(before + room);
+    const zip_int64_t got = zip_fread(file.get(), out.data() + before, room);
+    if (got < 0) throw DataError(variable_, quoted + "is damaged");
+    out.resize(before + static_cast<std::size_t>(got));
+    if (got == 0) break;
+    if (out.size() > found.size) throw DataError(variable_, quoted + "is larger than it claims");
+  }
+  if (out.size() != found.size) throw DataError(variable_, quoted + "is smaller than it claims");
+  return out;
+}
+
+std::string zip_of(std::span<const ZipEntry> entries) {
+  const Source target = source_of({});
+  zip_t* archive = open(target.get(), ZIP_TRUNCATE);
+  if (!archive) throw std::runtime_error("an archive cannot be made");
+  try {
+    for (const ZipEntry& entry : entries) add(archive, entry);
+    require(zip_close(archive) == 0, archive);
+  } catch (...) {
+    zip_discard(archive);
+    throw;
+  }
+  return all_of(target.get());
+}
+
+}  // namespace asperity
