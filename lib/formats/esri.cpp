@@ -83,7 +83,7 @@ Map decode_esri(std::string_view bytes, Order) {
 }
 
 std::string encode_esri(const Map& map, Order) {
-  check_size(map, "An ESRI grid");
+  check_size(map, "an ESRI grid");
   const double nodata = nodata_of(map.values);
   const Field filled = map.values.isNaN().select(nodata, map.values);
   return head_of(map, nodata) + text_of(filled.transpose().colwise().reverse(), ' ');

@@ -6,6 +6,7 @@
 #include "formats/gsf.hpp"
 #include "formats/gwyddion_text.hpp"
 #include "formats/npy.hpp"
+#include "formats/sdf.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/x3p.hpp"
@@ -20,6 +21,8 @@ constexpr Format all[] = {
      decode_gwyddion_text, encode_gwyddion_text},
     {"gsf", "gsf", "Gwyddion Simple Field, 32-bit floats", recognises_gsf, decode_gsf, encode_gsf, true},
     {"npy", "npy", "NumPy's array", recognises_npy, decode_npy, encode_npy},
+    {"sdf", "sdf", "SDF, ISO 25178-71, doubles", recognises_sdf, decode_sdf, encode_sdf},
+    {"sdf-ascii", "", "SDF, ISO 25178-71, in text", recognises_sdf_text, decode_sdf, encode_sdf_text},
     {"esri", "asc", "ESRI's ASCII grid", recognises_esri, decode_esri, encode_esri},
     {"x3p", "x3p", "X3P, ISO 5436-2 and ISO 25178-72", recognises_x3p, decode_x3p, encode_x3p},
     {"text", "txt csv tsv dat asc xyz", "matrix of numbers in plain text", nullptr, decode_text_matrix,

@@ -62,10 +62,16 @@ void set_units(Map& map, std::string_view unit) {
   if (factor != 1) map.values *= factor;
 }
 
-void check_size(const Map& map, std::string_view format) {
+void check_size(const Map& map, const std::string& format) {
   for (const double spacing : map.spacing)
     if (!(spacing > 0 && std::isfinite(spacing)))
-      throw DataError("map", std::string(format) + " states the map's size, which is not known");
+      throw DataError("map", format + " needs the map's size, which is not known");
+}
+
+void check_heights(const Map& map, const std::string& format) {
+  check_size(map, format);
+  if (!map.units.empty() && map.units != "m")
+    throw DataError("map", format + " holds lengths in metres alone, not '" + map.units + "'");
 }
 
 Dataset dataset_of(const Map& map) {

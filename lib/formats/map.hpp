@@ -37,8 +37,10 @@ double metres_per(std::string_view unit, const std::string& variable);
 /// Values and their unit: scaled to metres if it is a length, else as they are.
 void set_units(Map& map, std::string_view unit);
 
-/// Throws DataError("map", …) for a map of unknown size; `format` is what cannot do without, as a sentence begins.
-void check_size(const Map& map, std::string_view format);
+/// Throws DataError("map", …) for a map of unknown size, which `format` cannot do without.
+void check_size(const Map& map, const std::string& format);
+/// The same, and for a quantity that is not a length, where `format` holds no other.
+void check_heights(const Map& map, const std::string& format);
 
 /// As a dataset with x, y and `heights`, or `values` where the quantity is no length; missing points become `mask` and
 /// _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the map has no size,

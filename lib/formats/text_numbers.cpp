@@ -147,12 +147,15 @@ void append_number(std::string& text, double value) {
   text.append(digits, end);
 }
 
-std::string text_of(const Field& rows, char separator) {
+std::string text_of(const Field& rows, char separator, std::string_view missing) {
   std::string out;
   out.reserve(static_cast<std::size_t>(rows.size()) * 20);
   for (Index i = 0; i < rows.rows(); ++i)
     for (Index j = 0; j < rows.cols(); ++j) {
-      append_number(out, rows(i, j));
+      if (std::isnan(rows(i, j)))
+        out += missing;
+      else
+        append_number(out, rows(i, j));
       out += j + 1 < rows.cols() ? separator : '\n';
     }
   return out;

@@ -36,8 +36,8 @@ Field field_of_lines(std::string_view text, Shape shape, const std::string& vari
 
 /// The shortest decimal fraction that is read back the same; "nan" for a missing point.
 void append_number(std::string& text, double value);
-/// A line for each row of the field.
-std::string text_of(const Field& rows, char separator = '\t');
+/// A line for each row of the field, with a word for what is missing.
+std::string text_of(const Field& rows, char separator = '\t', std::string_view missing = "nan");
 
 /// The next line without its end, taken off `text`.
 std::string_view take_line(std::string_view& text);

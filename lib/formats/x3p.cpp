@@ -197,13 +197,6 @@ std::string main_of(const Map& map, std::string_view checksum) {
          element("Record4", "\n" + element("ChecksumFile", checksum_file)) + "</p:ISO5436_2>\n";
 }
 
-void refuse_what_does_not_fit(const Map& map) {
-  if (!map.units.empty() && map.units != "m")
-    refuse("X3P holds lengths in metres alone, not '" + map.units + "'");
-  for (const double spacing : map.spacing)
-    if (!(spacing > 0 && std::isfinite(spacing))) refuse("X3P needs the map's size, which is not known");
-}
-
 }  // namespace
 
 std::string md5_of(std::string_view bytes) {
@@ -234,7 +227,7 @@ Map decode_x3p(std::string_view bytes, Order) {
 }
 
 std::string encode_x3p(const Map& map, Order) {
-  refuse_what_does_not_fit(map);
+  check_heights(map, "X3P");
   const std::string data = bytes_of(map.values, {NumberType::float64, std::endian::little, Order::yx});
   const std::string main = main_of(map, md5_of(data)), checksum = md5_of(main) + " *" + main_file + "\n";
   const ZipEntry entries[] = {{main_file, main}, {data_file, data}, {checksum_file, checksum}};

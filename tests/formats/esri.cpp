@@ -71,7 +71,7 @@ TEST_CASE("an ESRI grid that lies about itself is refused with what is wrong", "
   refused(head + "NODATA_value x\n1 2 3 4 5 6\n", "NODATA_value, 'x', is no number");
   Map map = small_map();
   map.spacing[0] = Map::unknown;
-  CHECK_THROWS_WITH(encode_esri(map, Order::xy), "An ESRI grid states the map's size, which is not known");
+  CHECK_THROWS_WITH(encode_esri(map, Order::xy), "an ESRI grid needs the map's size, which is not known");
   map = small_map();
   map.values(0, 0) = -1e308;
   CHECK_THROWS_WITH(encode_esri(map, Order::xy), ContainsSubstring("no number for missing points"));

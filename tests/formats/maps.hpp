@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "formats/format.hpp"
 #include "support.hpp"
@@ -20,6 +22,13 @@ inline Map map_with_holes() {
   Map map = small_map();
   map.values(0, 0) = map.values(3, 2) = std::nan("");
   return map;
+}
+
+/// The bytes of one of the files in tests/data.
+inline std::string data_file(const std::string& name) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(ASPERITY_TEST_DATA "/" + name, std::ios::binary).rdbuf();
+  return bytes.str();
 }
 
 /// Equal to the last bit, missing points where they are missing.

@@ -1,6 +1,3 @@
-#include <fstream>
-#include <sstream>
-
 #include "formats/gwyddion_text.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
@@ -9,16 +6,6 @@
 
 using namespace asperity;
 using namespace asperity::test;
-
-namespace {
-
-std::string data_file(const std::string& name) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(ASPERITY_TEST_DATA "/" + name, std::ios::binary).rdbuf();
-  return bytes.str();
-}
-
-}  // namespace
 
 TEST_CASE(
     "numbers are read with a plus, exponents of three digits, decimal commas and words for missing ones",
