@@ -1,0 +1,248 @@
+#include "formats/vti.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "dataset/layout.hpp"
+#include "formats/map.hpp"
+#include "formats/raster.hpp"
+#include "formats/text_numbers.hpp"
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+using Names = std::vector<std::string>;
+using Points = std::vector<double>;
+
+// ---- what the dataset holds ----
+
+bool is_field(const Variable& v) { return v.dimensions == Names{"x", "y"}; }
+bool is_volume(const Variable& v) { return v.dimensions == Names{"z", "x", "y"}; }
+bool has_volumes(const Dataset& dataset) { return std::ranges::any_of(dataset.variables, is_volume); }
+
+bool is_flags(const Variable& v) { return std::holds_alternative<std::vector<std::int8_t>>(v.values); }
+
+Points coordinate_of(const Dataset& dataset, const std::string& name) {
+  const Variable& axis = dataset.at(name);
+  std::string unit = axis.attributes.text("units");
+  if (unit.empty()) unit = axis.attributes.text("unit");
+  const double factor = metres_per(unit, name);
+  Points out = numbers(axis.values);
+  for (double& point : out) point *= factor;
+  for (std::size_t i = 1; i < out.size(); ++i)
+    if (!(out[i] > out[i - 1])) throw DataError(name, "its points do not ascend");
+  return out;
+}
+
+// Upwards, the deepest first.
+Points heights_of_layers(const Dataset& dataset) {
+  if (!has_volumes(dataset)) return {0.0};
+  Points out = coordinate_of(dataset, "z");
+  std::ranges::reverse(out);
+  for (double& z : out) z = 0 - z;
+  return out;
+}
+
+double step_of(const Points& points, double otherwise) {
+  return points.size() < 2 ? otherwise
+                           : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
+}
+
+// Ranges of depths are sums of steps: far nearer than a millionth of one.
+bool evenly_spaced(const Points& points) {
+  const double step = step_of(points, 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!(std::abs(points[i] - points.front() - static_cast<double>(i) * step) <= 1e-6 * step)) return false;
+  return true;
+}
+
+std::string unit_of(const Variable& v) {
+  return v.name == "heights" ? "m" : v.attributes.text("units");  // into which field_of converts
+}
+
+// Layer k of a variable; a field is its own only one.
+Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
+  if (is_field(variable) && !is_flags(variable))
+    return field_of(dataset, variable.name, Missing::not_a_number);
+  const Shape shape{dataset.length("x"), dataset.length("y")};
+  const double missing =
+      is_flags(variable) ? Map::unknown : variable.attributes.number("_FillValue", Map::unknown);
+  return std::visit(
+      [&](const auto& values) -> Field {
+        using Matrix = Eigen::Array<typename std::decay_t<decltype(values)>::value_type, Eigen::Dynamic,
+                                    Eigen::Dynamic, Eigen::RowMajor>;
+        const Eigen::Map<const Matrix> layer(values.data() + k * shape.cells(), shape.nx, shape.ny);
+        Field out = layer.template cast<double>();
+        if (!std::isnan(missing)) out = (out == missing).select(Map::unknown, out);
+        return out;
+      },
+      variable.values);
+}
+
+// ---- the arrays, and the bytes that follow the XML ----
+
+struct Array {
+  const Variable* variable;
+  NumberType type;
+  std::size_t tuples;
+
+  std::size_t bytes() const { return tuples * size_of(type); }
+};
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string decimal(double value) {
+  std::string out;
+  append_number(out, value);
+  return out;
+}
+
+// Grows the XML; knows where in the appended bytes the next array stands.
+class Document {
+ public:
+  explicit Document(std::string_view kind)
+      : kind_(kind),
+        xml_("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + kind_ +
+             "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n") {}
+
+  Document& operator<<(std::string_view text) {
+    xml_ += text;
+    return *this;
+  }
+  void declare(std::string_view name, NumberType type, std::size_t tuples, std::string_view unit) {
+    xml_ += "<DataArray type=\"" + std::string(type == NumberType::int8 ? "Int8" : "Float64") + "\" Name=\"" +
+            escaped(name) + "\" NumberOfTuples=\"" + std::to_string(tuples) +
+            "\" format=\"appended\" offset=\"" + std::to_string(offset_) + "\"";
+    xml_ += unit.empty() ? "/>\n"
+                         : ">\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">" +
+                               escaped(unit) + "</InformationKey>\n</DataArray>\n";
+    offset_ += sizeof(std::uint64_t) + tuples * size_of(type);
+  }
+  void begin_data() {
+    xml_ += "</" + kind_ + ">\n<AppendedData encoding=\"raw\">\n_";
+    xml_.reserve(xml_.size() + offset_ + 64);
+  }
+  void begin_array(std::size_t bytes) {
+    std::uint64_t length = bytes;
+    for (int i = 0; i < 8; ++i, length >>= 8) xml_ += static_cast<char>(length & 0xFF);
+  }
+  void append(const Field& layer, NumberType type) {
+    xml_ += bytes_of(layer, {type, std::endian::little, Order::yx});
+  }
+  std::string take() { return std::move(xml_ += "\n</AppendedData>\n</VTKFile>\n"); }
+
+ private:
+  std::string kind_, xml_;
+  std::size_t offset_ = 0;
+};
+
+struct Block {
+  const Dataset& dataset;
+  Points x, y, z;
+  std::vector<Array> fields, volumes;
+
+  explicit Block(const Dataset& data)
+      : dataset(data), x(coordinate_of(data, "x")), y(coordinate_of(data, "y")), z(heights_of_layers(data)) {
+    for (const Variable& v : data.variables) {
+      const std::size_t tuples = x.size() * y.size() * (is_volume(v) ? z.size() : 1);
+      const NumberType type = is_flags(v) ? NumberType::int8 : NumberType::float64;
+      if (std::holds_alternative<std::string>(v.values) || count(v.values) != tuples) continue;
+      if (is_field(v)) fields.push_back({&v, type, tuples});
+      if (is_volume(v)) volumes.push_back({&v, type, tuples});
+    }
+    if (fields.empty() && volumes.empty())
+      throw DataError("dataset", "it has no field on (x, y) and no volume on (z, x, y)");
+  }
+
+  std::string extent() const {
+    return "0 " + std::to_string(x.size() - 1) + " 0 " + std::to_string(y.size() - 1) + " 0 " +
+           std::to_string(z.size() - 1);
+  }
+  void declare(Document& document, const std::vector<Array>& arrays) const {
+    for (const Array& a : arrays) document.declare(a.variable->name, a.type, a.tuples, unit_of(*a.variable));
+  }
+  void append(Document& document, const std::vector<Array>& arrays) const {
+    for (const Array& a : arrays) {
+      document.begin_array(a.bytes());
+      const Index layers = is_volume(*a.variable) ? static_cast<Index>(z.size()) : 1;
+      for (Index k = layers; k-- > 0;) document.append(layer_of(dataset, *a.variable, k), a.type);
+    }
+  }
+};
+
+void declare_coordinates(Document& document, const Block& block) {
+  document << "<Coordinates>\n";
+  for (const auto& [name, points] : {std::pair{"x", &block.x}, {"y", &block.y}, {"z", &block.z}})
+    document.declare(name, NumberType::float64, points->size(), "m");
+  document << "</Coordinates>\n";
+}
+
+void append_coordinates(Document& document, const Block& block) {
+  for (const Points* points : {&block.x, &block.y, &block.z}) {
+    document.begin_array(points->size() * sizeof(double));
+    document.append(Eigen::Map<const Field>(points->data(), 1, static_cast<Index>(points->size())),
+                    NumberType::float64);
+  }
+}
+
+// `geometry` is what the element of the whole says of its points.
+std::string encode(const Block& block, const std::string& kind, const std::string& geometry,
+                   bool coordinates) {
+  Document document(kind);
+  const bool volumes = !block.volumes.empty();
+  document << "<" << kind << " WholeExtent=\"" << block.extent() << "\"" << geometry << ">\n";
+  if (volumes && !block.fields.empty()) {
+    document << "<FieldData>\n";
+    block.declare(document, block.fields);
+    document << "</FieldData>\n";
+  }
+  document << "<Piece Extent=\"" << block.extent() << "\">\n<PointData>\n";
+  block.declare(document, volumes ? block.volumes : block.fields);
+  document << "</PointData>\n";
+  if (coordinates) declare_coordinates(document, block);
+  document << "</Piece>\n";
+  document.begin_data();
+  block.append(document, block.fields);
+  block.append(document, block.volumes);
+  if (coordinates) append_coordinates(document, block);
+  return document.take();
+}
+
+}  // namespace
+
+bool has_even_depths(const Dataset& dataset) { return evenly_spaced(heights_of_layers(dataset)); }
+
+std::string encode_vti(const Dataset& dataset) {
+  const Block block(dataset);
+  const Grid grid = grid_of(dataset);
+  if (!evenly_spaced(block.z))
+    throw DataError("z",
+                    "its depths are not evenly spaced, as image data needs: write a rectilinear grid, vtr");
+  const std::string origin =
+      decimal(block.x.front()) + " " + decimal(block.y.front()) + " " + decimal(block.z.front());
+  const std::string spacing =
+      decimal(grid.dx) + " " + decimal(grid.dy) + " " + decimal(step_of(block.z, grid.dx));
+  return encode(block, "ImageData", " Origin=\"" + origin + "\" Spacing=\"" + spacing + "\"", false);
+}
+
+std::string encode_vtr(const Dataset& dataset) { return encode(Block(dataset), "RectilinearGrid", "", true); }
+
+}  // namespace asperity
