@@ -6,6 +6,7 @@
 #include "formats/gsf.hpp"
 #include "formats/gwyddion_text.hpp"
 #include "formats/npy.hpp"
+#include "formats/nrrd.hpp"
 #include "formats/sdf.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
@@ -20,6 +21,7 @@ constexpr Format all[] = {
     {"gwyddion-text", "", "Gwyddion's text export, with its head", recognises_gwyddion_text,
      decode_gwyddion_text, encode_gwyddion_text},
     {"gsf", "gsf", "Gwyddion Simple Field, 32-bit floats", recognises_gsf, decode_gsf, encode_gsf, true},
+    {"nrrd", "nrrd", "NRRD, nearly raw raster data", recognises_nrrd, decode_nrrd, encode_nrrd},
     {"npy", "npy", "NumPy's array", recognises_npy, decode_npy, encode_npy},
     {"sdf", "sdf", "SDF, ISO 25178-71, doubles", recognises_sdf, decode_sdf, encode_sdf},
     {"sdf-ascii", "", "SDF, ISO 25178-71, in text", recognises_sdf_text, decode_sdf, encode_sdf_text},

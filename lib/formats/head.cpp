@@ -1,7 +1,6 @@
 #include "formats/head.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -51,12 +50,9 @@ double Head::positive(std::string_view key) const {
 }
 
 Index Head::count(std::string_view key) const {
-  const std::string_view value = text(key);
-  Index out = 0;
-  const auto [rest, error] = std::from_chars(value.data(), value.data() + value.size(), out);
-  if (error != std::errc() || rest != value.data() + value.size() || out < 0)
-    refuse(key, value, "no whole number from 0 on");
-  return out;
+  const auto out = whole_number_of(text(key));
+  if (!out) refuse(key, text(key), "no whole number from 0 on");
+  return *out;
 }
 
 std::string one_line(std::string_view text) {

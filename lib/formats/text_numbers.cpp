@@ -103,6 +103,13 @@ std::optional<double> number_of(std::string_view word, bool decimal_comma) {
   return error == std::errc() ? std::optional(value) : std::strtod(std::string(word).c_str(), nullptr);
 }
 
+std::optional<Index> whole_number_of(std::string_view word) {
+  Index value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (rest != word.data() + word.size() || error != std::errc() || value < 0) return std::nullopt;
+  return value;
+}
+
 Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line) {
   std::vector<double> values;
   Index rows = 0, columns = 0;

@@ -21,6 +21,8 @@ namespace asperity {
 bool has_decimal_commas(std::string_view text);
 /// A whole word as a number, missing ones NaN; nothing when it is none.
 std::optional<double> number_of(std::string_view word, bool decimal_comma = false);
+/// A whole word as a whole number from 0 on; nothing when it is none, or too large.
+std::optional<Index> whole_number_of(std::string_view word);
 
 /// Lines of as many numbers each; throws DataError(variable, …) that names the line where there is something else, a
 /// number that is infinite, or another number of them. `first_line` is what the first is called.

@@ -1,0 +1,77 @@
+#include "formats/gzip.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <zlib.h>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t piece = 1 << 16;
+
+class Inflater {
+ public:
+  explicit Inflater(std::string_view bytes) : rest_(bytes) {
+    if (inflateInit2(&stream_, 15 + 16) != Z_OK) throw std::bad_alloc();
+  }
+  ~Inflater() { inflateEnd(&stream_); }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+
+  // The number of bytes put at `out`; 0 when there are no more, or they are damaged.
+  std::size_t take(char* out, std::size_t size) {
+    stream_.next_out = reinterpret_cast<Bytef*>(out);
+    stream_.avail_out = static_cast<uInt>(size);
+    do {
+      feed();
+      state_ = inflate(&stream_, Z_NO_FLUSH);
+    } while (state_ == Z_OK && stream_.avail_out == size);
+    return state_ == Z_OK || state_ == Z_STREAM_END ? size - stream_.avail_out : 0;
+  }
+
+  // Whether nothing follows, and gzip's own checksum is right.
+  bool ends() {
+    char next;
+    return take(&next, 1) == 0 && state_ == Z_STREAM_END;
+  }
+
+ private:
+  // zlib counts in 32 bits.
+  void feed() {
+    if (stream_.avail_in > 0) return;
+    const std::size_t size = std::min<std::size_t>(rest_.size(), std::numeric_limits<uInt>::max());
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(rest_.data()));
+    stream_.avail_in = static_cast<uInt>(size);
+    rest_.remove_prefix(size);
+  }
+
+  std::string_view rest_;
+  z_stream stream_{};
+  int state_ = Z_OK;
+};
+
+}  // namespace
+
+std::string inflated(std::string_view bytes, std::size_t size, const std::string& variable) {
+  if (size / most_inflated > bytes.size())
+    throw DataError(variable, "it is cut short: " + std::to_string(bytes.size()) + " bytes of gzip hold no " +
+                                  std::to_string(size));
+  Inflater inflater(bytes);
+  std::string out;
+  while (out.size() < size) {
+    const std::size_t before = out.size();
+    out.resize(std::min(size, std::max(2 * before, piece)));
+    std::size_t filled = before;
+    while (filled < out.size()) {
+      const std::size_t got = inflater.take(out.data() + filled, std::min(out.size() - filled, piece));
+      if (got == 0) throw DataError(variable, "its gzip is damaged or cut short");
+      filled += got;
+    }
+  }
+  if (!inflater.ends()) throw DataError(variable, "its gzip is damaged, or holds more than it should");
+  return out;
+}
+
+}  // namespace asperity
