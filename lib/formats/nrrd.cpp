@@ -220,7 +220,7 @@ std::string encode_nrrd(const Map& map, Order) {
   std::string out = "NRRD0004\n" + line("type", "double") + line("dimension", "2");
   out += line("sizes", std::to_string(map.values.rows()) + " " + std::to_string(map.values.cols()));
   out += line("spacings", spacings) + line("units", "\"m\" \"m\"");
-  if (!map.units.empty()) out += line("sample units", map.units);
+  if (!map.units.empty()) out += line("sample units", "\"" + map.units + "\"");
   if (!map.title.empty()) out += line("content", map.title);
   out += line("endian", "little") + line("encoding", "raw") + "\n";
   return out + bytes_of(map.values, {NumberType::float64, std::endian::little, Order::yx});

@@ -6,7 +6,7 @@
 ///     sizes: 5 3                 points along x, the fastest axis, and y, from the least on
 ///     spacings: 1e-06 2e-06      or axis mins and axis maxs (with centers), or space directions, whose lengths are taken
 ///     units: "m" "m"             of each axis (space units with space directions); where none is stated the size is unknown
-///     sample units: m            of the values; nothing is assumed where it is not stated
+///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem); nothing is assumed where there is none
 ///     content: heights           the title
 ///     endian: little             or big
 ///     encoding: raw              or text (ascii, txt), or gzip (gz)

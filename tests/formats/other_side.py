@@ -1,0 +1,167 @@
+"""What asperity-convert writes is read by other programs with the same numbers, sizes and units, and the other way round.
+
+other_side.py ASPERITY-CONVERT CHECK      one of numpy, gdal, gwyddion; exit 77 where the other program is missing
+"""
+import os
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+CONVERT = sys.argv[1]
+NX, NY, DX, DY = 5, 4, 6e-4, 5e-4  # of --size 3mm,2mm
+
+
+def skip(what):
+    print(f"SKIPPED: there is no {what}")
+    sys.exit(SKIPPED)
+
+
+try:
+    import numpy as np
+except ImportError:
+    skip("python3-numpy")
+
+
+def convert(source, target, *options):
+    subprocess.run([CONVERT, source, "-o", target, *options], check=True)
+    return target
+
+
+def heights(missing=True):
+    """(x, y) metres, of both signs and many sizes; one point missing."""
+    z = np.random.default_rng(1).normal(size=(NX, NY)) * 10.0 ** np.arange(-9, -9 + NX)[:, None]
+    if missing:
+        z[3, 1] = np.nan
+    return z
+
+
+def our_array(source):
+    return np.load(convert(source, "ours.npy"))
+
+
+def our_spacing(source):
+    """In metres, as the head of an NRRD states it."""
+    with open(convert(source, "ours.nrrd"), "rb") as file:
+        line = next(line for line in file if line.startswith(b"spacings: "))
+    return [float(word) for word in line.split()[1:]]
+
+
+def same(a, b):
+    return np.array_equal(a, b, equal_nan=True)
+
+
+def check_numpy():
+    whole = np.arange(NX * NY).reshape(NX, NY)
+    for kind in ("<f8", ">f8", "<f4", ">f4", "<f2", "<i2", ">i4", "<i8", "i1", "u1", ">u2", "<u4", "<u8", "?"):
+        for order in "CF":
+            array = np.asarray(heights() if "f" in kind else whole % 2 if kind == "?" else whole, kind, order)
+            np.save("theirs.npy", array)
+            for indices in ("xy", "yx"):
+                ours = np.load(convert("theirs.npy", "ours.npy", "--size", "3mm,2mm", "--order", indices))
+                assert ours.dtype == np.dtype("<f8") and ours.flags.c_contiguous, (kind, order)
+                assert same(ours, array.astype(float)), (kind, order, indices)
+    np.lib.format.write_array(open("second.npy", "wb"), heights(), version=(2, 0))
+    assert same(np.load(convert("second.npy", "ours.npy", "--size", "3mm,2mm")), heights())
+
+
+def check_gdal():
+    try:
+        from osgeo import gdal
+    except ImportError:
+        skip("python3-gdal")
+    gdal.UseExceptions()
+    gdal.SetConfigOption("AAIGRID_DATATYPE", "Float64")
+    z = heights()
+    np.save("z.npy", z)
+    grid = gdal.Open(convert("z.npy", "ours.asc", "--size", "3mm,2mm"))
+    band = grid.GetRasterBand(1)
+    read = band.ReadAsArray()
+    read[read == band.GetNoDataValue()] = np.nan
+    assert same(read[::-1].T, z)  # their first row is the north
+    _, dx, _, north, _, dy = grid.GetGeoTransform()
+    assert np.allclose([dx, dy, north], [DX, -DY, NY * DY], rtol=1e-12), grid.GetGeoTransform()
+
+    memory = gdal.GetDriverByName("MEM").Create("", NX, NY, 1, gdal.GDT_Float64)
+    memory.SetGeoTransform((10, 2.5, 0, 20, 0, -0.75))
+    memory.GetRasterBand(1).SetNoDataValue(-9999)
+    memory.GetRasterBand(1).WriteArray(np.where(np.isnan(z), -9999, z).T[::-1])
+    gdal.PushErrorHandler("CPLQuietErrorHandler")  # it warns of what is meant: that DX differs from DY
+    gdal.GetDriverByName("AAIGrid").CreateCopy("theirs.asc", memory, options=["SIGNIFICANT_DIGITS=17"]).FlushCache()
+    gdal.PopErrorHandler()
+    assert same(our_array("theirs.asc"), z)
+    assert np.allclose(our_spacing("theirs.asc"), [2.5, 0.75], rtol=1e-12)
+
+
+def gwy_name(file, at):
+    end = file.index(0, at)
+    return file[at:end].decode(), end + 1
+
+
+def gwy_array(file, at, kind):
+    count, = struct.unpack_from("<I", file, at)
+    return struct.unpack_from(f"<{count}{kind}", file, at + 4), at + 4 + count * struct.calcsize(kind)
+
+
+def gwy_value(file, at, kind):
+    if kind in "bidq":
+        kind = "<" + {"b": "B"}.get(kind, kind)
+        return struct.unpack_from(kind, file, at)[0], at + struct.calcsize(kind)
+    if kind in "IDQC":
+        return gwy_array(file, at, kind.lower())
+    if kind == "s":
+        return gwy_name(file, at)
+    if kind == "o":
+        return gwy_object(file, at)
+    assert kind == "S", kind
+    count, = struct.unpack_from("<I", file, at)
+    at += 4
+    strings = []
+    for _ in range(count):
+        string, at = gwy_name(file, at)
+        strings.append(string)
+    return strings, at
+
+
+def gwy_object(file, at):
+    """An object of a .gwy file: its name, the bytes of its components, and each with a name, a kind and a value."""
+    _, at = gwy_name(file, at)
+    end = at + 4 + struct.unpack_from("<I", file, at)[0]
+    at += 4
+    parts = {}
+    while at < end:
+        key, at = gwy_name(file, at)
+        parts[key], at = gwy_value(file, at + 1, chr(file[at]))
+    return parts, end
+
+
+def check_gwyddion():
+    if not shutil.which("gwyddion"):
+        skip("gwyddion")
+    np.save("z.npy", heights())
+    np.save("whole.npy", heights(missing=False))
+    files = [convert("z.npy", name, "--size", "3mm,2mm") for name in ("a.gsf", "b.sdf", "c.nrrd", "d.x3p")]
+    files += [convert("whole.npy", "e.sdf", "--size", "3mm,2mm", "--to", "sdf-ascii")]
+    at_home_here = {**os.environ, "HOME": os.getcwd()}
+    subprocess.run(["gwyddion", "--convert-to-gwy=all.gwy", *files], check=True, env=at_home_here)
+    with open("all.gwy", "rb") as file:
+        bytes_ = file.read()
+    assert bytes_[:4] == b"GWYP"
+    channels, _ = gwy_object(bytes_, 4)
+    for number, name in enumerate(files):
+        field = channels[f"/{number}/data"]
+        assert (field["xres"], field["yres"]) == (NX, NY), name
+        assert np.allclose([field["xreal"], field["yreal"]], [3e-3, 2e-3], rtol=1e-12), name
+        assert field["si_unit_xy"]["unitstr"] == field["si_unit_z"]["unitstr"] == "m", name
+        read = np.array(field["data"]).reshape(NY, NX).T
+        if f"/{number}/mask" in channels:
+            read[np.array(channels[f"/{number}/mask"]["data"]).reshape(NY, NX).T > 0] = np.nan
+        expected = heights(missing=name != "e.sdf")
+        assert same(read, expected.astype("f4").astype(float) if name == "a.gsf" else expected), name
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    {"numpy": check_numpy, "gdal": check_gdal, "gwyddion": check_gwyddion}[sys.argv[2]]()
