@@ -10,6 +10,7 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include "dataset/classic_head.hpp"
 #include "dataset/netcdf_types.hpp"
 #include "dataset/sparse_file.hpp"
 
@@ -288,6 +289,7 @@ bool looks_like_netcdf(const std::string& bytes) {
 Dataset decode_netcdf(const std::string& bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
+  if (bytes.starts_with("CDF")) check_classic_head(bytes);
   Handle file;
   const int status =
       nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);

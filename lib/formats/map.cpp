@@ -12,11 +12,15 @@ namespace {
 
 constexpr double fill = 9.969209968386869e36;  // NetCDF's own for doubles
 
+// Points between these bounds are evenly spaced and have areas, whatever their number.
 Grid grid_of(const Map& map) {
-  for (const double spacing : map.spacing)
-    if (!(spacing > 0 && std::isfinite(spacing)))
+  constexpr double least = 1e-100, greatest = 1e100;
+  for (const double spacing : map.spacing) {
+    if (std::isnan(spacing))
       throw DataError("x",
                       "the file does not say how large the map is: asperity-convert --size gives it a size");
+    if (!(spacing >= least && spacing <= greatest)) throw DataError("x", "its spacing is not a length");
+  }
   return {shape_of(map.values), map.spacing[0], map.spacing[1], false};
 }
 

@@ -1,0 +1,112 @@
+#include "dataset/classic_head.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attributes = 12 };
+
+[[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
+
+// Reads from the front of the bytes, and never beyond them.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : rest_(bytes), all_(bytes.size()) {
+    const char version = bytes.size() > 3 ? bytes[3] : '\0';
+    wide_counts_ = version == 5;
+    wide_offsets_ = version != 1;
+    skip(4);
+  }
+
+  std::uint64_t count() { return number(wide_counts_ ? 8 : 4); }
+  std::uint32_t word() { return static_cast<std::uint32_t>(number(4)); }
+  void skip_offset() { skip(wide_offsets_ ? 8 : 4); }
+  void skip_count() { skip(wide_counts_ ? 8 : 4); }
+  /// n things of `size` bytes, padded to four.
+  void skip_padded(std::uint64_t n, std::uint64_t size) {
+    if (n > rest_.size() / size) refuse_cut_short();
+    skip((n * size + 3) / 4 * 4);
+  }
+  void skip_name() { skip_padded(count(), 1); }
+
+  /// The number of elements of a list, each of which has at least `least` words.
+  std::uint64_t list(Tag tag, std::uint64_t least) {
+    const std::uint32_t found = word();
+    const std::uint64_t n = count();
+    if (found != tag && (found != absent || n != 0)) refuse("its head is no NetCDF's");
+    if (n > rest_.size() / (4 * least)) refuse_cut_short();
+    return n;
+  }
+
+  [[noreturn]] void refuse_cut_short() const {
+    refuse("its header claims more than the " + std::to_string(all_) +
+           " bytes that there are: it is cut short");
+  }
+
+ private:
+  std::uint64_t number(std::size_t width) {
+    if (width > rest_.size()) refuse_cut_short();
+    std::uint64_t out = 0;
+    for (std::size_t i = 0; i < width; ++i) out = out << 8 | static_cast<unsigned char>(rest_[i]);
+    rest_.remove_prefix(width);
+    return out;
+  }
+  void skip(std::uint64_t bytes) {
+    if (bytes > rest_.size()) refuse_cut_short();
+    rest_.remove_prefix(bytes);
+  }
+
+  std::string_view rest_;
+  std::size_t all_;
+  bool wide_counts_ = false, wide_offsets_ = false;
+};
+
+// The bytes of a number of an external type, NC_BYTE = 1 to NC_UINT64 = 11.
+std::uint64_t size_of_type(std::uint32_t type) {
+  constexpr std::array<std::uint64_t, 12> sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+  if (type == 0 || type >= sizes.size()) refuse("its head has a type that no classic NetCDF has");
+  return sizes[type];
+}
+
+void check_attributes(Reader& reader) {
+  for (std::uint64_t n = reader.list(attributes, 3); n > 0; --n) {
+    reader.skip_name();
+    const std::uint64_t size = size_of_type(reader.word());
+    reader.skip_padded(reader.count(), size);
+  }
+}
+
+void check_dimensions(Reader& reader) {
+  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
+    reader.skip_name();
+    reader.skip_count();
+  }
+}
+
+void check_variables(Reader& reader) {
+  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n) {
+    reader.skip_name();
+    for (std::uint64_t rank = reader.count(); rank > 0; --rank) reader.skip_count();
+    check_attributes(reader);
+    size_of_type(reader.word());
+    reader.skip_count();
+    reader.skip_offset();
+  }
+}
+
+}  // namespace
+
+void check_classic_head(std::string_view bytes) {
+  Reader reader(bytes);
+  reader.skip_count();
+  check_dimensions(reader);
+  check_attributes(reader);
+  check_variables(reader);
+}
+
+}  // namespace asperity

@@ -1,0 +1,21 @@
+/// The head of a NetCDF file in its classic formats (CDF-1, CDF-2, CDF-5), looked over before the library reads it.
+///
+/// The library takes memory for as many names, attributes and variables as the head claims, before it looks whether they
+/// are there. Here every count is compared with the bytes that are left: a head that passes needs memory of the order of
+/// its own length.
+///
+///     head = magic numrecs list(dimension) list(attribute) list(variable)
+///     list = tag count element…     name = length text padding
+/// with counts of 32 bits, of 64 in CDF-5, big-endian, and all things padded to four bytes.
+///
+/// The NetCDF Users Guide, appendix B: File Format Specifications.
+#pragma once
+
+#include <string_view>
+
+namespace asperity {
+
+/// Throws DataError("dataset", …) for the bytes of a classic file whose head claims more than they hold, or is none.
+void check_classic_head(std::string_view bytes);
+
+}  // namespace asperity
