@@ -5,11 +5,13 @@
 
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "formats/head.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
 namespace {
 
+constexpr std::size_t longest_unit = 64;       // in bytes; what is longer is none
 constexpr double fill = 9.969209968386869e36;  // NetCDF's own for doubles
 
 // Points between these bounds are evenly spaced and have areas, whatever their number.
@@ -47,19 +49,22 @@ void set_with_missing(Dataset& dataset, std::string_view name, const Field& valu
 }  // namespace
 
 double metres_per(std::string_view unit, const std::string& variable) {
+  const std::string name = one_line(unit.substr(0, longest_unit));
   try {
-    return unit_factor(std::string(unit), "m");
+    const double factor = unit.size() <= longest_unit ? unit_factor(name, "m") : 0;
+    if (factor > 0 && std::isfinite(factor)) return factor;
   } catch (const std::invalid_argument& error) {
     throw DataError(variable, error.what());
   }
+  throw DataError(variable, "'" + name + "' is no unit of length");
 }
 
 void set_units(Map& map, std::string_view unit) {
-  map.units = unit;
+  map.units = one_line(unit.substr(0, longest_unit));
   double factor = 1;
   try {
-    factor = unit_factor(map.units, "m");
-  } catch (const std::invalid_argument&) {
+    factor = metres_per(unit, "map");
+  } catch (const DataError&) {
     return;
   }
   map.units = "m";
@@ -83,7 +88,7 @@ Dataset dataset_of(const Map& map) {
   set_grid(out, grid_of(map));
   const bool heights = map.units.empty() || map.units == "m";
   const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
-                    words = map.title.empty() ? name : map.title;
+                    words = map.title.empty() ? name : one_line(map.title);
   if (map.values.isInf().any()) throw DataError(name, "a point is infinite");
   if (map.values.isNaN().all()) throw DataError(name, "every point is missing");
   if (map.values.hasNaN())

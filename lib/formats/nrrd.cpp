@@ -102,9 +102,10 @@ struct Axes {
 // The last axes of 1 are left out until there are two.
 Axes axes_of(const Head& head) {
   const Words words = words_of(head.text("sizes"));
-  if (static_cast<Index>(words.size()) != head.count("dimension"))
+  const Index dimension = head.count("dimension");
+  if (static_cast<Index>(words.size()) != dimension)
     refuse("it has " + std::to_string(words.size()) + " sizes for a dimension of " +
-           std::string(head.text("dimension")));
+           std::to_string(dimension));
   std::vector<Index> sizes;
   std::vector<std::size_t> axes;
   for (const std::string_view size : words) {

@@ -79,6 +79,26 @@ TEST_CASE("heights in any unit of length become metres, other quantities keep th
   CHECK(map.values(4, 2) == 8);
 }
 
+TEST_CASE("a unit that is no length, or too long to be one, is kept, and no values become infinite by it",
+          "[formats][contract]") {
+  for (const std::string unit : {"1e400 m", "0 m", "-1 m", "V", "\xb5m"}) {
+    Map map = small_map();
+    set_units(map, unit);
+    CHECK(same(map.values, small_map().values));
+    CHECK_THROWS_AS(metres_per(unit, "map"), DataError);
+  }
+  Map map = small_map();
+  set_units(map, "m" + std::string(100000, ' '));
+  CHECK(map.units.size() == 64);
+}
+
+TEST_CASE("a title from a file is one line of UTF-8 in the dataset", "[formats][contract]") {
+  Map map = small_map();
+  map.title = "H\xc3\xb6he \xf6\x1b[31m\n\xe2\x82\xac \xe2\x82 \xed\xa0\x80";
+  CHECK(dataset_of(map).at("heights").attributes.text("long_name") ==
+        "H\xc3\xb6he ? [31m \xe2\x82\xac ?? ???");
+}
+
 TEST_CASE("numbers of every type, byte order and order of indices come back", "[formats][exact]") {
   Field z(70, 45);
   for (Index i = 0; i < z.size(); ++i) z(i) = static_cast<double>((37 * i) % 120);
