@@ -11,6 +11,7 @@
 #include <netcdf_mem.h>
 
 #include "dataset/classic_head.hpp"
+#include "dataset/mapped_file.hpp"
 #include "dataset/netcdf_types.hpp"
 #include "dataset/sparse_file.hpp"
 
@@ -300,6 +301,7 @@ Dataset decode_netcdf(const std::string& bytes) {
 }
 
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {
+  if (const MappedFile mapped(path); mapped.bytes().starts_with("CDF")) check_classic_head(mapped.bytes());
   Handle file;
   check(nc_open(path.c_str(), NC_NOWRITE, &file.id), path + " cannot be read");
   file.open = true;

@@ -7,13 +7,13 @@
 
 #include <zip.h>
 
+#include "formats/gzip.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr std::size_t most_deflated = 1032;  // zlib's own bound of what one byte can yield
-constexpr std::uint16_t day = 0x21;          // 1980-01-01, the first that an archive knows
+constexpr std::uint16_t day = 0x21;  // 1980-01-01, the first that an archive knows
 
 struct CloseEntry {
   void operator()(zip_file_t* file) const { zip_fclose(file); }
@@ -94,7 +94,7 @@ ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
     throw DataError(variable_, quoted + "states no size");
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
     throw DataError(variable_, quoted + "is neither stored nor deflated");
-  if (stat.size / most_deflated > stat.comp_size)
+  if (stat.size / most_inflated > stat.comp_size)
     throw DataError(variable_, quoted + "claims " + std::to_string(stat.size) + " bytes, more than its " +
                                    std::to_string(stat.comp_size) + " can hold");
   return {place, stat.size, stat.comp_size};

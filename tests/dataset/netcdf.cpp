@@ -1,5 +1,7 @@
 #include "dataset/netcdf.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "grid/error.hpp"
@@ -168,6 +170,48 @@ TEST_CASE("a header that claims more values than the file has bytes is refused b
   REQUIRE(length < bytes.size());
   bytes[length] = '\x7f';
   CHECK_THROWS_AS(decode_netcdf(bytes), DataError);
+}
+
+// The library asks for the memory that a count claims before it looks: an attribute of 2^62 numbers ended a run under the
+// address sanitizer. Counts are 4 or 8 bytes, and stand at multiples of 4.
+TEST_CASE("a head of whose words one is replaced is refused, or holds no more values than there are bytes",
+          "[netcdf][contract]") {
+  for (const bool wide : {false, true}) {
+    const std::string bytes = encode_netcdf(of_every_type(wide));
+    for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4)
+      for (const char* word : {"\x7f\xff\xff\xff", "\xff\xff\xff\xff", "\x40\0\0\0", "\0\0\0\x0c"}) {
+        CAPTURE(wide, at);
+        try {
+          std::size_t values = 0;
+          for (const Variable& v : decode_netcdf(std::string(bytes).replace(at, 4, word, 4)).variables)
+            values += count(v.values);
+          CHECK(values <= bytes.size());
+        } catch (const DataError&) {
+          SUCCEED();
+        }
+      }
+  }
+}
+
+TEST_CASE("a file on disk whose head claims more than it holds is refused, by parts too",
+          "[netcdf][contract]") {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("asperity-head-" + std::to_string(std::random_device()()));
+  const std::string bytes = encode_netcdf(of_every_type(false));
+  const auto refused = [&](const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+    try {
+      NetcdfFile(path.string(), {"n"});
+      return false;
+    } catch (const DataError&) {
+      return true;
+    }
+  };
+  CHECK(!refused(bytes));
+  // The number of dimensions stands behind the magic, the number of records and the list's tag.
+  CHECK(refused(std::string(bytes).replace(12, 4, "\x7f\xff\xff\xff")));
+  CHECK(refused(bytes.substr(0, 40)));
+  std::filesystem::remove(path);
 }
 
 TEST_CASE("bytes that are no NetCDF are refused", "[netcdf][contract]") {
