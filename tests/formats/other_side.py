@@ -59,10 +59,10 @@ def check_numpy():
         for order in "CF":
             array = np.asarray(heights() if "f" in kind else whole % 2 if kind == "?" else whole, kind, order)
             np.save("theirs.npy", array)
-            for indices in ("xy", "yx"):
+            for indices, expected in (("xy", array), ("yx", array.T)):
                 ours = np.load(convert("theirs.npy", "ours.npy", "--size", "3mm,2mm", "--order", indices))
                 assert ours.dtype == np.dtype("<f8") and ours.flags.c_contiguous, (kind, order)
-                assert same(ours, array.astype(float)), (kind, order, indices)
+                assert same(ours, expected.astype(float)), (kind, order, indices)
     np.lib.format.write_array(open("second.npy", "wb"), heights(), version=(2, 0))
     assert same(np.load(convert("second.npy", "ours.npy", "--size", "3mm,2mm")), heights())
 
@@ -142,8 +142,9 @@ def check_gwyddion():
         skip("gwyddion")
     np.save("z.npy", heights())
     np.save("whole.npy", heights(missing=False))
-    files = [convert("z.npy", name, "--size", "3mm,2mm") for name in ("a.gsf", "b.sdf", "c.nrrd", "d.x3p")]
-    files += [convert("whole.npy", "e.sdf", "--size", "3mm,2mm", "--to", "sdf-ascii")]
+    heights_of = ("--size", "3mm,2mm", "--unit", "m")
+    files = [convert("z.npy", name, *heights_of) for name in ("a.gsf", "b.sdf", "c.nrrd", "d.x3p")]
+    files += [convert("whole.npy", "e.sdf", *heights_of, "--to", "sdf-ascii")]
     at_home_here = {**os.environ, "HOME": os.getcwd()}
     subprocess.run(["gwyddion", "--convert-to-gwy=all.gwy", *files], check=True, env=at_home_here)
     with open("all.gwy", "rb") as file:
