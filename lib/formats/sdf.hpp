@@ -11,7 +11,7 @@
 ///     *
 /// and the numbers, line by line from the least y, which end with another * or the file; what follows is passed over. Names
 /// stand in any order in text, and are left out in binary, where all is least significant byte first (the standard knows
-/// no other) and the numbers follow the 81 bytes at once; two fields of four bytes that Olympus puts between are known.
+/// no other) and the numbers follow the 81 bytes (85) at once; two fields of four bytes that Olympus puts between are known.
 /// Yscale means nothing, and the spacing is unknown, where there is a single line.
 ///
 /// A missing point is BAD in text. In binary it is NaN or the number that is furthest from 0 of a floating type, the
