@@ -145,6 +145,18 @@ void refuse_groups(int file) {
     refuse("it has groups, which only NetCDF-4 has");
 }
 
+// NetCDF-4 deflates, and need not hold what was never written: no more is made of its bytes than deflating could.
+void refuse_if_thin(const std::vector<Header>& headers, std::size_t bytes) {
+  constexpr std::size_t most_inflated = 1032;
+  std::size_t left = bytes > SIZE_MAX / most_inflated ? SIZE_MAX : bytes * most_inflated;
+  for (const Header& h : headers) {
+    if (h.bytes > left)
+      refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " +
+             std::to_string(bytes) + " can hold");
+    left -= h.bytes;
+  }
+}
+
 bool lies_on(const Variable& variable, const std::vector<std::string>& dimensions) {
   return !dimensions.empty() && std::ranges::all_of(dimensions, [&](const std::string& name) {
     return std::ranges::find(variable.dimensions, name) != variable.dimensions.end();
@@ -161,7 +173,7 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
   out.attributes = read_attributes(file, NC_GLOBAL, attributes);
   std::vector<Header> headers;
   for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
-  if (classic(file)) refuse_if_cut_short(headers, bytes);
+  classic(file) ? refuse_if_cut_short(headers, bytes) : refuse_if_thin(headers, bytes);
   for (int v = 0; v < variables; ++v) {
     Header& header = headers[static_cast<std::size_t>(v)];
     const bool stays = lies_on(header.variable, deferred);
