@@ -184,7 +184,7 @@ AcfTable from_columns(const Text& text) {
 }  // namespace
 
 AcfTable read_acf_table(const std::string& name) {
-  const std::string bytes = read_all(name);
+  const Bytes bytes = read_all(name);
   if (looks_like_netcdf(bytes)) return from_dataset(decode_netcdf(bytes));
   const Text text = parse(bytes);
   return text.columns.empty() ? from_matrix(text) : from_columns(text);

@@ -19,11 +19,11 @@
 namespace asperity::cli {
 
 struct AcfTable {
-  Field half_plane;  ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
-  Spacing spacing;   ///< of the lags [m], where it is known
-  double rms = NAN;  ///< [m], where it is known
+  Field half_plane;             ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
+  Spacing spacing;              ///< of the lags [m], where it is known
+  double rms = NAN;             ///< [m], where it is known
   HeightsWithAcf heights = {};  ///< whose autocorrelation it is
-  Dataset dataset;   ///< what came with the table, less what belongs to the surface that it was taken from
+  Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from
 };
 
 /// "-" is standard input. Throws DataError("acf", …).

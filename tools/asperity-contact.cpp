@@ -24,7 +24,7 @@ int told_exit(const cli::Tool& tool, const Contact& contact, const std::string& 
 }
 
 int press(cli::Tool& tool, const cli::ContactOptions& options) {
-  cli::ContactScene scene = cli::read_scene(options);
+  cli::ContactScene scene = cli::read_scene(tool, options);
   const Contact contact =
       solve_contact(scene.grid, std::move(scene.gap), options.bodies.composite_modulus(), options.contact);
   cli::record(scene, options, contact);
@@ -33,7 +33,7 @@ int press(cli::Tool& tool, const cli::ContactOptions& options) {
 }
 
 int sweep(cli::Tool& tool, const cli::ContactOptions& options) {
-  const cli::ContactScene scene = cli::read_scene(options);
+  const cli::ContactScene scene = cli::read_scene(tool, options);
   const auto influence =
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
   cli::LoadTable table;

@@ -104,7 +104,8 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
 }
 
 Dataset read_kernel(cli::Tool& tool, Options& o) {
-  const std::string bytes = cli::read_all(tool.given("--kernel") ? o.kernel : "-");
+  const cli::Bytes read = cli::read_all(tool.given("--kernel") ? o.kernel : "-");
+  const std::string_view bytes = read;
   if (bytes.empty() && !tool.given("--kernel"))
     throw cli::UsageError("length", "is required, or --kernel, or a kernel on standard input");
   const std::string heights = cli::MarginalOptions::given(tool);

@@ -50,6 +50,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
             "largest von Mises stress (default: y=0; a profile's: both)",
             group);
   tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
+  tool.input_format();
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
   tool.counts("--pixels", o.request.pixels, 200, "Size; letters grow with the width (default: as suits)",
               group);
@@ -127,7 +128,7 @@ std::vector<std::string> labels_of(const Options& o) {
   return out;
 }
 
-plot::Cases read_cases(const Options& o) {
+plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   constexpr std::size_t most = 6;
   if (o.inputs.size() > most) throw cli::UsageError("input", "more than 6 are not legible side by side");
   if (std::ranges::count(o.inputs, "-") > 1) throw cli::UsageError("input", "standard input is given twice");
@@ -135,13 +136,13 @@ plot::Cases read_cases(const Options& o) {
     throw cli::UsageError("input", "pipe a dataset in or name a file");
   const std::vector<std::string> labels = labels_of(o);
   plot::Cases out;
-  for (std::size_t i = 0; i < labels.size(); ++i) out.push_back({cli::Tool::read(o.inputs[i]), labels[i]});
+  for (std::size_t i = 0; i < labels.size(); ++i) out.push_back({tool.read(o.inputs[i]), labels[i]});
   return out;
 }
 
 int draw(const cli::Tool& tool, const Options& options) {
   const plot::Request request = request_of(tool, options);
-  const plot::Cases cases = read_cases(options);
+  const plot::Cases cases = read_cases(tool, options);
   const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);
   const plot::Picture picture = plot::run_gnuplot(kind->draw(cases, request));
   if (!picture.remarks.empty()) tool.detail("gnuplot: " + picture.remarks);

@@ -76,8 +76,10 @@ int main(int argc, char** argv) {
       "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a Gaussian "
       "field, to first order in 1/N_eff; those of the height parameters, where the dataset says what "
       "distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they are not "
-      "Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals of the height "
-      "parameters hold 93 to 97 % from N_eff = 150 on, with the correlation that a dataset carries or an estimated "
+      "Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals of the "
+      "height "
+      "parameters hold 93 to 97 % from N_eff = 150 on, with the correlation that a dataset carries or an "
+      "estimated "
       "one, and 92 to 98 % at 41; those of Sal and of lengths 94 to 97 % from N_eff = 450 on. Peak "
       "and valley have none, nor has what shows a dash. Slopes and curvatures are "
       "those of differences of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to "
@@ -92,6 +94,7 @@ int main(int argc, char** argv) {
       last.rows = std::move(rows);
     };
     surfaces.for_each(
+        tool,
         [&](const Dataset& data, const std::string& name) {
           tool.detail(name);
           add(rows_of_whole(tool, data, options, what));

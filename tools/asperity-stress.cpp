@@ -20,14 +20,14 @@ std::string told(const StressMaximum& m, const Grid& grid) {
 int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
              const cli::StressSelection& selection) {
   const auto points = cli::parse_points(cli::read_all(options.points));
-  const cli::StressScene scene = cli::read_scene(options, tool.input_name());
+  const cli::StressScene scene = cli::read_scene(tool, options);
   const cli::Table table = cli::stress_table(scene, selection, points, tool.thread_count());
   cli::print(tool, table);
   return cli::done;
 }
 
 int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
-  cli::StressScene scene = cli::read_scene(options, tool.input_name());
+  cli::StressScene scene = cli::read_scene(tool, options);
   const Stopwatch clock;
   cli::forget_stress(scene.data);
   if (options.maximum) {

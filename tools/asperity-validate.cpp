@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check();
     std::optional<PrescriptionTest> test;
-    options.surfaces.for_each([&](const Dataset& data, const std::string& name) {
+    options.surfaces.for_each(tool, [&](const Dataset& data, const std::string& name) {
       if (!test) test = test_for(options, data, tool.thread_count());
       tool.detail(name);
       test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));

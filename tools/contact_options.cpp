@@ -44,6 +44,7 @@ void ContactOptions::declare_surface(Tool& tool) {
   CLI::Option* from =
       tool.app().add_option("INPUT", input, "Dataset with heights(x,y) to read; - is standard input");
   from->type_name("FILE")->capture_default_str();
+  tool.input_format();
   CLI::Option* named = tool.text("--variable", variable, "NAME", "The heights that are read", surface);
   CLI::Option* plain =
       tool.flag("--smooth", smooth, "The first body is smooth: starts a chain, reads nothing", surface);

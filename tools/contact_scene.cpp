@@ -43,8 +43,8 @@ bool same(const Grid& one, const Grid& other) {
          std::abs(one.dx / other.dx - 1) <= printed && std::abs(one.dy / other.dy - 1) <= printed;
 }
 
-Field counter_heights(const std::string& name, const Grid& grid) try {
-  const Dataset data = Tool::read(name);
+Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid) try {
+  const Dataset data = tool.read(name);
   const Grid own = grid_of(data);
   if (!same(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
@@ -56,12 +56,12 @@ Field counter_heights(const std::string& name, const Grid& grid) try {
 
 }  // namespace
 
-ContactScene read_scene(const ContactOptions& o) {
+ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
   ContactScene scene;
   if (o.smooth)
     set_grid(scene.data, scene.grid = smooth_grid(o));
   else
-    scene.grid = grid_of(scene.data = Tool::read(o.input));
+    scene.grid = grid_of(scene.data = tool.read(o.input));
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
   for (const char* axis : {"x", "y"})
@@ -69,7 +69,7 @@ ContactScene read_scene(const ContactOptions& o) {
 
   scene.gap = undeformed_gap(scene.grid, o.bodies);
   if (!o.smooth) scene.gap -= heights_of(scene.data, o.variable);
-  if (!o.counter.empty()) scene.gap -= counter_heights(o.counter, given);
+  if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given);
   return scene;
 }
 

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <glob.h>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/stream.hpp"
 #include "cli/tool.hpp"
-#include "dataset/netcdf.hpp"
 #include "grid/error.hpp"
 
 namespace asperity::cli {
@@ -24,6 +24,7 @@ struct EnsembleInput {
         "SURFACES", files,
         "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names "
         "of files, one a line");
+    tool.input_format();
   }
 
   using Visit = std::function<void(const Dataset&, const std::string&)>;
@@ -32,13 +33,14 @@ struct EnsembleInput {
   /// visit(dataset, name) for one dataset after the other; but for files that `taken`, asked with their path, has
   /// dealt with itself.
   void for_each(
-      const Visit& visit, const VisitPath& taken = [](const std::string&) { return false; }) const {
-    if (files.empty()) return from_standard_input(visit, taken);
+      const Tool& tool, const Visit& visit,
+      const VisitPath& taken = [](const std::string&) { return false; }) const {
+    if (files.empty()) return from_standard_input(tool, visit, taken);
     for (const std::string& name : files)
       if (name == "-")
-        from_standard_input(visit, taken);
+        from_standard_input(tool, visit, taken);
       else
-        for (const std::string& match : matches(name)) from_file(match, visit, taken);
+        for (const std::string& match : matches(name)) from_file(tool, match, visit, taken);
   }
 
  private:
@@ -52,21 +54,26 @@ struct EnsembleInput {
     if (outcome != 0) throw CLI::ValidationError("SURFACES", "no file matches '" + name + "'");
     return names;
   }
-  static void from_file(const std::string& name, const Visit& visit, const VisitPath& taken) {
-    if (!taken(name)) visit(Tool::read(name), name);
+  static void from_file(const Tool& tool, const std::string& name, const Visit& visit,
+                        const VisitPath& taken) {
+    if (!taken(name)) visit(tool.read(name), name);
   }
-  static void from_standard_input(const Visit& visit, const VisitPath& taken) {
+  static void from_standard_input(const Tool& tool, const Visit& visit, const VisitPath& taken) {
     if (stdin_is_terminal())
       throw CLI::ValidationError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
     if (taken("/proc/self/fd/0")) return;  // when it is a file
-    const std::string bytes = read_all("-");
-    if (bytes.starts_with("CDF")) return visit(decode_netcdf(bytes), "-");
-    std::istringstream names(bytes);
+    std::optional<Bytes> bytes = read_all("-");
+    if (tool.format().known(*bytes)) {
+      const Dataset dataset = tool.format().dataset(*bytes, "-");
+      bytes.reset();
+      return visit(dataset, "-");
+    }
+    std::istringstream names{std::string(*bytes)};
     bool any = false;
     for (std::string name; std::getline(names, name);) {
       if (name.empty()) continue;
       any = true;
-      from_file(name, visit, taken);
+      from_file(tool, name, visit, taken);
     }
     if (!any) throw CLI::ValidationError("SURFACES", "the list on standard input names none");
   }

@@ -7,6 +7,7 @@
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
+#include "formats/format.hpp"
 #include "grid/error.hpp"
 #include "plain_text.hpp"
 
@@ -30,17 +31,19 @@ double quantity_in(std::string_view bytes, const std::string& name) {
   return NAN;
 }
 
-std::optional<HeightMoments> moments_in(const std::string& bytes) {
+std::optional<HeightMoments> moments_in(std::string_view bytes) {
   if (looks_like_netcdf(bytes)) return std::nullopt;
   const HeightMoments found{0, 1, quantity_in(bytes, "Ssk"), quantity_in(bytes, "Sku")};
   if (std::isnan(found.skewness) || std::isnan(found.kurtosis)) return std::nullopt;
   return found;
 }
 
-// The heights of a dataset that are there, or the numbers of a text.
-std::vector<double> heights_in(const std::string& bytes) {
-  if (!looks_like_netcdf(bytes)) return numbers_in(bytes, "marginal");
-  const Field field = field_of(decode_netcdf(bytes), "heights", Missing::not_a_number);
+// The heights of a dataset or a map that are there, or the numbers of a text.
+std::vector<double> heights_in(std::string_view bytes, const std::string& name) {
+  const InputFormat any;
+  if (!any.netcdf(bytes) && format_of(bytes, name).name == "text") return numbers_in(bytes, "marginal");
+  const Field field = any.netcdf(bytes) ? field_of(decode_netcdf(bytes), "heights", Missing::not_a_number)
+                                        : any.map(bytes, name).values;
   std::vector<double> out(field.data(), field.data() + field.size());
   std::erase_if(out, [](double z) { return std::isnan(z); });
   return out;
@@ -109,9 +112,9 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
   }
   if (marginal == "-" && stdin_is_terminal())
     throw UsageError("marginal", "no input: pipe heights in or name a file");
-  const std::string bytes = read_all(marginal);
+  const Bytes bytes = read_all(marginal);
   if (const auto found = moments_in(bytes)) return johnson(tool, {found->skewness, found->kurtosis, answer});
-  return Marginal::of(MeasuredHeights::of(heights_in(bytes)));
+  return Marginal::of(MeasuredHeights::of(heights_in(bytes, marginal)));
 }
 
 void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {

@@ -51,9 +51,9 @@ void record_maximum(Attributes& a, const StressMaximum& m) {
   a.set("stress_max_depth", m.depth);
 }
 
-std::vector<std::array<double, 3>> parse_points(const std::string& text) {
+std::vector<std::array<double, 3>> parse_points(std::string_view text) {
   std::vector<std::array<double, 3>> points;
-  std::istringstream lines(text);
+  std::istringstream lines{std::string(text)};
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;

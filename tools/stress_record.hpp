@@ -20,6 +20,6 @@ Table stress_table(const StressScene& scene, const StressSelection& selection,
                    const std::vector<std::array<double, 3>>& points, int threads);
 
 /// Three lengths a line, in metres or with units; # begins a comment. Throws DataError("points", …).
-std::vector<std::array<double, 3>> parse_points(const std::string& text);
+std::vector<std::array<double, 3>> parse_points(std::string_view text);
 
 }  // namespace asperity::cli

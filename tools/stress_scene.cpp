@@ -46,9 +46,9 @@ double place_of(const Plane& plane, const Grid& grid) {
   return plane.along_x ? grid.y(plane.index) : grid.x(plane.index);
 }
 
-StressScene read_scene(const StressOptions& options, const std::string& input) {
+StressScene read_scene(const Tool& tool, const StressOptions& options) {
   StressScene scene;
-  scene.data = Tool::read(input);
+  scene.data = tool.read();
   scene.grid = grid_of(scene.data);
   scene.depths = depths_on(scene.grid, options.depths);
   scene.plane = plane_on(scene.grid, options.section);

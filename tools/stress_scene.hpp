@@ -28,6 +28,6 @@ struct StressScene {
 double place_of(const Plane& plane, const Grid& grid);
 
 /// Throws ParameterError when the options do not go with the dataset.
-StressScene read_scene(const StressOptions& options, const std::string& input);
+StressScene read_scene(const Tool& tool, const StressOptions& options);
 
 }  // namespace asperity::cli

@@ -6,6 +6,7 @@
 
 #include "dataset/units.hpp"
 #include "grid/error.hpp"
+#include "grid/large_pages.hpp"
 
 namespace asperity {
 namespace {
@@ -74,20 +75,29 @@ std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()
 
 // The variable's two dimensions as a field.
 Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
-  const std::vector<double> values = numbers(variable.values);
   const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
-  return Eigen::Map<const Field>(values.data(), rows, columns) * factor;
+  Field out(rows, columns);
+  prefer_large_pages(out.data(), static_cast<std::size_t>(out.size()) * sizeof(double));
+  std::visit(
+      [&]<class List>(const List& values) {
+        using Element = Eigen::Array<typename List::value_type, Eigen::Dynamic, 1>;
+        const Eigen::Map<const Element> in(values.data(), static_cast<Index>(values.size()));
+        out.reshaped<Eigen::RowMajor>() = in.template cast<double>() * factor;
+      },
+      variable.values);
+  return out;
 }
 
 void refuse_not_finite(const std::string& name, const Field& values, Missing missing) {
   auto refused = [&](double value) {
     return missing == Missing::refused ? !std::isfinite(value) : std::isinf(value);
   };
-  for (Index i = 0; i < values.rows(); ++i)
-    for (Index j = 0; j < values.cols(); ++j)
-      if (refused(values(i, j)))
-        throw DataError(name, "the value at point (" + std::to_string(i) + ", " + std::to_string(j) +
-                                  ") is " + (std::isnan(values(i, j)) ? "not a number" : "infinite"));
+  const double* const end = values.data() + values.size();
+  const double* const at = std::find_if(values.data(), end, refused);
+  if (at == end) return;
+  const Index place = at - values.data(), i = place / values.cols(), j = place % values.cols();
+  throw DataError(name, "the value at point (" + std::to_string(i) + ", " + std::to_string(j) + ") is " +
+                            (std::isnan(*at) ? "not a number" : "infinite"));
 }
 
 void refuse_masked_points(const Dataset& dataset, std::string_view name) {

@@ -1,6 +1,7 @@
 #include "dataset/netcdf.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -255,8 +256,8 @@ void define(int file, const Variable& variable) {
 
 int format_of(const Dataset& dataset) { return needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET; }
 
-// The header, and the values of all variables but the last `deferred`, into a new file. Ids count from 0.
-void write_dataset(int file, const Dataset& dataset, std::size_t deferred) {
+// A new file as large as it will be, of which only the header is there. Ids count from 0.
+void write_header(int file, const Dataset& dataset) {
   write_checked(nc_set_fill(file, NC_NOFILL, nullptr), "fill");
   for (const Dimension& d : dataset.dimensions) {
     int id = -1;
@@ -266,12 +267,69 @@ void write_dataset(int file, const Dataset& dataset, std::size_t deferred) {
   for (const Variable& v : dataset.variables) define(file, v);
   write_attributes(file, NC_GLOBAL, dataset.attributes);
   write_checked(nc_enddef(file), "header");
-  for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v) {
-    const Variable& variable = dataset.variables[v];
-    refuse_wrong_count(dataset, variable);
-    if (count(variable.values) > 0)
-      write_checked(nc_put_var(file, static_cast<int>(v), data(variable.values)), variable.name);
+}
+
+std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
+// Variables follow the header in order, each padded to four bytes, the last one perhaps not.
+std::string header_of(const Dataset& dataset) {
+  const SparseFile sparse;
+  Handle file;
+  std::size_t buffer = 1 << 20;
+  write_checked(nc__create(sparse.name().c_str(), NC_CLOBBER | format_of(dataset), 0, &buffer, &file.id),
+                "create");
+  file.open = true;
+  write_header(file.id, dataset);
+  file.open = false;
+  write_checked(nc_close(file.id), "close");
+  std::size_t values = 0, last = 0;
+  for (const Variable& variable : dataset.variables) {
+    values += padded(last);
+    last = places_of(dataset, variable) * element_size(variable.values);
   }
+  return sparse.first((sparse.size() - values - last) / 4 * 4);
+}
+
+template <class Element>
+void append_big_endian(std::string& bytes, std::span<const Element> values) {
+  const std::size_t before = bytes.size();
+  bytes.resize(before + values.size_bytes());
+  for (char* at = bytes.data() + before; Element value : values) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Element)>>(value);
+    if constexpr (std::endian::native == std::endian::little) std::ranges::reverse(raw);
+    std::memcpy(at, raw.data(), raw.size());
+    at += raw.size();
+  }
+}
+
+// Piece by piece, so that what is on its way stays in the cache.
+void write_values(const Values& values, const std::function<void(std::string_view)>& sink) {
+  constexpr std::size_t piece = 1 << 15;
+  std::size_t bytes = 0;
+  std::visit(
+      [&]<class List>(const List& list) {
+        using Element = typename List::value_type;
+        std::string buffer;
+        for (std::size_t first = 0; first < list.size(); first += piece) {
+          buffer.clear();
+          append_big_endian(
+              buffer, std::span<const Element>(list).subspan(first, std::min(piece, list.size() - first)));
+          sink(buffer);
+        }
+        bytes = list.size() * sizeof(Element);
+      },
+      values);
+  sink(std::string_view("\0\0\0", padded(bytes) - bytes));
+}
+
+// The header and the values of all variables but the last `deferred`.
+void write_part(const Dataset& dataset, std::size_t deferred,
+                const std::function<void(std::string_view)>& sink) {
+  for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v)
+    refuse_wrong_count(dataset, dataset.variables[v]);
+  sink(header_of(dataset));
+  for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v)
+    write_values(dataset.variables[v].values, sink);
 }
 
 // What a classic file of this head has at least, for beyond its end the library reads zeros: laid out once more, without
@@ -286,7 +344,7 @@ std::size_t laid_out_size(int file, const Dataset& dataset) {
   Handle copy;
   write_checked(nc_create(sparse.name().c_str(), NC_CLOBBER | mode, &copy.id), "create");
   copy.open = true;
-  write_dataset(copy.id, dataset, dataset.variables.size());
+  write_header(copy.id, dataset);
   copy.open = false;
   write_checked(nc_close(copy.id), "close");
   return sparse.size() - 3;
@@ -294,12 +352,12 @@ std::size_t laid_out_size(int file, const Dataset& dataset) {
 
 }  // namespace
 
-bool looks_like_netcdf(const std::string& bytes) {
+bool looks_like_netcdf(std::string_view bytes) {
   return bytes.starts_with("CDF\001") || bytes.starts_with("CDF\002") || bytes.starts_with("CDF\005") ||
          bytes.starts_with("\x89HDF\r\n\x1a\n");
 }
 
-Dataset decode_netcdf(const std::string& bytes) {
+Dataset decode_netcdf(std::string_view bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
   if (bytes.starts_with("CDF")) check_classic_head(bytes);
@@ -354,33 +412,21 @@ Values NetcdfFile::part(std::string_view variable, std::size_t along, Index firs
   return out;
 }
 
-// Not by the library's own files in memory: it leaves the bytes between variables as malloc gave them.
+void write_netcdf(const Dataset& dataset, const std::function<void(std::string_view)>& sink) {
+  write_part(dataset, 0, sink);
+}
+
 std::string encode_netcdf(const Dataset& dataset) { return encode_netcdf_head(dataset, 0); }
 
-// The library lays out the whole file, as large as it will be; the values that are not there are its holes, and its end.
 std::string encode_netcdf_head(const Dataset& dataset, std::size_t deferred) {
-  const SparseFile sparse;
-  Handle file;
-  std::size_t buffer = 1 << 20;
-  write_checked(nc__create(sparse.name().c_str(), NC_CLOBBER | format_of(dataset), 0, &buffer, &file.id),
-                "create");
-  file.open = true;
-  write_dataset(file.id, dataset, deferred);
-  file.open = false;
-  write_checked(nc_close(file.id), "close");
-  std::size_t holes = 0;
-  for (std::size_t v = dataset.variables.size() - deferred; v < dataset.variables.size(); ++v)
-    holes += places_of(dataset, dataset.variables[v]) * sizeof(double);
-  return sparse.first(sparse.size() - holes);
+  std::string bytes;
+  write_part(dataset, deferred, [&](std::string_view piece) { bytes += piece; });
+  return bytes;
 }
 
 std::string encode_values(std::span<const double> values) {
-  std::string bytes(values.size_bytes(), '\0');
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    auto bits = std::bit_cast<std::uint64_t>(values[i]);
-    if constexpr (std::endian::native == std::endian::little) bits = __builtin_bswap64(bits);
-    std::memcpy(bytes.data() + i * sizeof bits, &bits, sizeof bits);
-  }
+  std::string bytes;
+  append_big_endian(bytes, values);
   return bytes;
 }
 

@@ -7,6 +7,7 @@
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,11 +18,11 @@
 namespace asperity {
 
 /// Whether bytes begin as a NetCDF file does.
-bool looks_like_netcdf(const std::string& bytes);
+bool looks_like_netcdf(std::string_view bytes);
 
 /// Throws DataError ("dataset") when the bytes are no NetCDF, are cut short, or hold a type that CDF-5
 /// cannot.
-Dataset decode_netcdf(const std::string& bytes);
+Dataset decode_netcdf(std::string_view bytes);
 
 /// A file on disk, of which some variables are read by parts.
 class NetcdfFile {
@@ -46,6 +47,8 @@ class NetcdfFile {
 };
 
 std::string encode_netcdf(const Dataset& dataset);
+/// The same bytes, handed to `sink` piece by piece: the values are never there twice.
+void write_netcdf(const Dataset& dataset, const std::function<void(std::string_view)>& sink);
 
 /// A dataset too large for memory, piece by piece: the bytes before the values of its last `deferred` variables,
 /// which are of doubles and hold none yet. In the file these values follow as encode_values makes them, variable by

@@ -8,6 +8,7 @@
 
 #include "dataset/dataset.hpp"
 #include "grid/error.hpp"
+#include "grid/large_pages.hpp"
 
 namespace asperity::netcdf {
 
@@ -40,31 +41,40 @@ inline std::size_t element_size(const Values& values) {
   return std::visit([]<class V>(const V&) { return sizeof(typename V::value_type); }, values);
 }
 
+template <class Element>
+std::vector<Element> room_for(std::size_t n) {
+  std::vector<Element> out;
+  out.reserve(n);
+  prefer_large_pages(out.data(), n * sizeof(Element));
+  out.resize(n);
+  return out;
+}
+
 // Room for n elements of an external type.
 inline Values allocate(nc_type type, std::size_t n, const std::string& name) {
   switch (type) {
     case NC_CHAR:
       return std::string(n, '\0');
     case NC_BYTE:
-      return std::vector<std::int8_t>(n);
+      return room_for<std::int8_t>(n);
     case NC_UBYTE:
-      return std::vector<std::uint8_t>(n);
+      return room_for<std::uint8_t>(n);
     case NC_SHORT:
-      return std::vector<std::int16_t>(n);
+      return room_for<std::int16_t>(n);
     case NC_USHORT:
-      return std::vector<std::uint16_t>(n);
+      return room_for<std::uint16_t>(n);
     case NC_INT:
-      return std::vector<std::int32_t>(n);
+      return room_for<std::int32_t>(n);
     case NC_UINT:
-      return std::vector<std::uint32_t>(n);
+      return room_for<std::uint32_t>(n);
     case NC_INT64:
-      return std::vector<std::int64_t>(n);
+      return room_for<std::int64_t>(n);
     case NC_UINT64:
-      return std::vector<std::uint64_t>(n);
+      return room_for<std::uint64_t>(n);
     case NC_FLOAT:
-      return std::vector<float>(n);
+      return room_for<float>(n);
     case NC_DOUBLE:
-      return std::vector<double>(n);
+      return room_for<double>(n);
     default:
       refuse(name + " is of a type that only NetCDF-4 has");
   }

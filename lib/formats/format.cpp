@@ -42,16 +42,15 @@ bool has_extension(const Format& format, std::string_view extension) {
   return !extension.empty() && list.find(" " + std::string(extension) + " ") != list.npos;
 }
 
-// Text has no control characters but the white ones.
-bool looks_like_text(std::string_view bytes) {
+}  // namespace
+
+std::span<const Format> formats() { return all; }
+
+bool is_text(std::string_view bytes) {
   return std::ranges::none_of(bytes.substr(0, 4096), [](unsigned char c) {
     return c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
   });
 }
-
-}  // namespace
-
-std::span<const Format> formats() { return all; }
 
 const Format& format_named(std::string_view name, const std::string& option) {
   std::string names;
@@ -73,7 +72,7 @@ const Format& format_of(std::string_view bytes, std::string_view file_name) {
   for (const Format& format : all)
     if (format.recognises && format.recognises(bytes)) return format;
   if (const Format* format = format_by_extension(file_name); format && !format->recognises) return *format;
-  if (looks_like_text(bytes)) return format_named("text", "format");
+  if (is_text(bytes)) return format_named("text", "format");
   throw DataError("map", "it is in none of the formats that are known, by its first bytes or its name");
 }
 

@@ -27,6 +27,9 @@ struct Format {
 
 std::span<const Format> formats();
 
+/// Whether bytes are text, by the first of them: no control characters but the white ones.
+bool is_text(std::string_view bytes);
+
 /// Throws ParameterError(option, …), with the names that there are.
 const Format& format_named(std::string_view name, const std::string& option);
 /// By the name's extension; null when there is none of it.

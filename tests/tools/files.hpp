@@ -13,7 +13,7 @@ namespace asperity::test {
 
 inline Dataset read_dataset(const std::string& name) {
   std::ifstream in(scratch(name), std::ios::binary);
-  return decode_netcdf({std::istreambuf_iterator<char>(in), {}});
+  return decode_netcdf(std::string(std::istreambuf_iterator<char>(in), {}));
 }
 
 inline void write_dataset(const Dataset& data, const std::string& name) {

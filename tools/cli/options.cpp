@@ -164,6 +164,14 @@ void Tool::input() {
   app_.add_option("INPUT", input_, "Dataset to read; - is standard input")
       ->type_name("FILE")
       ->capture_default_str();
+  input_format();
+}
+
+void Tool::input_format() {
+  choice("--format", format_.format, InputFormat::names(),
+         "What the input is; auto: by its first bytes, else the extension of its name", "Input");
+  choice("--order", format_.order, {"xy", "yx"},
+         "Of a bare matrix (text, npy): xy has a line for each x, yx one for each y", "Input");
 }
 
 // The options that all or several tools have stand last in --help, in one order.

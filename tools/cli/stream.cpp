@@ -1,10 +1,13 @@
 #include "cli/stream.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <new>
 #include <optional>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -34,22 +37,20 @@ class Descriptor {
     if (owned_ && fd_ >= 0) ::close(fd_);
   }
 
-  std::string read() const {
+  Bytes read() const {
     constexpr std::size_t chunk = 1 << 20;
     struct stat status {};
-    std::string bytes;
-    if (::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode))
-      bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
-    for (std::size_t size = 0;;) {
-      bytes.resize(std::max(size + chunk, std::min(bytes.capacity(), 2 * size)));
-      const ssize_t n = ::read(fd_, bytes.data() + size, bytes.size() - size);
+    const bool regular = ::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode);
+    if (!regular) ::fcntl(fd_, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
+    const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
+    for (Bytes bytes;;) {
+      const std::size_t step =
+          regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
+      const ssize_t n = ::read(fd_, bytes.room(step), step);
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) fail(name_);
-      size += static_cast<std::size_t>(n);
-      if (n == 0) {
-        bytes.resize(size);
-        return bytes;
-      }
+      if (n == 0) return bytes;
+      bytes.add(static_cast<std::size_t>(n));
     }
   }
 
@@ -73,7 +74,33 @@ std::optional<std::string> replaceable(const std::string& name) {
 
 }  // namespace
 
-std::string read_all(const std::string& name) {
+Bytes::~Bytes() {
+  if (data_) ::munmap(data_, capacity_);
+}
+
+Bytes::Bytes(Bytes&& other) noexcept
+    : data_(std::exchange(other.data_, nullptr)),
+      size_(std::exchange(other.size_, 0)),
+      capacity_(std::exchange(other.capacity_, 0)) {}
+
+char* Bytes::room(std::size_t more) {
+  constexpr std::size_t least = std::size_t{64} << 20;
+  if (size_ + more > capacity_) grow(std::max({size_ + more, 2 * capacity_, least}));
+  return data_ + size_;
+}
+
+// Address space alone: what is not touched takes no memory.
+void Bytes::grow(std::size_t capacity) {
+  void* grown = data_ ? ::mremap(data_, capacity_, capacity, MREMAP_MAYMOVE)
+                      : ::mmap(nullptr, capacity, PROT_READ | PROT_WRITE,
+                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (grown == MAP_FAILED) throw std::bad_alloc();
+  data_ = static_cast<char*>(grown);
+  capacity_ = capacity;
+  ::madvise(data_, capacity_, MADV_HUGEPAGE);
+}
+
+Bytes read_all(const std::string& name) {
   if (name == "-") return Descriptor(STDIN_FILENO, "standard input", false).read();
   return Descriptor(::open(name.c_str(), O_RDONLY | O_CLOEXEC), name, true).read();
 }

@@ -15,7 +15,29 @@
 
 namespace asperity::cli {
 
-std::string read_all(const std::string& name);
+/// Bytes that were read. They grow in place, and no memory is touched before it is filled.
+class Bytes {
+ public:
+  Bytes() = default;
+  ~Bytes();
+  Bytes(Bytes&& other) noexcept;
+  Bytes(const Bytes&) = delete;
+  Bytes& operator=(const Bytes&) = delete;
+
+  operator std::string_view() const { return {data_, size_}; }
+  std::size_t size() const { return size_; }
+  /// Room for `more` bytes behind those that there are; add() says how many have been written there.
+  char* room(std::size_t more);
+  void add(std::size_t more) { size_ += more; }
+
+ private:
+  void grow(std::size_t capacity);
+
+  char* data_ = nullptr;
+  std::size_t size_ = 0, capacity_ = 0;
+};
+
+Bytes read_all(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
 
 /// A file that is written piece by piece.

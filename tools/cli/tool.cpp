@@ -80,7 +80,7 @@ int Tool::fail(Exit code, const std::string& message) const {
 
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
-  if (writes_dataset_ && !writes_table_ && output_is_terminal())
+  if (writes_dataset_ && !writes_any_ && !writes_table_ && output_is_terminal())
     return fail(usage_error,
                 "--output: a dataset is binary and standard output is a terminal; pipe it on or name a file");
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
@@ -120,7 +120,7 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
 
 Dataset Tool::read() const { return read(input_); }
 
-Dataset Tool::read(const std::string& name) { return decode_netcdf(read_all(name)); }
+Dataset Tool::read(const std::string& name) const { return format_.dataset(read_all(name), name); }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }
 
@@ -128,7 +128,9 @@ void Tool::write(Dataset& dataset, const std::string& name) {
   if (name == "-" && stdout_is_terminal())
     throw UsageError("output", "a dataset is binary and does not go to a terminal");
   sign(dataset);
-  write_all(name, encode_netcdf(dataset));
+  OutputFile file(name);
+  write_netcdf(dataset, [&](std::string_view bytes) { file.write(bytes); });
+  file.close();
   write_report(dataset);
 }
 

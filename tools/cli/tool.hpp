@@ -29,6 +29,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/input_format.hpp"
 #include "cli/quantity.hpp"
 #include "dataset/dataset.hpp"
 
@@ -83,12 +84,14 @@ class Tool {
                      const std::string& group);
 
   // What the tool has of the options that several tools share.
-  void input();                              ///< positional INPUT, "-" unless given
+  void input();                              ///< positional INPUT, "-" unless given, and input_format()
+  void input_format();                       ///< --format, --order of what read() reads
   void output() { writes_dataset_ = true; }  ///< -o, --output of a dataset
-  void table() { writes_table_ = true; }     ///< -o, --output of a table, --json
-  void report() { reports_ = true; }         ///< --report FILE.json: attributes with the tool's prefix
-  void threads() { threaded_ = true; }       ///< --threads N
-  void seed() { seeded_ = true; }            ///< --seed N
+  void output_of_any_format() { writes_dataset_ = writes_any_ = true; }  ///< the same, text perhaps
+  void table() { writes_table_ = true; }                                 ///< -o, --output of a table, --json
+  void report() { reports_ = true; }    ///< --report FILE.json: attributes with the tool's prefix
+  void threads() { threaded_ = true; }  ///< --threads N
+  void seed() { seeded_ = true; }       ///< --seed N
 
   bool given(const std::string& option) const { return app_.count(option) > 0; }
   const std::string& name() const { return name_; }
@@ -105,8 +108,9 @@ class Tool {
   int run(int argc, char** argv, const std::function<int()>& body);
 
   // Inside the body.
-  Dataset read() const;                                   ///< the dataset named by INPUT
-  static Dataset read(const std::string& name);           ///< "-" is stdin
+  Dataset read() const;                         ///< the dataset named by INPUT
+  Dataset read(const std::string& name) const;  ///< of any name; "-" is stdin
+  const InputFormat& format() const { return format_; }
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
   // The parts of write(), for a tool that writes its dataset piece by piece.
@@ -134,10 +138,11 @@ class Tool {
   CLI::App app_;
   std::string name_, example_, accuracy_, command_line_;
   std::string input_ = "-", output_ = "-", report_;
+  InputFormat format_;
   int threads_ = 0;
   std::optional<std::uint64_t> seed_;
-  bool takes_input_ = false, writes_dataset_ = false, writes_table_ = false, reports_ = false,
-       threaded_ = false, seeded_ = false;
+  bool takes_input_ = false, writes_dataset_ = false, writes_any_ = false, writes_table_ = false,
+       reports_ = false, threaded_ = false, seeded_ = false;
   bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false;
 };
 

@@ -1,0 +1,172 @@
+// asperity-convert, and the formats that every tool reads.
+#include <fstream>
+
+#include "dataset/layout.hpp"
+#include "formats/format.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const std::string surface =
+    "asperity-generate --shape 24x16 --size 3mm,1mm --rq 0.4um --length 3px --seed 7 -o surface.nc && ";
+
+void write_text(const std::string& name, const std::string& text) {
+  std::ofstream(scratch(name), std::ios::binary) << text;
+}
+
+// 6 × 4 heights 10 i + j [µm], one of them missing.
+void write_numbers() {
+  write_text("numbers.txt",
+             "# Channel: numbers\n# Width: 6 um\n# Height: 8 um\n# Value units: um\n"
+             "0 10 20 30 40 50\n1 11 21 nan 41 51\n2 12 22 32 42 52\n3 13 23 33 43 53\n");
+}
+
+Field heights_in(const std::string& name) {
+  return field_of(read_dataset(name), "heights", Missing::not_a_number);
+}
+
+}  // namespace
+
+// gsf holds 24 bits: heights within half a unit of the 24th, 6e-8 of the largest.
+TEST_CASE("a surface comes back from every format the same, with its spacing", "[convert][exact]") {
+  REQUIRE(shell(surface + "true").exit == 0);
+  const Field heights = heights_in("surface.nc");
+  for (const Format& format : formats()) {
+    const std::string name(format.name);
+    CAPTURE(name);
+    const bool bare = name == "text" || name == "npy";
+    const Outcome run =
+        shell("asperity-convert surface.nc --to " + name + " -o there && asperity-convert there --format " +
+              name + (bare ? " --size 3mm,1mm" : "") + " -o back.nc");
+    INFO(run.error);
+    REQUIRE(run.exit == 0);
+    const double digits = name == "gsf" ? 6e-8 : 0;
+    CHECK((heights_in("back.nc") - heights).abs().maxCoeff() <= digits * heights.abs().maxCoeff());
+    const Grid grid = grid_of(read_dataset("back.nc"));
+    CHECK(relative_error(grid.dx, 3e-3 / 24) <= 1e-9);
+    CHECK(relative_error(grid.dy, 1e-3 / 16) <= 1e-9);
+  }
+}
+
+TEST_CASE("a map is cut, then thinned, with the spacing that follows", "[convert][exact]") {
+  write_numbers();
+  REQUIRE(shell("asperity-convert numbers.txt --crop 1:6,:3 --decimate 2x1 -o cut.nc").exit == 0);
+  const Field cut = heights_in("cut.nc");
+  REQUIRE(shape_of(cut) == Shape{3, 3});
+  CHECK(relative_error(cut(0, 0), 10e-6) <= 2 * epsilon);
+  CHECK(std::isnan(cut(1, 1)));
+  CHECK(relative_error(cut(2, 2), 52e-6) <= 2 * epsilon);
+  const Grid grid = grid_of(read_dataset("cut.nc"));
+  CHECK(relative_error(grid.dx, 2e-6) <= 4 * epsilon);
+  CHECK(relative_error(grid.dy, 2e-6) <= 4 * epsilon);
+}
+
+// About one missing point the membrane is (20 + 40 + (Δx/Δy)² (…)) of a plane: the plane itself, 31.
+TEST_CASE("a missing point is filled by a membrane, the mean or the least height", "[convert][exact]") {
+  write_numbers();
+  auto filled = [](const std::string& how) {
+    REQUIRE(shell("asperity-convert numbers.txt --fill " + how + " -o filled.nc").exit == 0);
+    CHECK(!read_dataset("filled.nc").has("mask"));
+    return heights_in("filled.nc")(3, 1) / 1e-6;
+  };
+  CHECK(std::abs(filled("laplace") - 31) <= 1e-12);
+  CHECK(std::abs(filled("mean") - (24 * 26.5 - 31) / 23) <= 1e-12);
+  CHECK(filled("least") == 0);
+}
+
+TEST_CASE("a matrix in text has the order, the size and the unit that it is given", "[convert][exact]") {
+  write_text("matrix.txt", "1,2,3\n4,5,6\n");
+  REQUIRE(shell("asperity-convert matrix.txt --order yx --size 6mm,4mm --unit nm -o m.nc").exit == 0);
+  const Field z = heights_in("m.nc");
+  REQUIRE(shape_of(z) == Shape{3, 2});
+  CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
+  CHECK(relative_error(grid_of(read_dataset("m.nc")).dy, 2e-3) <= 4 * epsilon);
+  const Outcome back = shell("asperity-convert m.nc --to text --to-order yx");
+  CHECK(back.out.starts_with("# units: m\n1e-09\t"));
+  CHECK(lines(back.out) == 3);
+}
+
+TEST_CASE("every tool of the chain reads a map as it stands, its missing points left out or refused",
+          "[convert][contract]") {
+  write_numbers();
+  const Outcome stats = shell("asperity-stats --parameters height --json numbers.txt");
+  CHECK(stats.exit == 0);
+  CHECK_THAT(stats.out, ContainsSubstring("\"Sq\""));
+  CHECK(shell("cat numbers.txt | asperity-stats --parameters height").exit == 0);
+  CHECK(shell("asperity-acf numbers.txt --max-lag 2x2 -o acf.nc").exit == 0);
+  const Outcome contact =
+      shell("asperity-contact numbers.txt --radius 1mm --young 2GPa --poisson 0.3 --load 1N");
+  CHECK(contact.exit == 4);
+  CHECK_THAT(contact.error, ContainsSubstring("heights"));
+}
+
+TEST_CASE("a measured map goes through the chain: its correlation, a twin, its contact",
+          "[convert][contract]") {
+  const Outcome run =
+      shell(surface +
+            "asperity-convert surface.nc -o map.x3p && asperity-acf map.x3p --max-lag 8x8 | asperity-kernel "
+            "--acf - "
+            "--infeasible nearest | asperity-generate --kernel - --shape 32x16 | "
+            "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 5N -o contact.nc");
+  INFO(run.error);
+  REQUIRE(run.exit == 0);
+  const Grid grid = grid_of(read_dataset("contact.nc"));
+  CHECK(relative_error(grid.dx, 3e-3 / 24) <= 1e-9);
+  CHECK(relative_error(grid.dy, 1e-3 / 16) <= 1e-9);
+}
+
+TEST_CASE("a dataset with depths becomes an image for ParaView, one of uneven depths a rectilinear grid",
+          "[convert][contract]") {
+  const std::string stress = surface +
+                             "asperity-contact surface.nc --radius 50mm --young 208GPa --poisson 0.3 --load "
+                             "5N | asperity-stress -o s.nc --depths ";
+  REQUIRE(shell(stress + "0:0.1mm:4 && asperity-convert s.nc -o s.vti").exit == 0);
+  CHECK_THAT(shell("head -c 400 s.vti").out, ContainsSubstring("type=\"ImageData\""));
+  const Outcome uneven =
+      shell(stress + "0,0.1mm,0.3mm && asperity-convert s.nc -o s.vtr && asperity-convert s.nc -o no.vti");
+  CHECK(uneven.exit == 4);
+  CHECK_THAT(uneven.error, ContainsSubstring("asperity-convert: z: its depths are not evenly spaced"));
+  CHECK_THAT(shell("head -c 400 s.vtr").out, ContainsSubstring("type=\"RectilinearGrid\""));
+}
+
+TEST_CASE("a dataset passes from NetCDF to NetCDF whole", "[convert][contract]") {
+  const Outcome run =
+      shell(surface + "asperity-convert surface.nc --no-history | asperity-convert --no-history -o whole.nc");
+  REQUIRE(run.exit == 0);
+  const Dataset before = read_dataset("surface.nc"), after = read_dataset("whole.nc");
+  REQUIRE(after.variables.size() == before.variables.size());
+  for (std::size_t v = 0; v < before.variables.size(); ++v)
+    CHECK(after.variables[v].values == before.variables[v].values);
+}
+
+TEST_CASE("what cannot be converted is refused with a line that names it", "[convert][contract]") {
+  write_numbers();
+  write_text("matrix.txt", "1 2\n3 4\n");
+  write_text("rubbish.gsf", std::string("\x01\x02\x00\x03", 4));
+  const std::pair<const char*, std::pair<int, const char*>> cases[] = {
+      {"matrix.txt", {4, "asperity-convert: x: the file does not say how large the map is"}},
+      {"rubbish.gsf", {4, "asperity-convert: map: "}},
+      {"numbers.txt --format gsf", {4, "asperity-convert: "}},
+      {"numbers.txt --format word", {2, "asperity-convert: --format: "}},
+      {"numbers.txt --to word", {2, "asperity-convert: --to: "}},
+      {"numbers.txt --crop 3:2,0:1",
+       {2, "asperity-convert: --crop: '3:2' is no range A:B with 0 <= A < B <= 6"}},
+      {"numbers.txt --crop 0:7,0:1", {2, "asperity-convert: --crop: '0:7'"}},
+      {"numbers.txt --crop 0:2", {2, "asperity-convert: --crop: '0:2' is not of the form A:B,C:D"}},
+      {"numbers.txt --decimate 0x1", {2, "asperity-convert: --decimate: "}},
+      {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file says that its values are in m"}},
+      {"matrix.txt --size 0mm", {2, "asperity-convert: --size: "}},
+  };
+  for (const auto& [arguments, expected] : cases) {
+    CAPTURE(arguments);
+    const Outcome run = shell(std::string("asperity-convert ") + arguments +
+                              " -o out.nc; code=$?; test ! -e out.nc; exit $code");
+    CHECK(run.exit == expected.first);
+    CHECK_THAT(run.error, Catch::Matchers::StartsWith(expected.second));
+    CHECK(lines(run.error) == 1);
+  }
+}

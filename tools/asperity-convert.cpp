@@ -1,0 +1,99 @@
+// From the format of one program to that of another.
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cli/stream.hpp"
+#include "cli/tool.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/netcdf.hpp"
+#include "formats/format.hpp"
+#include "formats/vti.hpp"
+#include "grid/error.hpp"
+#include "map_options.hpp"
+
+using namespace asperity;
+
+namespace {
+
+// What a whole dataset is written as, beside the formats of maps.
+constexpr std::string_view datasets[] = {"netcdf", "vti", "vtr"};
+
+struct Options {
+  std::string to = "auto", to_order = "xy", variable = "heights";
+  cli::MapOptions map;
+
+  std::string target(const std::string& output) const {
+    if (to != "auto") return to;
+    const std::string extension = output.substr(output.find_last_of('.') + 1);
+    if (extension == "vti" || extension == "vtr") return extension;
+    const Format* found = output == "-" ? nullptr : format_by_extension(output);
+    return found ? std::string(found->name) : "netcdf";
+  }
+};
+
+std::vector<std::string> targets() {
+  std::vector<std::string> out{"auto"};
+  out.insert(out.end(), std::begin(datasets), std::end(datasets));
+  for (const Format& format : formats()) out.emplace_back(format.name);
+  return out;
+}
+
+Map map_from(const cli::Tool& tool, const Options& options, std::string_view bytes) {
+  return options.map.applied(tool.format().netcdf(bytes) ? map_of(decode_netcdf(bytes), options.variable)
+                                                         : tool.format().map(bytes, tool.input_name()));
+}
+
+// A dataset passes whole, unless its map is cut or filled.
+Dataset dataset_from(const cli::Tool& tool, const Options& options, std::optional<cli::Bytes> bytes) {
+  const bool whole = tool.format().netcdf(*bytes) && !options.map.changes();
+  return whole ? decode_netcdf(*bytes) : dataset_of(map_from(tool, options, *bytes));
+}
+
+// All that is not NetCDF.
+std::string encoded(const cli::Tool& tool, const Options& options, const std::string& target,
+                    std::optional<cli::Bytes> bytes) {
+  if (target == "vti") return encode_vti(dataset_from(tool, options, std::move(bytes)));
+  if (target == "vtr") return encode_vtr(dataset_from(tool, options, std::move(bytes)));
+  const Map map = map_from(tool, options, *bytes);
+  return format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
+}
+
+int convert(cli::Tool& tool, const Options& options) {
+  const std::string target = options.target(tool.output_name());
+  std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name());
+  if (target == "netcdf") {
+    Dataset data = dataset_from(tool, options, std::move(bytes));
+    tool.write(data);
+    return cli::done;
+  }
+  const std::string out = encoded(tool, options, target, std::move(bytes));
+  if (tool.output_is_terminal() && !is_text(out))
+    throw cli::UsageError("output", "this format is binary and does not go to a terminal");
+  tool.write_text(out);
+  return cli::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool("asperity-convert",
+                 "Measured surfaces from and to the formats of other programs, and datasets for ParaView. "
+                 "Lengths and heights become metres; "
+                 "a map's missing points stay missing unless --fill is given.");
+  Options o;
+  tool.input();
+  o.map.declare(tool);
+  tool.choice("--to", o.to, targets(),
+              "What is written; auto: by the extension of --output, else netcdf. vti, and vtr where depths "
+              "are uneven: for ParaView",
+              "Result");
+  tool.choice("--to-order", o.to_order, {"xy", "yx"}, "--order of a bare matrix (text, npy) that is written",
+              "Result");
+  tool.text("--variable", o.variable, "NAME", "The field on (x, y) of a dataset that becomes the map",
+            "Result");
+  tool.output_of_any_format();
+  tool.example("asperity-convert map.x3p --crop 0:256,0:256 --to gsf -o map.gsf");
+  tool.accuracy("Doubles come back the same from every format but gsf, which holds 24 bits.");
+  return tool.run(argc, argv, [&] { return convert(tool, o); });
+}

@@ -1,0 +1,34 @@
+#include "cli/input_format.hpp"
+
+#include <algorithm>
+
+#include "dataset/netcdf.hpp"
+#include "formats/format.hpp"
+
+namespace asperity::cli {
+
+std::vector<std::string> InputFormat::names() {
+  std::vector<std::string> out{"auto", "netcdf"};
+  for (const Format& format : formats()) out.emplace_back(format.name);
+  return out;
+}
+
+bool InputFormat::netcdf(std::string_view bytes) const {
+  return format == "netcdf" || (format == "auto" && (bytes.empty() || looks_like_netcdf(bytes)));
+}
+
+bool InputFormat::known(std::string_view bytes) const {
+  return format != "auto" || looks_like_netcdf(bytes) ||
+         std::ranges::any_of(formats(), [&](const Format& f) { return f.recognises && f.recognises(bytes); });
+}
+
+Map InputFormat::map(std::string_view bytes, const std::string& name) const {
+  const Format& found = format == "auto" ? format_of(bytes, name) : format_named(format, "format");
+  return found.decode(bytes, order == "yx" ? Order::yx : Order::xy);
+}
+
+Dataset InputFormat::dataset(std::string_view bytes, const std::string& name) const {
+  return netcdf(bytes) ? decode_netcdf(bytes) : dataset_of(map(bytes, name));
+}
+
+}  // namespace asperity::cli

@@ -1,0 +1,28 @@
+/// A dataset from whatever file a user has: NetCDF, or a map in a format of another program (formats/format.hpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dataset/dataset.hpp"
+#include "formats/map.hpp"
+
+namespace asperity::cli {
+
+struct InputFormat {
+  std::string format = "auto";  ///< by the first bytes, then the name; or "netcdf", or that of a map
+  std::string order = "xy";     ///< of a bare matrix
+
+  /// "auto", "netcdf" and the names of all formats of maps.
+  static std::vector<std::string> names();
+
+  /// Whether bytes are taken for NetCDF.
+  bool netcdf(std::string_view bytes) const;
+  /// Whether they tell by themselves, or by --format, that they are a map and no list of names.
+  bool known(std::string_view bytes) const;
+  /// The map that bytes which are no NetCDF hold.
+  Map map(std::string_view bytes, const std::string& name) const;
+  Dataset dataset(std::string_view bytes, const std::string& name) const;
+};
+
+}  // namespace asperity::cli
