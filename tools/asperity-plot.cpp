@@ -50,7 +50,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
             "largest von Mises stress (default: y=0; a profile's: both)",
             group);
   tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
-  tool.input_format();
+  tool.input_format("--input-format");
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
   tool.counts("--pixels", o.request.pixels, 200, "Size; letters grow with the width (default: as suits)",
               group);

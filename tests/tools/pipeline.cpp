@@ -170,7 +170,7 @@ TEST_CASE("bad data is exit 4 and one line that names the variable", "[contract]
   const std::pair<std::string, std::string> bad[] = {
       {"head -c 5000 good.nc | " + contact, "cut short"},
       {"head -c 50 good.nc | " + contact, "dataset"},
-      {"echo hello | " + contact, "dataset"},
+      {"echo hello | " + contact, "map"},
       {contact + " nan.nc", "heights"},
       {contact + " none.nc", "heights"},
       {"asperity-stats none.nc", "heights"},
@@ -210,7 +210,8 @@ TEST_CASE("SOURCE_DATE_EPOCH and a seed make two runs equal to the byte", "[cont
 }
 
 TEST_CASE("every tool tells its help, with its groups and an example, and its version", "[contract]") {
-  for (const char* tool : {"kernel", "generate", "stats", "acf", "pdf", "contact", "stress", "plot"}) {
+  for (const char* tool : {"kernel", "generate", "stats", "acf", "psd", "pdf", "validate", "convert",
+                           "contact", "stress", "plot"}) {
     CAPTURE(tool);
     const Outcome help = shell(std::string("asperity-") + tool + " --help");
     CHECK(help.exit == 0);

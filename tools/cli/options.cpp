@@ -167,8 +167,8 @@ void Tool::input() {
   input_format();
 }
 
-void Tool::input_format() {
-  choice("--format", format_.format, InputFormat::names(),
+void Tool::input_format(const std::string& name) {
+  choice(name, format_.format, InputFormat::names(),
          "What the input is; auto: by its first bytes, else the extension of its name", "Input");
   choice("--order", format_.order, {"xy", "yx"},
          "Of a bare matrix (text, npy): xy has a line for each x, yx one for each y", "Input");

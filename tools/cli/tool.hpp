@@ -84,9 +84,10 @@ class Tool {
                      const std::string& group);
 
   // What the tool has of the options that several tools share.
-  void input();                              ///< positional INPUT, "-" unless given, and input_format()
-  void input_format();                       ///< --format, --order of what read() reads
-  void output() { writes_dataset_ = true; }  ///< -o, --output of a dataset
+  void input();  ///< positional INPUT, "-" unless given, and input_format()
+  /// --format, or another name where that is taken, and --order, of what read() reads.
+  void input_format(const std::string& name = "--format");
+  void output() { writes_dataset_ = true; }                              ///< -o, --output of a dataset
   void output_of_any_format() { writes_dataset_ = writes_any_ = true; }  ///< the same, text perhaps
   void table() { writes_table_ = true; }                                 ///< -o, --output of a table, --json
   void report() { reports_ = true; }    ///< --report FILE.json: attributes with the tool's prefix
