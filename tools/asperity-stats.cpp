@@ -1,5 +1,6 @@
 // Parameters of a surface with their standard errors.
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -13,10 +14,14 @@ namespace {
 
 void append(cli::Rows& out, const cli::Rows& rows) { out.insert(out.end(), rows.begin(), rows.end()); }
 
+// Other formats than NetCDF are read whole.
 bool larger_than_memory(const std::string& path, std::size_t memory) {
   namespace fs = std::filesystem;
   std::error_code none;
-  return fs::is_regular_file(path, none) && fs::file_size(path, none) > memory / 8;
+  if (!fs::is_regular_file(path, none) || fs::file_size(path, none) <= memory / 8) return false;
+  std::string first(8, '\0');
+  std::ifstream(path, std::ios::binary).read(first.data(), static_cast<std::streamsize>(first.size()));
+  return looks_like_netcdf(first);
 }
 
 // All but spatial.

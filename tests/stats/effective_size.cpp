@@ -126,3 +126,13 @@ TEST_CASE("standard errors from the estimated ACF are on average those from the 
   CHECK(sq.mean() == Approx(known.sq).epsilon(0.05));
   CHECK(sku.mean() == Approx(known.sku).epsilon(0.05));
 }
+
+// 3/√9 is 1: nothing but lag zero can stand out of the noise of nine points.
+TEST_CASE("of a field of nine points lag zero is admitted", "[effective-size][exact]") {
+  const Grid g = grid(3, 3);
+  Field z(3, 3);
+  z << 1, 2, 5, 3, 4, 0, 2, 2, 1;
+  const LagField acf = estimate_autocorrelation(z - z.mean(), g, {.max_lag = {1, 1}});
+  CHECK(significant_lags(acf, g)(0, 0) == 1);
+  CHECK(EffectiveSize::of_estimate(acf, g).effective(2) <= 9);
+}

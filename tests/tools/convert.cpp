@@ -97,6 +97,7 @@ TEST_CASE("every tool of the chain reads a map as it stands, its missing points 
   CHECK(stats.exit == 0);
   CHECK_THAT(stats.out, ContainsSubstring("\"Sq\""));
   CHECK(shell("cat numbers.txt | asperity-stats --parameters height").exit == 0);
+  CHECK(shell("asperity-stats --parameters height --memory 100B numbers.txt").exit == 0);
   CHECK(shell("asperity-acf numbers.txt --max-lag 2x2 -o acf.nc").exit == 0);
   const Outcome contact =
       shell("asperity-contact numbers.txt --radius 1mm --young 2GPa --poisson 0.3 --load 1N");
