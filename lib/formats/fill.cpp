@@ -17,7 +17,9 @@ using Matrix = Eigen::SparseMatrix<double>;
 class Membrane {
  public:
   Membrane(const Field& z, const Grid& grid)
-      : z_(z), weights_{1 / (grid.dx * grid.dx), 1 / (grid.dy * grid.dy)}, number_(z.size(), -1) {
+      : z_(z),
+        weights_{1 / (grid.dx * grid.dx), 1 / (grid.dy * grid.dy)},
+        number_(static_cast<std::size_t>(z.size()), -1) {
     for (Index k = 0; k < z.size(); ++k)
       if (std::isnan(z(k))) number_[static_cast<std::size_t>(k)] = count_++;
   }

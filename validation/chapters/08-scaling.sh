@@ -38,7 +38,8 @@ convolutions. The `transforms` of nearly every other stage fall with N, for a pl
 between N = 256 and 1024, while the stages, which prune the padding and work in blocks, do so later and in smaller pieces.
 
 Two threads gain where the work is long and in independent pieces: a spectrum, the layers of a volume. A contact does its work
-in many short steps, most on coarser grids, and gains on the largest grids only; on small ones the threads wait for one another.
+in many short steps, most on coarser grids, and gains from some 512 cells along a side on; on small ones the threads wait for
+one another.
 
 A surface takes less memory than its own heights, for it is drawn in bands. A contact takes some ten doubles a cell. The
 search for the largest stress, which keeps six components and their transforms at several resolutions, takes five times
