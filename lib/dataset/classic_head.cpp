@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "grid/error.hpp"
 
@@ -25,8 +26,18 @@ class Reader {
 
   std::uint64_t count() { return number(wide_counts_ ? 8 : 4); }
   std::uint32_t word() { return static_cast<std::uint32_t>(number(4)); }
-  void skip_offset() { skip(wide_offsets_ ? 8 : 4); }
+  std::uint64_t offset() { return number(wide_offsets_ ? 8 : 4); }
   void skip_count() { skip(wide_counts_ ? 8 : 4); }
+  /// What a streaming writer leaves in place of the number of records.
+  std::uint64_t unknown_records() const { return wide_counts_ ? ~std::uint64_t{0} : 0xffffffff; }
+  /// a b bytes, which must be in the file.
+  std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
+    if (a != 0 && b > all_ / a) refuse_cut_short();
+    return a * b;
+  }
+  void require(std::uint64_t first, std::uint64_t bytes) const {
+    if (first > all_ || bytes > all_ - first) refuse_cut_short();
+  }
   /// n things of `size` bytes, padded to four.
   void skip_padded(std::uint64_t n, std::uint64_t size) {
     if (n > rest_.size() / size) refuse_cut_short();
@@ -81,32 +92,71 @@ void check_attributes(Reader& reader) {
   }
 }
 
-void check_dimensions(Reader& reader) {
+// The lengths; 0 is the number of records.
+std::vector<std::uint64_t> take_dimensions(Reader& reader) {
+  std::vector<std::uint64_t> lengths;
   for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
     reader.skip_name();
-    reader.skip_count();
+    lengths.push_back(reader.count());
   }
+  return lengths;
 }
 
-void check_variables(Reader& reader) {
-  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n) {
-    reader.skip_name();
-    for (std::uint64_t rank = reader.count(); rank > 0; --rank) reader.skip_count();
-    check_attributes(reader);
-    size_of_type(reader.word());
-    reader.skip_count();
-    reader.skip_offset();
+// Where the values of a variable lie: of one record, where it has records.
+struct Extent {
+  std::uint64_t begin = 0, bytes = 0;
+  bool records = false;
+};
+
+Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) {
+  Extent out;
+  reader.skip_name();
+  std::uint64_t cells = 1;
+  for (std::uint64_t rank = reader.count(), d = 0; d < rank; ++d) {
+    const std::uint64_t id = reader.count();
+    if (id >= lengths.size()) refuse("its head names a dimension that there is not");
+    if (d == 0 && lengths[id] == 0)
+      out.records = true;
+    else
+      cells = reader.product(cells, lengths[id]);
   }
+  check_attributes(reader);
+  out.bytes = reader.product(cells, size_of_type(reader.word()));
+  reader.skip_count();
+  out.begin = reader.offset();
+  return out;
+}
+
+// Records follow each other, each of all variables that have them, padded unless there is one such variable.
+void check_records(const Reader& reader, const std::vector<Extent>& extents, std::uint64_t records) {
+  if (records == 0 || records == reader.unknown_records() || extents.empty()) return;
+  std::uint64_t record = 0;
+  for (const Extent& e : extents) record += (e.bytes + 3) / 4 * 4;
+  if (extents.size() == 1) record = extents[0].bytes;
+  const std::uint64_t before = reader.product(records - 1, record);
+  for (const Extent& e : extents) reader.require(e.begin, before + e.bytes);
+}
+
+void check_variables(Reader& reader, const std::vector<std::uint64_t>& lengths, std::uint64_t records) {
+  std::vector<Extent> of_records;
+  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n) {
+    const Extent e = take_variable(reader, lengths);
+    if (e.records)
+      of_records.push_back(e);
+    else
+      reader.require(e.begin, e.bytes);
+  }
+  check_records(reader, of_records, records);
 }
 
 }  // namespace
 
 void check_classic_head(std::string_view bytes) {
   Reader reader(bytes);
-  reader.skip_count();
-  check_dimensions(reader);
+  const std::uint64_t records = reader.count();
+  const std::vector<std::uint64_t> lengths = take_dimensions(reader);
   check_attributes(reader);
-  check_variables(reader);
+  check_variables(reader, lengths, records);
 }
 
 }  // namespace asperity

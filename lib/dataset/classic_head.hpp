@@ -2,7 +2,8 @@
 ///
 /// The library takes memory for as many names, attributes and variables as the head claims, before it looks whether they
 /// are there. Here every count is compared with the bytes that are left: a head that passes needs memory of the order of
-/// its own length.
+/// its own length. And beyond the end of a file on disk the library reads zeros: here the values of every variable, which begin
+/// where the head says, must end within the file.
 ///
 ///     head = magic numrecs list(dimension) list(attribute) list(variable)
 ///     list = tag count element…     name = length text padding

@@ -1,4 +1,5 @@
-/// NetCDF's types and statuses as the program's own; for dataset/netcdf.cpp alone.
+/// NetCDF's types and statuses as the program's own, and an open file; for dataset/netcdf.cpp and
+/// dataset/netcdf_write.cpp alone.
 #pragma once
 
 #include <string>
@@ -17,6 +18,19 @@ namespace asperity::netcdf {
 inline void check(int status, const std::string& what) {
   if (status != NC_NOERR) refuse(what + ": " + nc_strerror(status));
 }
+
+// An open dataset, closed without a word when an exception passes.
+class Handle {
+ public:
+  Handle() = default;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (open) nc_abort(id);
+  }
+  int id = -1;
+  bool open = false;
+};
 
 template <class T>
 constexpr nc_type external_type() {
