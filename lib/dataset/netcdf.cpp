@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include "dataset/apart.hpp"
 #include "dataset/classic_head.hpp"
 #include "dataset/mapped_file.hpp"
 #include "dataset/netcdf_types.hpp"
@@ -127,9 +127,13 @@ void refuse_groups(int file) {
 }
 
 // NetCDF-4 deflates, and need not hold what was never written: no more is made of its bytes than deflating could.
-void refuse_if_thin(const std::vector<Header>& headers, std::size_t bytes) {
+std::size_t most_made_of(std::size_t bytes) {
   constexpr std::size_t most_inflated = 1032;
-  std::size_t left = bytes > SIZE_MAX / most_inflated ? SIZE_MAX : bytes * most_inflated;
+  return std::min(bytes, SIZE_MAX / 4 / most_inflated) * most_inflated;
+}
+
+void refuse_if_thin(const std::vector<Header>& headers, std::size_t bytes) {
+  std::size_t left = most_made_of(bytes);
   for (const Header& h : headers) {
     if (h.bytes > left)
       refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " +
@@ -165,17 +169,9 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
   return out;
 }
 
-}  // namespace
+bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
-bool looks_like_netcdf(std::string_view bytes) {
-  return bytes.starts_with("CDF\001") || bytes.starts_with("CDF\002") || bytes.starts_with("CDF\005") ||
-         bytes.starts_with("\x89HDF\r\n\x1a\n");
-}
-
-Dataset decode_netcdf(std::string_view bytes) {
-  if (bytes.empty()) refuse("it is empty");
-  if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
-  if (bytes.starts_with("CDF")) check_classic_head(bytes);
+Dataset decode_here(std::string_view bytes) {
   Handle file;
   const int status =
       nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
@@ -185,12 +181,38 @@ Dataset decode_netcdf(std::string_view bytes) {
   return read_dataset(file.id, bytes.size(), {});
 }
 
+// The same dataset in a classic format, made where the HDF5 library does no harm.
+SparseFile classic_from(std::string_view netcdf4) {
+  constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
+  const Limits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
+                      .memory = library + 2 * most_made_of(netcdf4.size())};
+  return made_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4), sink); }, limits, "dataset");
+}
+
+}  // namespace
+
+bool looks_like_netcdf(std::string_view bytes) {
+  return bytes.starts_with("CDF\001") || bytes.starts_with("CDF\002") || bytes.starts_with("CDF\005") ||
+         is_netcdf4(bytes);
+}
+
+Dataset decode_netcdf(std::string_view bytes) {
+  if (bytes.empty()) refuse("it is empty");
+  if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
+  if (is_netcdf4(bytes)) return decode_here(MappedFile(classic_from(bytes).name()).bytes());
+  check_classic_head(bytes);
+  return decode_here(bytes);
+}
+
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {
-  if (const MappedFile mapped(path); mapped.bytes().starts_with("CDF")) check_classic_head(mapped.bytes());
+  const MappedFile mapped(path);
+  if (mapped.bytes().starts_with("CDF")) check_classic_head(mapped.bytes());
+  if (is_netcdf4(mapped.bytes())) classic_.emplace(classic_from(mapped.bytes()));
   Handle file;
-  check(nc_open(path.c_str(), NC_NOWRITE, &file.id), path + " cannot be read");
+  check(nc_open(classic_ ? classic_->name().c_str() : path.c_str(), NC_NOWRITE, &file.id),
+        path + " cannot be read");
   file.open = true;
-  dataset_ = read_dataset(file.id, std::filesystem::file_size(path), deferred);
+  dataset_ = read_dataset(file.id, classic_ ? classic_->size() : mapped.bytes().size(), deferred);
   id_ = file.id;
   file.open = false;
 }

@@ -4,16 +4,23 @@
 /// variable other than the last exceeds 4 GiB or a type needs it. Read is every format that the installed
 /// library knows.
 ///
+/// A NetCDF-4 file is an HDF5 file, of which a hostile one makes the HDF5 library hang, crash or take all
+/// memory. It is read in a process of its own (dataset/apart.hpp), which hands it back in a classic format, and is
+/// refused when that takes more than 2 s of processor time and 1 s for each 5 MB of it, or more memory than
+/// 64 MiB and twice what deflating can make of its bytes (1032 times as many). It is held whole.
+///
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "dataset/dataset.hpp"
+#include "dataset/sparse_file.hpp"
 
 namespace asperity {
 
@@ -24,7 +31,7 @@ bool looks_like_netcdf(std::string_view bytes);
 /// cannot.
 Dataset decode_netcdf(std::string_view bytes);
 
-/// A file on disk, of which some variables are read by parts.
+/// A file on disk, of which some variables are read by parts; of NetCDF-4 they all are in memory.
 class NetcdfFile {
  public:
   /// Reads all but the values of variables that lie on all of `deferred`; throws DataError as decode_netcdf does.
@@ -42,6 +49,7 @@ class NetcdfFile {
  private:
   Values part(std::string_view variable, std::size_t along, Index first, Index count) const;
 
+  std::optional<SparseFile> classic_;  ///< what a NetCDF-4 file held
   int id_ = -1;
   Dataset dataset_;
 };

@@ -57,6 +57,13 @@ bool same(const Dataset& a, const Dataset& b) {
          std::equal(a.variables.begin(), a.variables.end(), b.variables.begin(), b.variables.end(), equal);
 }
 
+std::string corpus(const std::string& name) { return ASPERITY_TEST_DATA "/../corpus/" + name; }
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 }  // namespace
 
 TEST_CASE("a dataset of every classic type comes back from its bytes as it was, as CDF-2",
@@ -215,6 +222,23 @@ TEST_CASE("a file on disk whose head claims more than it holds is refused, by pa
     CHECK(refused(bytes.substr(0, n)));
   }
   std::filesystem::remove(path);
+}
+
+TEST_CASE("a NetCDF-4 file holds what the classic one does that it was made from, by parts too",
+          "[netcdf][exact]") {
+  const Dataset classic = decode_netcdf(content(corpus("netcdf/cdf2")));
+  CHECK(same(decode_netcdf(content(corpus("netcdf4/whole"))), classic));
+  const NetcdfFile parts(corpus("netcdf4/whole"), {"x", "y"});
+  CHECK(parts.rows("heights", 0, classic.length("x")) == classic.at("heights").values);
+}
+
+// A global heap that leads back to itself: HDF5 1.10 reads it for ever.
+TEST_CASE(
+    "a NetCDF-4 file at which the HDF5 library hangs is refused, and one without its values, by parts too",
+    "[netcdf][contract]") {
+  CHECK_THROWS_AS(decode_netcdf(content(corpus("netcdf4/hangs"))), DataError);
+  CHECK_THROWS_AS(decode_netcdf(content(corpus("netcdf4/never-written"))), DataError);
+  CHECK_THROWS_AS(NetcdfFile(corpus("netcdf4/never-written"), {"x", "y"}), DataError);
 }
 
 TEST_CASE("bytes that are no NetCDF are refused", "[netcdf][contract]") {

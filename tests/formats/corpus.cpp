@@ -12,7 +12,7 @@ using namespace asperity::test;
 namespace {
 
 std::vector<std::string> names() {
-  std::vector<std::string> out{"netcdf"};
+  std::vector<std::string> out{"netcdf", "netcdf4"};
   for (const Format& format : formats()) out.emplace_back(format.name);
   return out;
 }

@@ -33,7 +33,7 @@ inline void require_map(const Dataset& dataset) {
 /// Returns whether the bytes could be read; throws std::logic_error, or anything else, where the reader is wrong.
 inline bool reads(const std::string& format, std::string_view bytes) {
   try {
-    if (format == "netcdf") {
+    if (format.starts_with("netcdf")) {
       decode_netcdf(std::string(bytes));
     } else {
       const Order order = bytes.size() % 2 == 0 ? Order::yx : Order::xy;

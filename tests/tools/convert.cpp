@@ -171,3 +171,15 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
     CHECK(lines(run.error) == 1);
   }
 }
+
+TEST_CASE("a NetCDF-4 file at which the HDF5 library hangs ends a tool with status 4 and one line, by strips too",
+          "[convert][contract]") {
+  for (const char* options : {"", " --memory 100B"}) {
+    const Outcome run = shell("ulimit -t 5; asperity-stats " ASPERITY_TEST_DATA "/../corpus/netcdf4/hangs" +
+                              std::string(options));
+    CAPTURE(options, run.error);
+    CHECK(run.exit == 4);
+    CHECK_THAT(run.error, Catch::Matchers::StartsWith("asperity-stats: dataset: "));
+    CHECK(lines(run.error) == 1);
+  }
+}

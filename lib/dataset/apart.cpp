@@ -1,0 +1,107 @@
+#include "dataset/apart.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <fcntl.h>
+#include <new>
+#include <string>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+using Work = std::function<void(const std::function<void(std::string_view)>& sink)>;
+
+// How a child ends that could say so.
+enum Ending { done = 0, refused = 1, out_of_memory = 2, failed = 3 };
+
+// Bytes of address space; a sanitizer's shadow counts, so that room beyond it remains room.
+std::size_t address_space() {
+  const int fd = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  char text[64] = {};
+  const bool read = fd >= 0 && ::read(fd, text, sizeof text - 1) > 0;
+  if (fd >= 0) ::close(fd);
+  return read ? std::strtoull(text, nullptr, 10) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+void lower(int resource, rlim_t bound) {
+  struct rlimit limit {};
+  ::getrlimit(static_cast<__rlimit_resource>(resource), &limit);
+  if (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < bound) bound = limit.rlim_max;
+  limit.rlim_cur = limit.rlim_max = bound;
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+}
+
+void confine(Limits limits, pid_t parent) {
+  for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(failed);
+  lower(RLIMIT_CORE, 0);
+  lower(RLIMIT_CPU, limits.seconds);
+  if (const std::size_t present = address_space(); present > 0) lower(RLIMIT_AS, present + limits.memory);
+  if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+}
+
+// Bytes of the work, or its words where it ends as refused.
+Ending work_into(const SparseFile& out, const Work& work) {
+  try {
+    work([&](std::string_view bytes) { out.append(bytes); });
+    return done;
+  } catch (const DataError& error) {
+    out.clear();
+    out.append(error.what());
+    return refused;
+  } catch (const std::bad_alloc&) {
+    return out_of_memory;
+  }
+}
+
+Ending ending_of(const SparseFile& out, const Work& work) noexcept {
+  try {
+    return work_into(out, work);
+  } catch (...) {
+    return failed;
+  }
+}
+
+int status_of(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "a process of its own");
+  return status;
+}
+
+[[noreturn]] void refuse(int status, const SparseFile& out, Limits limits, const std::string& variable) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == refused) throw DataError(variable, out.first(out.size()));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory)
+    throw DataError(variable, "reading it takes more memory than its size warrants");
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
+    throw DataError(variable, "reading it takes longer than " + std::to_string(limits.seconds) +
+                                  " s: it is damaged, or larger than its size tells");
+  throw DataError(variable, "it is damaged: the library that reads it fails");
+}
+
+}  // namespace
+
+SparseFile made_apart(const Work& work, Limits limits, const std::string& variable) {
+  SparseFile out;
+  const pid_t parent = ::getpid(), child = ::fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "a process of its own");
+  if (child == 0) {
+    confine(limits, parent);
+    ::_exit(ending_of(out, work));
+  }
+  const int status = status_of(child);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != done) refuse(status, out, limits, variable);
+  return out;
+}
+
+}  // namespace asperity
