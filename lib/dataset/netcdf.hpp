@@ -5,8 +5,8 @@
 /// library knows.
 ///
 /// A NetCDF-4 file is an HDF5 file, of which a hostile one makes the HDF5 library hang, crash or take all
-/// memory. It is read in a process of its own (dataset/apart.hpp), which hands it back in a classic format, and is
-/// refused when that takes more than 2 s of processor time and 1 s for each 5 MB of it, or more memory than
+/// memory. It is read in a process of its own (dataset/apart.hpp), which hands it back in a classic format, and
+/// is refused when that takes more than 2 s of processor time and 1 s for each 5 MB of it, or more memory than
 /// 64 MiB and twice what deflating can make of its bytes (1032 times as many). It is held whole.
 ///
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.

@@ -1,6 +1,6 @@
 """What asperity-convert writes is read by other programs with the same numbers, sizes and units, and the other way round.
 
-other_side.py ASPERITY-CONVERT CHECK      one of numpy, gdal, gwyddion; exit 77 where the other program is missing
+other_side.py ASPERITY-CONVERT CHECK      one of numpy, gdal, gwyddion, netcdf4; exit 77 where the other program is missing
 """
 import os
 import shutil
@@ -163,6 +163,47 @@ def check_gwyddion():
         assert same(read, expected.astype("f4").astype(float) if name == "a.gsf" else expected), name
 
 
+def check_netcdf4():
+    try:
+        import netCDF4
+    except ImportError:
+        skip("python3-netcdf4")
+
+    def check_ours(name, model):
+        with netCDF4.Dataset(name) as data:
+            assert data.data_model == model, data.data_model
+            assert data["heights"].dimensions == ("x", "y") and data["heights"].units == "m"
+            assert same(np.ma.filled(data["heights"][:].astype(float), np.nan), heights())
+            for axis, n, step in (("x", NX, DX), ("y", NY, DY)):
+                assert data[axis].units == "m" and np.isclose(data[axis].length, n * step, rtol=1e-12)
+                assert np.allclose(np.diff(data[axis][:]), step, rtol=1e-9)
+
+    np.save("z.npy", heights())
+    check_ours(convert("z.npy", "ours.nc", "--size", "3mm,2mm"), "NETCDF3_64BIT_OFFSET")
+
+    # Deflated, in chunks that do not divide the field, with strings that only NetCDF-4 has.
+    with netCDF4.Dataset("theirs.nc", "w", format="NETCDF4") as data:
+        for axis, n, step in (("x", NX, DX), ("y", NY, DY)):
+            data.createDimension(axis, n)
+            data.createVariable(axis, "f8", (axis,))[:] = np.arange(n) * step * 1e3
+            data[axis].setncattr_string("units", "mm")
+        z = data.createVariable("heights", "f8", ("x", "y"), zlib=True, shuffle=True, chunksizes=(2, 3), fill_value=-1.0)
+        z.setncattr_string("units", "µm")
+        z[:] = np.where(np.isnan(heights()), -1, heights())
+        data.createVariable("counts", "u8", ("x", "y"), zlib=True)[:] = 2**63 + np.arange(NX * NY).reshape(NX, NY)
+        data.setncattr_string("title", "Rauheit, gemessen")
+    # One rounding of the factor, one of the product.
+    assert np.allclose(our_array("theirs.nc"), heights() * 1e-6, rtol=4e-16, atol=0, equal_nan=True)
+    assert np.allclose(our_spacing("theirs.nc"), [DX, DY], rtol=1e-12)
+
+    # What it holds passes whole; the 64-bit numbers need CDF-5.
+    with netCDF4.Dataset(convert("theirs.nc", "again.nc")) as data, netCDF4.Dataset("theirs.nc") as theirs:
+        assert data.data_model == "NETCDF3_64BIT_DATA", data.data_model
+        assert data.title == "Rauheit, gemessen" and data["heights"].units == "µm"
+        for name in theirs.variables:
+            assert data[name].dtype == theirs[name].dtype and same(data[name][:].data, theirs[name][:].data), name
+
+
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
-    {"numpy": check_numpy, "gdal": check_gdal, "gwyddion": check_gwyddion}[sys.argv[2]]()
+    {"numpy": check_numpy, "gdal": check_gdal, "gwyddion": check_gwyddion, "netcdf4": check_netcdf4}[sys.argv[2]]()
