@@ -5,7 +5,7 @@
 
 #include "cli/stream.hpp"
 #include "cli/tool.hpp"
-#include "dataset/layout.hpp"
+#include "dataset/axis_order.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
 #include "formats/vti.hpp"
@@ -64,6 +64,7 @@ int convert(cli::Tool& tool, const Options& options) {
   std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name());
   if (target == "netcdf") {
     Dataset data = dataset_from(tool, options, std::move(bytes));
+    if (options.to_order == "yx") data = in_viewers_order(std::move(data));
     tool.write(data);
     return cli::done;
   }
@@ -88,7 +89,9 @@ int main(int argc, char** argv) {
               "What is written; auto: by the extension of --output, else netcdf. vti, and vtr where depths "
               "are uneven: for ParaView",
               "Result");
-  tool.choice("--to-order", o.to_order, {"xy", "yx"}, "--order of a bare matrix (text, npy) that is written",
+  tool.choice("--to-order", o.to_order, {"xy", "yx"},
+              "--order of a bare matrix (text, npy) that is written; netcdf: yx for VTK, ParaView and other "
+              "viewers, fields on (y, x), volumes on (z, y, x), z a height",
               "Result");
   tool.text("--variable", o.variable, "NAME", "The field on (x, y) of a dataset that becomes the map",
             "Result");

@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "dataset/axis_order.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
+namespace {
+
+using Names = std::vector<std::string>;
+
+}  // namespace
 
 FieldFile::FieldFile(const std::string& path, std::string_view variable)
     : file_(path, {"x", "y"}), grid_(grid_of(file_.dataset())), variable_(variable) {
-  if (dataset().at(variable_).dimensions != std::vector<std::string>{"x", "y"})
+  const Names& dimensions = dataset().at(variable_).dimensions;
+  if (dimensions != Names{"x", "y"} && dimensions != Names{"y", "x"})
     throw DataError(variable_, "it does not lie on (x, y)");
 }
 
@@ -19,17 +26,18 @@ Field FieldFile::columns(Index first, Index count) const { return part(Axis::y, 
 
 // The rows, or columns, are a dataset of their own, read as any other.
 Field FieldFile::part(Axis along, Index first, Index count) const {
-  const bool x = along == Axis::x;
+  const std::string axis = along == Axis::x ? "x" : "y";
   Dataset strip;
   strip.dimensions = dataset().dimensions;
-  std::ranges::find(strip.dimensions, x ? "x" : "y", &Dimension::name)->length = count;
+  std::ranges::find(strip.dimensions, axis, &Dimension::name)->length = count;
   for (const std::string& name : {variable_, std::string("mask")})
     if (const Variable* present = dataset().find(name)) {
       Variable part = *present;
-      part.values = x ? file_.rows(name, first, count) : file_.columns(name, first, count);
+      part.values = part.dimensions.front() == axis ? file_.rows(name, first, count)
+                                                    : file_.columns(name, first, count);
       strip.variables.push_back(std::move(part));
     }
-  return field_of(strip, variable_, Missing::not_a_number);
+  return field_of(in_own_order(std::move(strip)), variable_, Missing::not_a_number);
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-/// A dataset whose fields stay in the file, and are read by whole rows: for fields larger than memory.
+/// A dataset whose fields, on (x, y) or (y, x), stay in the file, and are read by whole rows: for fields larger than memory.
 ///
 /// What lies on both x and y is left in the file; everything else, coordinates, tables and attributes, is read.
 #pragma once

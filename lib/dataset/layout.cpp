@@ -163,9 +163,9 @@ void set_grid(Dataset& dataset, const Grid& grid) {
     Variable axis =
         coordinate(name, std::move(points), "m", std::string("position along ") + std::string(name));
     axis.attributes.set("unit", "m");
-    axis.attributes.set("axis", name == "x" ? "X" : "Y");
     axis.attributes.set("length", spacing * static_cast<double>(n));
     axis.attributes.set("periodic", grid.periodic ? 1 : 0);
+    axis.attributes.set("axis", name == "x" ? "X" : "Y");
     dataset.put(std::move(axis));
   };
   set_axis("x", grid.shape.nx, grid.dx, [&](Index i) { return grid.x(i); });

@@ -7,6 +7,7 @@
 #include <netcdf_mem.h>
 
 #include "dataset/apart.hpp"
+#include "dataset/axis_order.hpp"
 #include "dataset/classic_head.hpp"
 #include "dataset/mapped_file.hpp"
 #include "dataset/netcdf_types.hpp"
@@ -199,9 +200,9 @@ bool looks_like_netcdf(std::string_view bytes) {
 Dataset decode_netcdf(std::string_view bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
-  if (is_netcdf4(bytes)) return decode_here(MappedFile(classic_from(bytes).name()).bytes());
+  if (is_netcdf4(bytes)) return decode_netcdf(MappedFile(classic_from(bytes).name()).bytes());
   check_classic_head(bytes);
-  return decode_here(bytes);
+  return in_own_order(decode_here(bytes));
 }
 
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {

@@ -27,11 +27,11 @@ namespace asperity {
 /// Whether bytes begin as a NetCDF file does.
 bool looks_like_netcdf(std::string_view bytes);
 
-/// Throws DataError ("dataset") when the bytes are no NetCDF, are cut short, or hold a type that CDF-5
-/// cannot.
+/// In Asperity's order of axes (dataset/axis_order.hpp). Throws DataError ("dataset") when the bytes are no NetCDF,
+/// are cut short, or hold a type that CDF-5 cannot.
 Dataset decode_netcdf(std::string_view bytes);
 
-/// A file on disk, of which some variables are read by parts; of NetCDF-4 they all are in memory.
+/// A file on disk as it is, of which some variables are read by parts; of NetCDF-4 they all are in memory.
 class NetcdfFile {
  public:
   /// Reads all but the values of variables that lie on all of `deferred`; throws DataError as decode_netcdf does.

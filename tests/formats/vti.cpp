@@ -9,6 +9,7 @@
 
 #include <pugixml.hpp>
 
+#include "dataset/axis_order.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/raster.hpp"
@@ -191,6 +192,8 @@ TEST_CASE("VTK reads our image data, rectilinear grid and NetCDF with the same a
   const Dataset even = body({0.5e-6, 1.5e-6, 2.5e-6, 3.5e-6}), uneven = body({0, 1e-6, 4e-6});
   write(folder / "body.vti", encode_vti(even));
   write(folder / "body.nc", encode_netcdf(even));
+  write(folder / "viewers.nc", encode_netcdf(in_viewers_order(even)));
+  write(folder / "viewers-uneven.nc", encode_netcdf(in_viewers_order(uneven)));
   write(folder / "from-zero.nc", encode_netcdf(body({0, 1e-6, 2e-6, 3e-6})));
   write(folder / "surface.vti", encode_vti(surface()));
   write(folder / "body.vtr", encode_vtr(uneven));

@@ -1,4 +1,4 @@
-"""Reads body.vti, body.vtr, surface.vti and body.nc of a folder by VTK's own readers; vti.cpp has written them."""
+"""Reads body.vti, body.vtr, surface.vti and datasets of a folder by VTK's own readers; vti.cpp has written them."""
 import math
 import sys
 
@@ -77,3 +77,23 @@ for name, first in (("body.nc", 0.5e-6), ("from-zero.nc", 0.0)):
                 assert near(x, (i - 2) * DX, DX) and near(y, (j - 1) * DY, DY), (x, y)
                 assert near(z, first - k * 1e-6, 1e-6), z
                 assert values.GetValue(point) == stress(k, i, j)
+
+# In the order of viewers all three axes are in their places, whatever the first depth is; but for the choice of variables
+# all is as the reader has it by default.
+for name, depths in (("viewers.nc", [0.5e-6, 1.5e-6, 2.5e-6, 3.5e-6]), ("viewers-uneven.nc", [0, 1e-6, 4e-6])):
+    reader = vtkNetCDFCFReader()
+    reader.SetFileName(f"{folder}/{name}")
+    reader.UpdateMetaData()
+    for variables in ("(z, y, x)", "(y, x)"):
+        reader.SetDimensions(variables)
+        body = read(reader, name)
+        layers = [-depth for depth in reversed(depths)] if variables == "(z, y, x)" else [0.0]
+        assert list(body.GetDimensions()) == [NX, NY, len(layers)], body.GetDimensions()
+        values = body.GetPointData().GetArray("von_mises" if len(layers) > 1 else "heights")
+        assert reader.QueryArrayUnits(values.GetName()) == ("Pa" if len(layers) > 1 else "m")
+        for point in range(values.GetNumberOfTuples()):
+            i, j, k = point % NX, point // NX % NY, point // (NX * NY)
+            x, y, z = body.GetPoint(point)
+            assert near(x, (i - 2) * DX, DX) and near(y, (j - 1) * DY, DY) and near(z, layers[k], DX), (x, y, z)
+            expected = stress(len(layers) - 1 - k, i, j) if len(layers) > 1 else 1e-6 * (10 * i + j)
+            assert near(values.GetValue(point), expected, expected), (point, expected)

@@ -1,0 +1,140 @@
+#include "dataset/axis_order.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace asperity {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool ends_with(const Names& dimensions, const char* slow, const char* fast) {
+  const std::size_t rank = dimensions.size();
+  return rank >= 2 && dimensions[rank - 2] == slow && dimensions[rank - 1] == fast;
+}
+
+template <class T>
+void transpose(const T* from, T* to, Index rows, Index columns) {
+  using Matrix = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  constexpr Index block = 32;
+  const Eigen::Map<const Matrix> in(from, rows, columns);
+  Eigen::Map<Matrix> out(to, columns, rows);
+  for (Index i = 0; i < rows; i += block)
+    for (Index j = 0; j < columns; j += block) {
+      const Index r = std::min(block, rows - i), c = std::min(block, columns - j);
+      out.block(j, i, c, r) = in.block(i, j, r, c).transpose();
+    }
+}
+
+// Matrix by matrix; a variable whose values are elsewhere has none.
+void swap_last_two(const Dataset& dataset, Variable& variable) {
+  auto& slow = variable.dimensions[variable.dimensions.size() - 2];
+  auto& fast = variable.dimensions.back();
+  const Index rows = dataset.length(slow), columns = dataset.length(fast), cells = rows * columns;
+  std::swap(slow, fast);
+  std::visit(
+      [&](auto& values) {
+        std::decay_t<decltype(values)> out(values.size(), {});
+        for (Index at = 0; at + cells <= static_cast<Index>(values.size()) && cells > 0; at += cells)
+          transpose(values.data() + at, out.data() + at, rows, columns);
+        values = std::move(out);
+      },
+      variable.values);
+}
+
+// Whether there was anything to swap.
+bool swap_axes(Dataset& dataset, const char* slow, const char* fast) {
+  bool any = false;
+  for (Variable& variable : dataset.variables)
+    if (ends_with(variable.dimensions, slow, fast)) {
+      swap_last_two(dataset, variable);
+      any = true;
+    }
+  return any;
+}
+
+void name_axes(Dataset& dataset) {
+  for (const auto& [name, axis] : {std::pair{"x", "X"}, {"y", "Y"}})
+    if (Variable* coordinate = dataset.find(name)) coordinate->attributes.set("axis", axis);
+}
+
+void forget_axes(Dataset& dataset) {
+  for (const char* name : {"x", "y"})
+    if (Variable* coordinate = dataset.find(name)) coordinate->attributes.erase("axis");
+}
+
+// Of every variable that lies on z.
+void reverse_layers(Dataset& dataset) {
+  const Index layers = dataset.length("z");
+  for (Variable& variable : dataset.variables) {
+    const auto axis = std::ranges::find(variable.dimensions, "z");
+    if (axis == variable.dimensions.end()) continue;
+    Index piece = 1;
+    for (auto inner = axis + 1; inner != variable.dimensions.end(); ++inner) piece *= dataset.length(*inner);
+    std::visit(
+        [&](auto& values) {
+          const Index slab = layers * piece;
+          for (auto at = values.begin(); slab > 0 && values.end() - at >= slab; at += slab)
+            for (Index k = 0; k < layers / 2; ++k)
+              std::swap_ranges(at + k * piece, at + (k + 1) * piece, at + (layers - 1 - k) * piece);
+        },
+        variable.values);
+  }
+}
+
+template <class T>
+void negate(std::vector<T>& values) {
+  for (T& value : values) value = T{0} - value;
+}
+
+void negate(Values& values) {
+  if (auto* single = std::get_if<std::vector<float>>(&values)) return negate(*single);
+  if (!std::holds_alternative<std::vector<double>>(values)) values = numbers(values);
+  negate(std::get<std::vector<double>>(values));
+}
+
+// The coordinate z of a dataset when it is positive in this direction, else nothing.
+Variable* vertical(Dataset& dataset, std::string_view positive) {
+  Variable* z = dataset.find("z");
+  return z && z->dimensions == Names{"z"} && z->attributes.text("positive") == positive ? z : nullptr;
+}
+
+void turn(Variable& z, std::string_view positive, std::string_view words) {
+  negate(z.values);
+  z.attributes.set("long_name", words);
+  z.attributes.set("positive", positive);
+  if (const Values* range = z.attributes.find("actual_range")) {
+    std::vector<double> turned = numbers(*range);
+    std::ranges::reverse(turned);
+    negate(turned);
+    z.attributes.set_values("actual_range", turned);
+  }
+}
+
+bool descends(const Variable& z) {
+  const std::vector<double> values = numbers(z.values);
+  return values.size() > 1 && values.back() < values.front();
+}
+
+}  // namespace
+
+Dataset in_own_order(Dataset dataset) {
+  if (swap_axes(dataset, "y", "x")) name_axes(dataset);
+  if (Variable* z = vertical(dataset, "up")) {
+    turn(*z, "down", "depth below the surface");
+    if (descends(*z)) reverse_layers(dataset);
+  }
+  return dataset;
+}
+
+Dataset in_viewers_order(Dataset dataset) {
+  if (swap_axes(dataset, "x", "y")) forget_axes(dataset);
+  if (Variable* z = vertical(dataset, "down")) {
+    turn(*z, "up", "height above the surface");
+    if (descends(*z)) reverse_layers(dataset);
+  }
+  return dataset;
+}
+
+}  // namespace asperity

@@ -1,0 +1,27 @@
+/// The order of axes: Asperity's own, and that of viewers and of most other programs.
+///
+///                       Asperity                       viewers
+///     field             name(x, y)                     name(y, x)
+///     volume            name(z, x, y)                  name(z, y, x)
+///     z                 depth, positive = "down"       height -depth, positive = "up", the deepest layer first
+///     x, y              axis = "X", "Y"                without, for VTK takes these for longitude and latitude
+///
+/// VTK and ParaView make NetCDF's last dimension their first axis, and place a z that is positive upwards where it is:
+/// the right column shows x, y and z as they lie. Components of stress remain those of the left column, z
+/// downwards: their own axes do not turn with the coordinate.
+///
+/// Accuracy  exact: there and back is equal to the last bit. A depth of 0 is a height of 0, not of -0.
+/// Cost      one pass over what is in the other order, in blocks that stay in the cache; nothing over the rest.
+#pragma once
+
+#include "dataset/dataset.hpp"
+
+namespace asperity {
+
+/// Of any dataset: every variable whose last dimensions are (y, x) comes to lie on (x, y), a z that is positive
+/// upwards becomes a depth, and its layers run downwards.
+Dataset in_own_order(Dataset dataset);
+/// Of a dataset in Asperity's order.
+Dataset in_viewers_order(Dataset dataset);
+
+}  // namespace asperity
