@@ -1,4 +1,5 @@
 // From the format of one program to that of another.
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ constexpr std::string_view datasets[] = {"netcdf", "vti", "vtr"};
 
 struct Options {
   std::string to = "auto", to_order = "xy", variable = "heights";
+  bool surface = false;
   cli::MapOptions map;
 
   std::string target(const std::string& output) const {
@@ -44,10 +46,21 @@ Map map_from(const cli::Tool& tool, const Options& options, std::string_view byt
                                                          : tool.format().map(bytes, tool.input_name()));
 }
 
+// What does not lie below the surface.
+Dataset without_depth(Dataset data) {
+  const auto below = [](const Variable& v) {
+    return std::ranges::find(v.dimensions, "z") != v.dimensions.end();
+  };
+  std::erase_if(data.variables, below);
+  std::erase_if(data.dimensions, [](const Dimension& d) { return d.name == "z"; });
+  return data;
+}
+
 // A dataset passes whole, unless its map is cut or filled.
 Dataset dataset_from(const cli::Tool& tool, const Options& options, std::optional<cli::Bytes> bytes) {
   const bool whole = tool.format().netcdf(*bytes) && !options.map.changes();
-  return whole ? decode_netcdf(*bytes) : dataset_of(map_from(tool, options, *bytes));
+  Dataset data = whole ? decode_netcdf(*bytes) : dataset_of(map_from(tool, options, *bytes));
+  return options.surface ? without_depth(std::move(data)) : data;
 }
 
 // All that is not NetCDF.
@@ -55,6 +68,8 @@ std::string encoded(const cli::Tool& tool, const Options& options, const std::st
                     std::optional<cli::Bytes> bytes) {
   if (target == "vti") return encode_vti(dataset_from(tool, options, std::move(bytes)));
   if (target == "vtr") return encode_vtr(dataset_from(tool, options, std::move(bytes)));
+  if (options.surface)
+    throw cli::UsageError("surface", "only netcdf, vti and vtr hold what lies below one, not " + target);
   const Map map = map_from(tool, options, *bytes);
   return format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
 }
@@ -93,6 +108,10 @@ int main(int argc, char** argv) {
               "--order of a bare matrix (text, npy) that is written; netcdf: yx for VTK, ParaView and other "
               "viewers, fields on (y, x), volumes on (z, y, x), z a height",
               "Result");
+  tool.flag("--surface", o.surface,
+            "netcdf, vti, vtr: the fields on (x, y) alone, of a dataset with depths: vti and vtr then show "
+            "them as one layer at z = 0 (beside volumes they are field data)",
+            "Result");
   tool.text("--variable", o.variable, "NAME", "The field on (x, y) of a dataset that becomes the map",
             "Result");
   tool.output_of_any_format();

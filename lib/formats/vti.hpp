@@ -7,7 +7,8 @@
 ///
 /// A dataset with volumes (z, x, y) becomes a block whose point data they are; its fields (x, y) belong to no layer of
 /// it and stand as field data, nx·ny numbers each, x fastest. A dataset without volumes is one layer at z = 0, with the
-/// fields as its point data. Components of stress remain arrays of their own (stress_xx, …).
+/// fields as its point data; asperity-convert --surface makes one of the other. Components of stress remain arrays of
+/// their own (stress_xx, …).
 ///
 /// Memory    the file's bytes once, and a layer.
 ///
