@@ -57,15 +57,55 @@ void add(zip_t* archive, const ZipEntry& entry) {
   require(zip_file_set_dostime(archive, place, 0, day, 0) == 0, archive);
 }
 
-std::string all_of(zip_source_t* source) {
-  zip_stat_t stat;
-  if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0)
-    throw std::runtime_error("an archive cannot be read back");
-  std::string out(stat.size, '\0');
-  const zip_int64_t got = zip_source_read(source, out.data(), out.size());
-  zip_source_close(source);
-  if (got < 0 || static_cast<std::size_t>(got) != out.size())
-    throw std::runtime_error("an archive cannot be read back");
+// A string that an archive is written into: the library's own buffer would be a copy more. It has room for all, so that
+// nothing is thrown through the library.
+struct Sink {
+  std::string bytes;
+  std::size_t at = 0;
+
+  zip_int64_t write(const void* data, std::size_t length) {
+    const std::size_t over = std::min(length, bytes.size() - at);
+    const char* from = static_cast<const char*>(data);
+    std::copy(from, from + over, bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    bytes.append(from + over, length - over);
+    at += length;
+    return static_cast<zip_int64_t>(length);
+  }
+  zip_int64_t seek(void* data, zip_uint64_t length) {
+    const zip_int64_t to = zip_source_seek_compute_offset(at, bytes.size(), data, length, nullptr);
+    if (to >= 0) at = static_cast<std::size_t>(to);
+    return std::min<zip_int64_t>(to, 0);
+  }
+  static zip_int64_t stat(void* data) {
+    zip_stat_t& empty = *static_cast<zip_stat_t*>(data);
+    zip_stat_init(&empty);
+    empty.size = 0;
+    empty.valid = ZIP_STAT_SIZE;
+    return sizeof empty;
+  }
+};
+
+zip_int64_t answer(void* sink, void* data, zip_uint64_t length, zip_source_cmd_t command) {
+  Sink& target = *static_cast<Sink*>(sink);
+  switch (command) {
+    case ZIP_SOURCE_SUPPORTS:
+      return ZIP_SOURCE_SUPPORTS_WRITABLE;
+    case ZIP_SOURCE_STAT:
+      return Sink::stat(data);
+    case ZIP_SOURCE_WRITE:
+      return target.write(data, length);
+    case ZIP_SOURCE_SEEK_WRITE:
+      return target.seek(data, length);
+    case ZIP_SOURCE_TELL_WRITE:
+      return static_cast<zip_int64_t>(target.at);
+    default:
+      return 0;
+  }
+}
+
+Source source_of(Sink& sink) {
+  Source out(zip_source_function_create(&answer, &sink, nullptr));
+  if (!out) throw std::bad_alloc();
   return out;
 }
 
@@ -124,7 +164,11 @@ std::string ZipArchive::read(const std::string& name) const {
 }
 
 std::string zip_of(std::span<const ZipEntry> entries) {
-  const Source target = source_of({});
+  Sink sink;
+  std::size_t bytes = 1024;
+  for (const ZipEntry& entry : entries) bytes += entry.bytes.size() + 2 * entry.name.size() + 256;
+  sink.bytes.reserve(bytes);
+  const Source target = source_of(sink);
   zip_t* archive = open(target.get(), ZIP_TRUNCATE);
   if (!archive) throw std::runtime_error("an archive cannot be made");
   try {
@@ -134,7 +178,7 @@ std::string zip_of(std::span<const ZipEntry> entries) {
     zip_discard(archive);
     throw;
   }
-  return all_of(target.get());
+  return std::move(sink.bytes);
 }
 
 }  // namespace asperity

@@ -17,7 +17,8 @@
 /// A missing point is BAD in text. In binary it is NaN or the number that is furthest from 0 of a floating type, the
 /// greatest of an unsigned one, and of a signed one the least; BCR means the greatest by it, and there both are missing.
 ///
-/// Gwyddion does not know BAD: it reads `sdf-ascii` with missing points no further than the first of them.
+/// Gwyddion's reader of text knows no missing points, neither the standard's BAD nor any other: it refuses `sdf-ascii`
+/// that has some. Of binary it masks them; `sdf` is for it.
 ///
 /// `sdf` is written with doubles, missing points NaN, `sdf-ascii` with the shortest decimal fractions: both exact. Each holds
 /// heights in metres only, and 65535 points along each side at the most. Their dates are the first day of 2000, so that the
