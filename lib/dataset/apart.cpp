@@ -23,6 +23,22 @@ using Work = std::function<void(const std::function<void(std::string_view)>& sin
 // How a child ends that could say so.
 enum Ending { done = 0, refused = 1, out_of_memory = 2, failed = 3 };
 
+// A process that ignores its children's end cannot wait for it.
+class EndOfChildren {
+ public:
+  EndOfChildren() {
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    ::sigaction(SIGCHLD, &usual, &former_);
+  }
+  ~EndOfChildren() { ::sigaction(SIGCHLD, &former_, nullptr); }
+  EndOfChildren(const EndOfChildren&) = delete;
+  EndOfChildren& operator=(const EndOfChildren&) = delete;
+
+ private:
+  struct sigaction former_ {};
+};
+
 // Bytes of address space; a sanitizer's shadow counts, so that room beyond it remains room.
 std::size_t address_space() {
   const int fd = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
@@ -93,6 +109,7 @@ int status_of(pid_t child) {
 
 SparseFile made_apart(const Work& work, Limits limits, const std::string& variable) {
   SparseFile out;
+  const EndOfChildren heard;
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "a process of its own");
   if (child == 0) {

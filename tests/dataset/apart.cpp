@@ -67,6 +67,15 @@ TEST_CASE("work that breaks, throws or ends is refused, without the handlers of 
   CHECK(handled == 0);
 }
 
+// Shells and daemons hand that on: waiting for the child then failed.
+TEST_CASE(
+    "work is done apart in a process that ignores the end of its children, and it still does afterwards",
+    "[apart][contract]") {
+  const auto former = std::signal(SIGCHLD, SIG_IGN);
+  CHECK(bytes_of([](const Sink& sink) { sink("rough"); }) == "rough");
+  CHECK(std::signal(SIGCHLD, former) == SIG_IGN);
+}
+
 // One second is the limit; the clock of this process stands still meanwhile.
 TEST_CASE("work without end is ended, and costs its asker no time", "[apart][contract]") {
   const std::clock_t before = std::clock();
