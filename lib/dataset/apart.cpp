@@ -39,7 +39,7 @@ class EndOfChildren {
   struct sigaction former_ {};
 };
 
-// Bytes of address space; a sanitizer's shadow counts, so that room beyond it remains room.
+// Bytes of address space. The address sanitizer's count too, of which it has taken more than it needs: it has no limit.
 std::size_t address_space() {
   const int fd = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   char text[64] = {};

@@ -19,7 +19,7 @@ namespace asperity {
 
 struct Limits {
   unsigned seconds = 1;    ///< of processor time
-  std::size_t memory = 0;  ///< bytes beyond those of the parent
+  std::size_t memory = 0;  ///< bytes beyond those of the parent; not heeded under the address sanitizer
 };
 
 /// The bytes that the work hands to its sink. Throws DataError(variable, …) with the work's own words where it
