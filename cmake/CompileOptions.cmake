@@ -18,3 +18,12 @@ if(ASPERITY_FUZZ)
   target_compile_options(asperity_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(asperity_options INTERFACE -fsanitize=address,undefined)
 endif()
+
+# The version of a library, and what crosses its border where it is shared: every symbol of ours, for the tests look
+# inside, but not the inline functions of Eigen, which a user may compile for other instructions. Until 1.0 a minor
+# version may change the binary interface. GCC may inline within the library, as clang does.
+function(asperity_shared_interface library)
+  set_target_properties(${library} PROPERTIES
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${library} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+endfunction()

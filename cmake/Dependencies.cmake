@@ -13,5 +13,4 @@ pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3>=3.3.10)  # its Debian pa
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf>=4.9)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip>=1.7)  # its own config needs tools that are not installed with it
 pkg_check_modules(LIBMD REQUIRED IMPORTED_TARGET libmd)
-find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
-find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+find_package(UDUNITS2 REQUIRED)

@@ -1,0 +1,41 @@
+# What `cmake --install` leaves behind, in three components: the tools, the libraries that they run with, and what a
+# program that uses the library needs to be built (headers under include/asperity, CMake package, asperity.pc).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+get_property(tools GLOBAL PROPERTY ASPERITY_TOOLS)
+install(TARGETS ${tools} COMPONENT tools)
+install(TARGETS asperity asperity_stats EXPORT Asperity
+  LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+  ARCHIVE COMPONENT development
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity COMPONENT development)
+set_target_properties(asperity_stats PROPERTIES EXPORT_NAME stats)
+
+# Tools find the libraries wherever the tree is moved to.
+file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
+set_target_properties(asperity_stats PROPERTIES INSTALL_RPATH $ORIGIN)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Asperity)
+install(EXPORT Asperity NAMESPACE Asperity:: FILE AsperityTargets.cmake DESTINATION ${package_folder} COMPONENT development)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/AsperityConfig.cmake.in ${PROJECT_BINARY_DIR}/AsperityConfig.cmake
+  INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/AsperityConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/AsperityConfig.cmake ${PROJECT_BINARY_DIR}/AsperityConfigVersion.cmake
+  DESTINATION ${package_folder} COMPONENT development)
+
+# A static library passes on what it stands on; a shared one has it linked.
+set(pc_requires "eigen3 >= 3.4")
+set(pc_libraries "-lasperity_stats -lasperity -pthread")
+if(NOT BUILD_SHARED_LIBS)
+  string(APPEND pc_requires ", gsl, fftw3, netcdf, libzip, libmd, pugixml, zlib, fmt")
+  string(APPEND pc_libraries " -ludunits2 -lsundials_kinsol -lsundials_nvecserial -lsundials_sunlinsolspgmr")
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake DESTINATION ${package_folder} COMPONENT development)
+endif()
+set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${pc_folder} OUTPUT_VARIABLE to_prefix)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/asperity.pc.in ${PROJECT_BINARY_DIR}/asperity.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/asperity.pc DESTINATION ${pc_folder} COMPONENT development)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CITATION.cff
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/asperity COMPONENT tools)

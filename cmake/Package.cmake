@@ -1,0 +1,55 @@
+# Debian packages, by `cpack`: asperity (the tools), libasperity0.1 (named by its SOVERSION, as Debian has it) and
+# libasperity-dev. Dependencies are those that dpkg-shlibdeps finds.
+if(NOT BUILD_SHARED_LIBS)
+  return()  # tools and development package would each hold the library
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME asperity)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # every package has a line of its own
+set(CPACK_PACKAGE_VENDOR "The Asperity developers")
+set(CPACK_PACKAGE_CONTACT "The Asperity developers <maintainers@asperity.invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL tools runtime development)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib ${PROJECT_BINARY_DIR}/stats)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY >=)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+get_target_property(soversion asperity SOVERSION)
+set(runtime libasperity${soversion})
+set(same_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME asperity)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${runtime} ${same_version}")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "random rough surfaces: drawn, measured, pressed together, stressed
+Small Unix tools over NetCDF pipes that draw random rough surfaces with a
+prescribed autocorrelation, measure them by ISO 25178-2, press them together
+(elastic-perfectly plastic) and compute the stress below. Every figure comes
+with its error, and every solver says what it achieved.")
+
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${runtime})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/triggers)
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "random rough surfaces: shared libraries
+The C++ library that the tools of asperity are made of.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libasperity-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${runtime} ${same_version}, libeigen3-dev (>= 3.4)")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "random rough surfaces: headers of the C++ library
+What a C++20 program needs to be built with Asperity: headers, the CMake
+package Asperity, and asperity.pc for pkg-config.")
+
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/documents.cmake)
+include(CPack)
