@@ -8,8 +8,9 @@
 namespace asperity {
 namespace {
 
-// The share of S_2 in the tails that noise hides, times N/S_2: 7 of a triangular, 17 of an exponential correlation.
-constexpr double lost_tail = 10;
+// The share of S_1 and of S_2 in the tails that noise hides, times N/S_2: of a triangular correlation 0 and 7, of an
+// exponential one 35 and 17.
+constexpr double lost_of_first = 15, lost_of_second = 10;
 
 // A lag of an estimate: weight as for_each_lag gives it, evidence = |ρ| √pairs/√N.
 struct Candidate {
@@ -93,9 +94,9 @@ EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Pairs& 
   const double s1 = tail.first_sum(), lost = s1 / pairs.points(), b = lost / (1 - std::min(lost, 0.5));
   const Field& values = admitted.half_plane();
   EffectiveSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
-  size.sums_[1] = s1;
-  const double s2 = tail.second_sum(b);
-  size.sums_[2] = s2 * (1 + lost_tail * s2 / pairs.points());
+  const double s2 = tail.second_sum(b), share = s2 / pairs.points();
+  size.sums_[1] = s1 * (1 + lost_of_first * share);
+  size.sums_[2] = s2 * (1 + lost_of_second * share);
   size.degrees_ = size.effective(2) / 8;
   return size;
 }

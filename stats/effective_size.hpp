@@ -20,9 +20,9 @@
 /// admitted), K lags. There the field's mean, which lowers each lag by b = S_1/N, is put back, and of the squares the
 /// noise S_2/N each is taken off:
 ///     S_1 = Σ w ρ/(1 - K/N),     S_2 = Σ w [(ρ+b)/(1+b)]² / (1 + K/N).                              (6)
-/// What still lies beyond lowers S_2 by some 10 S_2/N of it, measured of triangular (7) and exponential (17)
-/// correlations, and is added. So known, ln S_1 and ln S_2 have a variance of 5 to 16 S_2/N: `degrees`, N/(8 S_2),
-/// are those of a standard error of this quality.
+/// What still lies beyond lowers S_1 by some 15 S_2/N of it, S_2 by 10 S_2/N, measured of triangular (0, 7) and exponential
+/// (35, 17) correlations, and is added. So known, ln S_2 has a variance of 5 to 16 S_2/N: `degrees`, N/(8 S_2), are those
+/// of a standard error of this quality.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].

@@ -23,6 +23,21 @@ LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
   return LagField((rho.half_plane() + b) / (1 + b));
 }
 
+// What the field's mean leaves of the errors that a known correlation gives.
+double left_by_mean(const EffectiveSize& size) {
+  return std::sqrt(1 - std::min(std::pow(size.sum(1), 2) / (size.points() * size.sum(2)), 0.5));
+}
+
+// By how much the errors of what stands out of the noise are too small.
+double lost_in_noise(const EffectiveSize& size, const EffectiveSize& admitted) {
+  return std::pow(std::max(1.0, size.sum(2) / admitted.sum(2)), 0.25);
+}
+
+double normal_quantile(double tail) { return gsl_cdf_ugaussian_Qinv(tail); }
+double student_quantile(double tail, double degrees) {
+  return std::isinf(degrees) ? normal_quantile(tail) : gsl_cdf_tdist_Qinv(tail, std::max(degrees, 1.0));
+}
+
 Shape nearest_lag(const Grid& grid, double angle, double length) {
   return {std::lround(length * std::cos(angle) / grid.dx), std::lround(length * std::sin(angle) / grid.dy)};
 }
@@ -42,14 +57,8 @@ LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, 
   const EffectiveSize size = known ? EffectiveSize(*known, pairs) : EffectiveSize::of_estimate(rho, pairs);
   freed_ = freed_of_mean(rho, size);
   degrees_ = size.degrees();
-  if (known) return;
-  const double tail = size.sum(2) / EffectiveSize(admitted, pairs).sum(2);
-  strays_ = LagField(strays_.half_plane() * std::sqrt(std::max(1.0, tail)));
-}
-
-double LengthIntervals::quantile(double tail) const {
-  return std::isinf(degrees_) ? gsl_cdf_ugaussian_Qinv(tail)
-                              : gsl_cdf_tdist_Qinv(tail, std::max(degrees_, 1.0));
+  const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSize(admitted, pairs));
+  strays_ = LagField(strays_.half_plane() * more);
 }
 
 LagField LengthIntervals::band(double u) const {
@@ -57,7 +66,7 @@ LagField LengthIntervals::band(double u) const {
 }
 
 Interval LengthIntervals::along(double angle, double level, double confidence) const {
-  const double u = quantile((1 - confidence) / 2);
+  const double u = normal_quantile((1 - confidence) / 2);
   auto end = [&](double side) {
     const auto crossing = first_crossing(band(side * u), grid_, angle, level);
     return crossing ? crossing->lag : none;
@@ -81,11 +90,11 @@ std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) 
 }
 
 double LengthIntervals::quantile_of_least(const std::vector<Reached>& reached, double tail) const {
-  if (reached.size() < 2) return quantile(tail);
+  const double wider = student_quantile(tail, degrees_) / normal_quantile(tail);
+  if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
   for (const Reached& r : reached) lags.push_back(r.lag);
-  return quantile(tail) / gsl_cdf_ugaussian_Qinv(tail) *
-         GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
+  return wider * GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
 }
 
 double LengthIntervals::longest_fastest(double level, double tail) const {
@@ -97,7 +106,7 @@ double LengthIntervals::longest_fastest(double level, double tail) const {
 
 Interval LengthIntervals::fastest(double level, double confidence) const {
   const double tail = 1 - confidence;
-  return {fastest_of(band(-quantile(tail / 2)), level), longest_fastest(level, tail)};
+  return {fastest_of(band(-normal_quantile(tail / 2)), level), longest_fastest(level, tail)};
 }
 
 }  // namespace asperity

@@ -13,14 +13,17 @@
 /// (stats/acf_error.hpp, (4)), in those of 12 directions whose λ(ρ') is within the interval that they make; simulated with
 /// a fixed seed. From below Sal is hardly ever missed: the upper end takes all of 2a.
 ///
-/// Of a known correlation u is the normal quantile. An estimated one is cut where noise begins, so that its SE, of squares
-/// of the lags, is √(S_2'/S_2) too small, S_2' with the tail (stats/effective_size.hpp); u is Student's of its degrees.
+/// Of a known correlation the errors are √(1 - S_1²/(N S_2)) as large, for S_1²/N is what the field's mean takes from the
+/// squares. An estimated one has lost that, but is cut where noise begins: its errors are taken ⁴√(S_2'/S_2) as large, S_2'
+/// with the tail (stats/effective_size.hpp); that is measured, half of what the sum of squares loses. They are small where
+/// the length is: the two ends make good for each other, but the upper end of Sal stands alone, and has Student's quantile
+/// of their degrees in place of the normal one.
 ///
 /// Symbols   ρ  estimate, 1 at lag zero      N  points      S_k  sums over the correlation      λ(f)  where f falls to t
 /// Scope     Gaussian heights.
 /// Accuracy  95 % intervals cover, of 2000 fields a row (validation/statistics_coverage): Sal and lengths along an axis at
-///           1/e and 10 % 94.1 to 97.1 % from N/S_2 = 468 on, 94.2 to 98.0 % of a known correlation down to 41, and of
-///           an estimated one 96.7 to 99.3 % there.
+///           1/e and 10 % 93.6 to 97.0 % of a known correlation and 93.9 to 97.2 % of an estimated one, down to
+///           N/S_2 = 41, but for the length at 1/e there, 97.7 %.
 /// Cost      one autocorrelation of ρ; of an interval a pass over the lags an end, of Sal also one to four simulations
 ///           of 8192 draws, 5 ms each.
 #pragma once
@@ -49,8 +52,6 @@ class LengthIntervals {
  private:
   LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
                   const std::optional<LagField>& known);
-  /// A quantile of the normal law, or of Student's.
-  double quantile(double tail) const;
   /// ρ' + u SE at all lags.
   LagField band(double u) const;
   /// Sal of such a field.

@@ -11,6 +11,9 @@
 namespace asperity {
 namespace {
 
+// The variance of ln S_1 of an estimated correlation is 0.13 at most, down to 41 independent heights.
+constexpr double least_degrees = 15;
+
 // The quantile of χ²/ν that is exceeded with the probability of a tail. From 10⁴ degrees on by Wilson and Hilferty's cube
 // root, which errs by 0.05 ν^{-3/2}; GSL's iteration goes astray, without an error, at some 10⁵.
 double chi_squared_share(double tail, double degrees) {
@@ -34,11 +37,39 @@ double tail_of(double level) {
   return (1 - level) / 2;
 }
 
-// n of independent heights; NaN, if the formula has no positive value.
-double skewness_error(double n) { return std::isinf(n) ? 0 : std::sqrt(6 * (n - 2) / ((n + 1) * (n + 3))); }
-double kurtosis_error(double n) {
+// (7) and (8) of S_k/N: how much smaller a variance is than to first order.
+double second_order_of_ssk(double s1, double s2, double s3) {
+  const double loop = std::pow(s2, 1.45) * std::pow(s3, 0.55);
+  return 12 * s2 + 3 * s1 - (3 * s1 * s2 + 18 * loop) / s3;
+}
+double second_order_of_sku(double s1, double s2, double s3, double s4) {
+  const double loop = std::pow(s2, 1.2) * std::pow(s4, 0.8);
+  return 20 * s2 + 4 * s1 - (3 * s2 * s2 + 4 * s1 * s3 + 32 * loop) / s4;
+}
+
+// (6), by the second orders of correlated and of independent heights.
+double left_of(double second_order, double independent) {
+  return std::max((1 - independent) / std::max(1 - second_order, 0.5), 0.75);
+}
+
+double share(const EffectiveSize& size, int k) { return size.sum(k) / size.points(); }
+
+// (4), (5); NaN, if the formula has no positive value.
+double skewness_error(const EffectiveSize& size) {
+  const double n = size.effective(3);
   if (std::isinf(n)) return 0;
-  return n > 3 ? std::sqrt(24 * n * (n - 2) * (n - 3) / ((n + 1) * (n + 1) * (n + 3) * (n + 5))) : NAN;
+  const double independent = 6 * (n - 2) / ((n + 1) * (n + 3));
+  return std::sqrt(independent *
+                   left_of(second_order_of_ssk(share(size, 1), share(size, 2), share(size, 3)), -6 / n));
+}
+double kurtosis_error(const EffectiveSize& size) {
+  const double n = size.effective(4);
+  if (std::isinf(n)) return 0;
+  if (!(n > 3)) return NAN;
+  const double independent = 24 * n * (n - 2) * (n - 3) / ((n + 1) * (n + 1) * (n + 3) * (n + 5));
+  return std::sqrt(
+      independent *
+      left_of(second_order_of_sku(share(size, 1), share(size, 2), share(size, 3), share(size, 4)), -15 / n));
 }
 
 // (1) to (3), of any errors.
@@ -46,7 +77,9 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
                                    const EffectiveSize& size, double tail) {
   const double patches = size.effective(2);
   const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
-  const double t = patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, size.degrees())) : NAN;
+  const double t =
+      patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, std::max(size.degrees(), least_degrees)))
+                  : NAN;
   auto degrees = [](double value, double error_of_it) { return 0.5 * std::pow(value / error_of_it, 2); };
   return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
           .sa = of_scale(moments.sa / left, degrees(moments.sa, error.sa), tail),
@@ -60,8 +93,8 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
-  out.ssk = about(moments.ssk, u * skewness_error(size.effective(3)));
-  out.sku = about(moments.sku + 6 / size.effective(2), u * kurtosis_error(size.effective(4)));
+  out.ssk = about(moments.ssk, u * skewness_error(size));
+  out.sku = about(moments.sku + 6 / size.effective(2), u * kurtosis_error(size));
   return out;
 }
 

@@ -78,17 +78,16 @@ int main(int argc, char** argv) {
   tool.threads();
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
   tool.accuracy(
-      "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a Gaussian "
-      "field, to first order in 1/N_eff; those of the height parameters, where the dataset says what "
-      "distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they are not "
-      "Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals of the "
-      "height "
-      "parameters hold 93 to 97 % from N_eff = 150 on, with the correlation that a dataset carries or an "
-      "estimated "
-      "one, and 92 to 98 % at 41; those of Sal and of lengths 94 to 97 % from N_eff = 450 on. Peak "
-      "and valley have none, nor has what shows a dash. Slopes and curvatures are "
-      "those of differences of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to "
-      "6.6/n^2 (m4). The mean over profiles has the standard error of those that are independent.");
+      "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a "
+      "Gaussian field, to first order in 1/N_eff; those of the height parameters, where the dataset says "
+      "what distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they"
+      " are not Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals"
+      " of the height parameters, of Sal and of lengths hold 93 to 97 %, within what 2000 fields can "
+      "tell, with the correlation that a dataset carries or an estimated one, down to N_eff = 41; there "
+      "an estimated one's length at 1/e holds 97.7 %. Peak and valley have none, nor has what shows a "
+      "dash. Slopes and curvatures are those of differences of neighbouring points: of a wave of n points"
+      " a period low by 1.6/n^2 (Sdq) to 6.6/n^2 (m4). The mean over profiles has the standard error of "
+      "those that are independent.");
 
   return tool.run(argc, argv, [&] {
     what.check(tool);

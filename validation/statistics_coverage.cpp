@@ -229,7 +229,7 @@ void coverage_of_lengths(const Grid& grid, int fields) {
       "tenth_above\n");
   for (Index width : {4, 8, 16, 32})
     length_coverage("average", grid, width, triangular_correlation(width), moving_average, fields);
-  for (Index length : {1, 3, 6})
+  for (Index length : {1, 3, 6, 12})
     length_coverage("exponential", grid, length, exponential_correlation(length), exponential_field, fields);
 }
 
