@@ -19,7 +19,8 @@ void Face::set(const ContactProblem& problem, const Field& p, const Field& g, do
     double count = 0, gap = 0;
 #pragma omp simd reduction(+ : count, gap)
     for (Index i = 0; i < block.size; ++i) {
-      const bool pushed = gb[i]<approach, pulled = gb[i]> approach;
+      const bool pushed = gb[i] < approach;
+      const bool pulled = gb[i] > approach;
       const bool in = pb[i] <= 0 ? pushed : pb[i] < cap || pulled;
       in_face[i] = static_cast<std::int8_t>(in);
       count += in ? 1.0 : 0.0;
