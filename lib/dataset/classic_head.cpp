@@ -14,6 +14,9 @@ enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attribut
 
 [[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
 
+// NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, into which it copies longer ones all the same.
+constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
+
 // Reads from the front of the bytes, and never beyond them.
 class Reader {
  public:
@@ -43,7 +46,11 @@ class Reader {
     if (n > rest_.size() / size) refuse_cut_short();
     skip((n * size + 3) / 4 * 4);
   }
-  void skip_name() { skip_padded(count(), 1); }
+  void skip_name() {
+    const std::uint64_t length = count();
+    if (length > longest_name) refuse("its head has a name of " + std::to_string(length) + " bytes");
+    skip_padded(length, 1);
+  }
 
   /// The number of elements of a list, each of which has at least `least` words.
   std::uint64_t list(Tag tag, std::uint64_t least) {
@@ -112,7 +119,9 @@ Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) 
   Extent out;
   reader.skip_name();
   std::uint64_t cells = 1;
-  for (std::uint64_t rank = reader.count(), d = 0; d < rank; ++d) {
+  const std::uint64_t rank = reader.count();
+  if (rank > highest_rank) refuse("its head has a variable of " + std::to_string(rank) + " dimensions");
+  for (std::uint64_t d = 0; d < rank; ++d) {
     const std::uint64_t id = reader.count();
     if (id >= lengths.size()) refuse("its head names a dimension that there is not");
     if (d == 0 && lengths[id] == 0)

@@ -179,6 +179,19 @@ TEST_CASE("a header that claims more values than the file has bytes is refused b
   CHECK_THROWS_AS(decode_netcdf(bytes), DataError);
 }
 
+// The library copies a name of any length into its caller's 257 bytes. A CDF-1 file of one dimension and nothing else.
+TEST_CASE("a name is refused from 257 bytes on", "[netcdf][contract]") {
+  auto file = [](std::size_t length) {
+    auto word = [](std::size_t n) {
+      return std::string{'\0', '\0', static_cast<char>(n >> 8), static_cast<char>(n & 255)};
+    };
+    const std::string name(length, 'x'), padding((4 - length % 4) % 4, '\0'), nothing(16, '\0');
+    return "CDF\1" + word(0) + word(10) + word(1) + word(length) + name + padding + word(3) + nothing;
+  };
+  CHECK(decode_netcdf(file(256)).length(std::string(256, 'x')) == 3);
+  CHECK_THROWS_AS(decode_netcdf(file(257)), DataError);
+}
+
 // The library asks for the memory that a count claims before it looks: an attribute of 2^62 numbers ended a run under the
 // address sanitizer. Counts are 4 or 8 bytes, and stand at multiples of 4.
 TEST_CASE("a head of whose words one is replaced is refused, or holds no more values than there are bytes",
