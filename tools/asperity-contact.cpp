@@ -2,6 +2,7 @@
 /// what many loads do.
 #include <fmt/format.h>
 
+#include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "contact/influence.hpp"
 #include "contact/sweep.hpp"
@@ -11,11 +12,31 @@ using namespace asperity;
 
 namespace {
 
-std::string told(const ContactProgress& p) {
-  return fmt::format(
-      "{}x{}: {:4d} convolutions, residual {:.2e}, area {:.6g} mm2, greatest pressure {:.6g} MPa", p.shape.nx,
-      p.shape.ny, p.convolutions, p.residual, p.area * 1e6, p.max_pressure * 1e-6);
-}
+// How the solution goes on, for a terminal.
+class Account {
+ public:
+  Account(const cli::Tool& tool, double tolerance)
+      : progress_(tool),
+        rounds_(tool, {"grid", "convolutions", "residual", "area [mm2]", "greatest [MPa]"}),
+        tolerance_(tolerance) {}
+
+  /// Of a sweep: "load 3 of 20, ".
+  void begin(std::string part) { part_ = std::move(part); }
+  void wipe() { progress_.wipe(); }
+  void add(const ContactProgress& p) {
+    const std::string grid = fmt::format("{}x{}", p.shape.nx, p.shape.ny);
+    progress_.show(cli::decades_done(p.residual, tolerance_),
+                   fmt::format("{}{}, residual {:.1e}", part_, grid, p.residual));
+    rounds_.row({grid, std::to_string(p.convolutions), fmt::format("{:.2e}", p.residual),
+                 fmt::format("{:.6g}", p.area * 1e6), fmt::format("{:.6g}", p.max_pressure * 1e-6)});
+  }
+
+ private:
+  cli::Progress progress_;
+  cli::StepTable rounds_;
+  double tolerance_;
+  std::string part_;
+};
 
 int told_exit(const cli::Tool& tool, const Contact& contact, const std::string& of) {
   for (const std::string& warning : contact.warnings) tool.warn(of + warning);
@@ -23,28 +44,34 @@ int told_exit(const cli::Tool& tool, const Contact& contact, const std::string& 
   return contact.converged ? cli::done : cli::not_converged;
 }
 
-int press(cli::Tool& tool, const cli::ContactOptions& options) {
+int press(cli::Tool& tool, const cli::ContactOptions& options, Account& account) {
   cli::ContactScene scene = cli::read_scene(tool, options);
   const Contact contact =
       solve_contact(scene.grid, std::move(scene.gap), options.bodies.composite_modulus(), options.contact);
+  account.wipe();
   cli::record(scene, options, contact);
   tool.write(scene.data);
   return told_exit(tool, contact, "");
 }
 
-int sweep(cli::Tool& tool, const cli::ContactOptions& options) {
+int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account) {
   const cli::ContactScene scene = cli::read_scene(tool, options);
   const auto influence =
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
   cli::LoadTable table;
   int code = cli::done, number = 0;
+  auto begin = [&] { account.begin(fmt::format("load {} of {}, ", number + 1, options.loads.size())); };
+  begin();
   press_in_turn(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
+    ++number;
+    account.wipe();
+    begin();
     table.add(c);
     code = std::max(code, told_exit(tool, c, cli::format_quantity(c.load, "N") + ": "));
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
     cli::record(one, options, c);
-    tool.write(one.data, cli::numbered("each", options.each, ++number));
+    tool.write(one.data, cli::numbered("each", options.each, number));
   });
   cli::print(tool, table.table());
   return code;
@@ -66,7 +93,9 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     options.check(tool);
-    if (tool.verbose()) options.contact.progress = [&](const ContactProgress& p) { tool.detail(told(p)); };
-    return options.sweeps() ? sweep(tool, options) : press(tool, options);
+    Account account(tool, options.contact.tolerance);
+    if (tool.verbose() || tool.shows_progress())
+      options.contact.progress = [&](const ContactProgress& p) { account.add(p); };
+    return options.sweeps() ? sweep(tool, options, account) : press(tool, options, account);
   });
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "drawing.hpp"
@@ -19,7 +20,7 @@ struct Options {
   Shape shape;
   std::array<double, 2> size{NAN, NAN};
   bool periodic = false, exact_rq = false, noise = false;
-  int count = 1, stream = 0;
+  int count = 1, first = 0;
   std::size_t memory = std::size_t{1} << 30;
 };
 
@@ -46,8 +47,8 @@ void declare(cli::Tool& tool, Options& o) {
       "Autocorrelation");
   tool.integer("--count", o.count, 1,
                "Surfaces to draw from one kernel; --output is then a pattern, s_%04d.nc", ensemble);
-  tool.integer("--stream", o.stream, 0,
-               "Number of the first: --seed S --stream 17 is the surface 17 of seed S", ensemble);
+  tool.integer("--first", o.first, 0,
+               "Number of the first: --first 17 draws the surface 17 of --seed and --stream", ensemble);
   tool.output();
   tool.report();
   tool.seed();
@@ -98,7 +99,7 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
   if (!wanted.has_height) throw cli::UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, wanted.data);
   o.measured = wanted.measured;
-  cli::Solved kernel = cli::solve(std::move(wanted));
+  cli::Solved kernel = cli::solve(tool, std::move(wanted));
   code = cli::tell(tool, kernel, true);
   return std::move(kernel.data);
 }
@@ -214,12 +215,19 @@ int main(int argc, char** argv) {
     const Synthesis synthesis(
         tables.kernel, options.shape,
         {options.periodic, Summation::cheapest, tool.thread_count(), options.memory, distribution.heights});
-    for (std::int64_t i = options.stream, end = i + options.count; i < end; ++i) {
-      const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(i), distribution.noise);
-      const cli::Drawing drawing{synthesis,        noise,         tables.rms(),
-                                 options.exact_rq, options.noise, options.memory};
-      drawing.write(tool, base,
-                    options.count > 1 ? cli::numbered("output", tool.output_name(), i) : tool.output_name());
+    cli::Progress progress(tool);
+    for (int k = 0; k < options.count; ++k) {
+      const std::int64_t number = std::int64_t{options.first} + k;
+      const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(number), tool.stream_value(),
+                             distribution.noise);
+      auto advanced = [&](double share) {
+        progress.count(k + share, options.count, options.count > 1 ? "surfaces" : "");
+      };
+      const cli::Drawing drawing{synthesis,     noise,          tables.rms(), options.exact_rq,
+                                 options.noise, options.memory, advanced};
+      drawing.write(
+          tool, base,
+          options.count > 1 ? cli::numbered("output", tool.output_name(), number) : tool.output_name());
     }
     return code;
   });

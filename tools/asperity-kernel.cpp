@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     }
     if (options.acf == "-" && cli::stdin_is_terminal())
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
-    cli::Solved solved = cli::solve(cli::wanted_kernel(tool, options, known));
+    cli::Solved solved = cli::solve(tool, cli::wanted_kernel(tool, options, known));
 
     const cli::Exit code = cli::tell(tool, solved);
     tool.write(solved.data);

@@ -1,6 +1,7 @@
 /// Computes the stress below a loaded surface: in layers, in a section, at points, and where it is largest.
 #include <fmt/format.h>
 
+#include "cli/record.hpp"
 #include "cli/stream.hpp"
 #include "grid/stopwatch.hpp"
 #include "stress_record.hpp"
@@ -36,12 +37,12 @@ int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stres
     tool.detail(told(top, scene.grid));
   }
   cli::record_parameters(scene, options);
-  auto finish = [&](Attributes& a) { a.set("stress_seconds", clock.seconds()); };
+  auto finish = [&](Attributes& a) { a.set("stress_seconds", cli::on_record(clock.seconds())); };
   finish(scene.data.attributes);
   if (scene.depths.empty())
     tool.write(scene.data);
   else
-    cli::StressWriter(scene, selection, options, tool.thread_count()).write(tool, finish);
+    cli::StressWriter(tool, scene, selection, options).write(finish);
   return cli::done;
 }
 

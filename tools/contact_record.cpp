@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cli/record.hpp"
 #include "contact/flattening.hpp"
 #include "contact/hertz.hpp"
 #include "contact/sweep.hpp"
@@ -55,8 +56,8 @@ void record_result(Attributes& a, const Contact& c) {
   a.set("contact_convolutions", c.convolutions);
   a.set("contact_preconditionings", c.preconditionings);
   a.set("contact_levels", c.levels);
-  a.set("contact_setup_seconds", c.setup_seconds);
-  a.set("contact_seconds", c.seconds);
+  a.set("contact_setup_seconds", on_record(c.setup_seconds));
+  a.set("contact_seconds", on_record(c.seconds));
 }
 
 void record_fields(Dataset& data, const Contact& c) {

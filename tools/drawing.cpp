@@ -1,6 +1,7 @@
 #include "drawing.hpp"
 
 #include "cli/dataset_stream.hpp"
+#include "cli/record.hpp"
 #include "cli/stream.hpp"
 #include "dataset/layout.hpp"
 #include "grid/stopwatch.hpp"
@@ -35,6 +36,7 @@ class Writer {
 
   void write() {
     const bool survey_first = kept_.size() > 0 || drawing_.exact_rq || !out_.rewritable();
+    passes_ = static_cast<double>(layers_.size() * (survey_first && kept_.size() == 0 ? 2 : 1));
     if (survey_first) survey();
     if (drawing_.exact_rq) rescale();
     record();
@@ -44,6 +46,7 @@ class Writer {
       layer.rows([&](Index, Eigen::Ref<Field> rows) {
         if (!survey_first) layer.survey.add(rows);
         out_.values(rows);
+        advance(rows);
       });
     if (!survey_first) {
       record();
@@ -66,7 +69,16 @@ class Writer {
   }
 
   void survey() {
-    for (Layer& layer : layers_) layer.rows([&](Index, Eigen::Ref<Field> rows) { layer.survey.add(rows); });
+    for (Layer& layer : layers_)
+      layer.rows([&](Index, Eigen::Ref<Field> rows) {
+        layer.survey.add(rows);
+        if (kept_.size() == 0) advance(rows);
+      });
+  }
+
+  void advance(const Eigen::Ref<Field>& rows) {
+    done_ += static_cast<double>(rows.rows()) / static_cast<double>(drawing_.synthesis.shape().nx);
+    drawing_.progress(done_ / passes_);
   }
 
   void rescale() {
@@ -91,11 +103,12 @@ class Writer {
     Attributes& a = data_.attributes;
     a.set("generate_seed", static_cast<double>(d.noise.seed()));
     a.set("generate_stream", static_cast<double>(d.noise.stream()));
+    a.set("generate_surface", static_cast<double>(d.noise.surface()));
     a.set("generate_rng", WhiteNoise::generator());
     a.set("generate_rms", d.rms);
     a.set("generate_exact_rq", d.exact_rq ? 1 : 0);
     a.set("generate_method", d.synthesis.summation() == Summation::direct ? "direct" : "transform");
-    a.set("generate_seconds", watch_.seconds());
+    a.set("generate_seconds", on_record(watch_.seconds()));
   }
 
   const Drawing& drawing_;
@@ -105,6 +118,7 @@ class Writer {
   DatasetStream out_;
   std::vector<Layer> layers_;
   Field kept_;
+  double done_ = 0, passes_ = 1;  ///< over the rows
 };
 
 }  // namespace

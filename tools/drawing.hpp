@@ -18,6 +18,7 @@ struct Drawing {
   bool exact_rq;       ///< give the heights mean zero and this rms
   bool with_noise;     ///< write noise(x, y) too
   std::size_t memory;  ///< bytes that the work and, where it fits, the surface may take
+  std::function<void(double share)> progress;  ///< told how much of it is done
 
   /// Into the file of this name; `data` has the grid and the kernel.
   void write(const Tool& tool, Dataset data, const std::string& name) const;

@@ -2,10 +2,14 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "acf/nonlinear_system.hpp"
 #include "acf/table.hpp"
 #include "acf/wording.hpp"
 #include "acf_table.hpp"
+#include "cli/progress.hpp"
+#include "cli/record.hpp"
 #include "cli/table.hpp"
 #include "marginal/predistortion.hpp"
 
@@ -80,7 +84,7 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   a.set("kernel_residuals", static_cast<int>(report.residuals));
   a.set("kernel_jacobian_products", static_cast<int>(report.jacobian_products));
   a.set("kernel_preconditionings", static_cast<int>(report.preconditionings));
-  a.set("kernel_seconds", report.seconds);
+  a.set("kernel_seconds", on_record(report.seconds));
   a.set("kernel_converged", report.converged ? 1 : 0);
   a.set("kernel_reason", report.reason);
 }
@@ -127,8 +131,16 @@ Wanted wanted_kernel(const Tool& tool, const KernelOptions& options, const Spaci
   return out;
 }
 
-Solved solve(Wanted wanted) {
-  const KernelRequest& request = wanted.request;
+Solved solve(const Tool& tool, Wanted wanted) {
+  KernelRequest& request = wanted.request;
+  Progress progress(tool);
+  StepTable steps(tool, {"lags", "step", "products", "residual"});
+  request.progress = [&](const KernelProgress& p) {
+    const std::string residual = fmt::format("{:.2e}", p.residual);
+    progress.show(decades_done(p.residual, request.tolerance),
+                  "kernel of " + text(p.lags) + " lags, residual " + residual);
+    steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.jacobian_products), residual});
+  };
   const Kernel kernel = wanted.marginal ? predistorted(wanted) : solve_kernel(request);
   set_kernel(wanted.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height,
                            wanted.spacing, wanted.marginal.has_value()});

@@ -30,7 +30,7 @@ struct Solved {
   bool table;            ///< the target is one, most of whose far lags may be noise
   double acf_tolerance;  ///< that they were chosen for
 };
-Solved solve(Wanted wanted);
+Solved solve(const Tool& tool, Wanted wanted);
 
 /// Warns of a kernel that is not what was asked for, and returns the exit code that follows. What is in order is said
 /// too, as a note or, where `aside` is set, with --verbose only.

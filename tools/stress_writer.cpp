@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "stress/bound.hpp"
 
 namespace asperity::cli {
@@ -26,17 +28,21 @@ std::vector<double> depths_of_interest(const StressScene& s,
 
 }  // namespace
 
-StressWriter::StressWriter(StressScene& scene, const StressSelection& selection, const StressOptions& options,
-                           int threads)
-    : scene_(scene),
+StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
+                           const StressOptions& options)
+    : tool_(tool),
+      scene_(scene),
       selection_(selection),
       outputs_(selection.outputs()),
       rows_(scene.plane ? 1 : scene.grid.shape.nx),
       columns_(scene.plane && scene.plane->along_x ? scene.grid.shape.nx : scene.grid.shape.ny),
-      threads_(static_cast<std::size_t>(threads)),
+      threads_(static_cast<std::size_t>(tool.thread_count())),
       memory_(options.memory),
       depths_(depths_of_interest(scene, outputs_)),
-      ranges_(outputs_.size(), {infinity, -infinity}) {
+      ranges_(outputs_.size(), {infinity, -infinity}),
+      progress_(tool),
+      told_(tool, {"layer", "depth [um]", "greatest " + outputs_[0].name + " [MPa]"}) {
+  const int threads = tool.thread_count();
   const StressScene& s = scene;
   const auto resolution = options.depth_resolution();
   if (s.plane)
@@ -45,13 +51,13 @@ StressWriter::StressWriter(StressScene& scene, const StressSelection& selection,
     volume_.emplace(s.grid, s.pressure, s.friction, s.poisson, threads, resolution);
 }
 
-void StressWriter::write(const Tool& tool, const std::function<void(Attributes&)>& finish) {
+void StressWriter::write(const std::function<void(Attributes&)>& finish) {
   set_depths(scene_.data, scene_.depths);
   const auto result =
       sizeof(double) * outputs_.size() * scene_.depths.size() * static_cast<std::size_t>(rows_ * columns_);
-  DatasetStream out(tool.output_name());
+  DatasetStream out(tool_.output_name());
   record();
-  tool.sign(scene_.data);
+  tool_.sign(scene_.data);
   auto head = [&] {
     finish(scene_.data.attributes);
     record();
@@ -65,6 +71,7 @@ void StressWriter::write(const Tool& tool, const std::function<void(Attributes&)
     head();
     for (const Field& values : kept) out.values(values);
   } else {
+    passes_ = 1 + outputs_.size();
     layers([&](std::size_t k, Index, Values values) { survey(k, values); });
     head();
     for (std::size_t wanted = 0; wanted < outputs_.size(); ++wanted)
@@ -73,7 +80,8 @@ void StressWriter::write(const Tool& tool, const std::function<void(Attributes&)
       });
   }
   out.close();
-  tool.write_report(scene_.data);
+  progress_.wipe();
+  tool_.write_report(scene_.data);
 }
 
 void StressWriter::write_file(DatasetStream& out) {
@@ -105,12 +113,14 @@ void StressWriter::layers(const Take& take) {
     selection_.compute(values, columns_, out.data());
   };
   auto finished = [&](Index begin, Index end) {
-    for (Index l = begin; l < end; ++l)
+    for (Index l = begin; l < end; ++l) {
+      tell(static_cast<std::size_t>(l), slot(l)[0]);
       for (std::size_t k = 0; k < outputs_.size(); ++k) {
         Field& f = slot(l)[k];
         if (hides(k)) f = (f.abs() >= scene_.least).select(f, fill);
         take(k, l, {f.data(), static_cast<std::size_t>(size)});
       }
+    }
   };
   compute(depths_, row, finished);
   const std::vector<double> nothing(static_cast<std::size_t>(size), fill);
@@ -130,6 +140,15 @@ void StressWriter::survey(std::size_t output, Values values) {
   auto& [low, high] = ranges_[output];
   for (double v : values)
     if (v != fill) low = std::min(low, v), high = std::max(high, v);
+}
+
+void StressWriter::tell(std::size_t l, const Field& values) {
+  ++done_;
+  progress_.count(static_cast<double>(done_), static_cast<double>(passes_ * depths_.size()),
+                  passes_ == 1 ? "layers" : "layers, some of them again");
+  if (tool_.verbose() && done_ <= depths_.size())
+    told_.row({std::to_string(l + 1), fmt::format("{:.6g}", depths_[l] * 1e6),
+               fmt::format("{:.6g}", values.abs().maxCoeff() * 1e-6)});
 }
 
 // The outputs behind everything else, with what is known of them by now.

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "cli/dataset_stream.hpp"
+#include "cli/progress.hpp"
 #include "dataset/layout.hpp"
 #include "stress_quantity.hpp"
 #include "stress_scene.hpp"
@@ -15,12 +16,12 @@ namespace asperity::cli {
 
 class StressWriter {
  public:
-  StressWriter(StressScene& scene, const StressSelection& selection, const StressOptions& options,
-               int threads);
+  StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
+               const StressOptions& options);
 
   /// Computes the layers of the scene and writes its dataset with them. In the end `finish` gives attributes that
   /// are there already their values.
-  void write(const Tool& tool, const std::function<void(Attributes&)>& finish);
+  void write(const std::function<void(Attributes&)>& finish);
 
  private:
   using Values = std::span<const double>;
@@ -32,10 +33,13 @@ class StressWriter {
                const LayersFinished& finished) const;
   bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].units == "Pa"; }
   void survey(std::size_t output, Values values);
+  /// Of layer l, whose first output is `values`.
+  void tell(std::size_t l, const Field& values);
   void record();
   void write_file(DatasetStream& out);
   std::vector<Field> keep();
 
+  const Tool& tool_;
   StressScene& scene_;
   const StressSelection& selection_;
   std::vector<StressQuantity::Output> outputs_;
@@ -45,6 +49,9 @@ class StressWriter {
   std::optional<StressSolver> volume_;
   std::optional<StressSection> section_;
   std::vector<Range> ranges_;  ///< of each output
+  Progress progress_;
+  StepTable told_;
+  std::size_t done_ = 0, passes_ = 1;  ///< layers computed, times that each is
 };
 
 }  // namespace asperity::cli

@@ -28,6 +28,7 @@
 ///     surfaces, Wear 254 (2003) 546-554.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -65,6 +66,14 @@ Formulation formulation_named(std::string_view name);
 Method method_named(std::string_view name);
 Infeasible infeasible_named(std::string_view name);
 
+/// A step of Newton's iteration.
+struct KernelProgress {
+  Shape lags;
+  long step = 0;  ///< 0: the start
+  long jacobian_products = 0;
+  double residual = 0;  ///< max |R - target| over the equations [σ²]
+};
+
 struct KernelRequest {
   Target target;                           ///< R/σ² at lags in samples; target(0,0) = 1
   Shape lags = {};                         ///< n × m, both ≥ 1; 0 × 0: chosen for `acf_tolerance`
@@ -74,6 +83,7 @@ struct KernelRequest {
   double rms = 1;               ///< σ [m], > 0
   double tolerance = 1e-10;     ///< on the residual [σ²], 1e-13 … 1e-2
   double acf_tolerance = 1e-3;  ///< on the error over all lags, where `lags` is left open, 1e-8 … 0.5
+  std::function<void(const KernelProgress&)> progress = {};  ///< told of every step of Newton's iteration
 
   void check() const;
 };

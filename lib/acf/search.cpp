@@ -97,8 +97,10 @@ void Search::newton() {
   }
   const bool smooth = zero_phase_ && std::abs(feasibility_.least) < smooth_spectrum;
   if (smooth && wide_enough()) return;
-  const Report result =
-      solve_newton_krylov(equations_->system(), u, options_for(request_, formulation_, equations_->count()));
+  KernelProgress now{.lags = lags_};
+  const Report result = solve_newton_krylov(watched(equations_->system(), now), u,
+                                            options_for(request_, formulation_, equations_->count()));
+  if (request_.progress && result.steps > 0) request_.progress(now);
   count(result);
   if (result.converged) consider(u);
   infeasible_ = !solved();
@@ -106,6 +108,27 @@ void Search::newton() {
   if (no_start) reason_ = "its windowed root is no start";
   if (infeasible_ && zero_phase_ && !smooth && (no_start || feasibility_.least > nearly_smooth))
     wide_enough();
+}
+
+// The system, whose residual is told at the beginning of each step.
+NonlinearSystem Search::watched(NonlinearSystem system, KernelProgress& now) const {
+  if (!request_.progress) return system;
+  system.residual = [&now, evaluate = system.residual](auto u, auto f) {
+    const bool inside = evaluate(u, f);
+    now.residual = 0;
+    for (double value : f) now.residual = std::max(now.residual, std::abs(value));
+    return inside;
+  };
+  system.jacobian = [&now, multiply = system.jacobian](auto v, auto out) {
+    ++now.jacobian_products;
+    multiply(v, out);
+  };
+  system.linearize = [&now, prepare = system.linearize, &told = request_.progress](auto u) {
+    told(now);
+    ++now.step;
+    prepare(u);
+  };
+  return system;
 }
 
 // Whether a wider kernel solves the equations, where one may be the answer.

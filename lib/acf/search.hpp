@@ -48,6 +48,7 @@ class Search {
   using Report = IterationResult;
 
   void newton();
+  NonlinearSystem watched(NonlinearSystem system, KernelProgress& now) const;
   void take_root(std::string answer);
   bool recognised() const;
   bool wide_enough();

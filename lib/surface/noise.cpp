@@ -7,6 +7,8 @@
 #include <gsl/gsl_rng.h>
 #include <gsl/gsl_version.h>
 
+#include "grid/error.hpp"
+
 namespace asperity {
 namespace {
 
@@ -19,8 +21,13 @@ std::uint64_t mix(std::uint64_t x) {
 
 constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
 
-std::uint64_t hash(std::uint64_t seed, std::uint64_t stream, std::uint64_t row) {
-  return mix(mix(mix(seed + golden) + stream + golden) + row + golden);
+std::uint64_t hash(std::uint64_t seed, std::uint64_t counter, std::uint64_t row) {
+  return mix(mix(mix(seed + golden) + counter + golden) + row + golden);
+}
+
+std::uint64_t below_2_32(const char* name, std::uint64_t count) {
+  if (count >> 32 != 0) throw ParameterError(name, std::to_string(count) + ": must be below 2^32");
+  return count;
 }
 
 // taus2 keeps three words of 32 bits, at least 2, 8 and 16, one in an unsigned long.
@@ -52,17 +59,18 @@ struct WhiteNoise::Generator {
   void start(std::uint64_t h) { *static_cast<Taus2*>(gsl_rng_state(rng)) = state_from(h); }
 };
 
-WhiteNoise::WhiteNoise(std::uint64_t seed, std::uint64_t stream, Pointwise translation)
+WhiteNoise::WhiteNoise(std::uint64_t seed, std::uint64_t surface, std::uint64_t stream, Pointwise translation)
     : seed_(seed),
-      stream_(stream),
+      surface_(below_2_32("first", surface)),
+      stream_(below_2_32("stream", stream)),
       translation_(std::move(translation)),
       generator_(std::make_unique<Generator>()) {}
 WhiteNoise::~WhiteNoise() = default;
 WhiteNoise::WhiteNoise(const WhiteNoise& other)
-    : WhiteNoise(other.seed_, other.stream_, other.translation_) {}
+    : WhiteNoise(other.seed_, other.surface_, other.stream_, other.translation_) {}
 
 void WhiteNoise::row(std::int64_t index, std::span<double> out) {
-  generator_->start(hash(seed_, stream_, static_cast<std::uint64_t>(index)));
+  generator_->start(hash(seed_, (stream_ << 32) + surface_, static_cast<std::uint64_t>(index)));
   for (double& eta : out) eta = gsl_ran_gaussian_ziggurat(generator_->rng, 1);
   if (translation_) translation_(out);
 }

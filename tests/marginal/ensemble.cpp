@@ -151,7 +151,7 @@ TEST_CASE(
   Ensemble figures;
   for (int n = 0; n < surfaces; ++n)
     figures.add(figures_of(
-        synthesis.surface(WhiteNoise(8, static_cast<std::uint64_t>(n), heights.noise(kernel.values).apply)),
+        synthesis.surface(WhiteNoise(8, static_cast<std::uint64_t>(n), 0, heights.noise(kernel.values).apply)),
         johnson_translation(0, 3)));
   const Eigen::ArrayXd error = figures.standard_error(),
                        deviation = figures.mean() - expected(-0.5, 3.6, kernel);

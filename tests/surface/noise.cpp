@@ -18,7 +18,7 @@ std::vector<double> draw(WhiteNoise noise, std::int64_t row, std::size_t count) 
 
 }  // namespace
 
-TEST_CASE("a row depends on seed, stream and index alone and is the beginning of a longer one",
+TEST_CASE("a row depends on seed, surface, stream and index alone and is the beginning of a longer one",
           "[noise][law]") {
   WhiteNoise noise(7, 3);
   std::vector<double> row(100);
@@ -30,14 +30,32 @@ TEST_CASE("a row depends on seed, stream and index alone and is the beginning of
   CHECK(std::equal(row.begin(), row.end(), longer.begin()));
 }
 
-TEST_CASE("another seed, stream or row gives other noise", "[noise][contract]") {
+TEST_CASE("another seed, surface, stream or row gives other noise", "[noise][contract]") {
   const auto row = draw(WhiteNoise(7), 0, 4);
   CHECK(row != draw(WhiteNoise(8), 0, 4));
   CHECK(row != draw(WhiteNoise(7, 1), 0, 4));
+  CHECK(row != draw(WhiteNoise(7, 0, 1), 0, 4));
+  CHECK(draw(WhiteNoise(7, 1, 0), 0, 4) != draw(WhiteNoise(7, 0, 1), 0, 4));
   CHECK(row != draw(WhiteNoise(7), 1, 4));
   CHECK(row != draw(WhiteNoise(7), -1, 4));
   CHECK(draw(WhiteNoise(0, 1), 0, 4) != draw(WhiteNoise(1, 0), 0, 4));
   CHECK(draw(WhiteNoise(0), 1, 4) != draw(WhiteNoise(1), 0, 4));
+}
+
+// Two first pairs of normal numbers agree by chance with 2⁻⁴⁸ (24-bit mantissas), one of 4500²/2 with 4e-8.
+TEST_CASE("no two of (seed, stream, surface, row) begin alike", "[noise][law]") {
+  std::vector<std::pair<double, double>> starts;
+  for (std::uint64_t seed : {0, 1, 2})
+    for (std::uint64_t stream : {0u, 1u, 2u, 3u, 0xFFFFFFFFu})
+      for (std::uint64_t surface = 0; surface < 100; ++surface)
+        for (std::int64_t row : {-1, 0, 1}) {
+          const auto pair = draw(WhiteNoise(seed, surface, stream), row, 2);
+          starts.emplace_back(pair[0], pair[1]);
+        }
+  std::sort(starts.begin(), starts.end());
+  CHECK(std::adjacent_find(starts.begin(), starts.end()) == starts.end());
+  CHECK_THROWS_WITH(WhiteNoise(1, std::uint64_t{1} << 32), ContainsSubstring("2^32"));
+  CHECK_THROWS_WITH(WhiteNoise(1, 0, std::uint64_t{1} << 32), ContainsSubstring("2^32"));
 }
 
 // GSL's own seeding has 32 bits: two of 10⁵ rows would begin alike with probability 1 - exp(-10¹⁰/2³³) =

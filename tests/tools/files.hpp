@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <string>
 
@@ -18,6 +19,13 @@ inline Dataset read_dataset(const std::string& name) {
 
 inline void write_dataset(const Dataset& data, const std::string& name) {
   std::ofstream(scratch(name), std::ios::binary) << encode_netcdf(data);
+}
+
+/// Whether the line of shell has said "SKIPPED: " and why, which is passed on to ctest.
+inline bool skipped(const Outcome& run) {
+  if (!run.out.starts_with("SKIPPED: ")) return false;
+  std::cout << run.out;
+  return true;
 }
 
 inline auto lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }

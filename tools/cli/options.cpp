@@ -5,6 +5,9 @@
 #include <memory>
 #include <sstream>
 
+#include "cli/completion.hpp"
+#include "cli/config.hpp"
+#include "cli/man.hpp"
 #include "cli/record.hpp"
 #include "cli/table.hpp"
 #include "cli/tool.hpp"
@@ -184,13 +187,44 @@ void Tool::add_common() {
   if (threaded_) integer("--threads", threads_, 0, "Threads to use; 0 is all that there are", common);
   if (writes_dataset_)
     flag("--no-history", no_history_, "Leave the command out of the dataset's history", common);
-  app_.set_config("--config", "", "Read options from a TOML file")->group(common)->type_name("FILE.toml");
+  add_running();
+  add_documents();
+}
+
+void Tool::add_running() {
+  app_.config_formatter(std::make_shared<ConfigFile>());
+  app_.set_config("--config", "", "Read options from a TOML file, such as --dump-config writes")
+      ->group(common)
+      ->type_name("FILE.toml");
   flag("-q,--quiet", quiet_, "Say nothing but warnings and errors", common);
-  flag("-v,--verbose", verbose_, "Say more on standard error", common);
-  app_.set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")",
-                        "Print the versions of the tool and its libraries and exit")
-      ->group(common);
-  app_.set_help_flag("-h,--help", "Print this help and exit")->group(common);
+  flag("-v,--verbose", verbose_, "Say more on standard error: a line for each step of an iteration", common);
+  choice("--progress", progress_, {"auto", "always", "never"},
+         "A line on standard error that tells how far a long computation is; auto: on a terminal, without "
+         "--quiet and --verbose",
+         common);
+  flag("--time", time_, "Tell in the end the time and the peak memory of the run on standard error", common);
+}
+
+// What a tool tells about itself, in place of running.
+void Tool::add_documents() {
+  auto document = [](CLI::Option* option) { option->group(common)->configurable(false); };
+  document(app_.add_flag("--dump-config", dump_config_,
+                         "Print the options given here, in the environment and in --config as a file for "
+                         "--config, the defaults as comments, and exit"));
+  document(app_.add_flag_callback(
+      "--man", [this] { throw Answer{man_page(*this)}; }, "Print the manual page, for man -l, and exit"));
+  document(app_.add_option_function<std::string>(
+                   "--completion",
+                   [this](const std::string& shell) {
+                     if (shell != "bash" && shell != "zsh")
+                       throw ParameterError("completion", "'" + shell + "' is none of bash|zsh");
+                     throw Answer{shell == "bash" ? bash_completion(app_) : zsh_completion(app_)};
+                   },
+                   "Print the completion of this command for a shell and exit")
+               ->type_name("bash|zsh"));
+  document(app_.set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")",
+                                 "Print the versions of the tool and its libraries and exit"));
+  document(app_.set_help_flag("-h,--help", "Print this help and exit"));
 }
 
 void Tool::add_seed() {
@@ -204,17 +238,25 @@ void Tool::add_seed() {
                                "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
         seed_ = value;
       });
+  integer(
+      "--stream", stream_, 0,
+      "Number of the ensemble: of one seed, those of different streams have no surface in common, so that "
+      "parallel jobs may share the seed and differ in the stream",
+      common);
 }
 
 std::string Tool::footer() const {
   std::string out = "\n";
   if (!example_.empty()) out += "Example:\n  " + example_ + "\n\n";
   if (!accuracy_.empty()) out += "Accuracy:\n  " + wrapped(accuracy_, 108, "  ") + "\n\n";
-  return out +
-         "Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts samples. Any option may also be "
-         "given\n"
-         "as an environment variable ASPERITY_OPTION or in the --config file; the command line comes first.\n"
-         "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 not converged, 4 bad input data.";
+  out +=
+      "Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts samples. Any option may also be "
+      "given\n"
+      "as an environment variable ASPERITY_OPTION or in the --config file; the command line comes first.\n";
+  std::string statuses;
+  for (const auto& [code, meaning] : exit_statuses)
+    statuses += (statuses.empty() ? "" : ", ") + std::to_string(code) + " " + meaning;
+  return out + "Exit status: " + statuses + ".";
 }
 
 }  // namespace asperity::cli

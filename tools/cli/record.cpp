@@ -58,6 +58,8 @@ std::string timestamp() {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
+double on_record(double seconds) { return std::getenv("SOURCE_DATE_EPOCH") ? 0 : seconds; }
+
 std::string report_of(const Dataset& dataset, const std::string& prefix) {
   Json object = Json::object();
   for (const Attribute& attribute : dataset.attributes)

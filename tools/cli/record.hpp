@@ -18,6 +18,9 @@ std::string version();
 std::string quoted(const std::string& argument);
 /// The time of the run in UTC, as ISO 8601, or the one that SOURCE_DATE_EPOCH asks for.
 std::string timestamp();
+/// What a run says of the seconds that it took: 0 where SOURCE_DATE_EPOCH asks for a dataset that does not depend on
+/// when and where it was computed.
+double on_record(double seconds);
 
 /// The global attributes whose names begin with `prefix` as one JSON object.
 std::string report_of(const Dataset& dataset, const std::string& prefix);

@@ -75,5 +75,6 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
 
 bool stdin_is_terminal();
 bool stdout_is_terminal();
+bool stderr_is_terminal();
 
 }  // namespace asperity::cli

@@ -8,8 +8,11 @@
 
 #include <gsl/gsl_errno.h>
 
+#include "cli/config.hpp"
+#include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
+#include "cli/usage.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "grid/parallel.hpp"
@@ -38,6 +41,11 @@ bool names(const std::vector<std::string>& arguments, const CLI::Option& option)
 
 int Tool::thread_count() const { return resolve_threads(threads_); }
 
+bool Tool::shows_progress() const {
+  if (quiet_ || verbose_ || progress_ == "never") return false;
+  return progress_ == "always" || stderr_is_terminal();
+}
+
 std::uint64_t Tool::seed_value() {
   if (!seed_) {
     std::random_device entropy;
@@ -48,27 +56,41 @@ std::uint64_t Tool::seed_value() {
 
 // ---- running ----
 
-void Tool::add_environment(std::vector<std::string>& arguments) const {
-  std::vector<std::string> extra;
+std::vector<std::string> Tool::environment() const {
+  std::vector<std::string> out;
   for (const CLI::Option* option : app_.get_options()) {
-    if (option->get_lnames().empty() || names(arguments, *option)) continue;
+    if (option->get_lnames().empty() || !option->get_configurable() || names(arguments_, *option)) continue;
     const std::string& key = option->get_lnames().front();
-    if (key == "help" || key == "version" || key == "config") continue;
     if (const char* value = std::getenv(environment_name(key).c_str()))
-      extra.push_back("--" + key + "=" + value);
+      out.push_back("--" + key + "=" + value);
   }
-  arguments.insert(arguments.begin(), extra.begin(), extra.end());
+  return out;
 }
 
 void Tool::parse(int argc, char** argv) {
   add_common();
   app_.footer(footer());
-  std::vector<std::string> arguments(argv + 1, argv + argc);
+  arguments_.assign(argv + 1, argv + argc);
   command_line_ = name_;
-  for (const std::string& a : arguments) command_line_ += " " + quoted(a);
-  add_environment(arguments);
-  std::ranges::reverse(arguments);
-  app_.parse(std::move(arguments));
+  for (const std::string& a : arguments_) command_line_ += " " + quoted(a);
+  environment_ = environment();
+  std::vector<std::string> all = environment_;
+  all.insert(all.end(), arguments_.begin(), arguments_.end());
+  std::ranges::reverse(all);
+  app_.parse(std::move(all));
+}
+
+std::string Tool::config_file() const {
+  const CLI::Option* config = app_.get_config_ptr();
+  return config == nullptr || config->count() == 0 ? "" : config->results().front();
+}
+
+// Where the value of an option came from, as its user would look for it.
+std::string Tool::origin(const std::string& key) const {
+  const CLI::Option* option = app_.get_option_no_throw("--" + key);
+  if (option == nullptr || option->count() == 0 || names(arguments_, *option)) return "--" + key;
+  if (names(environment_, *option)) return environment_name(key);
+  return config_file().empty() ? "--" + key : config_file() + ": " + key;
 }
 
 int Tool::fail(Exit code, const std::string& message) const {
@@ -80,6 +102,7 @@ int Tool::fail(Exit code, const std::string& message) const {
 
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
+  if (dump_config_) throw Answer{app_.config_to_str()};
   if (writes_dataset_ && !writes_any_ && !writes_table_ && output_is_terminal())
     return fail(usage_error,
                 "--output: a dataset is binary and standard output is a terminal; pipe it on or name a file");
@@ -92,20 +115,20 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::CallForVersion& version) {
   write_all("-", std::string(version.what()) + "\n");
   return done;
+} catch (const Answer& given) {
+  write_all("-", given.text);
+  return done;
 }
 
-int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
+int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
   gsl_set_error_handler_off();  // which would abort; what has no value is NaN, and shown as a dash
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
-  const std::string what = e.what(), prefix = "INI was not able to parse ";
-  return fail(
-      usage_error,
-      "--config: " + (what.starts_with(prefix) ? "there is no option " + what.substr(prefix.size()) : what));
+  return fail(usage_error, config_file() + ": " + in_words(e));
 } catch (const CLI::Error& e) {
   return fail(usage_error, e.what());
 } catch (const ParameterError& e) {
-  return fail(usage_error, "--" + e.name + ": " + e.what());
+  return fail(usage_error, origin(e.name) + ": " + e.what());
 } catch (const DataError& e) {
   return fail(bad_data, e.name + ": " + e.what());
 } catch (const std::bad_alloc&) {
@@ -114,6 +137,12 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) try {
   return fail(runtime_error, e.what());
 } catch (const std::exception& e) {
   return fail(runtime_error, e.what());
+}
+
+int Tool::run(int argc, char** argv, const std::function<int()>& body) {
+  const int code = guarded(argc, argv, body);
+  if (time_) std::cerr << name_ << ": " << usage_of_run(clock_.seconds()) << '\n';
+  return code;
 }
 
 // ---- input and output ----

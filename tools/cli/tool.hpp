@@ -14,10 +14,10 @@
 ///       });
 ///     }
 ///
-/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, the environment and
+/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, --time, the environment and
 /// history are the same for every tool and live here. An option's value comes from the command line, else the
-/// environment variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file, else
-/// its default.
+/// environment variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file
+/// (cli/config.hpp), else its default; a value that is wrong is named by where it came from.
 #pragma once
 
 #include <array>
@@ -32,6 +32,7 @@
 #include "cli/input_format.hpp"
 #include "cli/quantity.hpp"
 #include "dataset/dataset.hpp"
+#include "grid/stopwatch.hpp"
 
 namespace asperity::cli {
 
@@ -48,6 +49,9 @@ class Tool {
   Tool(std::string name, std::string description);
   void example(std::string command) { example_ = std::move(command); }
   void accuracy(std::string text) { accuracy_ = std::move(text); }
+
+  const std::string& example() const { return example_; }
+  const std::string& accuracy() const { return accuracy_; }
 
   CLI::App& app() { return app_; }
   const CLI::App& app() const { return app_; }
@@ -92,7 +96,7 @@ class Tool {
   void table() { writes_table_ = true; }                                 ///< -o, --output of a table, --json
   void report() { reports_ = true; }    ///< --report FILE.json: attributes with the tool's prefix
   void threads() { threaded_ = true; }  ///< --threads N
-  void seed() { seeded_ = true; }       ///< --seed N
+  void seed() { seeded_ = true; }       ///< --seed N and --stream K
 
   bool given(const std::string& option) const { return app_.count(option) > 0; }
   const std::string& name() const { return name_; }
@@ -100,9 +104,11 @@ class Tool {
   const std::string& output_name() const { return output_; }
   int thread_count() const;    ///< resolved: at least 1
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
+  std::uint64_t stream_value() const { return static_cast<std::uint64_t>(stream_); }
   bool json() const { return json_; }
   bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
+  bool shows_progress() const;  ///< a line of progress on standard error is wanted
 
   /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a
   /// code.
@@ -124,27 +130,40 @@ class Tool {
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
 
+  /// Ends parsing; the text goes to standard output and the exit code is `done`.
+  struct Answer {
+    std::string text;
+  };
+
  private:
   CLI::Option* parsed(const std::string& name, const std::string& kind, const std::string& text,
                       const std::string& group, const std::string& shown,
                       std::function<void(const std::string&)> parse);
   void add_common();
   void add_seed();
+  void add_running();
+  void add_documents();
   void parse(int argc, char** argv);
+  int guarded(int argc, char** argv, const std::function<int()>& body);
   int answer(int argc, char** argv, const std::function<int()>& body);
-  void add_environment(std::vector<std::string>& arguments) const;
+  std::vector<std::string> environment() const;
+  std::string origin(const std::string& option) const;
+  std::string config_file() const;
   std::string footer() const;
   int fail(Exit code, const std::string& message) const;
 
   CLI::App app_;
   std::string name_, example_, accuracy_, command_line_;
-  std::string input_ = "-", output_ = "-", report_;
+  std::vector<std::string> arguments_, environment_;  ///< of the command line; those that variables stand for
+  std::string input_ = "-", output_ = "-", report_, progress_ = "auto";
   InputFormat format_;
-  int threads_ = 0;
+  Stopwatch clock_;
+  int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;
   bool takes_input_ = false, writes_dataset_ = false, writes_any_ = false, writes_table_ = false,
        reports_ = false, threaded_ = false, seeded_ = false;
-  bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false;
+  bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false, time_ = false,
+       dump_config_ = false;
 };
 
 }  // namespace asperity::cli

@@ -1,0 +1,101 @@
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity::test;
+
+namespace {
+
+void require(const std::string& line) {
+  const Outcome run = shell(line);
+  INFO(line << "\n" << run.error);
+  REQUIRE(run.exit == 0);
+}
+
+const std::string draw = "asperity-generate --shape 16x12 --size 3um,2um --rq 0.4nm --length 4px --seed 3";
+
+std::string refused(const std::string& file) {
+  const Outcome run = shell("printf '" + file + "' > bad.toml; " + draw + " --config bad.toml -o bad.nc");
+  CAPTURE(file, run.error);
+  CHECK(run.exit == 2);
+  CHECK(lines(run.error) == 1);
+  CHECK_THAT(run.error, ContainsSubstring("asperity-generate: bad.toml: "));
+  return run.error;
+}
+
+}  // namespace
+
+TEST_CASE("what --dump-config prints gives the same run and the same print", "[config][law]") {
+  require(draw + " -o s.nc && asperity-acf s.nc -o acf.nc");
+  require("asperity-contact s.nc --radius 1mm --young 208GPa --poisson 0.3 --load 1mN -o pressed.nc");
+  const auto command = GENERATE(
+      as<std::string>{}, draw + " --periodic --stream 4 --first 2 --noise --no-history",
+      "asperity-kernel --length 4px,3.5px --angle 30deg --rq 0.4um --spacing 1um,2um --no-history",
+      "asperity-stats s.nc --parameters height,hybrid --json", "asperity-acf acf.nc --profiles --max-lag 4x3",
+      "asperity-psd s.nc --radial", "asperity-pdf s.nc --bins 5",
+      "asperity-validate s.nc s.nc --rq 0.4nm --significance 1e-9",
+      "asperity-convert s.nc --crop 2:9,:5 --to esri",
+      "asperity-contact s.nc --radius 1mm,inf --young 208GPa --poisson 0.3,0.25 --load 1mN --yield 1.2GPa "
+      "--no-history",
+      "asperity-stress pressed.nc --depths 0:1um:3 --section y=0 --maximum --no-history",
+      "asperity-plot s.nc s.nc --kind map --labels one,two --title 'a \"b\" \\ # [c] = d' --format svg -o -");
+  const std::string tool = command.substr(0, command.find(' '));
+  CAPTURE(command);
+  const Outcome run = shell("export SOURCE_DATE_EPOCH=0; " + command + " --dump-config > a.toml; " + command +
+                            " > a; " + tool + " --config a.toml --dump-config > b.toml && " + tool +
+                            " --config a.toml > b && cmp a.toml b.toml && cmp a b && grep -v '^#' a.toml");
+  CAPTURE(run.error);
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, ContainsSubstring(" = "));
+}
+
+TEST_CASE(
+    "--dump-config gathers the command line, the environment and the file, and the defaults as comments",
+    "[config][contract]") {
+  const Outcome run = shell(
+      "printf 'rq = \"2um\"\\nlevel = 0.25\\nperiodic = true\\n' > base.toml; "
+      "ASPERITY_COUNT=3 ASPERITY_RQ=1um " +
+      draw + " --config base.toml --dump-config");
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, ContainsSubstring("\nshape = \"16x12\"\n") && ContainsSubstring("\nrq = \"0.4nm\"\n") &&
+                          ContainsSubstring("\ncount = 3\n") && ContainsSubstring("\nlevel = 0.25\n") &&
+                          ContainsSubstring("\nperiodic = true\n") &&
+                          ContainsSubstring("\n# tolerance = 1e-10\n"));
+  CHECK(run.out.find("dump-config = ") == std::string::npos);
+}
+
+TEST_CASE("a file of options that cannot be meant is refused in a line that names it and the key",
+          "[config][contract]") {
+  CHECK_THAT(refused("sede = 1\\n"), ContainsSubstring("there is no option sede"));
+  CHECK_THAT(refused("level = \"1mm\"\\n"), ContainsSubstring("level: "));
+  CHECK_THAT(refused("level = 2\\n"),
+             ContainsSubstring("level: "));  // refused by the model, not by the reader
+  CHECK_THAT(refused("wavelength = 3mm\\n"),
+             ContainsSubstring("wavelength: '3mm' is a text and needs quotes"));
+  CHECK_THAT(refused("count = 1\\ncount = 2\\n"), ContainsSubstring("count: is given twice"));
+  CHECK_THAT(refused("periodic = 1\\n"), ContainsSubstring("periodic: is true or false"));
+  CHECK_THAT(refused("[surface]\\n"), ContainsSubstring("line 1: tables"));
+  CHECK_THAT(refused("target = \"gaussian\\n"), ContainsSubstring("target: is a text that does not end"));
+  CHECK_THAT(refused("target\\n"), ContainsSubstring("target: is followed by no"));
+  CHECK_THAT(refused("level = 0.1 0.2\\n"), ContainsSubstring("level: has more than one value"));
+  CHECK_THAT(refused("man = true\\n"), ContainsSubstring("man: "));
+  CHECK(shell(draw + " --config absent.toml -o bad.nc").exit == 2);
+}
+
+TEST_CASE("a wrong value of the environment is named by its variable", "[config][contract]") {
+  const Outcome run = shell("ASPERITY_LEVEL=high " + draw + " -o bad.nc");
+  CHECK(run.exit == 2);
+  CHECK_THAT(run.error, ContainsSubstring("asperity-generate: ASPERITY_LEVEL: "));
+}
+
+TEST_CASE("comments, literals and lists are read as TOML has them", "[config][contract]") {
+  require(draw + " -o s.nc; cp s.nc 'a#b.nc'");
+  require(
+      "printf '# of statistics\\n\\n  SURFACES = [ \"s.nc\",  # one\\n  '\"'a#b.nc'\"' ]  # "
+      "both\\njson=true' > c.toml");
+  const Outcome run = shell("asperity-stats --config c.toml | jq .Sq");
+  CAPTURE(run.error);
+  CHECK(run.exit == 0);
+  CHECK_THAT(shell("asperity-stats --config c.toml -v 2>&1 >/dev/null").out,
+             ContainsSubstring("s.nc\na#b.nc\n"));
+}

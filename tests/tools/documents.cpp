@@ -1,0 +1,115 @@
+// Manual pages and completions, which tools print of themselves.
+#include "cli/man.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+auto each_tool() {
+  return GENERATE("kernel", "generate", "stats", "acf", "psd", "pdf", "validate", "convert", "contact",
+                  "stress", "plot");
+}
+
+// What `complete` offers behind these words, the last of which is begun.
+std::string offered(const std::string& tool, const std::string& words) {
+  return shell("source <(asperity-" + tool + " --completion bash); COMP_WORDS=(asperity-" + tool + " " +
+               words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); f=$(complete -p asperity-" + tool +
+               "); f=${f#*-F }; ${f%% *}; echo ${COMPREPLY[*]}")
+      .out;
+}
+
+}  // namespace
+
+TEST_CASE("a manual page has its sections and each option of --help", "[man][contract]") {
+  const std::string tool = std::string("asperity-") + each_tool();
+  CAPTURE(tool);
+  const Outcome page = shell(tool + " --man");
+  CHECK(page.exit == 0);
+  CHECK(page.error.empty());
+  for (const char* name : {"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXAMPLES", "ACCURACY",
+                           "ENVIRONMENT", "EXIT STATUS", "SEE ALSO"})
+    CHECK_THAT(page.out, ContainsSubstring(std::string("\n.SH ") + name + "\n"));
+  const Outcome missing =
+      shell(tool + " --man | tr -d '\\\\' > page; " + tool +
+            " --help | sed '/^Example:/q' | grep -oE '^  (-., ?)?--[a-z-]+' | grep -oE -- '--[a-z-]+' |"
+            "while read o; do grep -qF -- \"fB$o\" page || echo $o; done; " +
+            tool + " --help | grep -c '^  -'");
+  CAPTURE(missing.out);
+  CHECK(lines(missing.out) == 1);  // how many options there are
+}
+
+TEST_CASE("a manual page passes mandoc without a warning", "[man][contract]") {
+  const std::string tool = std::string("asperity-") + each_tool();
+  CAPTURE(tool);
+  const Outcome seen =
+      shell("if command -v mandoc >/dev/null; then " + tool +
+            " --man > page.1; mandoc -Tlint -Wwarning page.1; else echo SKIPPED: no mandoc; fi");
+  if (skipped(seen)) return;
+  CHECK(seen.out == "");
+}
+
+TEST_CASE("a manual page shows the help's words as they are", "[man][law]") {
+  const Outcome seen = shell(
+      "if command -v mandoc >/dev/null; then asperity-generate --man | mandoc -Tascii -Owidth=500 | col -b |"
+      "tr -s '[:space:]' ' '; else echo SKIPPED: no mandoc; fi");
+  if (skipped(seen)) return;
+  CHECK_THAT(seen.out, ContainsSubstring("Of stretched-exponential, exp(-r^EXPONENT), up to 2.") &&
+                           ContainsSubstring("-o, --output FILE Where the result goes"));
+}
+
+TEST_CASE("roff takes nothing of a text for its own", "[man][contract]") {
+  CHECK(cli::roff(".5 isn't a\\b") == "\\&.5 isn\\(aqt a\\eb");
+  CHECK(cli::roff("a\n.b -c") == "a\n\\&.b \\-c");
+  CHECK(cli::roff("2 \xC2\xB5m") == "2 \\[u00B5]m");
+}
+
+TEST_CASE("bash completes options, the words of a choice and files", "[completion][contract]") {
+  CHECK(offered("generate", "--tar") == "--target\n");
+  CHECK(offered("generate", "--target m") == "matern\n");
+  CHECK(offered("generate", "--target = g") == "gaussian\n");
+  CHECK(offered("generate", "--form ''").empty() == false);
+  CHECK(offered("generate", "--rq ''") == "\n");
+  CHECK(offered("contact", "--boundary ''") == "free periodic\n");
+  shell("touch 'that surface.nc' other.file");
+  CHECK(offered("stats", "--json that") == "that surface.nc\n");
+  CHECK(offered("kernel", "-o other.f") == "other.file\n");
+  CHECK(offered("kernel", "--he") == "--help\n");
+}
+
+TEST_CASE("completions are right by the grammar of their shells", "[completion][contract]") {
+  const std::string tool = std::string("asperity-") + each_tool();
+  CAPTURE(tool);
+  const Outcome bash = shell(tool + " --completion bash > c; bash -n c");
+  CHECK(bash.exit == 0);
+  CHECK(bash.error.empty());
+  const Outcome zsh = shell("command -v zsh >/dev/null || { echo SKIPPED: no zsh; exit; };" + tool +
+                            " --completion zsh > c; zsh -n c");
+  if (skipped(zsh)) return;
+  CHECK(zsh.exit == 0);
+  CHECK(zsh.error.empty());
+  CHECK(shell(tool + " --completion fish").exit == 2);
+}
+
+// In a terminal of zsh's own module zpty; Tab behind "--tar" and "--target=mat".
+TEST_CASE("zsh completes options and the words of a choice", "[completion][contract]") {
+  const Outcome zsh = shell(
+      "command -v zsh >/dev/null || { echo SKIPPED: no zsh; exit; }; mkdir zsh;"
+      "asperity-generate --completion zsh > zsh/_asperity-generate; cat > ask.zsh <<'ASK'\n"
+      "zmodload zsh/zpty\n"
+      "zpty shell 'zsh -f -i'\n"
+      "zpty -w shell \"PS1=; fpath=(\\$PWD/zsh \\$fpath); autoload -U compinit; compinit -u -D; bindkey '^I' "
+      "complete-word\"\n"
+      "sleep 1.5; zpty -n -w shell $'asperity-generate --tar\\t'; sleep 1\n"
+      "zpty -n -w shell $'mat\\t'; sleep 1\n"
+      "while zpty -r -t shell part; do print -rn -- $part; done\n"
+      "ASK\n"
+      "zsh -f ask.zsh");
+  if (skipped(zsh)) return;
+  CAPTURE(zsh.out, zsh.error);
+  CHECK_THAT(zsh.out, ContainsSubstring("--target"));
+  CHECK_THAT(zsh.out, ContainsSubstring("matern"));
+}

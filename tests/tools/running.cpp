@@ -1,0 +1,131 @@
+// What a run tells while it goes on and when it is over, and that its bytes do not depend on how it is run.
+#include <regex>
+
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity::test;
+
+namespace {
+
+const std::string draw = "asperity-generate --shape 64x48 --size 3mm --rq 0.4um --length 6px --seed 3 ";
+const std::string press =
+    "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 5kN --yield 1.2GPa ";
+const std::string wiped = "\r\033[K";
+
+void require(const std::string& line) {
+  const Outcome run = shell(line);
+  INFO(line << "\n" << run.error);
+  REQUIRE(run.exit == 0);
+}
+
+// Of 1.52 s, CPU 2.9 s (2.7 s user, 0.2 s system), peak memory 61 MB the number of MB.
+double peak_of(const std::string& told) {
+  const std::regex form(
+      R"(asperity-[a-z]+: [0-9.e-]+ s, CPU [0-9.e-]+ s \([0-9.e-]+ s user, [0-9.e-]+ s system\), peak memory ([0-9]+)MB\n)");
+  std::smatch found;
+  return std::regex_search(told, found, form) ? std::stod(found[1]) : NAN;
+}
+
+}  // namespace
+
+// A surface of 64 MB that is kept, and by --memory one that is not; a program alone takes some 20.
+TEST_CASE("--time tells a peak of memory that holds the surface, or none where it is drawn in strips",
+          "[time][law]") {
+  const std::string large =
+      "asperity-generate --shape 2048x4096 --size 3mm --rq 0.4um --length 6px --seed 3 ";
+  const double whole = peak_of(shell(large + "--time -o large.nc").error);
+  const double strips = peak_of(shell(large + "--time --memory 8MB -o large.nc").error);
+  CAPTURE(whole, strips);
+  CHECK(whole >= 67);
+  CHECK(strips <= 60);
+  CHECK(strips >= 4);
+}
+
+TEST_CASE("--time tells what a run took that failed or did not converge too", "[time][contract]") {
+  const Outcome failed = shell("asperity-stats absent.nc --time");
+  CHECK(failed.exit == 1);
+  CHECK(lines(failed.error) == 2);
+  CHECK(peak_of(failed.error) > 0);
+  const Outcome unsolved =
+      shell(draw + "| " + press + "--tolerance 1e-15 --max-convolutions 3 --time -o p.nc");
+  CHECK(unsolved.exit == 3);
+  CHECK(peak_of(unsolved.error) > 0);
+}
+
+TEST_CASE("streams of a seed drawn by two processes at a time are those drawn in a loop, to the byte",
+          "[stream][law]") {
+  require("export SOURCE_DATE_EPOCH=0; mkdir loop jobs; for k in 0 1 2 3; do (cd loop; " + draw +
+          "--count 2 --stream $k -o s_${k}_%d.nc); done;"
+          "cd jobs; seq 0 3 | xargs -P2 -I{} " +
+          draw + "--count 2 --stream {} -o s_{}_%d.nc");
+  const Outcome same =
+      shell("diff -r loop jobs && ls jobs | wc -l && md5sum jobs/* | cut -c-32 | sort -u | wc -l");
+  CHECK(same.out == "8\n8\n");
+}
+
+TEST_CASE("a dataset names seed, stream and surface, and they draw it again", "[stream][contract]") {
+  require(draw + "--no-history --stream 5 --first 2 --count 2 -o s_%d.nc");
+  const auto a = read_dataset("s_3.nc").attributes;
+  CHECK(a.number("generate_seed", -1) == 3);
+  CHECK(a.number("generate_stream", -1) == 5);
+  CHECK(a.number("generate_surface", -1) == 3);
+  require("export SOURCE_DATE_EPOCH=0; " + draw + "--no-history --stream 5 --first 3 -o one.nc; " + draw +
+          "--no-history --stream 5 --first 2 --count 2 -o s_%d.nc; cmp one.nc s_3.nc");
+  CHECK(shell(draw + "--stream -1 -o bad.nc").exit == 2);
+}
+
+TEST_CASE("the bytes of every stage do not depend on the number of threads", "[threads][law]") {
+  const Outcome run =
+      shell("export SOURCE_DATE_EPOCH=0; for t in 1 2; do mkdir t$t; (cd t$t; export ASPERITY_THREADS=$t;" +
+            draw + "--no-history -o s.nc;" + press +
+            "--no-history s.nc -o p.nc;"
+            "asperity-stress --no-history p.nc --depths 0:0.2mm:5 --maximum --components all -o v.nc;"
+            "asperity-stats --parameters all s.nc > stats; asperity-acf s.nc --profiles > acf;"
+            "asperity-psd s.nc --radial > psd; asperity-validate s.nc --significance 1e-9 > validate); done; "
+            "diff -r t1 t2 && ls t1 | wc -l");
+  CAPTURE(run.error);
+  CHECK(run.out == "7\n");
+}
+
+TEST_CASE("progress is a line that is wiped, on a terminal or by --progress always", "[progress][contract]") {
+  require(draw + "-o s.nc; " + press + "s.nc -o p.nc");
+  const auto [command, told] = GENERATE(table<std::string, std::string>(
+      {{draw + "-o a.nc", "kernel of 14x14 lags"},
+       {draw + "--count 30 -o a_%d.nc", " of 30 surfaces"},
+       {press + "s.nc -o a.nc", "64x48, residual "},
+       {press.substr(0, press.find("--load")) + "--loads 2kN,5kN s.nc", "load 1 of 2, "},
+       {"asperity-stress p.nc --depths 0:1mm:30 -o a.nc", " of 30 layers, "}}));
+  CAPTURE(command);
+  const Outcome always = shell(command + " --progress always");
+  CHECK(always.exit == 0);
+  CHECK_THAT(always.error, ContainsSubstring("\rasperity-") && ContainsSubstring(" %  "));
+  CHECK_THAT(always.error, ContainsSubstring(told));
+  CHECK(always.error.ends_with(wiped));
+  CHECK(shell(command + " --progress always -q").error.empty());
+  CHECK(shell(command).error.empty());
+  CHECK(shell(command + " --progress never").error.empty());
+  // `script` is a terminal on all three streams.
+  const std::string on_terminal = "script -qec '" + command + "' /dev/null";
+  CHECK_THAT(shell(on_terminal).out, ContainsSubstring("\rasperity-"));
+  CHECK(shell(on_terminal + " --progress never").out.find("\rasperity-") == std::string::npos);
+}
+
+TEST_CASE("--verbose tells each step of an iteration in a line under headings", "[progress][law]") {
+  const Outcome kernel = shell("asperity-kernel --length 6px --lags 20x20 -v -o k.nc");
+  CHECK_THAT(kernel.error, ContainsSubstring("     lags       step   products   residual\n"));
+  const auto steps = read_dataset("k.nc").attributes.number("kernel_newton_iterations", -1);
+  CHECK_THAT(kernel.error,
+             ContainsSubstring("\n    20x20  " + std::string(8, ' ') + std::to_string(int(steps)) + "  "));
+
+  const Outcome contact = shell(draw + "| " + press + "-v -o p.nc");
+  CHECK_THAT(contact.error,
+             ContainsSubstring("     grid  convolutions   residual  area [mm2]  greatest [MPa]\n"));
+  CHECK_THAT(contact.error, ContainsSubstring("\n    64x48  "));
+
+  const Outcome stress = shell("asperity-stress p.nc --depths 0:1mm:7 -v -o v.nc");
+  CHECK(lines(stress.error) == 8);
+  CHECK_THAT(stress.error, ContainsSubstring("    layer  depth [um]  greatest von_mises [MPa]\n") &&
+                               ContainsSubstring("\n        7        1000  "));
+}

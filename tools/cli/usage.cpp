@@ -1,0 +1,30 @@
+#include "cli/usage.hpp"
+
+#include <algorithm>
+#include <sys/resource.h>
+
+#include <fmt/format.h>
+
+#include "cli/quantity.hpp"
+
+namespace asperity::cli {
+namespace {
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+}  // namespace
+
+std::string usage_of_run(double wall_seconds) {
+  rusage own{}, children{};
+  getrusage(RUSAGE_SELF, &own);
+  getrusage(RUSAGE_CHILDREN, &children);
+  const double user = seconds(own.ru_utime) + seconds(children.ru_utime);
+  const double system = seconds(own.ru_stime) + seconds(children.ru_stime);
+  const auto kibibytes = static_cast<std::size_t>(std::max(own.ru_maxrss, children.ru_maxrss));
+  return fmt::format("{:.3g} s, CPU {:.3g} s ({:.3g} s user, {:.3g} s system), peak memory {}", wall_seconds,
+                     user + system, user, system, format_bytes(1024 * kibibytes));
+}
+
+}  // namespace asperity::cli
