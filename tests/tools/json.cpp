@@ -7,7 +7,8 @@ using namespace asperity::test;
 // python3-jsonschema judges; where it is missing nothing is claimed.
 TEST_CASE("all that tools print with --json and --report is of the schema", "[json][contract]") {
   const Outcome made = shell(
-      "asperity-generate --shape 48x48 --size 3mm --rq 0.4um --length 6px --seed 3 --report generate.json -o "
+      "mkdir json; cd json; asperity-generate --shape 48x48 --size 3mm --rq 0.4um --length 6px --seed 3 "
+      "--report generate.json -o "
       "s.nc &&"
       "asperity-kernel --length 4px --report kernel.json -o k.nc &&"
       "asperity-stats s.nc --parameters all --json > stats.json && asperity-stats s.nc s.nc --json > "
@@ -24,7 +25,7 @@ TEST_CASE("all that tools print with --json and --report is of the schema", "[js
   INFO(made.error);
   REQUIRE(made.out == "14\n");
   const Outcome judged = shell(
-      "python3 -c 'import jsonschema' 2>/dev/null || { echo SKIPPED: there is no "
+      "cd json; python3 -c 'import jsonschema' 2>/dev/null || { echo SKIPPED: there is no "
       "python3-jsonschema; exit; };"
       "cat > judge.py <<'PY'\n"
       "import json, sys, jsonschema\n"
