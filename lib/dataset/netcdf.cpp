@@ -172,10 +172,22 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
+// In memory the library reads a head by pieces of up to 8 KiB, and takes one that ends in a piece for cut short.
+std::string with_room(std::string_view bytes) {
+  std::string out;
+  if (constexpr std::size_t piece = 1 << 14; bytes.size() < piece) {
+    out = bytes;
+    out.resize(2 * piece);
+  }
+  return out;
+}
+
 Dataset decode_here(std::string_view bytes) {
+  const std::string copy = with_room(bytes);
+  const std::string_view roomy = copy.empty() ? bytes : copy;
   Handle file;
   const int status =
-      nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
+      nc_open_mem("dataset", NC_NOWRITE, roomy.size(), const_cast<char*>(roomy.data()), &file.id);
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
   file.open = true;
