@@ -172,25 +172,26 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
-// In memory the library reads a head by pieces of up to 8 KiB, and takes one that ends in a piece for cut short.
-std::string with_room(std::string_view bytes) {
-  std::string out;
-  if (constexpr std::size_t piece = 1 << 14; bytes.size() < piece) {
-    out = bytes;
-    out.resize(2 * piece);
-  }
-  return out;
+int open_in_memory(std::string_view bytes, Handle& file) {
+  const int status =
+      nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
+  file.open = status == NC_NOERR;
+  return status;
 }
 
+// In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the head does
+// not: then there is more to read of zeros.
 Dataset decode_here(std::string_view bytes) {
-  const std::string copy = with_room(bytes);
-  const std::string_view roomy = copy.empty() ? bytes : copy;
+  constexpr std::size_t piece = 1 << 14;
+  std::string with_room;
   Handle file;
-  const int status =
-      nc_open_mem("dataset", NC_NOWRITE, roomy.size(), const_cast<char*>(roomy.data()), &file.id);
+  int status = open_in_memory(bytes, file);
+  if (status == EPERM) {
+    (with_room = bytes).resize(bytes.size() + piece);
+    status = open_in_memory(with_room, file);
+  }
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
-  file.open = true;
   return read_dataset(file.id, bytes.size(), {});
 }
 
