@@ -76,7 +76,7 @@ Script profile(const Cases& cases, const Request& request) {
   double reach = 0;
   for (const Row& row : rows) reach = std::max(reach, range_of(row.traces[0].position).magnitude());
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
-  Sheet sheet{.rows = static_cast<int>(rows.size()), .gap_y = 4.4};
+  Sheet sheet{.rows = static_cast<int>(rows.size()), .gap_y = 4.8};
   if (cases.size() > 1) sheet.legend = legend(cases);
   sheet.aspect = rows.size() > 1 ? 0.32 : 0.45;
   Figure figure(request, sheet, "");

@@ -1,0 +1,181 @@
+// Runs asperity-report as a user does and reads the page.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/table.hpp"
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+std::string page_of(const std::string& name) {
+  std::ifstream in(scratch(name), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The page but for the digits of its pictures, in which any word may occur.
+std::string words_of(std::string page) {
+  constexpr std::string_view begin = ";base64,";
+  for (auto at = page.find(begin); at != page.npos; at = page.find(begin, at + begin.size()))
+    page.erase(at + begin.size(), page.find('"', at) - at - begin.size());
+  return page;
+}
+
+// The page on a dataset of the scratch folder, which must be sound whatever the dataset.
+std::string report_on(const std::string& arguments) {
+  const Outcome run = shell("asperity-report " + arguments + " -o page.html");
+  INFO(arguments << ": " << run.error);
+  REQUIRE(run.exit == 0);
+  const Outcome balance = shell("python3 " BALANCED " page.html");
+  INFO(balance.error);
+  CHECK(balance.exit == 0);
+  const std::string page = words_of(page_of("page.html"));
+  CHECK_THAT(page, !ContainsSubstring("http") && !ContainsSubstring("<script") && !ContainsSubstring("nan"));
+  return page;
+}
+
+void draw_surface() {
+  REQUIRE(
+      shell("asperity-generate --shape 64x64 --size 1mm --rq 0.4um --length 6px,4px --seed 7 -o s.nc").exit ==
+      0);
+}
+
+void press_surface(const std::string& more) {
+  draw_surface();
+  shell("asperity-contact s.nc --load 100N --radius 20mm --young 210GPa --poisson 0.3 -o c.nc " + more);
+}
+
+std::size_t pictures_in(const std::string& page) {
+  std::size_t out = 0;
+  for (auto at = page.find("<img "); at != page.npos; at = page.find("<img ", at + 1)) ++out;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the page holds every number, error and interval of asperity-stats", "[report][exact]") {
+  draw_surface();
+  const std::string page = report_on("s.nc");
+  const auto table =
+      nlohmann::json::parse(shell("asperity-stats s.nc --parameters height,spatial,hybrid --json").out);
+  REQUIRE(table.size() > 30);
+  auto holds = [&](double value) {
+    CHECK_THAT(page, ContainsSubstring("<data value=\"" + cli::shortest(value) + "\">"));
+  };
+  for (const auto& [name, entry] : table.items()) {
+    CAPTURE(name);
+    holds(entry["value"].get<double>());
+    if (!entry.contains("standard_error")) continue;
+    holds(entry["standard_error"].get<double>());
+    for (const auto& end : entry["interval_95"])
+      if (end.is_number()) holds(end.get<double>());
+  }
+  CHECK(pictures_in(page) == 4);
+  CHECK_THAT(page,
+             ContainsSubstring("asperity-generate --shape 64x64") && ContainsSubstring("seed</dt><dd>7<"));
+}
+
+TEST_CASE("a pressed and stressed surface shows pressure, contact, section and what the solvers achieved",
+          "[report][contract]") {
+  press_surface("");
+  REQUIRE(shell("asperity-stress c.nc --depths 1um:0.3mm:8 --maximum -o st.nc").exit == 0);
+  const std::string page = report_on("st.nc");
+  CHECK(pictures_in(page) == 7);
+  for (const char* word : {"100\u00A0N", "smooth bodies (Hertz)", "largest von Mises stress", "210\u00A0GPa",
+                           "convolutions of the full size", "image/svg+xml;base64,", "image/png;base64,"})
+    CHECK_THAT(page, ContainsSubstring(word));
+  CHECK_THAT(page, !ContainsSubstring("role=\"alert\""));
+}
+
+TEST_CASE("a solver that did not converge is told in plain sight", "[report][contract]") {
+  press_surface("--max-convolutions 1");
+  const std::string page = report_on("c.nc");
+  const auto alarm = page.find("role=\"alert\">Warning: The contact did not converge");
+  REQUIRE(alarm != page.npos);
+  CHECK(alarm < page.find("<h2>"));
+}
+
+TEST_CASE("a measured surface with missing points, a smooth contact and a kernel each have a page",
+          "[report][contract]") {
+  const std::string measured = report_on(ASPERITY_TEST_DATA "/profiler-96x96.x3p --level plane");
+  CHECK_THAT(measured, ContainsSubstring("Measured above its plane"));
+  draw_surface();
+  Dataset data = read_dataset("s.nc");
+  std::get<std::vector<double>>(data.find("heights")->values)[7] = std::nan("");
+  write_dataset(data, "hole.nc");
+  CHECK_THAT(report_on("hole.nc"), ContainsSubstring("N_missing"));
+  REQUIRE(shell("asperity-contact --smooth --shape 32x32 --size 1mm --load 100N --radius 20mm --young 210GPa "
+                "--poisson 0.3 -o smooth.nc")
+              .exit == 0);
+  CHECK_THAT(report_on("smooth.nc"), ContainsSubstring("Contact pressure"));
+  REQUIRE(
+      shell("asperity-generate --shape 64x64 --size 1mm --rq 0.4um --length 6px --seed 3 --count 2 -o m%d.nc")
+          .exit == 0);
+  CHECK_THAT(report_on("m1.nc"), ContainsSubstring("member of the ensemble</dt><dd>1<"));
+}
+
+TEST_CASE("what is left out says why", "[report][contract]") {
+  Dataset flat;
+  set_grid(flat, {{16, 16}, 1e-6, 1e-6});
+  set_field(flat, "heights", Field::Zero(16, 16), {"m", "height"});
+  write_dataset(flat, "flat.nc");
+  const std::string page = report_on("flat.nc");
+  CHECK_THAT(page, ContainsSubstring("Not computed: every value is the same"));
+}
+
+TEST_CASE("names, history and title of a hostile dataset are shown and never markup", "[report][contract]") {
+  Dataset data;
+  set_grid(data, {{16, 16}, 1e-6, 1e-6});
+  set_field(data, "heights", 1e-7 * random_field({16, 16}, 1), {"m", "<i>heights</i>"});
+  set_scalar(data, "a<b>&'c", 1, {"\"><svg onload=x>", "</table>"});
+  data.attributes.set("note<s>", "</dl>\xff<b>");
+  data.attributes.set("history", "2026: asperity-x '<script>alert(1)</script>'\n</ol><iframe>");
+  write_dataset(data, "hostile.nc");
+  const std::string page = report_on("hostile.nc --title '</title><script>x'");
+  CHECK_THAT(page, ContainsSubstring("a&lt;b&gt;&amp;&#39;c") &&
+                       ContainsSubstring("&lt;/ol&gt;&lt;iframe&gt;") &&
+                       ContainsSubstring("<title>&lt;/title&gt;&lt;script&gt;x</title>"));
+  for (const char* markup : {"<svg", "<iframe", "<s>", "<i>", "\xff"})
+    CHECK_THAT(page, !ContainsSubstring(markup));
+}
+
+TEST_CASE("the same dataset gives the same page under SOURCE_DATE_EPOCH, on any number of threads",
+          "[report][contract]") {
+  draw_surface();
+  const std::string run = "SOURCE_DATE_EPOCH=1000000000 asperity-report s.nc --threads ";
+  const Outcome one = shell(run + "1"), two = shell(run + "2");
+  REQUIRE(one.exit == 0);
+  CHECK((one.out == two.out));
+  CHECK_THAT(one.out, ContainsSubstring("2001-09-09T01:46:40Z"));
+}
+
+TEST_CASE("a report on what is no dataset, or holds nothing to tell, gets one line and its exit code",
+          "[report][contract]") {
+  draw_surface();
+  Dataset empty;
+  empty.attributes.set("title", "nothing");
+  write_dataset(empty, "empty.nc");
+  std::ofstream(scratch("garbage.nc")) << "\x89PNG no dataset";
+  const struct {
+    const char* arguments;
+    int exit;
+  } wrong[] = {{"absent.nc -o w.html", 1},      {"garbage.nc -o w.html", 4},
+               {"empty.nc -o w.html", 4},       {"s.nc --variable gap -o w.html", 4},
+               {"s.nc --level x -o w.html", 2}, {"s.nc --colour red -o w.html", 2},
+               {"s.nc -o nowhere/w.html", 1}};
+  for (const auto& [arguments, exit] : wrong) {
+    const Outcome run = shell(std::string("asperity-report ") + arguments);
+    CAPTURE(arguments, run.error);
+    CHECK(run.exit == exit);
+    CHECK(lines(run.error) == 1);
+    CHECK_FALSE(std::filesystem::exists(scratch("w.html")));
+  }
+}

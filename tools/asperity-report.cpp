@@ -1,0 +1,96 @@
+// A dataset as one page for a reader: parameters, tables with errors, pictures, history.
+#include <filesystem>
+#include <functional>
+
+#include "cli/stream.hpp"
+#include "cli/tool.hpp"
+#include "grid/error.hpp"
+#include "plot/gnuplot.hpp"
+#include "report/page.hpp"
+
+using namespace asperity;
+
+namespace {
+
+struct Options {
+  cli::MeasuredOptions measured;
+  cli::StatsOptions what;
+  std::string title, output = "-";
+};
+
+report::Group group_of(const std::string& title, const std::function<cli::Rows()>& rows) try {
+  return {title, rows(), ""};
+} catch (const DataError& error) {
+  return {title, {}, error.what()};
+}
+
+// A field that is broken is refused; of a sound one, whatever has a value.
+std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data, const Options& o) {
+  const bool absent = !data.has(o.measured.variable) && !tool.given("--variable");
+  if (absent) return {};
+  field_of(data, o.measured.variable, Missing::not_a_number);
+  std::optional<cli::WholeSample> sample;
+  try {
+    sample.emplace(cli::measure(data, o.measured, tool.thread_count()), o.measured.variable,
+                   tool.thread_count());
+  } catch (const DataError& error) {
+    return {{"Height parameters", {}, error.what()}};
+  }
+  return {group_of("Height parameters", [&] { return height_rows(*sample); }),
+          group_of("Spatial parameters", [&] { return spatial_rows(tool, *sample, o.what); }),
+          group_of("Hybrid parameters", [&] { return hybrid_rows(*sample, o.what); })};
+}
+
+std::string reference_of(const cli::Tool& tool, const cli::MeasuredOptions& o) {
+  const bool word = o.level == "mean" || o.level == "plane";
+  std::string out = word ? "its " + o.level : "a polynomial of degree " + o.level;
+  if (tool.given("--lambda-s")) out += ", without waves below " + cli::format_quantity(o.short_cutoff, "m");
+  if (tool.given("--lambda-c")) out += ", without waves above " + cli::format_quantity(o.long_cutoff, "m");
+  return out;
+}
+
+std::string title_of(const cli::Tool& tool, const std::string& title) {
+  if (!title.empty()) return title;
+  const std::string& name = tool.input_name();
+  return name == "-" ? "Report" : std::filesystem::path(name).stem().string();
+}
+
+int report_on(const cli::Tool& tool, const Options& o) {
+  const plot::Cases dataset{{tool.read(), ""}};
+  const Dataset& data = dataset[0].data;
+  const std::vector<report::Group> groups = groups_of(tool, data, o);
+  const bool any =
+      !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
+  if (!any)
+    throw DataError("heights",
+                    "the dataset has none, and neither pressure, von_mises nor a kernel to report on");
+  cli::write_all(o.output, report::page({dataset, title_of(tool, o.title), o.measured.variable,
+                                         reference_of(tool, o.measured), groups}));
+  return cli::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool("asperity-report",
+                 "Writes one self-contained HTML page on a dataset: the parameters in effect, tables with "
+                 "standard errors and 95 % intervals, what the solvers achieved, pictures and the history");
+  Options options;
+  tool.input();
+  options.measured.declare(tool);
+  tool.text("--title", options.title, "TEXT", "Title (default: the file's name)", "Page");
+  tool.text("-o,--output", options.output, "FILE.html", "Where the page goes; - is standard output", "Page");
+  tool.threads();
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
+      "| asperity-report -o surface.html");
+  tool.accuracy(
+      "The numbers are those of asperity-stats (height, spatial, hybrid) with its errors, rounded to two "
+      "digits "
+      "of the standard error or else to four; exact values in SI are in the page's data elements. Pictures "
+      "show "
+      "the values as they are in the dataset, as asperity-plot draws them. The page fetches nothing and runs "
+      "no "
+      "script; with SOURCE_DATE_EPOCH the same dataset gives the same bytes.");
+  return tool.run(argc, argv, [&] { return report_on(tool, options); });
+}

@@ -1,0 +1,72 @@
+#include "report/html.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "plot/gnuplot.hpp"
+
+namespace asperity::report {
+namespace {
+
+// The bytes of the character that begins the text; 0 where none does.
+std::size_t length_of_first(std::string_view text) {
+  for (std::size_t n = 1; n <= std::min<std::size_t>(4, text.size()); ++n)
+    if (plot::is_utf8(text.substr(0, n))) return n;
+  return 0;
+}
+
+std::string escaped_character(std::string_view character) {
+  switch (character[0]) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return std::string(character);
+  }
+}
+
+bool shown(char c) {
+  const auto code = static_cast<unsigned char>(c);
+  return (code >= 0x20 && code != 0x7F) || c == '\n' || c == '\t';
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = length_of_first(text);
+    out += length > 0 && shown(text[0]) ? escaped_character(text.substr(0, length)) : "\uFFFD";
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      group = group << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      out += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63U] : '=';
+  }
+  return out;
+}
+
+std::string element(std::string_view name, std::string_view content, std::string_view css_class) {
+  const std::string attribute = css_class.empty() ? "" : fmt::format(" class=\"{}\"", css_class);
+  return fmt::format("<{}{}>{}</{}>\n", name, attribute, content, name);
+}
+
+}  // namespace asperity::report

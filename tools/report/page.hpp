@@ -1,0 +1,30 @@
+/// The page of a dataset: everything in one file, nothing fetched, no script.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/tool.hpp"
+#include "plot/request.hpp"
+#include "stats_groups.hpp"
+
+namespace asperity::report {
+
+/// A group of parameters of the surface, or why it has none.
+struct Group {
+  std::string title;
+  cli::Rows rows;
+  std::string omitted;
+};
+
+struct Content {
+  const plot::Cases& dataset;  ///< one
+  std::string title, variable;
+  std::string reference;      ///< of heights, in words
+  std::vector<Group> groups;  ///< none: the dataset has no such field
+};
+
+std::string page(const Content& content);
+
+}  // namespace asperity::report

@@ -1,0 +1,32 @@
+/// Numbers for eyes: a unit with the prefix that suits them, and the digits that their error leaves.
+///
+/// The standard error has two digits, and the value and its interval end where it ends. What has no error has four
+/// digits, whole numbers all of theirs. Pure numbers below 0.01 have a power of a thousand in place of a prefix.
+#pragma once
+
+#include <string>
+
+#include "cli/table.hpp"
+#include "plot/scale.hpp"
+
+namespace asperity::report {
+
+/// Of a length, its powers from m-4 to m4, a force, a stress, a time, an angle in radians or a pure number; any other
+/// unit stands as it is.
+plot::Unit unit_for(double magnitude, const std::string& si_unit);
+
+/// Four digits, a true minus, and ∞; a dash for what is not known.
+std::string digits_of(double value);
+/// Rounded at 10^-places, which may lie before the point.
+std::string rounded(double value, int places);
+
+/// "386.7 nm".
+std::string readable(double value, const std::string& si_unit);
+
+struct Measurement {
+  std::string value, error, low, high;  ///< empty where none is known
+  std::string unit;
+};
+Measurement readable(const cli::Quantities::Row& row);
+
+}  // namespace asperity::report

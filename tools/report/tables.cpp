@@ -1,0 +1,146 @@
+#include "report/tables.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "dataset/layout.hpp"
+#include "report/html.hpp"
+#include "report/readable.hpp"
+
+namespace asperity::report {
+namespace {
+
+std::string data_element(double value, const std::string& text) {
+  return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", cli::shortest(value), text)
+                              : text;
+}
+
+std::string cell(const std::string& content, const char* css_class) {
+  return fmt::format("<td class=\"{}\">{}</td>", css_class, content);
+}
+
+std::string row_of(const cli::Quantities::Row& row) {
+  const Measurement m = readable(row);
+  const auto [low, high] = row.interval_95();
+  const bool known = !m.error.empty();
+  std::string out = fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", escaped(row.name),
+                                escaped(row.meaning));
+  out += cell(data_element(row.value, m.value), "number");
+  out += cell(known ? data_element(row.standard_error, m.error) : "", "number error");
+  out += cell(known ? data_element(low, m.low) + " to " + data_element(high, m.high) : "", "number interval");
+  return element("tr", out + cell(escaped(m.unit), "unit"));
+}
+
+// A result, what it would be of smooth bodies, and their ratio.
+struct Comparison {
+  const char* label;
+  double value, smooth;
+  const char* unit;
+  std::string remark = "";
+};
+
+std::string row_of(const Comparison& c, bool with_smooth) {
+  std::string out = fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", c.label, c.remark);
+  out += cell(data_element(c.value, readable(c.value, c.unit)), "number");
+  if (!with_smooth) return element("tr", out);
+  const bool known = std::isfinite(c.smooth);
+  out += cell(known ? data_element(c.smooth, readable(c.smooth, c.unit)) : "", "number smooth");
+  out += cell(known ? digits_of(c.value / c.smooth) : "", "number ratio");
+  return element("tr", out);
+}
+
+std::string share(double part, double whole, const char* of) {
+  return part >= 0 && whole > 0 ? fmt::format("{:.3g}\u00A0% of {}", 100 * part / whole, of) : "";
+}
+
+std::vector<Comparison> comparisons(const Dataset& data) {
+  auto value = [&](const char* name) {
+    return data.attributes.number(std::string("contact_") + name, std::nan(""));
+  };
+  const Grid grid = grid_of(data);
+  const double area = value("area"), plastic = value("plastic_area"),
+               ellipse = std::numbers::pi * value("hertz_radius_x") * value("hertz_radius_y");
+  return {
+      {"load", value("load"), NAN, "N"},
+      {"approach", value("approach"), value("hertz_approach"), "m"},
+      {"largest pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
+      {"real contact area", area, ellipse, "m2", share(area, grid.size_x() * grid.size_y(), "the domain")},
+      {"area at the limit pressure", plastic, NAN, "m2", share(plastic, area, "the contact")},
+      {"mean gap", value("mean_gap"), NAN, "m"}};
+}
+
+std::string head(std::initializer_list<const char*> columns) {
+  std::string out;
+  for (const char* column : columns) out += fmt::format("<th scope=\"col\">{}</th>", column);
+  return element("thead", element("tr", out));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
+}  // namespace
+
+std::string measurements(const std::vector<cli::Quantities::Row>& rows) {
+  std::string body;
+  for (const auto& row : rows) body += row_of(row);
+  return element(
+      "table",
+      head({"quantity", "value", "standard error", "95\u00A0% interval", "unit"}) + element("tbody", body),
+      "measurements");
+}
+
+std::string contact_results(const Dataset& data) {
+  if (!data.attributes.find("contact_load") || !data.has("x") || !data.has("y")) return "";
+  const bool with_smooth = data.attributes.find("contact_hertz_pressure") != nullptr;
+  std::string body;
+  for (const Comparison& c : comparisons(data))
+    if (std::isfinite(c.value)) body += row_of(c, with_smooth);
+  const std::string columns = with_smooth ? head({"quantity", "value", "smooth bodies (Hertz)", "ratio"})
+                                          : head({"quantity", "value"});
+  return element("table", columns + element("tbody", body), "results");
+}
+
+std::string facts(const std::vector<Fact>& facts, Role role, const std::string& stage) {
+  std::string out;
+  for (const Fact& f : facts)
+    if (f.role == role && f.stage == stage)
+      out += fmt::format("<div title=\"{}\"><dt>{}</dt><dd>{}</dd></div>\n", escaped(f.attribute),
+                         escaped(f.label), escaped(f.text));
+  return out.empty() ? "" : element("dl", out);
+}
+
+std::string contents(const Dataset& data) {
+  std::string body;
+  for (const Variable& v : data.variables) {
+    std::vector<std::string> lengths;
+    for (const std::string& d : v.dimensions) lengths.push_back(fmt::format("{} = {}", d, data.length(d)));
+    const std::string unit = v.attributes.text("units");
+    body += element("tr", fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", escaped(v.name),
+                                      escaped(v.attributes.text("long_name"))) +
+                              cell(escaped(joined(lengths)), "dimensions") +
+                              cell(escaped(unit == "1" ? "" : unit), "unit"));
+  }
+  return element("table", head({"variable", "dimensions", "unit"}) + element("tbody", body), "contents");
+}
+
+std::string history(const std::string& text) {
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) continue;
+    const auto colon = line.find(": ");
+    const bool timed = colon != line.npos && line.find(' ') > colon;
+    const std::string when = timed ? fmt::format("<time>{}</time>", escaped(line.substr(0, colon))) : "";
+    out +=
+        element("li", when + fmt::format("<code>{}</code>", escaped(timed ? line.substr(colon + 2) : line)));
+  }
+  return out.empty() ? "" : element("ol", out, "history");
+}
+
+}  // namespace asperity::report
