@@ -11,7 +11,7 @@ namespace {
 
 auto each_tool() {
   return GENERATE("kernel", "generate", "stats", "acf", "psd", "pdf", "validate", "convert", "contact",
-                  "stress", "plot");
+                  "stress", "plot", "report");
 }
 
 // What `complete` offers behind these words, the last of which is begun.
