@@ -6,6 +6,7 @@ find_package(SUNDIALS 6.4 REQUIRED CONFIG COMPONENTS kinsol nvecserial sunlinsol
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)

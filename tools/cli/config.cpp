@@ -1,123 +1,45 @@
 #include "cli/config.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <regex>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "cli/table.hpp"
 
 namespace asperity::cli {
 namespace {
 
 // ---- reading ----
 
+std::string text_of(const std::string& key, const toml::node& node) {
+  if (const auto* text = node.as_string()) return text->get();
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+  if (const auto* number = node.as_floating_point()) return shortest(number->get());
+  throw CLI::ConfigError(key + ": is a table or a date, which no option is");
+}
+
+std::vector<std::string> texts_of(const std::string& key, const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return {text_of(key, node)};
+  std::vector<std::string> out;
+  for (const toml::node& element : *list) out.push_back(text_of(key, element));
+  return out;
+}
+
+// The key of a line, for messages, or where it is.
+std::string key_at(const std::string& text, std::size_t line) {
+  std::istringstream lines(text);
+  std::string out;
+  for (std::size_t i = 0; i < line; ++i) std::getline(lines, out);
+  const std::size_t end = out.find_first_of(" \t=\r");
+  return end == 0 || out.empty() ? "line " + std::to_string(line) : out.substr(0, end);
+}
+
 bool is_number(const std::string& word) {
   static const std::regex number(R"([+-]?(inf|nan|(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?))");
   return std::regex_match(word, number);
 }
-
-class Reader {
- public:
-  explicit Reader(std::string text) : text_(std::move(text)) {}
-
-  std::vector<CLI::ConfigItem> items() {
-    std::vector<CLI::ConfigItem> out;
-    for (skip(); !at_end(); skip()) {
-      CLI::ConfigItem item;
-      item.name = key_ = key();
-      if (std::ranges::find(out, key_, &CLI::ConfigItem::name) != out.end()) fail("is given twice");
-      if (blank(); take() != '=') fail("is followed by no '='");
-      blank();
-      item.inputs = values();
-      if (blank(); !at_end() && peek() != '\n' && peek() != '#') fail("has more than one value");
-      out.push_back(std::move(item));
-      key_.clear();
-    }
-    return out;
-  }
-
- private:
-  bool at_end() const { return at_ == text_.size(); }
-  char peek() const { return at_end() ? '\0' : text_[at_]; }
-  char take() { return at_end() ? '\0' : text_[at_++]; }
-
-  void blank() {
-    while (peek() == ' ' || peek() == '\t' || peek() == '\r') ++at_;
-  }
-  // White space, ends of lines and comments.
-  void skip() {
-    for (blank(); peek() == '\n' || peek() == '#'; blank())
-      at_ = peek() == '#' ? std::min(text_.find('\n', at_), text_.size()) : at_ + 1;
-  }
-
-  // As far as one of `ends`.
-  std::string word(const char* ends) {
-    const std::size_t begin = at_;
-    at_ = std::min(text_.find_first_of(ends, at_), text_.size());
-    return text_.substr(begin, at_ - begin);
-  }
-
-  std::string key() {
-    if (peek() == '[') fail("tables are not for options: leave the [...] out");
-    if (peek() == '"' || peek() == '\'') return quoted();
-    return word(" \t\r\n=#");
-  }
-
-  std::vector<std::string> values() {
-    if (peek() != '[') return {value()};
-    std::vector<std::string> out;
-    ++at_;
-    for (skip(); peek() != ']'; skip()) {
-      out.push_back(value());
-      if (skip(); peek() == ',')
-        ++at_;
-      else if (peek() != ']')
-        fail("is a list that does not end");
-    }
-    ++at_;
-    return out;
-  }
-
-  std::string value() {
-    if (peek() == '"' || peek() == '\'') return quoted();
-    std::string out = word(" \t\r\n,]#");
-    if (out.empty()) fail("has no value");
-    if (out != "true" && out != "false" && !is_number(out)) fail("'" + out + "' is a text and needs quotes");
-    return out;
-  }
-
-  std::string quoted() {
-    const char quote = take();
-    std::string out;
-    while (peek() != quote) {
-      if (at_end() || peek() == '\n') fail("is a text that does not end");
-      const char c = take();
-      out += c == '\\' && quote == '"' ? escaped() : c;
-    }
-    ++at_;
-    return out;
-  }
-
-  char escaped() {
-    switch (const char c = take()) {
-      case '"':
-      case '\\':
-        return c;
-      case 'n':
-        return '\n';
-      case 't':
-        return '\t';
-      default:
-        fail(std::string("has the escape \\") + c + ", which is none of \\\" \\\\ \\n \\t");
-    }
-  }
-
-  [[noreturn]] void fail(const std::string& why) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
-    throw CLI::ConfigError((key_.empty() ? "line " + std::to_string(line) : key_) + ": " + why);
-  }
-
-  std::string text_, key_;
-  std::size_t at_ = 0;
-};
 
 // ---- writing ----
 
@@ -164,7 +86,19 @@ std::string ConfigFile::to_config(const CLI::App* app, bool, bool, std::string) 
 }
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& in) const {
-  return Reader(std::string(std::istreambuf_iterator<char>(in), {})).items();
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  try {
+    std::vector<CLI::ConfigItem> out;
+    for (const auto& [name, node] : toml::parse(text)) {
+      const std::string key(name.str());
+      out.push_back({{}, key, texts_of(key, node)});
+    }
+    return out;
+  } catch (const toml::parse_error& error) {
+    const std::size_t line = error.source().begin.line;
+    throw CLI::ConfigError(key_at(text, line) + ": " + std::string(error.description()) + " (line " +
+                           std::to_string(line) + ")");
+  }
 }
 
 std::string ConfigFile::to_flag(const CLI::ConfigItem& item) const {

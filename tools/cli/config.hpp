@@ -6,7 +6,7 @@
 ///     periodic = true         a flag
 ///     SURFACES = ["a.nc", "b.nc"]
 ///
-/// Everything else (tables, dates, a key twice, a text without quotes) is an error that names the line and the key.
+/// Tables and dates, which no option is, and what is no TOML are errors that name the key or the line. Read by toml++.
 #pragma once
 
 #include <CLI/CLI.hpp>
