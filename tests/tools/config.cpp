@@ -33,7 +33,7 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
       "asperity-kernel --length 4px,3.5px --angle 30deg --rq 0.4um --spacing 1um,2um --no-history",
       "asperity-stats s.nc --parameters height,hybrid --json", "asperity-acf acf.nc --profiles --max-lag 4x3",
       "asperity-psd s.nc --radial", "asperity-pdf s.nc --bins 5",
-      "asperity-validate s.nc s.nc --rq 0.4nm --significance 1e-9",
+      "asperity-validate s.nc s.nc --rq 0.4nm --significance 1e-09",
       "asperity-convert s.nc --crop 2:9,:5 --to esri",
       "asperity-contact s.nc --radius 1mm,inf --young 208GPa --poisson 0.3,0.25 --load 1mN --yield 1.2GPa "
       "--no-history",
