@@ -52,10 +52,13 @@ void declare_figure(cli::Tool& tool, Options& o) {
   tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
   tool.input_format("--input-format");
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
-  tool.counts("--pixels", o.request.pixels, 200, "Size; letters grow with the width (default: as suits)",
+  tool.counts("--pixels", o.request.pixels, 200,
+              "Size; letters grow with the width. A PDF has this shape and is 8, 11.5, 15 cm wide for one, "
+              "two, three "
+              "panels (default: as suits)",
               group);
-  tool.text("--format", o.request.format, "png|svg", "For -o - only; a file's name tells", group);
-  tool.text("-o,--output", o.output, "FILE.png|FILE.svg", "Where the picture goes; - is standard output",
+  tool.text("--format", o.request.format, "png|svg|pdf", "For -o - only; a file's name tells", group);
+  tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Where the picture goes; - is standard output",
             group)
       ->required();
 }
@@ -83,13 +86,13 @@ std::string extension_of(const std::string& output) {
 std::string format_of(const Options& o) {
   const bool stream = o.output == "-";
   const std::string format = stream ? o.request.format : extension_of(o.output);
-  if (format == "png" || format == "svg") {
+  if (format == "png" || format == "svg" || format == "pdf") {
     if (!stream && !o.request.format.empty() && o.request.format != format)
       throw cli::UsageError("format", "'" + o.request.format + "' contradicts the name " + o.output);
     return format;
   }
-  if (stream) throw cli::UsageError("format", "'" + format + "' is neither png nor svg, which -o - needs");
-  throw cli::UsageError("output", "'" + o.output + "' ends in neither .png nor .svg");
+  if (stream) throw cli::UsageError("format", "'" + format + "' is not png, svg or pdf, which -o - needs");
+  throw cli::UsageError("output", "'" + o.output + "' does not end in .png, .svg or .pdf");
 }
 
 plot::Range rising(const char* option, std::array<double, 2> range) {
@@ -167,6 +170,8 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "Maps and profiles show the values as they are. A section is linear between cells and between "
       "depths; a\n  surface of more than 128 points a side is thinned and says so; stretched axes say "
-      "by how much. The same\n  dataset gives the same bytes with the same gnuplot and fonts.");
+      "by how much. The same\n  dataset gives the same bytes with the same gnuplot and fonts. Letters are of "
+      "7 pt where a figure of one, two, "
+      "three\n  panels is printed 8, 11.5, 15 cm wide.");
   return tool.run(argc, argv, [&] { return draw(tool, options); });
 }

@@ -111,6 +111,39 @@ TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contra
   }
 }
 
+// 8 cm are 226.77 pt, which cairo writes without the fraction. The kinds differ in height, not in width.
+TEST_CASE("every kind draws a PDF of one page that is 8 cm wide, with its fonts", "[plot][contract]") {
+  for (const char* kind : kinds) {
+    CAPTURE(kind);
+    const Outcome run = plot(std::string("--kind ") + kind + " -o a.pdf");
+    CHECK(run.exit == 0);
+    CHECK(run.error + run.out == "");
+    const std::string pdf = bytes_of("a.pdf");
+    CHECK(pdf.starts_with("%PDF-1."));
+    double width = 0, height = 0;
+    REQUIRE(std::sscanf(pdf.c_str() + pdf.find("/MediaBox ["), "/MediaBox [ 0 0 %lf %lf", &width, &height) ==
+            2);
+    CHECK(std::abs(width - 226.77) <= 1);
+    CHECK(height > 50);
+    CHECK_THAT(pdf, ContainsSubstring("DejaVuSans") && !ContainsSubstring("CreationDate"));
+  }
+  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format pdf").out.starts_with("%PDF"));
+}
+
+// The smallest letters of a page of 8 cm, printed as that, are those that journals ask for: 6 pt or more.
+TEST_CASE("letters of an SVG are 6 pt high where one panel is printed 8 cm wide", "[plot][law]") {
+  for (const char* kind : kinds) {
+    CAPTURE(kind);
+    REQUIRE(plot(std::string("--kind ") + kind + " -o size.svg").exit == 0);
+    const std::string svg = bytes_of("size.svg"), size = "font-size=\"";
+    int width = 0, found = 0;
+    REQUIRE(std::sscanf(svg.c_str() + svg.find("viewBox="), "viewBox=\"0 0 %d", &width) == 1);
+    for (auto at = svg.find(size); at != svg.npos; at = svg.find(size, at + 1), ++found)
+      CHECK(std::atof(svg.c_str() + at + size.size()) / width * 8 / 2.54 * 72 >= 6);
+    CHECK(found >= 4);
+  }
+}
+
 // The label of the x axis used to stand half below the lower edge of an SVG: gnuplot places it by the terminal's fonts.
 TEST_CASE("no text of an SVG leaves its canvas", "[plot][law]") {
   for (const char* kind : kinds) {
@@ -131,10 +164,11 @@ TEST_CASE("a legend that is longer than a line takes several", "[plot][law]") {
 }
 
 TEST_CASE("the same dataset gives the same bytes", "[plot][contract]") {
-  for (const std::string name : {"map -o b.png", "surface -o b.png", "von-mises -o b.svg"}) {
+  for (const std::string name : {"map -o b.png", "surface -o b.png", "von-mises -o b.svg", "acf -o b.pdf"}) {
     const std::string file = name.substr(name.size() - 5);
     REQUIRE(plot("--kind " + name).exit == 0);
     const std::string first = bytes_of(file);
+    if (file == "b.pdf") shell("sleep 1.1");  // a second date
     REQUIRE(plot("--kind " + name).exit == 0);
     CHECK((first == bytes_of(file)));
   }
@@ -187,7 +221,7 @@ TEST_CASE("a wrong request gets one line and its exit code", "[plot][contract]")
     int exit;
     const char* word;
   } wrong[] = {{"--kind pie -o w.png", 2, "--kind"},
-               {"--kind map -o w.pdf", 2, "--output"},
+               {"--kind map -o w.eps", 2, "--output"},
                {"--kind map", 2, "--output"},
                {"--kind map --variable depth -o w.png", 4, "depth"},
                {"--kind map --variable von_mises -o w.png", 4, "von_mises"},

@@ -8,7 +8,10 @@
 namespace asperity::plot {
 namespace {
 
-constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
+constexpr double em_of_single = 37.5, em_of_many = 30;                  // pixels, unless the size is given
+constexpr double em_in_cm = 0.25, em_in_points = em_in_cm / 2.54 * 72;  // on paper
+constexpr double pdf_line = 0.5;                                        // of linewidth 1 of pdfcairo [pt]
+constexpr double em_of_cairo = 0.75;  // its points are 4/3 of a pixel or of a point
 constexpr double free_aspect = 0.62;
 constexpr double title_height = 2.0, label_height = 1.5, line_of_legend = 2.0;
 constexpr int x_label_tag = 100;
@@ -104,12 +107,23 @@ void Figure::fit(const Request& request) {
   bottom_ = sheet_.bottom * em_ + 0.5 * spare_y;
 }
 
+// An em is so many pixels of a PNG or an SVG, and 0.25 cm of a PDF.
+std::string Figure::terminal(const std::string& format) const {
+  if (format == "pdf")
+    return fmt::format(
+        "pdfcairo noenhanced size {:.4f}cm,{:.4f}cm font 'DejaVu Sans,{:.3f}' fontscale 1 linewidth {:.3f}",
+        static_cast<double>(pixels_.nx) * em_in_cm / em_, static_cast<double>(pixels_.ny) * em_in_cm / em_,
+        em_of_cairo * em_in_points, em_in_points / 16 / pdf_line);
+  if (format == "png")
+    return fmt::format("pngcairo noenhanced size {},{} font 'DejaVu Sans,{:.2f}' linewidth {:.2f}",
+                       pixels_.nx, pixels_.ny, em_of_cairo * em_, em_ / 16);
+  return fmt::format("svg noenhanced name 'asperity' size {},{} font 'sans-serif,{:.2f}' linewidth {:.2f}",
+                     pixels_.nx, pixels_.ny, em_, em_ / 16);
+}
+
 void Figure::begin(const std::string& format) {
-  const bool png = format == "png";
   script.line("set encoding utf8");
-  script.line("set terminal {} size {},{} font '{},{:.2f}' linewidth {:.2f} background rgb 'white' {}",
-              png ? "pngcairo" : "svg", pixels_.nx, pixels_.ny, png ? "DejaVu Sans" : "sans-serif",
-              png ? 0.75 * em_ : em_, em_ / 16, png ? "noenhanced" : "noenhanced name 'asperity'");
+  script.line("set terminal {} background rgb 'white'", terminal(format));
   script.line("set minussign");
   script.line("set border linewidth 0.8");
   script.line("set tics out nomirror scale 0.5 front");

@@ -1,8 +1,8 @@
 /// The sheet that a figure is drawn on: panels of one size in rows and columns, a title, a colour bar.
 ///
 /// Everything is placed here, in units of the em, the height of the letters: no label depends on what gnuplot
-/// makes room for. The em is the width over 32 for one column of panels: letters of 7 pt where the figure is
-/// printed 8 cm wide, and as large at 17 cm for three columns.
+/// makes room for. The em is the width over 32, 46, 60 for one, two, three columns of panels, and 0.25 cm of a PDF:
+/// letters of 7 pt where the figure is printed 8, 11.5, 15 cm wide.
 #pragma once
 
 #include <string>
@@ -56,6 +56,7 @@ class Figure {
 
  private:
   void fit(const Request& request);
+  std::string terminal(const std::string& format) const;
   void begin(const std::string& format);
   void colour_bar(const Colours& colours, const Unit& unit, const std::string& quantity);
   void legend_key(const LegendEntry& entry, double x, double y);

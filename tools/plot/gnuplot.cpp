@@ -82,6 +82,14 @@ std::string reason(const std::string& remarks) {
   return remarks.substr(begin, remarks.find('\n', begin) - begin);
 }
 
+// A PDF says when it was made; spaces in place of it leave every other byte where it is.
+void blank_date(std::string& bytes) {
+  const auto begin = bytes.find("/CreationDate (");
+  if (!bytes.starts_with("%PDF") || begin == bytes.npos) return;
+  const auto end = bytes.find(')', begin);
+  if (end != bytes.npos) bytes.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+}
+
 // How many continuation bytes follow this first byte of a character; -1 where none begins.
 int continuation_bytes(unsigned char first) {
   if (first < 0x80) return 0;
@@ -160,6 +168,7 @@ Picture run_gnuplot(const Script& script) {
   redirection.redirect(error, STDERR_FILENO);
   const bool well = succeeded(spawn(redirection));
   Picture picture{output.content(), error.content()};
+  blank_date(picture.bytes);
   if (!well) throw std::runtime_error("gnuplot failed: " + reason(picture.remarks));
   if (picture.bytes.empty()) throw std::runtime_error("gnuplot drew nothing: " + reason(picture.remarks));
   return picture;

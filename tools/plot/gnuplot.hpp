@@ -58,7 +58,7 @@ struct Picture {
   std::string remarks;  ///< what gnuplot wrote to standard error
 };
 
-/// Runs the gnuplot found on PATH. Throws std::runtime_error when there is none or it fails.
+/// Runs the gnuplot found on PATH; the same script gives the same bytes, a PDF without its date. Throws std::runtime_error when there is none or it fails.
 Picture run_gnuplot(const Script& script);
 
 }  // namespace asperity::plot

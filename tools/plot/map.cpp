@@ -9,25 +9,6 @@
 namespace asperity::plot {
 namespace {
 
-double mean_of(const Field& values) {
-  const auto finite = values.isFinite();
-  return finite.select(values, 0.0).sum() / static_cast<double>(finite.count());
-}
-
-Colours colours_for(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
-  Range range = range_of(patches[0].values);
-  double mean = 0;
-  for (const Patch& p : patches) {
-    range = united(range, range_of(p.values));
-    mean += mean_of(p.values) / static_cast<double>(patches.size());
-  }
-  if (!request.range.empty())
-    return {value_range(request, quantity.unit, range),
-            quantity.signed_value ? Palette::diverging : Palette::sequential};
-  if (!quantity.signed_value) return one_sided(range);
-  return about(quantity.name == "height" ? mean : 0.0, range);
-}
-
 // One field needs no label in its panel; its title says what the colours cannot.
 std::string default_title(const std::vector<Patch>& patches, const Quantity& quantity) {
   if (patches.size() > 1) return "";
@@ -44,7 +25,7 @@ Script map(const Cases& cases, const Request& request) {
   std::vector<Patch> patches;
   for (const Case& c : cases) patches.push_back(patch_of(c.data, variable, request));
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
-  const Colours colours = colours_for(patches, quantity, request);
+  const Colours colours = field_colours(patches, quantity, request);
   const Unit length = unit_for(reach(patches[0]), "m"),
              value = unit_for(colours.range.magnitude(), quantity.unit);
   Sheet sheet{.columns = static_cast<int>(cases.size()), .right = 7.6};

@@ -24,7 +24,7 @@ struct Request {
   bool titled = false;                                         ///< `title` was given
   std::string title;
   Shape pixels;        ///< 0 × 0: what suits the figure
-  std::string format;  ///< "png" or "svg"
+  std::string format;  ///< "png", "svg" or "pdf"
 };
 
 /// A dataset and its name in a comparison.

@@ -120,4 +120,27 @@ Range value_range(const Request& request, const std::string& unit, Range otherwi
   return {low, high};
 }
 
+namespace {
+
+double mean_of(const Field& values) {
+  const auto finite = values.isFinite();
+  return finite.select(values, 0.0).sum() / static_cast<double>(finite.count());
+}
+
+}  // namespace
+
+Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
+  Range range = range_of(patches[0].values);
+  double mean = 0;
+  for (const Patch& p : patches) {
+    range = united(range, range_of(p.values));
+    mean += mean_of(p.values) / static_cast<double>(patches.size());
+  }
+  if (!request.range.empty())
+    return {value_range(request, quantity.unit, range),
+            quantity.signed_value ? Palette::diverging : Palette::sequential};
+  if (!quantity.signed_value) return one_sided(range);
+  return about(quantity.name == "height" ? mean : 0.0, range);
+}
+
 }  // namespace asperity::plot

@@ -49,4 +49,7 @@ Section section_of(const Dataset& data, const std::string& text);
 /// The values that --range allows, in SI, or `otherwise`.
 Range value_range(const Request& request, const std::string& unit, Range otherwise);
 
+/// Of fields side by side: heights evenly about their mean, what has a sign about zero, the rest from zero upwards.
+Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request);
+
 }  // namespace asperity::plot

@@ -103,8 +103,8 @@ void set_axes(Script& script, const Relief& relief, const Patch& p, bool alone, 
 
 Script surface(const Cases& cases, const Request& request) {
   const Relief relief = relief_of(cases, request);
-  const double scale = relief.scale(), middle = 0.5 * (relief.values.low + relief.values.high);
-  Colours colours = relief.quantity.signed_value ? about(middle, relief.values) : one_sided(relief.values);
+  const double scale = relief.scale();
+  Colours colours = field_colours(relief.patches, relief.quantity, request);
   colours.range = {colours.range.low * scale, colours.range.high * scale};
   const Sheet sheet{.columns = static_cast<int>(cases.size()),
                     .aspect = 0.72,
