@@ -48,6 +48,7 @@ dl.tiles div { display: block; }
 dt { color: var(--soft); font-size: .95rem; }
 dd { margin: 0; text-align: right; overflow-wrap: anywhere; font-variant-numeric: tabular-nums; font-size: .95rem; }
 dl.tiles dd { text-align: left; }
+dd.short { white-space: nowrap; }
 details { margin: .8rem 0; }
 summary { cursor: pointer; color: var(--accent); }
 .history { padding-left: 1.4rem; }

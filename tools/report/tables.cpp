@@ -13,6 +13,8 @@
 namespace asperity::report {
 namespace {
 
+constexpr std::size_t unbroken = 24;  // bytes of a fact that stand on one line
+
 std::string data_element(double value, const std::string& text) {
   return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", cli::shortest(value), text)
                               : text;
@@ -20,6 +22,13 @@ std::string data_element(double value, const std::string& text) {
 
 std::string cell(const std::string& content, const char* css_class) {
   return fmt::format("<td class=\"{}\">{}</td>", css_class, content);
+}
+
+// An end that lies beyond what can be told is left open.
+std::string interval(double low, double high, const Measurement& m) {
+  const bool below = std::isfinite(low), above = std::isfinite(high);
+  const std::string from = data_element(low, m.low), to = data_element(high, m.high);
+  return below && above ? from + " to " + to : below ? "above " + from : above ? "below " + to : "";
 }
 
 std::string row_of(const cli::Quantities::Row& row) {
@@ -30,7 +39,7 @@ std::string row_of(const cli::Quantities::Row& row) {
                                 escaped(row.meaning));
   out += cell(data_element(row.value, m.value), "number");
   out += cell(known ? data_element(row.standard_error, m.error) : "", "number error");
-  out += cell(known ? data_element(low, m.low) + " to " + data_element(high, m.high) : "", "number interval");
+  out += cell(known ? interval(low, high, m) : "", "number interval");
   return element("tr", out + cell(escaped(m.unit), "unit"));
 }
 
@@ -110,8 +119,9 @@ std::string facts(const std::vector<Fact>& facts, Role role, const std::string& 
   std::string out;
   for (const Fact& f : facts)
     if (f.role == role && f.stage == stage)
-      out += fmt::format("<div title=\"{}\"><dt>{}</dt><dd>{}</dd></div>\n", escaped(f.attribute),
-                         escaped(f.label), escaped(f.text));
+      out +=
+          fmt::format("<div title=\"{}\"><dt>{}</dt><dd{}>{}</dd></div>\n", escaped(f.attribute),
+                      escaped(f.label), f.text.size() <= unbroken ? " class=\"short\"" : "", escaped(f.text));
   return out.empty() ? "" : element("dl", out);
 }
 
