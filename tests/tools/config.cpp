@@ -50,7 +50,8 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
 }
 
 TEST_CASE(
-    "--dump-config gathers the command line, the environment and the file, and the defaults as comments",
+    "the option --dump-config gathers the command line, the environment and the file, and the defaults as "
+    "comments",
     "[config][contract]") {
   const Outcome run = shell(
       "printf 'rq = \"2um\"\\nlevel = 0.25\\nperiodic = true\\n' > base.toml; "

@@ -31,8 +31,9 @@ double peak_of(const std::string& told) {
 }  // namespace
 
 // A surface of 64 MB that is kept, and by --memory one that is not; a program alone takes some 20.
-TEST_CASE("--time tells a peak of memory that holds the surface, or none where it is drawn in strips",
-          "[time][law]") {
+TEST_CASE(
+    "the option --time tells a peak of memory that holds the surface, or none where it is drawn in strips",
+    "[time][law]") {
   const std::string large =
       "asperity-generate --shape 2048x4096 --size 3mm --rq 0.4um --length 6px --seed 3 ";
   const double whole = peak_of(shell(large + "--time -o large.nc").error);
@@ -43,7 +44,7 @@ TEST_CASE("--time tells a peak of memory that holds the surface, or none where i
   CHECK(strips >= 4);
 }
 
-TEST_CASE("--time tells what a run took that failed or did not converge too", "[time][contract]") {
+TEST_CASE("the option --time tells what a run took that failed or did not converge too", "[time][contract]") {
   const Outcome failed = shell("asperity-stats absent.nc --time");
   CHECK(failed.exit == 1);
   CHECK(lines(failed.error) == 2);
@@ -112,7 +113,8 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
   CHECK(shell(on_terminal + " --progress never").out.find("\rasperity-") == std::string::npos);
 }
 
-TEST_CASE("--verbose tells each step of an iteration in a line under headings", "[progress][law]") {
+TEST_CASE("the option --verbose tells each step of an iteration in a line under headings",
+          "[progress][law]") {
   const Outcome kernel = shell("asperity-kernel --length 6px --lags 20x20 -v -o k.nc");
   CHECK_THAT(kernel.error, ContainsSubstring("     lags       step   products   residual\n"));
   const auto steps = read_dataset("k.nc").attributes.number("kernel_newton_iterations", -1);
