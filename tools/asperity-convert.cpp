@@ -60,7 +60,8 @@ Dataset without_depth(Dataset data) {
 Dataset dataset_from(const cli::Tool& tool, const Options& options, std::optional<cli::Bytes> bytes) {
   const bool whole = tool.format().netcdf(*bytes) && !options.map.changes();
   Dataset data = whole ? decode_netcdf(*bytes) : dataset_of(map_from(tool, options, *bytes));
-  return options.surface ? without_depth(std::move(data)) : data;
+  if (options.surface) return without_depth(std::move(data));
+  return data;
 }
 
 // All that is not NetCDF.
