@@ -86,11 +86,8 @@ int main(int argc, char** argv) {
       "| asperity-report -o surface.html");
   tool.accuracy(
       "The numbers are those of asperity-stats (height, spatial, hybrid) with its errors, rounded to two "
-      "digits "
-      "of the standard error or else to four; exact values in SI are in the page's data elements. Pictures "
-      "show "
-      "the values as they are in the dataset, as asperity-plot draws them. The page fetches nothing and runs "
-      "no "
-      "script; with SOURCE_DATE_EPOCH the same dataset gives the same bytes.");
+      "digits of the standard error or else to four; exact values in SI are in the page's data elements. "
+      "Pictures show the values as they are in the dataset, as asperity-plot draws them. The page fetches"
+      " nothing and runs no script; with SOURCE_DATE_EPOCH the same dataset gives the same bytes.");
   return tool.run(argc, argv, [&] { return report_on(tool, options); });
 }

@@ -35,6 +35,7 @@ TEST_CASE("what has no error has four digits, and a whole number all of its own"
 
 TEST_CASE("areas and curvatures take the prefix of their length", "[readable][exact]") {
   CHECK(readable(1.454e-6, "m2") == "1.454\u00A0mm²");
+  CHECK(readable(1.211e-8, "m2") == "0.01211\u00A0mm²");
   CHECK(readable(0, "m2") == "0\u00A0m²");
   CHECK(readable(1112, "m-1") == "1.112\u00A0mm⁻¹");
   CHECK(readable(1.28e8, "m-2") == "128\u00A0mm⁻²");

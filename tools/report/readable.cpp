@@ -31,13 +31,13 @@ std::string superscript(int n) {
   return out;
 }
 
-// The largest length whose power brings the number to 0.1 or more, or below 1000 where it is one over a length.
+// The largest length whose power brings the number to 0.01 or more, or below 1000 where it is one over a length.
 Unit power_unit(double magnitude, int n) {
   if (!(magnitude > 0)) return {1, "m" + superscript(n)};
   const Unit lengths[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}};
   for (const Unit& length : lengths) {
     const double factor = std::pow(length.factor, n), number = magnitude / factor;
-    if (length.factor == 1e-9 || (n > 0 ? number >= 0.1 : number < 1000))
+    if (length.factor == 1e-9 || (n > 0 ? number >= 0.01 : number < 1000))
       return {factor, length.name + superscript(n)};
   }
   return {};
