@@ -15,18 +15,26 @@ namespace {
 // How the solution goes on, for a terminal.
 class Account {
  public:
-  Account(const cli::Tool& tool, double tolerance)
+  Account(const cli::Tool& tool, const cli::ContactOptions& options)
       : progress_(tool),
         rounds_(tool, {"grid", "convolutions", "residual", "area [mm2]", "greatest [MPa]"}),
-        tolerance_(tolerance) {}
+        tolerance_(options.contact.tolerance),
+        loads_(options.loads.size()) {}
 
-  /// Of a sweep: "load 3 of 20, ".
-  void begin(std::string part) { part_ = std::move(part); }
-  void wipe() { progress_.wipe(); }
+  /// Of a sweep: another load is done.
+  void next() { ++load_; }
   void add(const ContactProgress& p) {
     const std::string grid = fmt::format("{}x{}", p.shape.nx, p.shape.ny);
-    progress_.show(cli::decades_done(p.residual, tolerance_),
-                   fmt::format("{}{}, residual {:.1e}", part_, grid, p.residual));
+    if (loads_ > 0)
+      progress_.count(static_cast<double>(load_) + (p.finest ? cli::decades_done(p.residual, tolerance_) : 0),
+                      static_cast<double>(loads_), "loads");
+    else
+      progress_.iterate({.stage = grid,
+                         .residual = p.residual,
+                         .tolerance = tolerance_,
+                         .steps = static_cast<double>(p.convolutions),
+                         .name = "convolutions",
+                         .last = p.finest});
     rounds_.row({grid, std::to_string(p.convolutions), fmt::format("{:.2e}", p.residual),
                  fmt::format("{:.6g}", p.area * 1e6), fmt::format("{:.6g}", p.max_pressure * 1e-6)});
   }
@@ -35,7 +43,7 @@ class Account {
   cli::Progress progress_;
   cli::StepTable rounds_;
   double tolerance_;
-  std::string part_;
+  std::size_t loads_, load_ = 0;
 };
 
 int told_exit(const cli::Tool& tool, const Contact& contact, const std::string& of) {
@@ -44,11 +52,10 @@ int told_exit(const cli::Tool& tool, const Contact& contact, const std::string& 
   return contact.converged ? cli::done : cli::not_converged;
 }
 
-int press(cli::Tool& tool, const cli::ContactOptions& options, Account& account) {
+int press(cli::Tool& tool, const cli::ContactOptions& options) {
   cli::ContactScene scene = cli::read_scene(tool, options);
   const Contact contact =
       solve_contact(scene.grid, std::move(scene.gap), options.bodies.composite_modulus(), options.contact);
-  account.wipe();
   cli::record(scene, options, contact);
   tool.write(scene.data);
   return told_exit(tool, contact, "");
@@ -60,12 +67,9 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
   cli::LoadTable table;
   int code = cli::done, number = 0;
-  auto begin = [&] { account.begin(fmt::format("load {} of {}, ", number + 1, options.loads.size())); };
-  begin();
   press_in_turn(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
     ++number;
-    account.wipe();
-    begin();
+    account.next();
     table.add(c);
     code = std::max(code, told_exit(tool, c, cli::format_quantity(c.load, "N") + ": "));
     if (options.each.empty()) return;
@@ -93,9 +97,9 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     options.check(tool);
-    Account account(tool, options.contact.tolerance);
+    Account account(tool, options);
     if (tool.verbose() || tool.shows_progress())
       options.contact.progress = [&](const ContactProgress& p) { account.add(p); };
-    return options.sweeps() ? sweep(tool, options, account) : press(tool, options, account);
+    return options.sweeps() ? sweep(tool, options, account) : press(tool, options);
   });
 }

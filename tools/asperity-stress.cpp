@@ -1,6 +1,7 @@
 /// Computes the stress below a loaded surface: in layers, in a section, at points, and where it is largest.
 #include <fmt/format.h>
 
+#include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
 #include "grid/stopwatch.hpp"
@@ -18,6 +19,16 @@ std::string told(const StressMaximum& m, const Grid& grid) {
                      shallow ? ": less than two cells, where it rests on single cells of the pressure" : "");
 }
 
+StressMaximum search(const cli::Tool& tool, const StressSolver& solver) {
+  cli::Progress progress(tool);
+  cli::StepTable probes(tool, {"layer", "depth [um]", "greatest von_mises [MPa]"});
+  return maximum_von_mises(solver, [&](const StressProbe& p) {
+    progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers of the search");
+    probes.row({std::to_string(p.done), fmt::format("{:.6g}", p.depth * 1e6),
+                fmt::format("{:.6g}", p.von_mises * 1e-6)});
+  });
+}
+
 int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
              const cli::StressSelection& selection) {
   const auto points = cli::parse_points(cli::read_all(options.points));
@@ -32,7 +43,7 @@ int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stres
   const Stopwatch clock;
   cli::forget_stress(scene.data);
   if (options.maximum) {
-    const StressMaximum top = maximum_von_mises(scene.solver(options, tool.thread_count()));
+    const StressMaximum top = search(tool, scene.solver(options, tool.thread_count()));
     cli::record_maximum(scene.data.attributes, top);
     tool.detail(told(top, scene.grid));
   }

@@ -137,9 +137,14 @@ Solved solve(const Tool& tool, Wanted wanted) {
   StepTable steps(tool, {"lags", "step", "products", "residual"});
   request.progress = [&](const KernelProgress& p) {
     const std::string residual = fmt::format("{:.2e}", p.residual);
-    progress.show(decades_done(p.residual, request.tolerance),
-                  "kernel of " + text(p.lags) + " lags, residual " + residual);
-    steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.jacobian_products), residual});
+    progress.iterate({.stage = std::string(p.iteration) + ", " + text(p.lags) + " lags",
+                      .residual = p.residual,
+                      .tolerance = request.tolerance / 2,
+                      .spent = p.spent,
+                      .steps = static_cast<double>(p.products),
+                      .name = "products"});
+    if (p.step == 0) tool.detail(std::string(p.iteration));
+    steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
   };
   const Kernel kernel = wanted.marginal ? predistorted(wanted) : solve_kernel(request);
   set_kernel(wanted.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height,

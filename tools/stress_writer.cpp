@@ -80,7 +80,6 @@ void StressWriter::write(const std::function<void(Attributes&)>& finish) {
       });
   }
   out.close();
-  progress_.wipe();
   tool_.write_report(scene_.data);
 }
 

@@ -9,7 +9,7 @@ build() {
   . cmake/packages
   cmake/install-packages $build $run
   [ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
-  cmake --build --preset release --target validation tools >&2
+  cmake --build --preset release --target validation asperity_tools >&2
 }
 
 # begin FOLDER: an empty page FOLDER/RESULTS.md.

@@ -93,7 +93,13 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
   const Stopwatch watch;
   Descent descent(equations, u);
   IterationResult result;
+  auto tell = [&] {
+    if (options.told)
+      options.told({result.steps, 2 * result.steps + 1, descent.largest(),
+                    static_cast<double>(result.steps) / options.max_iterations});
+  };
   result.reason = "solved";
+  tell();
   while (!(descent.largest() <= options.tolerance)) {
     if (result.steps == options.max_iterations) {
       result.reason = "not solved in " + std::to_string(result.steps) + " iterations";
@@ -104,6 +110,7 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
       result.reason = "no further descent after " + std::to_string(result.steps) + " iterations";
       break;
     }
+    tell();
   }
   result.converged = descent.largest() <= options.tolerance;
   result.residuals = 2 * result.steps + 1;

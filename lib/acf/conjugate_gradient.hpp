@@ -21,12 +21,14 @@
 #include <span>
 
 #include "acf/equations.hpp"
+#include "acf/iteration_step.hpp"
 
 namespace asperity {
 
 struct DescentOptions {
   double tolerance = 1e-10;  ///< on max |F|
   int max_iterations = 3000;
+  IterationObserver told = {};
 };
 
 /// Improves u. The equations must not refuse any vector.

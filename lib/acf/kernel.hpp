@@ -33,6 +33,7 @@
 #include <string>
 #include <string_view>
 
+#include "acf/iteration_step.hpp"
 #include "acf/target.hpp"
 #include "grid/field.hpp"
 
@@ -66,12 +67,10 @@ Formulation formulation_named(std::string_view name);
 Method method_named(std::string_view name);
 Infeasible infeasible_named(std::string_view name);
 
-/// A step of Newton's iteration.
-struct KernelProgress {
+/// A step of one of the iterations that the search for a kernel is made of.
+struct KernelProgress : IterationStep {
   Shape lags;
-  long step = 0;  ///< 0: the start
-  long jacobian_products = 0;
-  double residual = 0;  ///< max |R - target| over the equations [σ²]
+  std::string_view iteration;  ///< "Newton-Krylov", "fixed point", "projections", …
 };
 
 struct KernelRequest {
@@ -83,7 +82,7 @@ struct KernelRequest {
   double rms = 1;               ///< σ [m], > 0
   double tolerance = 1e-10;     ///< on the residual [σ²], 1e-13 … 1e-2
   double acf_tolerance = 1e-3;  ///< on the error over all lags, where `lags` is left open, 1e-8 … 0.5
-  std::function<void(const KernelProgress&)> progress = {};  ///< told of every step of Newton's iteration
+  std::function<void(const KernelProgress&)> progress = {};  ///< told of every step
 
   void check() const;
 };

@@ -61,6 +61,7 @@ class Problem {
   }
   /// 2 Q (α^ v^): J without its restriction, and J*.
   Vector product(const Vector& v) {
+    ++products;
     return filtered(v, [](double a) { return 2 * a; });
   }
   Vector image(const Vector& y) { return product(product(y)) * inside_; }
@@ -70,6 +71,7 @@ class Problem {
   Field whole() const { return transform_->whole(constant(u)); }
 
   Vector u;
+  long products = 0;
 
  private:
   template <class Factor>
@@ -127,11 +129,19 @@ Field with_least_change(const Field& kernel, const Target& target, Shape lags, b
                         const LeastChangeOptions& options) {
   Problem problem(kernel, target, lags, oriented);
   Vector f = problem.residual(problem.u);
+  auto tell = [&](int step) {
+    if (options.told)
+      options.told(
+          {step, problem.products, f.abs().maxCoeff(), static_cast<double>(step) / options.max_steps});
+  };
+  tell(0);
   for (int i = 0; i < options.max_steps && f.abs().maxCoeff() > options.tolerance; ++i) {
     const double former = problem.dot(f, f);
     problem.linearize();
     const Vector y = conjugate_gradients(problem, -f, options.max_inner);
-    if (!advance(problem, f, problem.product(y)) || problem.dot(f, f) > 0.5 * former) break;
+    const bool advanced = advance(problem, f, problem.product(y));
+    tell(i + 1);
+    if (!advanced || problem.dot(f, f) > 0.5 * former) break;
   }
   return problem.whole();
 }

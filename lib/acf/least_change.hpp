@@ -13,6 +13,7 @@
 /// (1966) 243-252.
 #pragma once
 
+#include "acf/iteration_step.hpp"
 #include "acf/target.hpp"
 #include "grid/field.hpp"
 
@@ -22,6 +23,7 @@ struct LeastChangeOptions {
   double tolerance = 1e-10;  ///< on max |F| [σ²]
   int max_steps = 12;
   int max_inner = 60;  ///< inner iterations a step
+  IterationObserver told = {};
 };
 
 /// `kernel` of (2K-1) × (2L-1) coefficients, improved as far as it goes; never worse in ‖F‖ than it was.

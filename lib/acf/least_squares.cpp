@@ -46,6 +46,13 @@ class Weighted {
     scale(out, out);
   }
 
+  // max |F| of a residual in GSL's norm.
+  double largest(std::span<const double> f) const {
+    double out = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) out = std::max(out, std::abs(f[i] / d_[i]));
+    return out;
+  }
+
   template <class Work>
   int guarded(Work work) {
     try {
@@ -120,10 +127,18 @@ IterationResult minimise_squares(Equations& equations, std::span<double> u,
   const gsl_vector_const_view start = gsl_vector_const_view_array(u.data(), u.size());
   int status = gsl_multilarge_nlinear_init(&start.vector, &system, workspace.get());
   int found = 0;
+  auto tell = [&] {
+    if (options.told)
+      options.told({static_cast<long>(gsl_multilarge_nlinear_niter(workspace.get())), problem.products,
+                    problem.largest(span(gsl_multilarge_nlinear_residual(workspace.get()))),
+                    static_cast<double>(problem.products) / static_cast<double>(options.max_products)});
+  };
+  tell();
   for (int i = 0; status == GSL_SUCCESS && found == 0 && i < options.max_iterations; ++i) {
     status = gsl_multilarge_nlinear_iterate(workspace.get());
     gsl_multilarge_nlinear_test(options.step_tolerance, options.gradient_tolerance, 0, &found,
                                 workspace.get());
+    tell();
     if (problem.products >= options.max_products) break;
   }
   problem.rethrow();

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "acf/equations.hpp"
+#include "acf/iteration_step.hpp"
 
 namespace asperity {
 
@@ -22,6 +23,7 @@ struct LeastSquaresOptions {
   double step_tolerance = 1e-8;  ///< on the relative change of the coefficients
   double gradient_tolerance = 1e-9;
   long max_products = 20000;  ///< looked at after each iteration
+  IterationObserver told = {};
 };
 
 /// Improves u. The equations must not refuse any vector.

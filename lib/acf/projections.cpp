@@ -76,11 +76,17 @@ NearestKernel nearest_kernel(const Target& target, Shape lags, bool oriented,
                              const ProjectionOptions& options) {
   Projections projections(target, lags, oriented);
   NearestKernel out;
-  out.change = projections.change();
+  auto look = [&] {
+    out.change = projections.change();
+    if (options.told)
+      options.told({out.iterations, out.iterations, out.change,
+                    static_cast<double>(out.iterations) / options.max_iterations});
+  };
+  look();
   while (out.change > options.tolerance && out.iterations < options.max_iterations) {
     for (int i = 0; i < look_every; ++i) projections.step(options.relaxation);
     out.iterations += look_every;
-    out.change = projections.change();
+    look();
   }
   out.values = projections.root();
   return out;

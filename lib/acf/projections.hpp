@@ -21,6 +21,7 @@
 ///     sets, USSR Comput. Math. Math. Phys. 7 (1967) 1-24.
 #pragma once
 
+#include "acf/iteration_step.hpp"
 #include "acf/target.hpp"
 #include "grid/field.hpp"
 
@@ -30,6 +31,7 @@ struct ProjectionOptions {
   double tolerance = 1e-10;  ///< on the change of the target [σ²]: smaller ones end the iteration
   double relaxation = 1.9;   ///< ω
   int max_iterations = 300;
+  IterationObserver told = {};  ///< every ten iterations
 };
 
 struct NearestKernel {

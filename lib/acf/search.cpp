@@ -41,6 +41,42 @@ NewtonOptions options_for(const KernelRequest& request, Formulation formulation,
   return options;
 }
 
+// A system whose solver does not tell its steps: each begins with a linearisation.
+class Watched {
+ public:
+  Watched(IterationObserver told, int most_steps) : told_(std::move(told)), most_steps_(most_steps) {}
+
+  NonlinearSystem system(NonlinearSystem system) {
+    if (!told_) return system;
+    system.residual = [this, evaluate = system.residual](auto u, auto f) {
+      const bool inside = evaluate(u, f);
+      now_.residual = 0;
+      for (double value : f) now_.residual = std::max(now_.residual, std::abs(value));
+      return inside;
+    };
+    system.jacobian = [this, multiply = system.jacobian](auto v, auto out) {
+      ++now_.products;
+      multiply(v, out);
+    };
+    system.linearize = [this, prepare = system.linearize](auto u) {
+      told_(now_);
+      now_.spent = static_cast<double>(++now_.step) / most_steps_;
+      prepare(u);
+    };
+    return system;
+  }
+
+  // Where the last step has come to.
+  void end() const {
+    if (told_ && now_.step > 0) told_(now_);
+  }
+
+ private:
+  IterationObserver told_;
+  int most_steps_;
+  IterationStep now_;
+};
+
 }  // namespace
 
 Search::Search(const KernelRequest& request, Shape lags)
@@ -81,11 +117,19 @@ void Search::run() {
   if (request_.method == Method::newton_krylov) return newton();
   if (zero_phase_) zero_phase_->guard = false;
   std::vector<double> u = equations_->start();
-  const bool descent = request_.method == Method::conjugate_gradient;
-  const double tolerance = request_.tolerance / 2;
-  count(descent ? solve_conjugate_gradient(*equations_, u, {.tolerance = tolerance})
-                : solve_fixed_point(equations_->system(), u, {.tolerance = tolerance}));
+  if (request_.method == Method::fixed_point)
+    fixed_point(u);
+  else
+    count(solve_conjugate_gradient(
+        *equations_, u, {.tolerance = request_.tolerance / 2, .told = observer("conjugate gradients")}));
   consider(u);
+}
+
+void Search::fixed_point(std::vector<double>& u) {
+  const FixedPointOptions options{.tolerance = request_.tolerance / 2};
+  Watched watched(observer("fixed point"), options.max_iterations);
+  count(solve_fixed_point(watched.system(equations_->system()), u, options));
+  watched.end();
 }
 
 void Search::newton() {
@@ -97,10 +141,10 @@ void Search::newton() {
   }
   const bool smooth = zero_phase_ && std::abs(feasibility_.least) < smooth_spectrum;
   if (smooth && wide_enough()) return;
-  KernelProgress now{.lags = lags_};
-  const Report result = solve_newton_krylov(watched(equations_->system(), now), u,
-                                            options_for(request_, formulation_, equations_->count()));
-  if (request_.progress && result.steps > 0) request_.progress(now);
+  const NewtonOptions options = options_for(request_, formulation_, equations_->count());
+  Watched watched(observer("Newton-Krylov"), options.max_steps);
+  const Report result = solve_newton_krylov(watched.system(equations_->system()), u, options);
+  watched.end();
   count(result);
   if (result.converged) consider(u);
   infeasible_ = !solved();
@@ -110,25 +154,10 @@ void Search::newton() {
     wide_enough();
 }
 
-// The system, whose residual is told at the beginning of each step.
-NonlinearSystem Search::watched(NonlinearSystem system, KernelProgress& now) const {
-  if (!request_.progress) return system;
-  system.residual = [&now, evaluate = system.residual](auto u, auto f) {
-    const bool inside = evaluate(u, f);
-    now.residual = 0;
-    for (double value : f) now.residual = std::max(now.residual, std::abs(value));
-    return inside;
-  };
-  system.jacobian = [&now, multiply = system.jacobian](auto v, auto out) {
-    ++now.jacobian_products;
-    multiply(v, out);
-  };
-  system.linearize = [&now, prepare = system.linearize, &told = request_.progress](auto u) {
-    told(now);
-    ++now.step;
-    prepare(u);
-  };
-  return system;
+// Passes on, with its name, what an iteration tells.
+IterationObserver Search::observer(std::string_view iteration) const {
+  if (!request_.progress) return {};
+  return [this, iteration](const IterationStep& step) { request_.progress({step, lags_, iteration}); };
 }
 
 // Whether a wider kernel solves the equations, where one may be the answer.
@@ -156,7 +185,7 @@ void Search::count(const Report& result) {
 void Search::consider(const std::vector<double>& u) { consider(equations_->kernel(u), "exact"); }
 
 // With the variance set right when it is no solution.
-void Search::consider(Field values, std::string answer) {
+void Search::consider(const Field& values, std::string answer) {
   auto candidate = appraise(request_.target, lags_, formulation_, values);
   if (candidate && !(candidate->report.residual <= request_.tolerance))
     candidate = appraise(request_.target, lags_, formulation_,
@@ -202,7 +231,7 @@ void Search::descend(long budget) {
   if (zero_phase_) zero_phase_->guard = false;
   if (descent_.empty()) descent_ = equations_->start();
   const std::string reason = reason_;
-  count(minimise_squares(*equations_, descent_, {.max_products = budget}));
+  count(minimise_squares(*equations_, descent_, {.max_products = budget, .told = observer("least squares")}));
   reason_ = reason;
   consider(equations_->kernel(descent_), "least-squares");
   if (best_ && solved()) best_->report.answer = "exact";
@@ -212,8 +241,10 @@ void Search::descend(long budget) {
 void Search::widen() {
   if (hopeless_) return;
   const double tolerance = request_.tolerance / 2;
-  const NearestKernel nearest = nearest_kernel(request_.target, lags_, oriented(), {.tolerance = tolerance});
-  consider(with_least_change(nearest.values, request_.target, lags_, oriented(), {.tolerance = tolerance}),
+  const NearestKernel nearest = nearest_kernel(request_.target, lags_, oriented(),
+                                               {.tolerance = tolerance, .told = observer("projections")});
+  consider(with_least_change(nearest.values, request_.target, lags_, oriented(),
+                             {.tolerance = tolerance, .told = observer("least change")}),
            "nearest");
   if (best_ && best_->report.answer == "nearest" && solved()) best_->report.answer = "wider";
 }

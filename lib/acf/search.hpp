@@ -48,7 +48,8 @@ class Search {
   using Report = IterationResult;
 
   void newton();
-  NonlinearSystem watched(NonlinearSystem system, KernelProgress& now) const;
+  void fixed_point(std::vector<double>& u);
+  IterationObserver observer(std::string_view iteration) const;
   void take_root(std::string answer);
   bool recognised() const;
   bool wide_enough();
@@ -57,7 +58,7 @@ class Search {
   void widen();
   std::string closest() const;
   void consider(const std::vector<double>& u);
-  void consider(Field values, std::string answer);
+  void consider(const Field& values, std::string answer);
   void count(const Report& result);
   bool better(const Kernel& candidate) const;
   bool spectral() const { return request_.method == Method::spectral; }

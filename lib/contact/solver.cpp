@@ -89,9 +89,10 @@ std::vector<Level> make_levels(ElasticOperator& influence, ContactProblem proble
 WindowedGradients::Observer observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
   if (!parameters.progress) return {};
   const double cell = grid.size_x() * grid.size_y() / static_cast<double>(shape.cells());
-  return [&parameters, shape, cell](const ContactResidual& residual, double convolutions) {
+  return [&parameters, shape, cell, finest = shape == grid.shape](const ContactResidual& residual,
+                                                                  double convolutions) {
     parameters.progress({shape, residual.epsilon, static_cast<double>(residual.contact()) * cell,
-                         residual.max_pressure, static_cast<int>(std::ceil(convolutions))});
+                         residual.max_pressure, static_cast<int>(std::ceil(convolutions)), finest});
   };
 }
 

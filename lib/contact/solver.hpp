@@ -44,6 +44,7 @@ struct ContactProgress {
   double area = 0;          ///< [m²]
   double max_pressure = 0;  ///< [Pa]
   int convolutions = 0;     ///< on the present grid, by their share of its cells
+  bool finest = true;       ///< no finer grid follows
 };
 
 struct ContactParameters {

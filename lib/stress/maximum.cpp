@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <vector>
 
 #include "grid/parallel.hpp"
@@ -17,6 +18,7 @@ constexpr double close = 0.01;       // in ln z: a vertex so near is not worth a
 constexpr double beside = 0.04;      // in ln z: a point that narrows the bracket instead
 constexpr double narrow = 0.012;  // product of the sides of a bracket, in ln z, that a parabola is read off
 constexpr int most_steps = 6;
+constexpr Index usual_steps = 4;  // to refine the largest
 
 struct Parabola {
   double vertex = 0, value = 0;
@@ -56,20 +58,42 @@ struct Sample {
   Peak peak;
 };
 
+// Counts the layers, whichever thread computes them.
+class Account {
+ public:
+  Account(Index scanned, const std::function<void(const StressProbe&)>& told)
+      : expected_(scanned + usual_steps), told_(told) {}
+
+  void add(const Sample& sample) {
+    const std::scoped_lock lock(mutex_);
+    ++layers_;
+    if (told_) told_({layers_, std::max(layers_, expected_), std::exp(sample.log_depth), sample.peak.value});
+  }
+  Index layers() const { return layers_; }
+
+ private:
+  Index layers_ = 0, expected_;
+  const std::function<void(const StressProbe&)>& told_;
+  std::mutex mutex_;
+};
+
 class Probe {
  public:
-  explicit Probe(const StressSolver& solver)
-      : solver_(solver), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
+  Probe(const StressSolver& solver, Account& account)
+      : solver_(solver), account_(account), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
 
   Sample at(double log_depth) {
     solver_.layer(std::exp(log_depth), stress::all, work_, [&](Index i, const StressRow& row) {
       von_mises(row, von_mises_.cols(), von_mises_.row(i).data());
     });
-    return {log_depth, peak_of(von_mises_, solver_.grid())};
+    const Sample sample{log_depth, peak_of(von_mises_, solver_.grid())};
+    account_.add(sample);
+    return sample;
   }
 
  private:
   const StressSolver& solver_;
+  Account& account_;
   StressSolver::Workspace work_;
   Field von_mises_;
 };
@@ -95,11 +119,11 @@ std::vector<double> scan_depths(const Grid& grid, const Field& pressure) {
   return log_depths;
 }
 
-std::vector<Sample> scan(const StressSolver& solver) {
-  const std::vector<double> log_depths = scan_depths(solver.grid(), solver.pressure());
+std::vector<Sample> scan(const StressSolver& solver, const std::vector<double>& log_depths,
+                         Account& account) {
   std::vector<Sample> samples(log_depths.size());
   parallel_ranges(static_cast<Index>(samples.size()), solver.threads(), [&](Index begin, Index end, int) {
-    Probe probe(solver);
+    Probe probe(solver, account);
     for (auto l = static_cast<std::size_t>(begin); l < static_cast<std::size_t>(end); ++l)
       samples[l] = probe.at(log_depths[l]);
   });
@@ -119,13 +143,12 @@ double next_depth(const Sample& a, const Sample& b, const Sample& c, double vert
 
 // The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
 // unprobed. A parabola's vertex is off by the product of the bracket's sides times m'''/6m'': hence the test.
-Sample refine(Sample a, Sample b, Sample c, Probe& probe, Index& layers) {
+Sample refine(Sample a, Sample b, Sample c, Probe& probe) {
   Parabola top = through(a, b, c);
   for (int step = 0; step < most_steps; ++step) {
     const double sides = (b.log_depth - a.log_depth) * (c.log_depth - b.log_depth);
     if (sides < narrow && std::abs(top.vertex - b.log_depth) < beside) break;
     const Sample next = probe.at(next_depth(a, b, c, top.vertex));
-    ++layers;
     const bool deeper = next.log_depth > b.log_depth, higher = next.peak.value > b.peak.value;
     (deeper == higher ? a : c) = higher ? b : next;
     if (higher) b = next;
@@ -136,26 +159,27 @@ Sample refine(Sample a, Sample b, Sample c, Probe& probe, Index& layers) {
 
 }  // namespace
 
-StressMaximum maximum_von_mises(const StressSolver& solver) {
+StressMaximum maximum_von_mises(const StressSolver& solver,
+                                const std::function<void(const StressProbe&)>& told) {
   if ((solver.pressure() == 0).all()) return {};
-  const std::vector<Sample> s = scan(solver);
-  auto layers = static_cast<Index>(s.size());
+  const std::vector<double> log_depths = scan_depths(solver.grid(), solver.pressure());
+  Account account(static_cast<Index>(log_depths.size()), told);
+  const std::vector<Sample> s = scan(solver, log_depths, account);
   Sample best = *std::max_element(
       s.begin(), s.end(), [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
-  Probe probe(solver);
+  Probe probe(solver, account);
   if (solver.slides()) {
     const Sample surface = probe.at(-std::numeric_limits<double>::infinity());
-    ++layers;
     if (surface.peak.value > best.peak.value) best = surface;
   }
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
     if (s[k].peak.value < s[k - 1].peak.value || s[k].peak.value < s[k + 1].peak.value) continue;
     const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;
     if (s[k].peak.value + 2 * rise < best.peak.value) continue;
-    const Sample refined = refine(s[k - 1], s[k], s[k + 1], probe, layers);
+    const Sample refined = refine(s[k - 1], s[k], s[k + 1], probe);
     if (refined.peak.value > best.peak.value) best = refined;
   }
-  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), layers};
+  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), account.layers()};
 }
 
 }  // namespace asperity

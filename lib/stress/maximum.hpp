@@ -14,6 +14,8 @@
 ///           half, and a few to refine.
 #pragma once
 
+#include <functional>
+
 #include "stress/layers.hpp"
 
 namespace asperity {
@@ -24,7 +26,16 @@ struct StressMaximum {
   Index layers = 0;                ///< layers computed to find it
 };
 
-/// All zero when the surface is not loaded at all.
-StressMaximum maximum_von_mises(const StressSolver& solver);
+/// A layer of the search.
+struct StressProbe {
+  Index done = 0, expected = 0;  ///< layers so far, and in all by what is known by now
+  double depth = 0;              ///< [m]
+  double von_mises = 0;          ///< the largest of the layer [Pa]
+};
+
+/// All zero when the surface is not loaded at all. `told`, if given, hears of every layer, of one at a time but not in
+/// the order of their depth.
+StressMaximum maximum_von_mises(const StressSolver& solver,
+                                const std::function<void(const StressProbe&)>& told = {});
 
 }  // namespace asperity

@@ -84,19 +84,26 @@ TEST_CASE("the bytes of every stage do not depend on the number of threads", "[t
             "--no-history s.nc -o p.nc;"
             "asperity-stress --no-history p.nc --depths 0:0.2mm:5 --maximum --components all -o v.nc;"
             "asperity-stats --parameters all s.nc > stats; asperity-acf s.nc --profiles > acf;"
-            "asperity-psd s.nc --radial > psd; asperity-validate s.nc --significance 1e-9 > validate); done; "
+            "asperity-psd s.nc --radial > psd; asperity-validate s.nc --significance 1e-9 > validate; "
+            "asperity-pdf s.nc > pdf;"
+            "asperity-report v.nc -o report.html); done; "
             "diff -r t1 t2 && ls t1 | wc -l");
   CAPTURE(run.error);
-  CHECK(run.out == "7\n");
+  CHECK(run.out == "9\n");
 }
 
 TEST_CASE("progress is a line that is wiped, on a terminal or by --progress always", "[progress][contract]") {
   require(draw + "-o s.nc; " + press + "s.nc -o p.nc");
   const auto [command, told] = GENERATE(table<std::string, std::string>(
-      {{draw + "-o a.nc", "kernel of 14x14 lags"},
+      {{draw + "-o a.nc", ", Newton-Krylov"},
        {draw + "--count 30 -o a_%d.nc", " of 30 surfaces"},
-       {press + "s.nc -o a.nc", "64x48, residual "},
-       {press.substr(0, press.find("--load")) + "--loads 2kN,5kN s.nc", "load 1 of 2, "},
+       {"asperity-kernel --length 6px --lags 9x9 --method fixed-point -o a.nc", ", fixed point"},
+       {"asperity-kernel --length 6px --lags 9x9 --method conjugate-gradient -o a.nc",
+        ", conjugate gradients"},
+       {press + "s.nc -o a.nc", "64x48"},
+       {press.substr(0, press.find("--load")) + "--loads 2kN,5kN s.nc", " of 2 loads"},
+       {"asperity-stats s.nc s.nc s.nc", " of 3 surfaces"},
+       {"asperity-stress p.nc --maximum -o a.nc", " layers of the search"},
        {"asperity-stress p.nc --depths 0:1mm:30 -o a.nc", " of 30 layers, "}}));
   CAPTURE(command);
   const Outcome always = shell(command + " --progress always");
@@ -111,6 +118,23 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
   const std::string on_terminal = "script -qec '" + command + "' /dev/null";
   CHECK_THAT(shell(on_terminal).out, ContainsSubstring("\rasperity-"));
   CHECK(shell(on_terminal + " --progress never").out.find("\rasperity-") == std::string::npos);
+}
+
+TEST_CASE("every iteration that a kernel takes has its progress, its name and its table",
+          "[progress][contract]") {
+  const std::string cut =
+      "asperity-kernel --length 31px --lags 31x31 -o cut.nc ";  // no kernel of these lags has it
+  const auto [options, names] = GENERATE(table<std::string, std::vector<std::string>>(
+      {{"", {"Newton-Krylov", "projections", "least change"}},
+       {"--infeasible least-squares", {"Newton-Krylov", "least squares"}},
+       {"--method conjugate-gradient", {"conjugate gradients"}},
+       {"--method fixed-point", {"fixed point"}}}));
+  const std::string line = shell(cut + options + " --progress always").error;
+  const std::string steps = shell(cut + options + " -v").error;
+  for (const std::string& name : names) {
+    CHECK_THAT(line, ContainsSubstring(", " + name));
+    CHECK_THAT(steps, ContainsSubstring(name + "\n"));
+  }
 }
 
 TEST_CASE("the option --verbose tells each step of an iteration in a line under headings",

@@ -11,9 +11,10 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double period = 0.2;     // between two drawings of the line [s]
-constexpr std::size_t bar = 20;    // characters
-constexpr std::size_t column = 9;  // of a table of steps, at least
+constexpr double period = 0.2;       // between two drawings of the line [s]
+constexpr double least_gain = 0.05;  // of the decades, before the time left is told
+constexpr std::size_t shortest_bar = 8, longest_bar = 20;
+constexpr std::size_t column = 9;  // characters of a table of steps, at least
 
 std::size_t terminal_width() {
   winsize size{};
@@ -29,25 +30,41 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-void Progress::show(double share, const std::string& text) {
-  if (!shown_ || clock_.seconds() < next_) return;
+// Name, bar, percentage and text; the bar gives way where the terminal is narrow.
+void Progress::draw(double share, const std::string& text) {
   next_ = clock_.seconds() + period;
   share = std::clamp(share, 0.0, 1.0);
+  const std::size_t width = terminal_width() - 1, others = name_.size() + text.size() + 12;
+  const std::size_t bar = std::clamp(width - std::min(width, others), shortest_bar, longest_bar);
   const auto full = static_cast<std::size_t>(std::floor(share * static_cast<double>(bar)));
   std::string line = fmt::format("{}: [{}{}] {:3.0f} %  {}", name_, std::string(full, '#'),
                                  std::string(bar - full, '.'), std::floor(100 * share), text);
-  line.resize(std::min(line.size(), terminal_width() - 1));
+  line.resize(std::min(line.size(), width));
   std::cerr << '\r' << line << "\033[K" << std::flush;
   drawn_ = true;
 }
 
 void Progress::count(double done, double of, const std::string& units) {
-  if (!shown_ || clock_.seconds() < next_) return;
+  if (!shown_ || !is_due()) return;
   const double elapsed = clock_.seconds(), rate = done / elapsed;
-  std::string text = units.empty() ? "" : fmt::format("{:.0f} of {:.0f} {}", std::floor(done), of, units);
-  if (done > 0 && !units.empty()) text += fmt::format(", {:.3g}/s", rate);
-  if (done > 0) text += (text.empty() ? "" : ", ") + duration((of - done) / rate) + " left";
-  show(done / of, text);
+  std::vector<std::string> words;
+  if (done > 0) words.push_back(duration((of - done) / rate) + " left");
+  if (!units.empty()) words.push_back(fmt::format("{:.0f} of {:.0f} {}", std::floor(done), of, units));
+  if (!units.empty() && done > 0) words.push_back(fmt::format("{:.3g}/s", rate));
+  draw(done / of, fmt::format("{}", fmt::join(words, ", ")));
+}
+
+void Progress::iterate(const IterationStatus& now) {
+  const double share = std::max(decades_done(now.residual, now.tolerance), now.spent), at = clock_.seconds();
+  const bool begins = now.stage != stage_.stage;
+  if (begins) stage_ = {now.stage, at, share, now.steps};
+  if (!(shown_ && (begins || is_due()))) return;
+  const double elapsed = at - stage_.seconds, gained = share - stage_.share;
+  std::string text = fmt::format("residual {:.1e}, {}", now.residual, now.stage);
+  if (now.last && gained > least_gain) text = duration((1 - share) * elapsed / gained) + " left, " + text;
+  if (now.steps > stage_.steps && elapsed > 0)
+    text += fmt::format(", {:.3g} {}/s", (now.steps - stage_.steps) / elapsed, now.name);
+  draw(share, text);
 }
 
 void Progress::wipe() {

@@ -93,10 +93,16 @@ std::string Tool::origin(const std::string& key) const {
   return config_file().empty() ? "--" + key : config_file() + ": " + key;
 }
 
+// A line on standard error, in place of one of progress.
+void Tool::say(const std::string& line) {
+  Progress::wipe();
+  std::cerr << line << '\n';
+}
+
 int Tool::fail(Exit code, const std::string& message) const {
   std::string line = name_ + ": " + message;
   std::ranges::replace(line, '\n', ' ');
-  std::cerr << line << '\n';
+  say(line);
   return code;
 }
 
@@ -141,7 +147,7 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 
 int Tool::run(int argc, char** argv, const std::function<int()>& body) {
   const int code = guarded(argc, argv, body);
-  if (time_) std::cerr << name_ << ": " << usage_of_run(clock_.seconds()) << '\n';
+  if (time_) say(name_ + ": " + usage_of_run(clock_.seconds()));
   return code;
 }
 
@@ -173,18 +179,21 @@ void Tool::write_report(const Dataset& dataset) const {
   if (!report_.empty()) write_all(report_, report_of(dataset, name_.substr(name_.find('-') + 1) + "_"));
 }
 
-void Tool::write_text(const std::string& text) const { write_all(output_, text); }
+void Tool::write_text(const std::string& text) const {
+  Progress::wipe();  // which may stand on the same terminal
+  write_all(output_, text);
+}
 
 bool Tool::output_is_terminal() const { return output_ == "-" && stdout_is_terminal(); }
 
-void Tool::warn(const std::string& text) const { std::cerr << name_ << ": warning: " << text << '\n'; }
+void Tool::warn(const std::string& text) const { say(name_ + ": warning: " + text); }
 
 void Tool::note(const std::string& text) const {
-  if (!quiet_) std::cerr << name_ << ": " << text << '\n';
+  if (!quiet_) say(name_ + ": " + text);
 }
 
 void Tool::detail(const std::string& text) const {
-  if (verbose_) std::cerr << text << '\n';
+  if (verbose_) say(text);
 }
 
 }  // namespace asperity::cli

@@ -138,7 +138,7 @@ class Tool {
  private:
   CLI::Option* parsed(const std::string& name, const std::string& kind, const std::string& text,
                       const std::string& group, const std::string& shown,
-                      std::function<void(const std::string&)> parse);
+                      const std::function<void(const std::string&)>& parse);
   void add_common();
   void add_seed();
   void add_running();
@@ -150,6 +150,7 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string config_file() const;
   std::string footer() const;
+  static void say(const std::string& line);
   int fail(Exit code, const std::string& message) const;
 
   CLI::App app_;
