@@ -52,10 +52,14 @@ void declare_figure(cli::Tool& tool, Options& o) {
   tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
   tool.input_format("--input-format");
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
+  tool.integer("--columns", o.request.columns, 1,
+               "Panels side by side, the others below them; 1: for print 8 cm wide, 2: 11.5 cm, 3: 15 cm "
+               "(default: all side by side)",
+               group)
+      ->default_str("");
   tool.counts("--pixels", o.request.pixels, 200,
               "Size; letters grow with the width. A PDF has this shape and is 8, 11.5, 15 cm wide for one, "
-              "two, three "
-              "panels (default: as suits)",
+              "two, three columns (default: as suits)",
               group);
   tool.text("--format", o.request.format, "png|svg|pdf", "For -o - only; a file's name tells", group);
   tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Where the picture goes; - is standard output",
@@ -109,6 +113,8 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.titled = tool.given("--title");
   request.scale_by_hertz = o.scale_by == "p0";
   if (!plot::is_utf8(request.title)) throw cli::UsageError("title", "it is not UTF-8");
+  if (tool.given("--columns") && request.kind == "profile")
+    throw cli::UsageError("columns", "profiles of several inputs are drawn into one panel");
   if (tool.given("--above") && !(request.above > 0 && std::isfinite(request.above)))
     throw cli::UsageError("above", "it must be positive");
   if (o.output == "-" && cli::stdout_is_terminal())
@@ -169,9 +175,8 @@ int main(int argc, char** argv) {
       "| asperity-plot --kind map -o heights.png");
   tool.accuracy(
       "Maps and profiles show the values as they are. A section is linear between cells and between "
-      "depths; a\n  surface of more than 128 points a side is thinned and says so; stretched axes say "
-      "by how much. The same\n  dataset gives the same bytes with the same gnuplot and fonts. Letters are of "
-      "7 pt where a figure of one, two, "
-      "three\n  panels is printed 8, 11.5, 15 cm wide.");
+      "depths; a surface of more than 128 points a side is thinned and says so; stretched axes say by how "
+      "much. The same dataset gives the same bytes with the same gnuplot and fonts. Letters are of 7 pt "
+      "where a figure of one, two, three columns of panels is printed 8, 11.5, 15 cm wide.");
   return tool.run(argc, argv, [&] { return draw(tool, options); });
 }

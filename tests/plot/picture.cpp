@@ -63,6 +63,22 @@ unsigned big_endian(const std::string& bytes, std::size_t at) {
   return out;
 }
 
+// A PDF's width [pt], cairo's without the fraction; its height is above 50.
+double width_of_pdf(const std::string& name) {
+  const std::string pdf = bytes_of(name);
+  double width = 0, height = 0;
+  REQUIRE(std::sscanf(pdf.c_str() + pdf.find("/MediaBox ["), "/MediaBox [ 0 0 %lf %lf", &width, &height) ==
+          2);
+  CHECK(height > 50);
+  return width;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& of) {
+  std::size_t count = 0;
+  for (auto at = text.find(of); at != text.npos; at = text.find(of, at + 1)) ++count;
+  return count;
+}
+
 void check_texts_inside(const std::string& name) {
   const std::string svg = bytes_of(name);
   int width = 0, height = 0, texts = 0;
@@ -111,7 +127,7 @@ TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contra
   }
 }
 
-// 8 cm are 226.77 pt, which cairo writes without the fraction. The kinds differ in height, not in width.
+// 8 cm are 226.77 pt. The kinds differ in height, not in width.
 TEST_CASE("every kind draws a PDF of one page that is 8 cm wide, with its fonts", "[plot][contract]") {
   for (const char* kind : kinds) {
     CAPTURE(kind);
@@ -120,11 +136,7 @@ TEST_CASE("every kind draws a PDF of one page that is 8 cm wide, with its fonts"
     CHECK(run.error + run.out == "");
     const std::string pdf = bytes_of("a.pdf");
     CHECK(pdf.starts_with("%PDF-1."));
-    double width = 0, height = 0;
-    REQUIRE(std::sscanf(pdf.c_str() + pdf.find("/MediaBox ["), "/MediaBox [ 0 0 %lf %lf", &width, &height) ==
-            2);
-    CHECK(std::abs(width - 226.77) <= 1);
-    CHECK(height > 50);
+    CHECK(std::abs(width_of_pdf("a.pdf") - 226.77) <= 1);
     CHECK_THAT(pdf, ContainsSubstring("DejaVuSans") && !ContainsSubstring("CreationDate"));
   }
   CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format pdf").out.starts_with("%PDF"));
@@ -210,6 +222,28 @@ TEST_CASE("several cases stand side by side under their names", "[plot][contract
   CHECK_THAT(words_of("two.svg"), ContainsSubstring("first") && ContainsSubstring("second"));
 }
 
+// Three panels: in one column 8 cm wide, in two 11.5 cm; the lowest of each column names x, the left ones y.
+TEST_CASE("panels stand in so many columns, and share their axes", "[plot][law]") {
+  for (const std::string kind : {"map", "surface", "acf", "pdf", "contact", "von-mises"}) {
+    CAPTURE(kind);
+    for (const auto& [columns, points, bottoms, lefts] :
+         {std::tuple{1, 226.77, 1u, 3u}, std::tuple{2, 325.98, 2u, 2u}, std::tuple{3, 425.20, 3u, 1u}}) {
+      CAPTURE(columns);
+      const std::string three = scene() + " " + scene() + " --labels one,two,six --kind " + kind +
+                                " --columns " + std::to_string(columns);
+      REQUIRE(plot(three + " -o three.svg").exit == 0);
+      REQUIRE(plot(three + " -o three.pdf").exit == 0);
+      CHECK(std::abs(width_of_pdf("three.pdf") - points) <= 1);
+      check_texts_inside("three.svg");
+      const std::string words = words_of("three.svg");
+      for (const std::string label : {"one\n", "two\n", "six\n"}) CHECK_THAT(words, ContainsSubstring(label));
+      if (kind != "map" && kind != "contact") continue;
+      CHECK(occurrences(words, "x [") == bottoms);
+      CHECK(occurrences(words, "y [") == lefts);
+    }
+  }
+}
+
 TEST_CASE("a picture goes to standard output when it is told its format", "[plot][contract]") {
   CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format png").out.substr(1, 3) == "PNG");
   CHECK(plot("--kind map -o -").exit == 2);
@@ -221,6 +255,8 @@ TEST_CASE("a wrong request gets one line and its exit code", "[plot][contract]")
     int exit;
     const char* word;
   } wrong[] = {{"--kind pie -o w.png", 2, "--kind"},
+               {"--kind profile --columns 2 -o w.png", 2, "--columns"},
+               {"--kind map --columns 0 -o w.png", 2, "--columns"},
                {"--kind map -o w.eps", 2, "--output"},
                {"--kind map", 2, "--output"},
                {"--kind map --variable depth -o w.png", 4, "depth"},

@@ -90,7 +90,8 @@ TEST_CASE("a pressed and stressed surface shows pressure, contact, section and w
   const std::string page = report_on("st.nc");
   CHECK(pictures_in(page) == 7);
   for (const char* word : {"100\u00A0N", "smooth bodies (Hertz)", "largest von Mises stress", "210\u00A0GPa",
-                           "convolutions of the full size", "image/svg+xml;base64,", "image/png;base64,"})
+                           "6 × 4 samples (93.75\u00A0µm × 62.5\u00A0µm)", "convolutions of the full size",
+                           "image/svg+xml;base64,", "image/png;base64,"})
     CHECK_THAT(page, ContainsSubstring(word));
   CHECK_THAT(page, !ContainsSubstring("role=\"alert\""));
 }

@@ -176,12 +176,13 @@ Script acf(const Cases& cases, const Request& request) {
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
   const char* title = all[0].estimated ? "surface ± 2 standard errors" : "kernel";
-  Figure figure(request, {.columns = static_cast<int>(cases.size()), .legend = legend(all[0])}, title);
+  Sheet sheet = side_by_side(request, cases.size());
+  sheet.legend = legend(all[0]);
+  Figure figure(request, sheet, title);
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.panel(c, cases[c].label);
     figure.x_axis({0, longest / length.factor}, length.label("lag"));
     figure.y_axis({lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ");
-    if (c > 0) figure.without_y_labels();
     if (c + 1 == cases.size()) figure.legend();
     figure.script.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
     figure.script.draw("plot", layers_of(all[c], length.factor));

@@ -41,7 +41,8 @@ Script contact(const Cases& cases, const Request& request) {
                                             states.low < 0 ? states.low : states.high));
   }
   const Unit length = unit_for(reach(patches[0]), "m");
-  Sheet sheet{.columns = static_cast<int>(cases.size()), .legend = legend()};
+  Sheet sheet = side_by_side(request, cases.size());
+  sheet.legend = legend();
   sheet.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   Figure figure(request, sheet, default_title(patches));
   figure.script.line("set palette maxcolors 3 defined (0 '{}', 1 '{}', 2 '{}')", state_colours[0],

@@ -12,7 +12,7 @@ constexpr double em_of_single = 37.5, em_of_many = 30;                  // pixel
 constexpr double em_in_cm = 0.25, em_in_points = em_in_cm / 2.54 * 72;  // on paper
 constexpr double pdf_line = 0.5;                                        // of linewidth 1 of pdfcairo [pt]
 constexpr double em_of_cairo = 0.75;  // its points are 4/3 of a pixel or of a point
-constexpr double free_aspect = 0.62;
+constexpr double free_aspect = 0.62, free_aspect_of_rows = 0.45;
 constexpr double title_height = 2.0, label_height = 1.5, line_of_legend = 2.0;
 constexpr int x_label_tag = 100;
 constexpr int y_label_tag = 101;  // beyond the tags of labels that have none
@@ -20,7 +20,7 @@ constexpr double key_length = 2.0, letter_width = 0.6, legend_gap = 1.6;
 constexpr double bar_distance = 0.8, bar_width = 0.9;
 
 // The width of a sheet [em]: of one column 32, of three 60.
-double em_across(int columns) { return 18.0 + 14.0 * columns; }
+double em_across(std::size_t columns) { return 18.0 + 14.0 * static_cast<double>(columns); }
 
 // Of UTF-8, where every byte but the continuing ones begins a character.
 double characters(const std::string& text) {
@@ -66,26 +66,33 @@ std::string title_or(const Request& request, const std::string& otherwise) {
   return request.titled ? request.title : otherwise;
 }
 
-Figure::Figure(const Request& request, Sheet sheet, std::string title)
+Sheet side_by_side(const Request& request, std::size_t cases) {
+  const std::size_t columns = request.columns > 0 ? static_cast<std::size_t>(request.columns) : cases;
+  return {.panels = cases, .columns = std::min(columns, cases), .comparison = cases > 1};
+}
+
+Figure::Figure(const Request& request, Sheet sheet, const std::string& title)
     : sheet_(std::move(sheet)),
+      rows_((sheet_.panels + sheet_.columns - 1) / sheet_.columns),
       legend_lines_(lines_of(sheet_.legend, em_across(sheet_.columns) - sheet_.left)),
       title_(title_or(request, title)) {
   if (!title_.empty()) sheet_.top += title_height;
   sheet_.top += line_of_legend * static_cast<double>(legend_lines_.size());
-  if (sheet_.columns > 1) sheet_.top += label_height;
+  if (sheet_.comparison) sheet_.top += label_height, sheet_.gap_y += label_height;
   fit(request);
   begin(request.format);
 }
 
 // Panels as large as the sheet allows; where they are too high for it, narrower and centred.
 void Figure::fit(const Request& request) {
-  const int n = sheet_.columns, m = sheet_.rows;
+  const double n = columns(), m = rows();
   const bool given = request.pixels.nx > 0;
-  em_ = given ? static_cast<double>(request.pixels.nx) / em_across(n) : (n == 1 ? em_of_single : em_of_many);
-  const double width = em_across(n) * em_, gaps_x = (n - 1) * sheet_.gap_x * em_,
+  em_ = given ? static_cast<double>(request.pixels.nx) / em_across(sheet_.columns)
+              : (sheet_.columns == 1 ? em_of_single : em_of_many);
+  const double width = em_across(sheet_.columns) * em_, gaps_x = (n - 1) * sheet_.gap_x * em_,
                gaps_y = (m - 1) * sheet_.gap_y * em_, frame_x = (sheet_.left + sheet_.right) * em_ + gaps_x,
                frame_y = (sheet_.bottom + sheet_.top) * em_ + gaps_y;
-  const double aspect = sheet_.aspect > 0 ? sheet_.aspect : free_aspect / m;
+  const double aspect = sheet_.aspect > 0 ? sheet_.aspect : rows_ > 1 ? free_aspect_of_rows : free_aspect;
   panel_width_ = (width - frame_x) / n;
   panel_height_ = panel_width_ * aspect;
   if (given) {
@@ -131,21 +138,23 @@ void Figure::begin(const std::string& format) {
   script.line("set multiplot");
 }
 
-void Figure::panel(int row, int column, const std::string& label) {
+void Figure::panel(std::size_t number, const std::string& label) {
+  panel_ = number;
+  const auto column = static_cast<double>(number % sheet_.columns),
+             below = static_cast<double>(rows_ - 1 - number / sheet_.columns);
   const double x0 = left_ + column * (panel_width_ + sheet_.gap_x * em_),
-               y0 = bottom_ + (sheet_.rows - 1 - row) * (panel_height_ + sheet_.gap_y * em_);
+               y0 = bottom_ + below * (panel_height_ + sheet_.gap_y * em_);
   panel_x_ = x0;
   panel_y_ = y0;
-  last_ = row == sheet_.rows - 1 && column == sheet_.columns - 1;
   script.line("unset label\nunset object\nunset arrow\nunset colorbox");
   script.line("set lmargin at screen {}\nset rmargin at screen {}", screen_x(x0),
               screen_x(x0 + panel_width_));
   script.line("set bmargin at screen {}\nset tmargin at screen {}", screen_y(y0),
               screen_y(y0 + panel_height_));
-  if (sheet_.columns > 1 && row == 0)
+  if (sheet_.comparison)
     script.line("set label {} at screen {},{} center noenhanced", quoted(label),
                 screen_x(x0 + 0.5 * panel_width_), screen_y(y0 + panel_height_ + 0.8 * em_));
-  if (last_ && !title_.empty())
+  if (is_last() && !title_.empty())
     script.line("set label {} at screen {},{} center noenhanced", quoted(title_),
                 screen_x(left_ + 0.5 * panels_wide()), screen_y(static_cast<double>(pixels_.ny) - 1.3 * em_));
 }
@@ -156,6 +165,8 @@ void Figure::x_axis(Range range, const std::string& label) {
   script.line("set xtics {} format '%g'", round_step(range.width(), most));
   script.line("set label {} {} at screen {},{} center noenhanced", x_label_tag, quoted(label),
               screen_x(panel_x_ + 0.5 * panel_width_), screen_y(panel_y_ - (sheet_.bottom - 0.8) * em_));
+  if (sheet_.comparison && panel_ + sheet_.columns < sheet_.panels)
+    script.line("set xtics format ''\nunset label {}", x_label_tag);
 }
 
 void Figure::y_axis(Range range, const std::string& label, bool downwards) {
@@ -164,10 +175,9 @@ void Figure::y_axis(Range range, const std::string& label, bool downwards) {
   script.line("set ytics {} format '%g'", round_step(range.width(), std::min(most, 8.0)));
   script.line("set label {} {} at screen {},{} rotate by 90 center noenhanced", y_label_tag, quoted(label),
               screen_x(panel_x_ - (sheet_.left - 0.9) * em_), screen_y(panel_y_ + 0.5 * panel_height_));
+  if (sheet_.comparison && panel_ % sheet_.columns > 0)
+    script.line("set ytics format ''\nunset label {}", y_label_tag);
 }
-
-void Figure::without_x_labels() { script.line("set xtics format ''\nunset label {}", x_label_tag); }
-void Figure::without_y_labels() { script.line("set ytics format ''\nunset label {}", y_label_tag); }
 
 void Figure::colours(const Colours& colours, const Unit& unit, const std::string& quantity) {
   std::string stops;
@@ -176,7 +186,7 @@ void Figure::colours(const Colours& colours, const Unit& unit, const std::string
     stops += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, list[i]);
   script.line("set palette maxcolors 0 defined ({})", stops);
   script.line("set cbrange [{}:{}]", colours.range.low / unit.factor, colours.range.high / unit.factor);
-  if (last_ && !quantity.empty()) colour_bar(colours, unit, quantity);
+  if (is_last() && !quantity.empty()) colour_bar(colours, unit, quantity);
 }
 
 // As high as the panels but not lower than is legible; its label stands right of its longest number.
@@ -194,7 +204,7 @@ void Figure::colour_bar(const Colours& colours, const Unit& unit, const std::str
 }
 
 double Figure::legend_height() const {
-  return bottom_ + panels_high() + (sheet_.columns > 1 ? label_height : 0) * em_ + 1.1 * em_;
+  return bottom_ + panels_high() + (sheet_.comparison ? label_height : 0) * em_ + 1.1 * em_;
 }
 
 void Figure::legend() {

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <unistd.h>
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it, but not in a header
 
 namespace asperity::plot {
 namespace {

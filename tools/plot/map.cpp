@@ -28,7 +28,8 @@ Script map(const Cases& cases, const Request& request) {
   const Colours colours = field_colours(patches, quantity, request);
   const Unit length = unit_for(reach(patches[0]), "m"),
              value = unit_for(colours.range.magnitude(), quantity.unit);
-  Sheet sheet{.columns = static_cast<int>(cases.size()), .right = 7.6};
+  Sheet sheet = side_by_side(request, cases.size());
+  sheet.right = 7.6;
   sheet.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   Figure figure(request, sheet, default_title(patches, quantity));
   for (std::size_t c = 0; c < cases.size(); ++c) {

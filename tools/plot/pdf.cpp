@@ -95,15 +95,14 @@ Script pdf(const Cases& cases, const Request& request) {
   for (const Case& c : cases) all.push_back(distribution_of(c, variable));
   const Scales scales = scales_of(all, quantity);
   using enum LegendEntry::Key;
-  const Sheet sheet{.columns = static_cast<int>(cases.size()),
-                    .legend = {{box, "#b9d3e8", "histogram ± 2 SE"}, {line, "#d55e00", "Gaussian"}}};
+  Sheet sheet = side_by_side(request, cases.size());
+  sheet.legend = {{box, "#b9d3e8", "histogram ± 2 SE"}, {line, "#d55e00", "Gaussian"}};
   Figure figure(request, sheet, default_title(all, quantity));
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.panel(c, cases[c].label);
     figure.x_axis({scales.x.low / scales.height.factor, scales.x.high / scales.height.factor},
                   scales.height.label(quantity.name));
     figure.y_axis({0, scales.top}, scales.per_height);
-    if (c > 0) figure.without_y_labels();
     if (c + 1 == cases.size()) figure.legend();
     figure.script.draw("plot", layers_of(all[c], scales));
   }

@@ -76,13 +76,13 @@ Script profile(const Cases& cases, const Request& request) {
   double reach = 0;
   for (const Row& row : rows) reach = std::max(reach, range_of(row.traces[0].position).magnitude());
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
-  Sheet sheet{.rows = static_cast<int>(rows.size()), .gap_y = 4.8};
+  Sheet sheet{.panels = rows.size(), .gap_y = 4.8};
   if (cases.size() > 1) sheet.legend = legend(cases);
   sheet.aspect = rows.size() > 1 ? 0.32 : 0.45;
   Figure figure(request, sheet, "");
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const Row& row = rows[r];
-    figure.panel(static_cast<int>(r), 0);
+    figure.panel(r);
     const Range along = range_of(row.traces[0].position);
     figure.x_axis(
         {along.low / length.factor, along.high / length.factor},

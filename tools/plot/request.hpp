@@ -23,6 +23,7 @@ struct Request {
   double above = std::numeric_limits<double>::quiet_NaN();     ///< least value shown, share of p0 or maximum
   bool titled = false;                                         ///< `title` was given
   std::string title;
+  int columns = 0;     ///< of panels, where there are several; 0: as many as panels
   Shape pixels;        ///< 0 × 0: what suits the figure
   std::string format;  ///< "png", "svg" or "pdf"
 };

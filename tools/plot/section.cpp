@@ -169,7 +169,8 @@ Script section(const Cases& cases, const Request& request) {
   const Cuts cuts = cuts_of(cases, request);
   const Patch& first = cuts.list[0].patch;
   const double true_aspect = first.y.width() / first.x.width();
-  Sheet sheet{.columns = static_cast<int>(cases.size()), .right = 7.6};
+  Sheet sheet = side_by_side(request, cases.size());
+  sheet.right = 7.6;
   sheet.aspect = std::clamp(true_aspect, cases.size() > 1 ? 0.35 : 0.25, tallest);
   const double ratio = sheet.aspect / true_aspect, stretch = std::abs(ratio - 1) < 0.01 ? 1 : ratio;
   const Unit along = unit_for(first.x.magnitude(), "m"),
@@ -178,11 +179,10 @@ Script section(const Cases& cases, const Request& request) {
   Figure figure(request, sheet, default_title(cuts, value, stretch));
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.list[c].patch;
-    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.panel(c, cases[c].label);
     figure.x_axis({p.x.low / along.factor, p.x.high / along.factor},
                   along.label(cuts.list[c].section.along_x ? "x" : "y"));
     figure.y_axis({p.y.low / depth.factor, p.y.high / depth.factor}, depth.label("depth z"), true);
-    if (c > 0) figure.without_y_labels();
     figure.colours(cuts.colours, value, cuts.quantity.name);
     const Lattice at{p.x_at(0) / along.factor, p.y_at(0) / depth.factor, p.dx() / along.factor,
                      p.dy() / depth.factor};

@@ -89,7 +89,9 @@ void set_axes(Script& script, const Relief& relief, const Patch& p, bool alone, 
               p.y.high / unit);
   script.line("set zrange [{}:{}]", relief.values.low * scale, relief.values.high * scale);
   script.line("set xtics {} offset 0,-0.3", round_step(p.x.width() / unit, 4));
-  script.line("set ytics {} offset 0.4,-0.2", round_step(p.y.width() / unit, 4));
+  // The lowest of y would stand where the highest of x does, at the corner in front.
+  const double step = round_step(p.y.width() / unit, 4), corner = (p.y.low + 0.06 * p.y.width()) / unit;
+  script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
   script.line("set ztics ({})",
               tics(relief.values, round_step(relief.values.width() / relief.value.factor, alone ? 4 : 3),
                    scale, relief.value));
@@ -106,17 +108,15 @@ Script surface(const Cases& cases, const Request& request) {
   const double scale = relief.scale();
   Colours colours = field_colours(relief.patches, relief.quantity, request);
   colours.range = {colours.range.low * scale, colours.range.high * scale};
-  const Sheet sheet{.columns = static_cast<int>(cases.size()),
-                    .aspect = 0.72,
-                    .left = 4.5,
-                    .right = 4,
-                    .bottom = 3.2,
-                    .gap_x = 3.5};
+  Sheet sheet = side_by_side(request, cases.size());
+  sheet.aspect = 0.72;
+  sheet.left = 4.5, sheet.right = 4, sheet.bottom = 3.2;
+  sheet.gap_x = 3.5, sheet.gap_y = 3.2;
   Figure figure(request, sheet, default_title(relief.quantity, relief.factor, relief.stride));
   set_view(figure.script, relief);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = relief.patches[c];
-    figure.panel(0, static_cast<int>(c), cases[c].label);
+    figure.panel(c, cases[c].label);
     figure.colours(colours, {}, "");
     set_axes(figure.script, relief, p, cases.size() == 1, c == 0);
     const double unit = relief.length.factor;

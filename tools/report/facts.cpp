@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dataset/layout.hpp"
 #include "report/readable.hpp"
 
 namespace asperity::report {
@@ -113,21 +114,28 @@ std::string joined(const std::vector<std::string>& words, const char* separator)
 // Of both bodies; one number where they agree.
 std::string numbers_text(const std::vector<double>& values, const std::string& unit) {
   std::vector<std::string> words;
+  words.reserve(values.size());
   for (const double v : values) words.push_back(readable(v, unit));
   const bool alike = std::ranges::adjacent_find(words, std::ranges::not_equal_to()) == words.end();
   return words.empty() ? "–" : alike ? words.front() : joined(words, ", ");
 }
 
-std::string samples_text(const std::vector<double>& values) {
-  std::vector<std::string> words;
-  for (const double v : values) words.push_back(digits_of(v));
-  return joined(words, " × ") + " samples";
+// Of x, and of y; in metres too where the samples have a grid.
+std::string samples_text(const Dataset& data, const std::vector<double>& values) {
+  std::vector<std::string> counts, lengths;
+  counts.reserve(values.size());
+  for (const double v : values) counts.push_back(digits_of(v));
+  const std::string samples = joined(counts, " × ") + " samples";
+  if (!data.find("x") || !data.find("y")) return samples;
+  const Grid grid = grid_of(data);
+  for (const double v : values) lengths.push_back(readable(v * (lengths.empty() ? grid.dx : grid.dy), "m"));
+  return samples + " (" + joined(lengths, " × ") + ")";
 }
 
 std::string text_of(const Dataset& data, const Values& values, std::string unit) {
   const auto* words = std::get_if<std::string>(&values);
   if (words) return *words;
-  if (unit == "sample") return samples_text(numbers(values));
+  if (unit == "sample") return samples_text(data, numbers(values));
   if (unit == "yes") return count(values) > 0 && numbers(values)[0] != 0 ? "yes" : "no";
   if (unit == "height") {
     const Variable* target = data.find("acf_target");

@@ -14,7 +14,7 @@ struct Wanted {
   std::string title;
   Draw draw;
   Format format;
-  std::string variable, section = "";
+  std::string variable, section = {};
 };
 
 bool is_field(const Dataset& data, const std::string& name) {

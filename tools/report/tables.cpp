@@ -48,7 +48,7 @@ struct Comparison {
   const char* label;
   double value, smooth;
   const char* unit;
-  std::string remark = "";
+  std::string remark = {};
 };
 
 std::string row_of(const Comparison& c, bool with_smooth) {
