@@ -132,7 +132,7 @@ MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size) 
   double w = 0;
   auto of_absolute = [&w](int k) {
     if (k % 2 == 1) return 0.0;
-    const double m = k / 2 - 1;
+    const double m = 0.5 * k - 1;
     w = k == 2 ? std::numbers::inv_pi : w * (2 * m - 1) * (2 * m - 1) / ((2 * m + 1) * (2 * m + 2));
     return w;
   };

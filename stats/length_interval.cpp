@@ -93,6 +93,7 @@ double LengthIntervals::quantile_of_least(const std::vector<Reached>& reached, d
   const double wider = student_quantile(tail, degrees_) / normal_quantile(tail);
   if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
+  lags.reserve(reached.size());
   for (const Reached& r : reached) lags.push_back(r.lag);
   return wider * GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
 }

@@ -16,11 +16,11 @@ constexpr double sector = std::numbers::pi / sectors, narrowest = 2 * std::numbe
 class AngularSpectrum {
  public:
   void add(double angle, double half_width, double power) {
-    const double first = std::ceil((angle - half_width) / sector),
-                 last = std::floor((angle + half_width) / sector);
-    for (double s = first; s <= last; ++s) {
-      const double distance = std::abs(s * sector - angle) / half_width;
-      values_((static_cast<Index>(s) + 5 * sectors / 2) % sectors) += power * (1 - distance) / half_width;
+    const auto first = static_cast<Index>(std::ceil((angle - half_width) / sector)),
+               last = static_cast<Index>(std::floor((angle + half_width) / sector));
+    for (Index s = first; s <= last; ++s) {
+      const double distance = std::abs(static_cast<double>(s) * sector - angle) / half_width;
+      values_((s + 5 * sectors / 2) % sectors) += power * (1 - distance) / half_width;
     }
   }
   // The vertex of the parabola through the largest value and its neighbours.

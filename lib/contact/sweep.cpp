@@ -60,6 +60,7 @@ class Prediction {
 
 std::vector<double> geometric_loads(double from, double to, int count) {
   std::vector<double> loads;
+  loads.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     loads.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
   loads.back() = to;

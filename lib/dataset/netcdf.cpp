@@ -158,6 +158,7 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
   out.dimensions = read_dimensions(file, dimensions);
   out.attributes = read_attributes(file, NC_GLOBAL, attributes);
   std::vector<Header> headers;
+  headers.reserve(static_cast<std::size_t>(variables));
   for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
   classic(file) ? refuse_if_cut_short(headers, bytes) : refuse_if_thin(headers, bytes);
   for (int v = 0; v < variables; ++v) {

@@ -81,7 +81,7 @@ std::string argument(const CLI::Option& option) {
 }  // namespace
 
 std::string bash_completion(const CLI::App& app) {
-  const std::string tool = app.get_name();
+  const std::string& tool = app.get_name();
   std::string function = "_" + tool;
   std::ranges::replace(function, '-', '_');
   std::string choices, all;

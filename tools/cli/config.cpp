@@ -62,7 +62,7 @@ std::string toml(const std::vector<std::string>& values) {
 
 // "key = value", a comment when it is the default, or nothing where there is none.
 std::string line_of(const CLI::Option& option) {
-  const std::string key = option.get_single_name();
+  const std::string& key = option.get_single_name();
   if (option.count() > 0) {
     if (is_flag(option)) return key + (option.as<bool>() ? " = true\n" : " = false\n");
     const std::vector<std::string>& given = option.results();

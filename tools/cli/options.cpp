@@ -68,8 +68,8 @@ CLI::Option* Tool::flag(const std::string& name, bool& value, const std::string&
 
 CLI::Option* Tool::parsed(const std::string& name, const std::string& kind, const std::string& text,
                           const std::string& group, const std::string& shown,
-                          std::function<void(const std::string&)> parse) {
-  CLI::Option* option = app_.add_option_function<std::string>(name, std::move(parse), text);
+                          const std::function<void(const std::string&)>& parse) {
+  CLI::Option* option = app_.add_option_function<std::string>(name, parse, text);
   option->group(group)->type_name(kind);
   if (!shown.empty()) option->default_str(shown);
   return option;
