@@ -107,14 +107,16 @@ TEST_CASE("a kernel shifted inside zeros shifts the surface", "[synthesis][law]"
         2 * round_off(kernel));
 }
 
-// E η = 0 apart, the noise below the middle of a delta kernel is the surface itself.
+// E η = 0 apart, the noise below the middle of a delta kernel is the surface itself; of an even number of coefficients the
+// middle is the former of two.
 TEST_CASE("the noise below a surface is what the middle of its kernel multiplies", "[synthesis][exact]") {
-  for (bool periodic : {false, true}) {
-    Field delta = Field::Zero(7, 5);
-    delta(3, 2) = 1;
-    const Synthesis synthesis(delta, {30, 4}, {periodic, Summation::direct});
-    CHECK((synthesis.surface(WhiteNoise(9)) == synthesis.noise_below(WhiteNoise(9))).all());
-  }
+  for (bool periodic : {false, true})
+    for (const Shape shape : {Shape{7, 5}, Shape{6, 4}}) {
+      Field delta = Field::Zero(shape.nx, shape.ny);
+      delta((shape.nx - 1) / 2, (shape.ny - 1) / 2) = 1;
+      const Synthesis synthesis(delta, {30, 4}, {periodic, Summation::direct});
+      CHECK((synthesis.surface(WhiteNoise(9)) == synthesis.noise_below(WhiteNoise(9))).all());
+    }
 }
 
 TEST_CASE("a small kernel is summed directly and a large one transformed", "[synthesis][contract]") {
