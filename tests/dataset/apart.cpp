@@ -77,7 +77,7 @@ TEST_CASE(
 }
 
 // One second is the limit; the clock of this process stands still meanwhile.
-TEST_CASE("work without end is ended, and costs its asker no time", "[apart][contract]") {
+TEST_CASE("work without end is ended, and costs its asker no time", "[apart][time][contract]") {
   const std::clock_t before = std::clock();
   CHECK_THAT(refusal_of([](const Sink&) {
                for (unsigned turns = 0;; ++turns) handled = turns % 2 == 0;
@@ -87,7 +87,7 @@ TEST_CASE("work without end is ended, and costs its asker no time", "[apart][con
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
-TEST_CASE("work that takes more memory than it may is refused", "[apart][contract]") {
+TEST_CASE("work that takes more memory than it may is refused", "[apart][memory][contract]") {
   CHECK_THAT(refusal_of([](const Sink& sink) {
                std::vector<std::string> hoard;
                while (hoard.size() < 32) hoard.emplace_back(8 << 20, 'x');  // four times the limit
