@@ -287,6 +287,20 @@ TEST_CASE("without gnuplot the tool says what to install and exits with 1", "[pl
   CHECK_THAT(run.error, ContainsSubstring("gnuplot-nox"));
 }
 
+// gnuplot has no empty range of heights.
+TEST_CASE("a field of one value is a plane in perspective, with a scale beside it", "[plot][contract]") {
+  for (const double value : {0.0, -1.5e-6}) {
+    Dataset flat;
+    set_grid(flat, {{16, 12}, 1e-6, 1e-6});
+    set_field(flat, "heights", Field::Constant(16, 12, value), {"m", "height"});
+    write_dataset(flat, "flat.nc");
+    const Outcome run = shell("asperity-plot flat.nc --kind surface -o flat.svg");
+    CHECK(run.exit == 0);
+    CHECK(run.error.empty());
+    CHECK_THAT(words_of("flat.svg"), ContainsSubstring("height ["));
+  }
+}
+
 TEST_CASE("missing points stay empty and do not spoil the scale", "[plot][contract]") {
   scene();
   Dataset data = read_dataset("scene.nc");

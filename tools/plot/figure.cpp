@@ -140,8 +140,9 @@ void Figure::begin(const std::string& format) {
 
 void Figure::panel(std::size_t number, const std::string& label) {
   panel_ = number;
+  const std::size_t row = number / sheet_.columns;
   const auto column = static_cast<double>(number % sheet_.columns),
-             below = static_cast<double>(rows_ - 1 - number / sheet_.columns);
+             below = static_cast<double>(rows_ - 1 - row);
   const double x0 = left_ + column * (panel_width_ + sheet_.gap_x * em_),
                y0 = bottom_ + below * (panel_height_ + sheet_.gap_y * em_);
   panel_x_ = x0;

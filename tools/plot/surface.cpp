@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plot/kinds.hpp"
 #include "plot/source.hpp"
@@ -33,9 +34,16 @@ double exaggeration(const Patch& patch, Range values) {
   return round_step(0.7 * wanted, 1);
 }
 
+// Multiples of the step, or what lies amid two where there is room for one of them only: one number is no scale.
 std::string tics(Range values, double step, double scale, const Unit& unit) {
+  const Range shown{values.low / unit.factor, values.high / unit.factor};
+  std::vector<double> at = multiples(shown, step);
+  if (at.size() < 2) {
+    at = multiples({shown.low - step / 2, shown.high - step / 2}, step);
+    for (double& v : at) v += step / 2;
+  }
   std::string out;
-  for (const double v : multiples({values.low / unit.factor, values.high / unit.factor}, step))
+  for (const double v : at)
     out += fmt::format("{}{} {}", out.empty() ? "" : ", ", quoted(brief(v)), v * unit.factor * scale);
   return out;
 }
@@ -68,6 +76,10 @@ Relief relief_of(const Cases& cases, const Request& request) {
   }
   for (Patch& p : out.patches) p = thinned(p, out.stride);
   out.values = value_range(request, out.quantity.unit, out.values);
+  if (!(out.values.width() > 0)) {  // one value everywhere: a plane amid some room
+    const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
+    out.values = {out.values.low - room, out.values.high + room};
+  }
   out.factor = exaggeration(out.patches[0], out.values);
   out.length = unit_for(reach(out.patches[0]), "m");
   out.value = unit_for(out.values.magnitude(), out.quantity.unit);
@@ -83,7 +95,21 @@ void set_view(Script& script, const Relief& relief) {
   script.line("set grid ztics linewidth 0.4 linecolor rgb '#c8c8c8'");
 }
 
-void set_axes(Script& script, const Relief& relief, const Patch& p, bool alone, bool first) {
+// Of the heights' numbers, which stand 0.8 em apart or more: in this view the longer side takes some 0.6 of the panel's
+// width. A finer choice than round_step's, for where there is room for two or three.
+double step_of_heights(const Figure& figure, const Relief& relief, const Patch& p) {
+  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * figure.em_wide();
+  const double side = std::max(p.x.width(), p.y.width()) / relief.length.factor;
+  const double most = std::clamp(seen * relief.values.width() * relief.scale() / side / 0.8, 1.5, 4.0);
+  const double least = relief.values.width() / relief.value.factor / most;
+  const double decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (factor * decade >= least) return factor * decade;
+  return 10 * decade;
+}
+
+void set_axes(Figure& figure, const Relief& relief, const Patch& p, bool first) {
+  Script& script = figure.script;
   const double unit = relief.length.factor, scale = relief.scale();
   script.line("set xrange [{}:{}]\nset yrange [{}:{}]", p.x.low / unit, p.x.high / unit, p.y.low / unit,
               p.y.high / unit);
@@ -92,9 +118,7 @@ void set_axes(Script& script, const Relief& relief, const Patch& p, bool alone, 
   // The lowest of y would stand where the highest of x does, at the corner in front.
   const double step = round_step(p.y.width() / unit, 4), corner = (p.y.low + 0.06 * p.y.width()) / unit;
   script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
-  script.line("set ztics ({})",
-              tics(relief.values, round_step(relief.values.width() / relief.value.factor, alone ? 4 : 3),
-                   scale, relief.value));
+  script.line("set ztics ({})", tics(relief.values, step_of_heights(figure, relief, p), scale, relief.value));
   script.line("set xlabel {} noenhanced offset 0,-0.3", quoted(relief.length.label("x")));
   script.line("set ylabel {} noenhanced offset 0,-0.3", quoted(relief.length.label("y")));
   script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
@@ -118,7 +142,7 @@ Script surface(const Cases& cases, const Request& request) {
     const Patch& p = relief.patches[c];
     figure.panel(c, cases[c].label);
     figure.colours(colours, {}, "");
-    set_axes(figure.script, relief, p, cases.size() == 1, c == 0);
+    set_axes(figure, relief, p, c == 0);
     const double unit = relief.length.factor;
     const Lattice at{p.x_at(0) / unit, p.y_at(0) / unit, p.dx() / unit, p.dy() / unit, true};
     figure.script.draw("splot", {raster(p.values * scale, at, "with pm3d")});
