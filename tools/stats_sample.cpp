@@ -72,6 +72,7 @@ DerivativeErrors WholeSample::derivative_errors() {
 std::vector<double> WholeSample::quantiles(const std::vector<double>& shares) {
   const MaterialRatioCurve curve = material_ratio();
   std::vector<double> out;
+  out.reserve(shares.size());
   for (const double share : shares) out.push_back(curve.quantile(share));
   return out;
 }
