@@ -73,12 +73,13 @@ AcfTable from_dataset(Dataset data) {
   const std::string name = data.has("acf") ? "acf" : "acf_target";
   if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
   AcfTable out;
-  out.half_plane = table_of(data, name);
+  const Field table = table_of(data, name);
+  out.half_plane = known_lags(table);
   target_of_table(out.half_plane);
   const Variable& variable = data.at(name);
   const Index middle = out.half_plane.cols() / 2;
   out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
-                                step_of(data, variable.dimensions[1], middle));
+                                step_of(data, variable.dimensions[1], table.cols() / 2));
   out.rms = rms_of(out.half_plane(0, middle), variable.attributes.text("units"));
   if (name == "acf") {
     if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));

@@ -96,12 +96,13 @@ struct KernelOptions {
 
   void declare_solution(Tool& tool, const std::string& group, bool draws) {
     tool.counts("--lags", lags, 1,
-                "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or as a table gives a "
-                "kernel for",
+                "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or all of a table",
                 group);
-    tool.number("--acf-tolerance", acf_tolerance,
-                "Largest error over all lags of the plane, relative to the variance, where --lags is absent",
-                group);
+    tool.number(
+        "--acf-tolerance", acf_tolerance,
+        "Largest error over all lags, relative to the variance; of --lags that no kernel has, largest "
+        "change. Beyond it exit 3",
+        group);
     tool.choice("--formulation", formulation, {"symmetric", "oriented", "patir"},
                 "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
                 "quadrant, wrong at the mirrored lags; absent: by the target",

@@ -72,7 +72,7 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   if (by_kinsol) a.set("kernel_solver", "KINSOL of " + sundials_version());
   a.set_values("kernel_lags", pair_of(kernel.lags));
   a.set("kernel_tolerance", request.tolerance);
-  if (request.lags == Shape{}) a.set("kernel_acf_tolerance", request.acf_tolerance);
+  a.set("kernel_acf_tolerance", request.acf_tolerance);
   a.set("kernel_answer", report.answer);
   a.set("kernel_residual", report.residual);
   a.set("kernel_change", report.change);
@@ -98,10 +98,24 @@ Kernel predistorted(Wanted& wanted) {
   return predistortion.solve(wanted.request);
 }
 
-// "40x20 lags chosen: error over all lags 8.1e-4"
+// "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond it.
 std::string achieved(const Solved& s) {
-  return text(s.lags) + " lags" + (s.chosen ? " chosen" : "") + ": error over all lags" +
-         (s.table ? " of the table " : " ") + number(s.report.error);
+  const std::string error = number(s.report.error);
+  if (!s.table) return text(s.lags) + " lags chosen: error over all lags " + error;
+  return "error over the " + text(s.lags) + " lags of the table " + error +
+         "; the autocorrelation beyond them reaches " + number(s.report.tail);
+}
+
+// Why a kernel is not what was asked for, from its record.
+std::string shortcoming(const Attributes& a) {
+  const std::string reason = a.text("kernel_reason");
+  if (a.text("kernel_answer") == "best") return "not converged: " + reason;
+  const double tolerance = a.number("kernel_acf_tolerance", NAN), change = a.number("kernel_change", 0);
+  const std::string what = change > tolerance
+                               ? "the change of the autocorrelation asked for, " + number(change)
+                               : "the error over all lags, " + number(a.number("kernel_error", NAN));
+  return what + " of the variance, exceeds --acf-tolerance " + number(tolerance) +
+         (reason == "solved" ? "" : ": " + reason);
 }
 
 std::string what_it_is(const std::string& answer) {
@@ -162,20 +176,20 @@ Exit tell(const Tool& tool, const Solved& s, bool aside) {
               " s");
   if (s.chosen) say(achieved(s));
   if (!report.converged) {
-    tool.warn("kernel: " + report.reason);
+    tool.warn("kernel: " + shortcoming(s.data.attributes));
     return not_converged;
   }
   if (report.answer == "wider")
     say("a kernel wider than " + text(s.lags) + " lags, for none of these has this autocorrelation");
   const bool changed =
       (report.answer == "nearest" || report.answer == "least-squares") && report.change > negligible_change;
-  if (changed)
+  if (changed && !(s.chosen && s.table))
     tool.warn("no kernel of " + text(s.lags) + " lags has this autocorrelation; " +
               what_it_is(report.answer) + " changes it by up to " + number(report.change) +
               " of the variance");
-  else if (s.chosen && !s.table && report.error > s.acf_tolerance)
-    tool.warn("the error over all lags, " + number(report.error) +
-              " of the variance, exceeds --acf-tolerance " + number(s.acf_tolerance));
+  if (!s.chosen && s.table && report.error > s.acf_tolerance)
+    tool.warn("the lags of the table beyond " + text(s.lags) + " are missed by up to " +
+              number(report.error) + " of the variance; without --lags all are met as well as can be");
   return done;
 }
 
@@ -184,7 +198,7 @@ void tell_read(const Tool& tool, const Dataset& data) {
   const std::string reason = a.text("kernel_reason");
   tool.detail("kernel: " + reason + ", residual " + shortest(a.number("kernel_residual", NAN)) +
               ", error over all lags " + shortest(a.number("kernel_error", NAN)));
-  if (a.number("kernel_converged", 1) == 0) tool.warn("kernel: " + reason);
+  if (a.number("kernel_converged", 1) == 0) tool.warn("kernel: " + shortcoming(a));
 }
 
 }  // namespace asperity::cli

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "acf/table.hpp"
 #include "cli/tool.hpp"
 #include "dataset/layout.hpp"
 #include "grid/error.hpp"
@@ -77,7 +78,7 @@ inline std::optional<LagField> carried_correlation(const Dataset& data, const st
     return lags.size() < 2 || std::abs(lags[1] - lags[0] - spacing) <= 1e-6 * spacing;
   };
   if (!fits("p", grid.dx) || !fits("q", grid.dy)) return std::nullopt;
-  return LagField(table_of(data, name)).normalised();
+  return LagField(known_lags(table_of(data, name))).normalised();
 }
 
 inline int form_degree(const std::string& level) {

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "acf/wording.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
 namespace {
 
-// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, as far as
-// the target is known.
-Shape extent(const Target& target, Shape lags, const Field& kernel) {
-  const Shape whole{std::max(2 * lags.nx, kernel.rows() + 1), std::max(2 * lags.ny, kernel.cols() + 1)};
-  const Shape known = target.known.value_or(whole);
-  return {std::min(whole.nx, known.nx), std::min(whole.ny, known.ny)};
+// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation.
+Shape extent(Shape lags, const Field& kernel) {
+  return {std::max(2 * lags.nx, kernel.rows() + 1), std::max(2 * lags.ny, kernel.cols() + 1)};
 }
 
 // The autocorrelation of a zero-phase kernel, by its real spectrum.
@@ -38,6 +37,14 @@ Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows,
   return out;
 }
 
+void leave_known(Field& half_plane, Shape known) {
+  const Index middle = half_plane.cols() / 2;
+  for (Index p = 0; p < half_plane.rows(); ++p)
+    for (Index q = -middle; q <= middle; ++q)
+      if (p >= known.nx || std::abs(q) >= known.ny)
+        half_plane(p, middle + q) = std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 Field half_plane_of(const Target& target, Shape lags) {
@@ -50,12 +57,16 @@ Field half_plane_of(const Target& target, Shape lags) {
                row.subspan(static_cast<std::size_t>(first)));
     if (!target.oriented) std::reverse_copy(row.end() - middle, row.end(), row.begin());
   }
+  if (target.known) leave_known(out, *target.known);
   return out;
 }
 
 void measure_errors(Kernel& kernel) {
   KernelReport& report = kernel.report;
-  const auto error = (kernel.acf_achieved - kernel.acf_target).abs();  // evaluated where it is asked for
+  const auto known = !kernel.acf_target.isNaN();
+  const auto error =
+      known.select((kernel.acf_achieved - kernel.acf_target).abs(), 0);  // evaluated where asked for
+  const auto beyond = known.select(error, kernel.acf_achieved.abs());
   const auto [n, m] = kernel.lags;
   const Index middle = -kernel.first_q();
   report.residual = error.block(0, middle, n, m).maxCoeff();
@@ -63,10 +74,16 @@ void measure_errors(Kernel& kernel) {
   if (kernel.formulation != Formulation::patir)
     report.residual = std::max(report.residual, report.mirrored_error);
   report.error = error.maxCoeff();
-  report.tail = error.rows() > n ? error.bottomRows(error.rows() - n).maxCoeff() : 0.0;
+  report.tail = beyond.rows() > n ? beyond.bottomRows(beyond.rows() - n).maxCoeff() : 0.0;
   if (middle >= m)
-    report.tail = std::max(
-        {report.tail, error.leftCols(middle - m + 1).maxCoeff(), error.rightCols(middle - m + 1).maxCoeff()});
+    report.tail = std::max({report.tail, beyond.leftCols(middle - m + 1).maxCoeff(),
+                            beyond.rightCols(middle - m + 1).maxCoeff()});
+}
+
+void judge(KernelReport& report, const KernelRequest& request) {
+  const bool open = request.lags == Shape{};
+  const double error = open ? report.error : report.change;
+  report.converged = report.answer != "best" && error <= request.acf_tolerance;
 }
 
 std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values) {
@@ -77,7 +94,7 @@ std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation for
   kernel.formulation = formulation;
   kernel.lags = lags;
   kernel.values = std::move(values);
-  kernel.acf_target = half_plane_of(target, extent(target, lags, kernel.values));
+  kernel.acf_target = half_plane_of(target, extent(lags, kernel.values));
   const Index rows = kernel.acf_target.rows(), columns = kernel.acf_target.cols();
   kernel.acf_achieved =
       formulation == Formulation::patir

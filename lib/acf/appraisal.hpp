@@ -11,9 +11,11 @@ namespace asperity {
 /// zero. Its sign, which is free, becomes that of a positive sum.
 std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values);
 
-/// The target at 0 ≤ p < lags.nx, |q| < lags.ny, as the tables of a kernel hold it.
+/// The target at 0 ≤ p < lags.nx, |q| < lags.ny, as the tables of a kernel hold it: not a number where it is unknown.
 Field half_plane_of(const Target& target, Shape lags);
 /// The errors of the report, anew from the tables.
 void measure_errors(Kernel& kernel);
+/// Sets `converged`: whether the iteration came to its end and its errors are within what the request tolerates.
+void judge(KernelReport& report, const KernelRequest& request);
 
 }  // namespace asperity

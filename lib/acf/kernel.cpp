@@ -78,38 +78,6 @@ void refuse_too_many(const KernelRequest& request, Shape lags) {
                                               too_many(lags) + "; --lags takes fewer");
 }
 
-// Where a table has fallen to a twentieth along both axes: what an estimate has beyond is mostly its own error.
-Shape fallen(const Target& target, Shape known) {
-  auto fall = [](Index n, auto profile) {
-    for (Index lag = 1; lag < n; ++lag)
-      if (std::abs(profile(static_cast<double>(lag))) <= 0.05) return lag;
-    return n;
-  };
-  return {fall(known.nx, [&](double p) { return target(p, 0); }),
-          fall(known.ny, [&](double q) { return target(0, q); })};
-}
-
-// The whole table where it has a kernel; else so many lags, from those at which it has fallen downwards, that what is
-// nearest to them changes them by little. Another answer than the automatic one is about the whole table.
-Kernel solve_table(const KernelRequest& request) {
-  Search whole(request, *request.target.known);
-  whole.run();
-  if (whole.solved() || request.infeasible != Infeasible::automatic ||
-      request.method != Method::newton_krylov)
-    return whole.finish();
-  KernelRequest nearest = request;
-  nearest.infeasible = Infeasible::nearest;
-  for (Shape lags = fallen(request.target, *request.target.known);;) {
-    Search search(nearest, lags);
-    search.run();
-    Kernel kernel = search.finish();
-    if (kernel.report.change <= Search::largest_change) return kernel;
-    const Shape fewer{std::max<Index>(1, lags.nx * 3 / 4), std::max<Index>(1, lags.ny * 3 / 4)};
-    if (fewer.cells() < 4) return whole.finish();  // which refuses
-    lags = fewer;
-  }
-}
-
 // Whether the spectrum of a target is negative however many lags it is taken from: at those where it has fallen to 1e-6
 // it still is by half of what it was at 1e-4, while of a cut alone less than a tenth would be left.
 bool belongs_to_no_surface(const KernelRequest& request) {
@@ -133,10 +101,15 @@ Kernel solve_at_fallen(const KernelRequest& request) {
   return search.finish();
 }
 
+Kernel solve_at(const KernelRequest& request, Shape lags) {
+  Search search(request, lags);
+  search.run();
+  return search.finish();
+}
+
 // More and more lags until the error over all of them is small enough. What can be had is answered by the
 // last of them.
 Kernel solve_at_open_lags(const KernelRequest& request) {
-  if (request.target.known) return solve_table(request);
   Shape lags = first_lags(request);
   for (int trial = 1;; ++trial, lags = more(lags)) {
     refuse_too_many(request, lags);
@@ -220,13 +193,10 @@ Kernel solve_kernel(const KernelRequest& request) {
   request.check();
   const Stopwatch watch;
   Kernel kernel;
-  if (request.lags == Shape{}) {
+  if (request.lags == Shape{} && !request.target.known)
     kernel = solve_at_open_lags(request);
-  } else {
-    Search search(request, request.lags);
-    search.run();
-    kernel = search.finish();
-  }
+  else  // of a table at open lags, all
+    kernel = solve_at(request, request.lags == Shape{} ? *request.target.known : request.lags);
   scale(kernel, request.rms);
   kernel.report.seconds = watch.seconds();
   return kernel;

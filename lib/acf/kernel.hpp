@@ -5,8 +5,8 @@
 /// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric and oriented
 /// formulations), or at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond
 /// these lags R is free and ends at 2n - 2 (n - 1 in Patir's); the report says how far it is from the target
-/// there. The target is never cut: where R has ended, the target is the error. Of a table nothing is asked or
-/// said beyond its lags.
+/// there. The target is never cut: where R has ended, the target is the error. Of a table all lags are prescribed
+/// unless fewer are asked for; nothing is asked beyond them, where R is what the kernel makes of it.
 ///
 /// A target prescribed at too few lags can have no kernel of that size: for an exponential that has
 /// fallen to e⁻ᶜ at the last lag, the largest n that can be had is about 0.3 c eᶜ. More lags are the remedy;
@@ -52,9 +52,10 @@ enum class Method {
 };
 /// What is done when no kernel of this size has the autocorrelation asked for.
 enum class Infeasible {
-  automatic,     ///< the closest autocorrelation that has one, if it changes the target by 1e-2 at the most
+  automatic,  ///< the closest autocorrelation that has one, if it changes the target by 1e-2 or `acf_tolerance`, the
+              ///< larger of them, at the most
   error,         ///< a ParameterError, or a DataError where the target is a table
-  nearest,       ///< the closest by alternating projections, however far
+  nearest,       ///< the closest by projections, however far
   least_squares  ///< the n × m kernel of least squares, however far
 };
 /// Whether an autocorrelation, or a distribution of heights, may be changed by so much of the variance.
@@ -79,16 +80,18 @@ struct KernelRequest {
   std::optional<Formulation> formulation;  ///< none: symmetric, or oriented where the target is
   Method method = Method::newton_krylov;
   Infeasible infeasible = Infeasible::automatic;
-  double rms = 1;               ///< σ [m], > 0
-  double tolerance = 1e-10;     ///< on the residual [σ²], 1e-13 … 1e-2
-  double acf_tolerance = 1e-3;  ///< on the error over all lags, where `lags` is left open, 1e-8 … 0.5
+  double rms = 1;            ///< σ [m], > 0
+  double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
+  double acf_tolerance =
+      1e-3;  ///< on the error over all lags where `lags` is left open, else on the change of those
+             ///< prescribed, 1e-8 … 0.5
   std::function<void(const KernelProgress&)> progress = {};  ///< told of every step
 
   void check() const;
 };
 
 struct KernelReport {
-  bool converged = false;
+  bool converged = false;  ///< the iteration came to its end, and the errors are within `acf_tolerance`
   std::string
       answer;  ///< "exact", "wider", "nearest", "least-squares", "spectral"; "best" when not converged
   std::string reason;         ///< how the iteration ended; when it failed, what to do
@@ -96,8 +99,8 @@ struct KernelReport {
   double change = 0;          ///< … over the lags prescribed, of an answer that is not exact
   double error = 0;           ///< … over all lags of the plane, those where R has ended included
   double mirrored_error = 0;  ///< … over 0 < p < n, -m < q < 0
-  double tail = 0;            ///< … over the lags that no equation prescribes
-  double feasibility = 0;     ///< min/max of the spectrum of the cut target; ≥ 0 is certainly feasible
+  double tail = 0;  ///< … over the lags that no equation prescribes; of |R| where the target is unknown
+  double feasibility = 0;  ///< min/max of the spectrum of the cut target; ≥ 0 is certainly feasible
   long newton_steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
   double seconds = 0;
   double equation_seconds = 0;  ///< of them in residuals, products and preconditionings of Newton's iteration
@@ -107,8 +110,10 @@ struct Kernel {
   Formulation formulation = Formulation::symmetric;
   Shape lags;
   double rms = 1;
-  Field values;        ///< the whole kernel as (1) applies it [m]
-  Field acf_target;    ///< R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns) [m²]
+  Field values;  ///< the whole kernel as (1) applies it [m]
+  Field
+      acf_target;  ///< R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more for a wider kernel [m²];
+                   ///< not a number beyond the lags of a table
   Field acf_achieved;  ///< the same lags; the first and last of them lie beyond the support of R
   KernelReport report;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "acf/normalise.hpp"
 #include "transform/zero_phase.hpp"
@@ -10,18 +11,46 @@
 namespace asperity {
 namespace {
 
-// Steps between two looks at what has been achieved, each of which costs half a step.
-constexpr int look_every = 10;
+constexpr int look_every = 10;  // steps between two reports
+
+using Spectrum = Eigen::ArrayXd;
+
+// θ of the projection max(S - θ, 0) onto spectra of mean 1: Newton's iteration on a convex, piecewise linear function,
+// which ends after finitely many steps.
+class MeanOfOne {
+ public:
+  static constexpr int most_steps = 100;  // some five are taken
+
+  explicit MeanOfOne(const std::vector<double>& multiplicity)
+      : weight_(Eigen::Map<const Spectrum>(multiplicity.data(), static_cast<Index>(multiplicity.size()))),
+        cells_(weight_.sum()) {}
+
+  void project(Eigen::Map<Spectrum> spectrum) {
+    if (!(spectrum > theta_).any())
+      theta_ = spectrum.minCoeff() - 1;  // that of another spectrum is above all of this
+    double former = 0, active = -1;
+    for (int i = 0; i < most_steps && active != former; ++i) {
+      former = active;
+      active = (spectrum > theta_).select(weight_, 0).sum();
+      theta_ += (((spectrum - theta_).max(0.0) * weight_).sum() - cells_) / active;
+    }
+    spectrum = (spectrum - theta_).max(0.0);
+  }
+
+ private:
+  Spectrum weight_;
+  double cells_, theta_ = 0;
+};
 
 class Projections {
  public:
-  Projections(const Target& target, Shape lags, bool oriented) {
-    auto half = [](Index n) { return fast_length(std::max<Index>(4 * n, 8), 2) / 2; };
+  Projections(const Target& target, Shape lags, bool oriented, Index torus) {
+    auto half = [torus](Index n) { return fast_length(std::max<Index>(torus * n, 8), 2) / 2; };
     const Shape reach{half(lags.nx), half(lags.ny)};
     transform_ = zero_phase_transform(reach, {2 * reach.nx, 2 * reach.ny}, oriented);
-    const Shape torus = transform_->torus();
-    const Shape known = target.known.value_or(torus);
-    scale_ = 1 / static_cast<double>(torus.cells());
+    spectrum_.resize(static_cast<std::size_t>(transform_->spectrum_size()));
+    mean_of_one_ = std::make_unique<MeanOfOne>(transform_->spectrum_multiplicity());
+    const Shape known = target.known.value_or(transform_->torus());
     auto within = [](Index p, Index q, Shape box) { return p < box.nx && std::abs(q) < box.ny; };
     std::size_t place = 0;
     present_ = transform_->part([&](Index p, Index q) {
@@ -30,31 +59,33 @@ class Projections {
       ++place;
       return value;
     });
-    projected_.resize(present_.size());
+    projected_ = present_;
   }
 
-  void step(double relaxation) {
-    transform_->filter(present_, present_, [&](Index, std::span<double> block) {
-      for (double& s : block) s *= s < 0 ? (1 - relaxation) * scale_ : scale_;
-    });
-    for (const auto& [place, value] : prescribed_) present_[place] = value;
-  }
-
-  // How far the autocorrelation of spectrum max(S, 0), scaled to unit variance, is from the target.
-  double change() {
-    transform_->filter(present_, projected_, [&](Index, std::span<double> block) {
-      for (double& s : block) s = std::max(s, 0.0) * scale_;
-    });
+  // P_B of what stands in projected_. Returns how far it is from the target.
+  double project() {
+    transform_->forward(projected_, spectrum_);
+    mean_of_one_->project({spectrum_.data(), static_cast<Index>(spectrum_.size())});
+    transform_->inverse(spectrum_, projected_);
     double largest = 0;
     for (const auto& [place, value] : prescribed_)
-      largest = std::max(largest, std::abs(projected_[place] / projected_[0] - value));
+      largest = std::max(largest, std::abs(projected_[place] - value));
     return largest;
   }
 
+  // (1). What is free is its own projection onto A.
+  double step() {
+    projected_ = present_;
+    for (const auto& [place, value] : prescribed_) projected_[place] = 2 * value - present_[place];
+    const double change = project();
+    std::swap(present_, projected_);
+    for (const auto& [place, value] : prescribed_) present_[place] += projected_[place] - value;
+    return change;
+  }
+
   Field root() {
-    transform_->filter(present_, projected_, [&](Index, std::span<double> block) {
-      for (double& s : block) s = std::sqrt(std::max(s, 0.0)) * scale_;
-    });
+    for (double& s : spectrum_) s = std::sqrt(s);
+    transform_->inverse(spectrum_, projected_);
     normalise(projected_, transform_->multiplicity(), 1);
     return transform_->whole(projected_);
   }
@@ -65,28 +96,29 @@ class Projections {
     double value;
   };
   std::unique_ptr<ZeroPhaseTransform> transform_;
+  std::unique_ptr<MeanOfOne> mean_of_one_;
   std::vector<Prescribed> prescribed_;
   std::vector<double> present_, projected_;
-  double scale_ = 1;
+  AlignedVector<double> spectrum_;
 };
 
 }  // namespace
 
 NearestKernel nearest_kernel(const Target& target, Shape lags, bool oriented,
                              const ProjectionOptions& options) {
-  Projections projections(target, lags, oriented);
+  Projections projections(target, lags, oriented, options.torus);
   NearestKernel out;
-  auto look = [&] {
-    out.change = projections.change();
-    if (options.told)
+  auto tell = [&] {
+    if (options.told && out.iterations % look_every == 0)
       options.told({out.iterations, out.iterations, out.change,
                     static_cast<double>(out.iterations) / options.max_iterations});
   };
-  look();
+  out.change = projections.project();
+  tell();
   while (out.change > options.tolerance && out.iterations < options.max_iterations) {
-    for (int i = 0; i < look_every; ++i) projections.step(options.relaxation);
-    out.iterations += look_every;
-    look();
+    out.change = projections.step();
+    ++out.iterations;
+    tell();
   }
   out.values = projections.root();
   return out;

@@ -24,6 +24,9 @@ constexpr double smooth_spectrum = 1e-12, nearly_smooth = -1e-4;
 
 // Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
 long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
+// The largest torus of projections: a step takes a second.
+constexpr double largest_torus = 1 << 24;
+constexpr Index least_torus = 4;  // over the lags
 // Products of least squares that were asked for.
 long large_budget(Index unknowns) { return std::clamp<long>(100'000'000 / unknowns, 500, 20000); }
 
@@ -221,7 +224,7 @@ void Search::answer() {
         descend(large_budget(equations_->count()));
       else if (!best_ || !(best_->report.residual <= negligible_change))
         widen();
-      if (!best_ || !(best_->report.residual <= largest_change)) refuse(excuse() + closest());
+      if (!best_ || !(best_->report.residual <= bound())) refuse(excuse() + closest());
   }
 }
 
@@ -237,22 +240,69 @@ void Search::descend(long budget) {
   if (best_ && solved()) best_->report.answer = "exact";
 }
 
-// By a kernel of twice the lags.
+// By a kernel of twice the lags; of more where these are a table that is met within what is tolerated, and the kernel has
+// lost too much beyond its ends. Where equations are to be met exactly, the least change makes up for that.
 void Search::widen() {
   if (hopeless_) return;
-  const double tolerance = request_.tolerance / 2;
-  const NearestKernel nearest = nearest_kernel(request_.target, lags_, oriented(),
-                                               {.tolerance = tolerance, .told = observer("projections")});
-  consider(with_least_change(nearest.values, request_.target, lags_, oriented(),
-                             {.tolerance = tolerance, .told = observer("least change")}),
-           "nearest");
+  const auto cells = static_cast<double>(lags_.cells());
+  auto fits = [&](Index torus) { return static_cast<double>(torus * torus) * cells <= largest_torus; };
+  double change = widen(least_torus);
+  for (Index torus = least_torus * 3 / 2; best_ && lost_more_than(change) && fits(torus);
+       torus = torus * 3 / 2)
+    change = widen(torus);
   if (best_ && best_->report.answer == "nearest" && solved()) best_->report.answer = "wider";
+  trim();
+}
+
+// Whether the ends of the kernel, and not the target, keep it from what is asked for.
+bool Search::lost_more_than(double change) const {
+  return enough() > request_.tolerance && best_->report.residual > enough() &&
+         best_->report.residual > 2 * change;
+}
+
+// Returns what the torus itself leaves of the change.
+double Search::widen(Index torus) {
+  const double goal = enough() / 2;
+  const NearestKernel nearest =
+      nearest_kernel(request_.target, lags_, oriented(),
+                     {.tolerance = goal, .torus = torus, .told = observer("projections")});
+  if (enough() > request_.tolerance)
+    consider(nearest.values, "nearest");
+  else
+    consider(with_least_change(nearest.values, request_.target, lags_, oriented(),
+                               {.tolerance = goal, .told = observer("least change")}),
+             "nearest");
+  return nearest.change;
+}
+
+// Of a change to the lags prescribed: of a table at open lags, what is tolerated over all of it.
+double Search::enough() const {
+  return request_.lags == Shape{} && request_.target.known
+             ? std::max(request_.tolerance, request_.acf_tolerance)
+             : request_.tolerance;
+}
+
+// What is not needed of the ends of a kernel that is near enough without them: a fifth of its length at a time.
+void Search::trim() {
+  auto shorter = [](Index n, Index least) { return std::max(least, n * 4 / 10) * 2 + 1; };
+  while (best_ && best_->report.residual > request_.tolerance && best_->report.residual <= enough()) {
+    const Field& whole = best_->values;
+    const Index rows = std::min(whole.rows(), shorter(whole.rows(), lags_.nx)),
+                columns = std::min(whole.cols(), shorter(whole.cols(), lags_.ny));
+    if (rows == whole.rows() && columns == whole.cols()) return;
+    const Field middle = whole.block((whole.rows() - rows) / 2, (whole.cols() - columns) / 2, rows, columns);
+    auto trimmed = appraise(request_.target, lags_, formulation_, middle / std::sqrt(middle.square().sum()));
+    if (!trimmed || trimmed->report.residual > enough()) return;
+    trimmed->report.answer = best_->report.answer;
+    best_ = std::move(trimmed);
+  }
 }
 
 std::string Search::closest() const {
   if (!best_) return "; nothing close to it was found";
-  return "; the closest one found changes it by " + number(best_->report.residual) + ", more than " +
-         number(largest_change) + " (see --infeasible)";
+  return "; the closest one found changes it by " + number(best_->report.residual) +
+         " of the variance, more than " + number(bound()) + " (see --infeasible, --acf-tolerance" +
+         (request_.target.known ? "; asperity-acf --biased estimates one that a surface has)" : ")");
 }
 
 std::string Search::excuse() const {
@@ -262,6 +312,8 @@ std::string Search::excuse() const {
     words += "; its spectrum falls to " + number(feasibility_.least) + " of its maximum";
   return words + ")" + (request_.target.known || hopeless_ ? "" : ": take more, such as " + text(twice));
 }
+
+double Search::bound() const { return std::max(largest_change, request_.acf_tolerance); }
 
 void Search::refuse(const std::string& message) const {
   if (request_.target.known) throw DataError("acf", message);
@@ -273,10 +325,10 @@ Kernel Search::finish() {
   if (!best_) refuse("no finite kernel was found (" + reason_ + ")");
   Kernel kernel = std::move(best_).value();
   KernelReport& report = kernel.report;
-  report.converged = infeasible_ || spectral() || report.residual <= request_.tolerance;
-  if (!report.converged) report.answer = "best";
+  if (!(infeasible_ || spectral() || report.residual <= request_.tolerance)) report.answer = "best";
   if (report.answer != "exact") report.change = report.residual;
   report.reason = report.answer == "exact" ? "solved" : infeasible_ ? excuse() : reason_;
+  judge(report, request_);
   report.feasibility = feasibility_.least;
   report.newton_steps = counts_.newton_steps;
   report.equation_seconds = counts_.equation_seconds;

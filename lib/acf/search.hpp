@@ -6,13 +6,13 @@
 /// decides in a few steps, and least squares find the few kernels whose spectrum changes sign. A target that
 /// has no kernel then is
 ///     refused,                                               or met by
-///     a wider kernel, of twice the lags or so: projections (acf/projections.hpp), then the least change that
+///     a wider kernel, of twice the lags or more: projections (acf/projections.hpp), then the least change that
 ///     meets the equations (acf/least_change.hpp), exactly where an autocorrelation with these lags exists,
 ///     or the n × m kernel of least squares (acf/least_squares.hpp),
 /// as KernelRequest::infeasible says. A smooth target, whose spectrum ends in round-off, is given the wider kernel at
 /// once; one whose spectrum is negative however many lags it is taken from (a predistorted smooth one, say) the root of
-/// the positive part. Of several candidates the one of the least error over all lags is kept, or of a table, which is noise at its
-/// far lags, the one of the least change.
+/// the positive part. Of several candidates the one of the least error over all lags is kept, or of a table, of which
+/// nothing more is known, the one of the least change.
 /// Patir's equations have no wider kernel: least squares answer for them.
 #pragma once
 
@@ -27,7 +27,7 @@ namespace asperity {
 
 class Search {
  public:
-  static constexpr double largest_change = 1e-2;  ///< that the automatic answer makes [σ²]
+  static constexpr double largest_change = 1e-2;  ///< that the automatic answer makes unasked [σ²]
 
   /// The request must live as long as the search.
   Search(const KernelRequest& request, Shape lags);
@@ -56,6 +56,11 @@ class Search {
   void answer();
   void descend(long budget);
   void widen();
+  double widen(Index torus);
+  bool lost_more_than(double change) const;
+  void trim();
+  double enough() const;
+  double bound() const;  ///< of the change that the automatic answer makes
   std::string closest() const;
   void consider(const std::vector<double>& u);
   void consider(const Field& values, std::string answer);

@@ -65,7 +65,9 @@ double steps_in(double lag, double step, const char* name) {
 
 class Filling {
  public:
-  Filling(double most_p, double most_q, std::size_t values) {
+  // `largest`: of the values' sizes; R(0,0), or the table is none.
+  Filling(double most_p, double most_q, std::size_t values, double largest)
+      : round_off_(agree_within * largest) {
     const double cells = (most_p + 1) * (2 * most_q + 1);
     // A quadrant fills half of the half plane, and a little more.
     if (!(cells <= 2 * static_cast<double>(values)))
@@ -91,11 +93,12 @@ class Filling {
   Index middle() const { return table_.cols() / 2; }
   void set(Index p, Index q, double value) {
     double& entry = table_(p, middle() + q);
-    if (!std::isnan(entry) && !(std::abs(entry - value) <= agree_within * std::abs(value)))
+    if (!std::isnan(entry) && !(std::abs(entry - value) <= round_off_))
       refuse("there are two values " + at(p, q));
     entry = value;
   }
   Field table_;
+  double round_off_;
   bool quadrant_ = true;
 };
 
@@ -120,6 +123,14 @@ Target target_of_table(Field half_plane) {
   return target;
 }
 
+Field known_lags(const Field& half_plane) {
+  const Index middle = half_plane.cols() / 2;
+  Index rows = half_plane.rows(), columns = middle + 1;
+  while (rows > 1 && std::isnan(half_plane(rows - 1, middle))) --rows;
+  while (columns > 1 && std::isnan(half_plane(0, middle + columns - 1))) --columns;
+  return half_plane.block(0, middle - columns + 1, rows, 2 * columns - 1);
+}
+
 Field half_plane_of_quadrant(const Field& quadrant) {
   if (quadrant.size() == 0) refuse("the table is empty");
   const Index middle = quadrant.cols() - 1;
@@ -136,12 +147,13 @@ LagTable table_of_lags(const std::vector<LagValue>& values) {
   const double dx = step_of(values, &LagValue::lag_x), dy = step_of(values, &LagValue::lag_y);
   auto p_of = [&](const LagValue& v) { return steps_in(v.lag_x, dx, "lag_x"); };
   auto q_of = [&](const LagValue& v) { return steps_in(v.lag_y, dy, "lag_y"); };
-  double most_p = 0, most_q = 0;
+  double most_p = 0, most_q = 0, largest = 0;
   for (const LagValue& v : values) {
+    largest = std::max(largest, std::abs(v.value));
     most_p = std::max(most_p, std::abs(p_of(v)));
     most_q = std::max(most_q, std::abs(q_of(v)));
   }
-  Filling filling(most_p, most_q, values.size());
+  Filling filling(most_p, most_q, values.size(), largest);
   for (const LagValue& v : values) {
     const auto p = static_cast<Index>(p_of(v)), q = static_cast<Index>(q_of(v));
     p < 0 ? filling.place(-p, -q, v.value) : filling.place(p, q, v.value);

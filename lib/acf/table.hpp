@@ -19,6 +19,10 @@ namespace asperity {
 /// DataError("acf", …).
 Target target_of_table(Field half_plane);
 
+/// The table without the rows and columns at its ends that hold no number: an `acf_target` beside an autocorrelation
+/// that reaches farther than what was asked for.
+Field known_lags(const Field& half_plane);
+
 /// The half plane of a quadrant R(p,q), p = 0…P, q = 0…Q, whose R is even in p and in q.
 Field half_plane_of_quadrant(const Field& quadrant);
 

@@ -52,9 +52,11 @@ AxisExtent extent_of(const Variable& axis) {
 }
 
 void set_actual_range(Variable& variable, const double* first, std::size_t n) {
-  if (n == 0) return;
-  const auto [low, high] = std::minmax_element(first, first + n);
-  variable.attributes.set_values("actual_range", Values(std::vector<double>{*low, *high}));
+  const Eigen::Map<const Eigen::ArrayXd> values(first, static_cast<Index>(n));
+  if (values.isNaN().all()) return;
+  variable.attributes.set_values("actual_range",
+                                 Values(std::vector<double>{values.minCoeff<Eigen::PropagateNumbers>(),
+                                                            values.maxCoeff<Eigen::PropagateNumbers>()}));
 }
 
 Variable make(std::string_view name, Names dimensions, std::vector<double> values, Meaning meaning) {

@@ -78,9 +78,10 @@ Kernel Predistortion::solve(const KernelRequest& heights) const {
   }
   translate(kernel, heights.target);
   if ((report.answer == "nearest" || report.answer == "least-squares") &&
-      !allows(heights.infeasible, report.change))
+      !(report.change <= heights.acf_tolerance) && !allows(heights.infeasible, report.change))
     refuse(heights.target, report.reason + "; the closest one found changes it by " + number(report.change) +
                                " (see --infeasible)");
+  judge(report, heights);
   kernel.rms = heights.rms;
   kernel.acf_target *= heights.rms * heights.rms;
   kernel.acf_achieved *= heights.rms * heights.rms;

@@ -35,6 +35,18 @@ std::vector<double> ZeroPhaseTransform::multiplicity() const {
   });
 }
 
+std::vector<double> ZeroPhaseTransform::spectrum_multiplicity() const {
+  auto times = [](Index k, Index period) {
+    return 2 * k > period ? 0.0 : k == 0 || 2 * k == period ? 1.0 : 2.0;
+  };
+  std::vector<double> out(size(spectrum_size()));
+  for (Index i = 0; i < spectrum_size(); ++i) {
+    const Index column = i / pair_size() * 2 + i % 2, row = i % pair_size() / 2;
+    out[size(i)] = times(column, torus_.ny) * (half_plane_ ? 1.0 : times(row, torus_.nx));
+  }
+  return out;
+}
+
 Field ZeroPhaseTransform::whole(std::span<const double> part) const {
   const auto [n, m] = lags_;
   return Field::NullaryExpr(2 * n - 1, 2 * m - 1, [&, n = n, m = m](Index row, Index column) {

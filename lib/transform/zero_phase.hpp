@@ -44,6 +44,8 @@ class ZeroPhaseTransform {
 
   /// How often each value of the given part occurs on the torus: 1, 2 or 4.
   std::vector<double> multiplicity() const;
+  /// How often each value of the spectrum occurs on the torus: 0 in a column that repeats another.
+  std::vector<double> spectrum_multiplicity() const;
   /// Where the value at (k, l), |k| < n, |l| < m, stands in the part.
   Index place(Index k, Index l) const;
   /// All (2n-1) × (2m-1) values.

@@ -1,7 +1,10 @@
 // The options of the target and of the solution, and tables of measured autocorrelations, as a user types them.
+#include "acf/kernel.hpp"
+
 #include <cmath>
 #include <numbers>
 
+#include "acf/table.hpp"
 #include "dataset/layout.hpp"
 #include "support.hpp"
 #include "tools/files.hpp"
@@ -155,7 +158,7 @@ TEST_CASE("a target without a kernel of these lags is met by a wider one, or ref
 
   const Outcome squares = shell(cut + "-q --infeasible least-squares");
   CAPTURE(squares.error);
-  REQUIRE(squares.exit == 0);
+  REQUIRE(squares.exit == 3);  // changed by 2.3e-3
   const Attributes a = read_dataset("cut.nc").attributes;
   CHECK(a.text("kernel_answer") == "least-squares");
   CHECK((a.number("kernel_change", 0) <= 1e-6 ||
@@ -280,19 +283,96 @@ TEST_CASE("a dataset whose table is none, or does not fit its grid, is exit 4", 
   refused("asperity-kernel --acf none.nc", 4, "acf");
 }
 
-// J0-like: an autocorrelation of a surface of one wavelength, which a few lags cannot hold.
-TEST_CASE("a table that has no kernel near it is exit 4, or the nearest with a warning",
+// No surface: E(z0 + z1 + z2)² would be negative. Neither answer is within the tolerance that was asked for.
+TEST_CASE("a table that no surface has is exit 4, or the nearest with exit 3 and a warning",
           "[kernel][contract]") {
   write_text("wave.txt", "1 0.9 -0.9\n0.9 -0.9 0.9\n-0.9 0.9 0.9\n");
   refused("asperity-kernel --acf wave.txt", 4, "acf");
   refused("asperity-kernel --acf wave.txt --infeasible error", 4, "acf");
   const Outcome run = shell("asperity-kernel -q --acf wave.txt --infeasible nearest -o nearest.nc");
   CAPTURE(run.error);
-  CHECK(run.exit == 0);
-  CHECK((lines(run.error) == 1 && run.error.find("warning: no kernel of 3x3 lags") != std::string::npos));
+  CHECK(run.exit == 3);
+  CHECK((lines(run.error) == 1 && run.error.find("exceeds --acf-tolerance 0.001") != std::string::npos));
   const Attributes a = read_dataset("nearest.nc").attributes;
   CHECK(a.text("kernel_answer") == "nearest");
   CHECK(a.number("kernel_change", 0) > 1e-2);
+  CHECK(a.number("kernel_converged", 1) == 0);
+  CHECK(shell("asperity-kernel -q --acf wave.txt --acf-tolerance 0.5 -o nearest.nc").exit == 0);
+}
+
+// One lag of 35 was kept of this kind of table, said to be solved, and the twin had 0.20 where 0.91 was asked for.
+TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at every lag of the table",
+          "[kernel][contract]") {
+  const std::string measured =
+      " " ASPERITY_TEST_DATA "/profiler-96x96.x3p --level 2 --lambda-s 1um --lambda-c 12um";
+  for (const std::string more : {" --biased", " --biased --max-lag 20x15"}) {
+    REQUIRE(shell("asperity-acf" + measured + more + " -o a.nc").exit == 0);
+    const Outcome run = shell("asperity-generate --acf a.nc --seed 1 -o t.nc");
+    CAPTURE(more, run.error);
+    CHECK(run.exit == 0);
+    const Dataset twin = read_dataset("t.nc");
+    const Field asked = table_of(read_dataset("a.nc"), "acf"), kernel = table_of(twin, "kernel");
+    const Index middle = asked.cols() / 2;
+    const double variance = kernel.square().sum();
+    const Field drawn = autocorrelation(kernel, asked.rows(), asked.cols()) / variance;
+    CHECK((drawn - asked / asked(0, middle)).abs().maxCoeff() <= 1e-3);
+    CHECK(twin.attributes.number("kernel_error", 1) <= 1e-3);
+    CHECK(twin.attributes.number("kernel_converged", 0) == 1);
+    // As far as the kernel reaches, and no farther than it is known what was asked for.
+    const Field achieved = table_of(twin, "acf_achieved"), target = table_of(twin, "acf_target");
+    CHECK(achieved.rows() == kernel.rows() + 1);
+    CHECK(shape_of(known_lags(target)) == shape_of(asked));
+    // A twin's own target is a table again.
+    CHECK(shell("asperity-kernel -q --acf t.nc -o again.nc").exit == 0);
+  }
+}
+
+// The far lags of an unbiased estimate are mostly noise. Whatever is made of them is judged by the error over them all.
+TEST_CASE("a table under noise is refused or not converged, by its error over all lags, -q or not",
+          "[kernel][contract]") {
+  std::string rows;
+  unsigned random = 1;  // a linear congruence of numbers between -1 and 1
+  for (int p = 0; p < 12; ++p) {
+    for (int q = 0; q < 12; ++q) {
+      random = random * 1664525u + 1013904223u;
+      const double noise = p + q == 0 ? 0 : 0.05 * (random / 2147483648.0 - 1);
+      rows += std::to_string(std::exp(-std::hypot(p, q) / 3) + noise) + " ";
+    }
+    rows += "\n";
+  }
+  write_text("noisy.txt", rows);
+  refused("asperity-kernel -q --acf noisy.txt", 4, "--biased");
+  const Outcome run = shell("asperity-kernel -q --acf noisy.txt --infeasible nearest -o noisy.nc");
+  CAPTURE(run.error);
+  CHECK(run.exit == 3);
+  const Attributes a = read_dataset("noisy.nc").attributes;
+  CHECK(numbers(*a.find("kernel_lags")) == std::vector<double>{12, 12});
+  CHECK(a.number("kernel_error", 0) > 1e-2);
+  // Fewer lags are met, and it is said that the others are not.
+  const Outcome few = shell("asperity-kernel -q --acf noisy.txt --lags 3x3 -o few.nc");
+  CHECK(few.exit == 0);
+  CHECK((lines(few.error) == 1 && few.error.find("beyond 3x3") != std::string::npos));
+}
+
+// 24 × 20 lags were given, 15 × 18 used, without a word.
+TEST_CASE("the table of a periodic surface is used as a whole", "[kernel][contract]") {
+  REQUIRE(shell("asperity-generate --shape 48x40 --size 48um,40um --length 3px --rq 1um --periodic --seed 2 "
+                "-o p.nc")
+              .exit == 0);
+  REQUIRE(shell("asperity-acf p.nc -o pa.nc").exit == 0);
+  const Outcome run = shell("asperity-kernel -q --acf pa.nc -o pk.nc");
+  CAPTURE(run.error);
+  const Attributes a = read_dataset("pk.nc").attributes;
+  CHECK(numbers(*a.find("kernel_lags")) == std::vector<double>{25, 21});
+  CHECK((a.number("kernel_converged", 0) == 1) == (a.number("kernel_error", 1) <= 1e-3));
+  CHECK((run.exit == 0) == (a.number("kernel_error", 1) <= 1e-3));
+}
+
+TEST_CASE("a table of columns may hold (0,q) and (0,-q), equal to round-off", "[kernel][contract]") {
+  write_text("both.txt", "# lag_x lag_y acf\n0 0 1\n0 1 1e-17\n0 -1 -1e-17\n1 0 0.5\n1 1 0.2\n1 -1 0.2\n");
+  CHECK(shell("asperity-kernel -q --acf both.txt -o both.nc").exit == 0);
+  write_text("differ.txt", "# lag_x lag_y acf\n0 0 1\n0 1 1e-7\n0 -1 -1e-7\n1 0 0.5\n1 1 0.2\n1 -1 0.2\n");
+  refused("asperity-kernel --acf differ.txt", 4, "acf");
 }
 
 // A moving average of 400 × 300 points; its own ACF, biased and so positive definite but for the cut at 24 lags, is the
@@ -306,7 +386,7 @@ TEST_CASE("a surface's autocorrelation flows into a kernel and on into a twin", 
   own.attributes.set("instrument", "kept");
   write_dataset(own, "s.nc");
   const Outcome run = shell(
-      "asperity-acf s.nc --biased --max-lag 24x16 | asperity-kernel --acf - --infeasible nearest"
+      "asperity-acf s.nc --biased --max-lag 24x16 | asperity-kernel --acf -"
       " | asperity-generate --seed 4 > twin.nc");
   CAPTURE(run.error);
   REQUIRE(run.exit == 0);
@@ -326,10 +406,10 @@ TEST_CASE("a surface's autocorrelation flows into a kernel and on into a twin", 
 
   REQUIRE(shell("asperity-acf s.nc --biased --absolute --max-lag 24x16 -o a.nc").exit == 0);
   const Field wanted = table_of(read_dataset("a.nc"), "acf"), achieved = table_of(twin, "acf_achieved");
-  REQUIRE(shape_of(wanted) == shape_of(achieved));
   const double variance = wanted(0, 16), error = twin.attributes.number("kernel_error", 1);
-  CHECK((wanted - achieved).abs().maxCoeff() <= (error + 1e-12) * variance);
-  CHECK(error <= 0.02);
+  const Field near = achieved.block(0, achieved.cols() / 2 - 16, 25, 33);
+  CHECK((wanted - near).abs().maxCoeff() <= (error + 1e-12) * variance);
+  CHECK(error <= 1e-3);
 }
 
 TEST_CASE("a kernel's own target is a table for --acf, which finds the same kernel again", "[kernel][law]") {

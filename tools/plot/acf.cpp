@@ -56,14 +56,13 @@ void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bo
   const Field table = table_of(data, name);
   const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
   const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
-  for (Index i = p0; i < table.rows(); ++i) {
-    curves[0].lag.push_back(p[static_cast<std::size_t>(i)]);
-    curves[0].rho.push_back(table(i, q0) / table(p0, q0));
-  }
-  for (Index j = q0; j < table.cols(); ++j) {
-    curves[1].lag.push_back(q[static_cast<std::size_t>(j)]);
-    curves[1].rho.push_back(table(p0, j) / table(p0, q0));
-  }
+  auto add = [&](Curve& curve, double lag, double value) {
+    if (std::isnan(value)) return;  // beyond a target's table
+    curve.lag.push_back(lag);
+    curve.rho.push_back(value / table(p0, q0));
+  };
+  for (Index i = p0; i < table.rows(); ++i) add(curves[0], p[static_cast<std::size_t>(i)], table(i, q0));
+  for (Index j = q0; j < table.cols(); ++j) add(curves[1], q[static_cast<std::size_t>(j)], table(p0, j));
 }
 
 // Without a target to go by, four 10 % lengths show all that there is to see.
