@@ -6,6 +6,7 @@
 #include "acf/appraisal.hpp"
 #include "acf/conjugate_gradient.hpp"
 #include "acf/fixed_point.hpp"
+#include "acf/kernel_cost.hpp"
 #include "acf/least_change.hpp"
 #include "acf/least_squares.hpp"
 #include "acf/newton_krylov.hpp"
@@ -84,6 +85,7 @@ Search::Search(const KernelRequest& request, Shape lags)
       lags_(lags),
       formulation_(request.formulation.value_or(request.target.oriented ? Formulation::oriented
                                                                         : Formulation::symmetric)) {
+  check_memory(request, lags, kernel_cost(lags));
   auto zero_phase = std::make_unique<ZeroPhaseEquations>(request.target, lags, oriented());
   for (double r : zero_phase->target()) {
     if (!std::isfinite(r)) refuse("the autocorrelation is not finite at one of the " + text(lags) + " lags");
@@ -240,6 +242,7 @@ void Search::descend(long budget) {
 // By a kernel of twice the lags.
 void Search::widen() {
   if (hopeless_) return;
+  check_memory(request_, lags_, wider_kernel_cost(lags_));
   const double tolerance = request_.tolerance / 2;
   const NearestKernel nearest = nearest_kernel(request_.target, lags_, oriented(),
                                                {.tolerance = tolerance, .told = observer("projections")});
