@@ -2,11 +2,17 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
+#include "acf/kernel_cost.hpp"
+#include "acf/table.hpp"
+#include "acf/wording.hpp"
+#include "cli/memory.hpp"
 #include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "drawing.hpp"
-#include "kernel_solve.hpp"
+#include "kernel_prospect.hpp"
 #include "marginal/prescribed.hpp"
 
 using namespace asperity;
@@ -21,7 +27,6 @@ struct Options {
   std::array<double, 2> size{NAN, NAN};
   bool periodic = false, exact_rq = false, noise = false;
   int count = 1, first = 0;
-  std::size_t memory = std::size_t{1} << 30;
 };
 
 void declare(cli::Tool& tool, Options& o) {
@@ -37,7 +42,10 @@ void declare(cli::Tool& tool, Options& o) {
             "draws of the "
             "target, and standard errors do not hold",
             surface);
-  tool.flag("--periodic", o.periodic, "A surface that continues itself at its edges", surface);
+  tool.flag("--periodic", o.periodic,
+            "A surface that continues itself at its edges, its autocorrelation the target's summed over its "
+            "periods",
+            surface);
   tool.flag("--noise", o.noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
   o.acf.declare(tool, true);
   tool.text(
@@ -53,12 +61,13 @@ void declare(cli::Tool& tool, Options& o) {
   tool.report();
   tool.seed();
   tool.threads();
-  tool.bytes(
-      "--memory", o.memory,
-      "Largest memory of the drawing, beside the program's own 20 MB. A surface that does not fit is drawn "
-      "in strips, each written as it is made; into a pipe or with --exact-rq it is then drawn twice, for "
-      "its range stands in front of it. The surface does not depend on it, to the last bit",
-      "Resources");
+  cli::declare_memory(
+      tool, o.acf.memory,
+      "Largest memory of the drawing, and of the solution of its kernel before, beside the program's own 20 "
+      "MB. A surface that does not fit is drawn in strips, each written as it is made; into a pipe or with "
+      "--exact-rq it is then drawn twice, for its range stands in front of it. The surface does not depend "
+      "on "
+      "it, to the last bit");
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
   tool.accuracy(
@@ -88,6 +97,32 @@ void adopt_grid(const cli::Tool& tool, Options& o, const Dataset& data) {
   if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
 }
 
+Synthesis synthesis_of(const cli::Tool& tool, const Options& o, Field kernel, Pointwise translation = {}) {
+  return {std::move(kernel),
+          o.shape,
+          {o.periodic, Summation::cheapest, tool.thread_count(), o.acf.memory, std::move(translation)}};
+}
+
+// Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
+void refuse_drawing(const cli::Tool& tool, const Options& o, Shape lags) {
+  synthesis_of(tool, o, Field::Zero(2 * lags.nx - 1, 2 * lags.ny - 1));
+}
+
+// A periodic average of a kernel that meets itself has another variance.
+void judge_overlap(const cli::Tool& tool, const Field& kernel, Shape surface) {
+  constexpr double told = 1e-3, most = 1e-2;
+  const double variance = periodic_variance(kernel, surface), change = std::abs(variance - 1);
+  const std::string words = "the correlation reaches around the surface of " + text(surface) +
+                            " points and makes the variance " + fmt::format("{:.4g}", variance) +
+                            " times what is asked for";
+  const bool profile = std::min(surface.nx, surface.ny) == 1;
+  if (!(change <= most))
+    throw cli::UsageError("periodic", words + ": take shorter lengths, a larger surface, " +
+                                          (profile ? "--lags of 1 across the profile, " : "") +
+                                          "or one that is not periodic");
+  if (change > told) tool.warn("--periodic: " + words);
+}
+
 Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
   const bool model = !tool.given("--acf");
   if (model && !tool.given("--shape")) throw cli::UsageError("shape", "is required");
@@ -98,6 +133,8 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
       cli::wanted_kernel(tool, o.acf, sized ? cli::spacing_of(o.shape, o.size) : std::nullopt);
   if (!wanted.has_height) throw cli::UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, wanted.data);
+  cli::foresee(tool, wanted, o.shape);
+  if (!wanted.request.target.known) refuse_drawing(tool, o, first_lags(wanted.request));
   o.measured = wanted.measured;
   cli::Solved kernel = cli::solve(tool, std::move(wanted));
   code = cli::tell(tool, kernel, true);
@@ -116,6 +153,7 @@ Dataset read_kernel(cli::Tool& tool, Options& o) {
   Dataset data = decode_netcdf(bytes);
   adopt_grid(tool, o, data);
   cli::forget_surface(data);
+  cli::foresee_extent(tool, target_of_table(cli::kernel_of(data).acf_target), o.shape, "shape");
   cli::tell_read(tool, data);
   return data;
 }
@@ -132,8 +170,7 @@ Dataset kernel_dataset(cli::Tool& tool, Options& o, cli::Exit& code) {
 cli::KernelTables tables_for(cli::Tool& tool, const Options& o, const Dataset& data) {
   cli::KernelTables tables = cli::kernel_of(data);
   if (tool.given("--rq")) {
-    if (!(o.acf.rms > 0 && std::isfinite(o.acf.rms)))
-      throw cli::UsageError("rq", cli::format_quantity(o.acf.rms, "m") + ": must be positive and finite");
+    check_rms(o.acf.rms);
     tables.scale(o.acf.rms / tables.rms());
     tables.has_height = true;
   }
@@ -208,13 +245,12 @@ int main(int argc, char** argv) {
     cli::Exit code = cli::done;
     Dataset base = kernel_dataset(tool, options, code);
     const cli::KernelTables tables = tables_for(tool, options, base);
+    if (options.periodic) judge_overlap(tool, tables.kernel, options.shape);
     set_kernel(base, tables);
     set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
 
     const Distribution distribution = distribution_of(tool, options, base, tables);
-    const Synthesis synthesis(
-        tables.kernel, options.shape,
-        {options.periodic, Summation::cheapest, tool.thread_count(), options.memory, distribution.heights});
+    const Synthesis synthesis = synthesis_of(tool, options, tables.kernel, distribution.heights);
     cli::Progress progress(tool);
     for (int k = 0; k < options.count; ++k) {
       const std::int64_t number = std::int64_t{options.first} + k;
@@ -223,8 +259,8 @@ int main(int argc, char** argv) {
       auto advanced = [&](double share) {
         progress.count(k + share, options.count, options.count > 1 ? "surfaces" : "");
       };
-      const cli::Drawing drawing{synthesis,     noise,          tables.rms(), options.exact_rq,
-                                 options.noise, options.memory, advanced};
+      const cli::Drawing drawing{synthesis,          noise,   tables.rms(), options.exact_rq, options.noise,
+                                 options.acf.memory, advanced};
       drawing.write(
           tool, base,
           options.count > 1 ? cli::numbered("output", tool.output_name(), number) : tool.output_name());

@@ -1,6 +1,7 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
+#include "cli/memory.hpp"
 #include "cli/stream.hpp"
-#include "kernel_solve.hpp"
+#include "kernel_prospect.hpp"
 
 using namespace asperity;
 
@@ -19,6 +20,9 @@ int main(int argc, char** argv) {
   tool.quantities("--spacing", spacing, "m", "Between samples in x and y; or --shape and --size", sampling);
   tool.counts("--shape", shape, 1, "Samples in x and y on --size", sampling);
   tool.quantities("--size", size, "m", "Size of the surface in x and y", sampling);
+  cli::declare_memory(tool, options.memory,
+                      "Largest memory of the solution, beside the program's own 20 MB; what may take more is "
+                      "refused");
   tool.output();
   tool.report();
   tool.example("asperity-kernel --length 17px,4px --report kernel.json -o kernel.nc");
@@ -37,7 +41,9 @@ int main(int argc, char** argv) {
     }
     if (options.acf == "-" && cli::stdin_is_terminal())
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
-    cli::Solved solved = cli::solve(tool, cli::wanted_kernel(tool, options, known));
+    cli::Wanted wanted = cli::wanted_kernel(tool, options, known);
+    cli::foresee(tool, wanted, tool.given("--shape") && tool.given("--size") ? shape : Shape{});
+    cli::Solved solved = cli::solve(tool, std::move(wanted));
 
     const cli::Exit code = cli::tell(tool, solved);
     tool.write(solved.data);

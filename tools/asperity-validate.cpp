@@ -6,6 +6,7 @@
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
 #include "ensemble_input.hpp"
+#include "marginal/prescribed.hpp"
 #include "measured.hpp"
 #include "stats/prescription.hpp"
 
@@ -31,7 +32,8 @@ struct Options {
     tool.quantity("--rq", rq, "m", "Rms height; absent: that of the target, where it has one", asked);
     tool.number("--skewness", skewness,
                 "Skewness; absent: what the first surface was drawn to have, or a Gaussian's, 0", asked);
-    tool.number("--kurtosis", kurtosis, "Kurtosis; absent: likewise, a Gaussian's being 3", asked);
+    tool.number("--kurtosis", kurtosis,
+                "Kurtosis; absent: likewise, else 3 + 1.5 SKEWNESS^2, a Gaussian's being 3", asked);
     tool.number("--significance", significance,
                 "Largest rate of false alarms of the whole answer, between 0 and 0.5", answer);
     tool.choice(
@@ -82,7 +84,7 @@ PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
     return std::isnan(given) ? first.attributes.number(attribute, gaussian) : given;
   };
   asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
-  asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", 3);
+  asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", gamma_kurtosis(asked.ssk));
   const bool gaussian = asked.ssk == 0 && asked.sku == 3;
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = threads;

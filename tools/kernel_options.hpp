@@ -4,10 +4,12 @@
 /// distribution is one of them, for it changes the autocorrelation that the kernel is solved for.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "acf/kernel.hpp"
+#include "acf/wording.hpp"
 #include "cli/tool.hpp"
 #include "marginal_options.hpp"
 
@@ -26,6 +28,7 @@ struct KernelOptions {
 
   Shape lags;  ///< 0x0: chosen
   double acf_tolerance = 1e-3, tolerance = 1e-10;
+  std::size_t memory = 0;  ///< set by declare_memory()
   std::string formulation, method = "newton-krylov", infeasible = "auto";
 
   /// A tool that draws may filter noise that is not Gaussian itself.
@@ -54,6 +57,7 @@ struct KernelOptions {
     if (!wavelength.empty())
       out.wavelength = metres("wavelength", parse_length("wavelength", wavelength), spacing, 0);
     out.check();
+    refuse_aliased(out);
     return out;
   }
 
@@ -146,6 +150,16 @@ struct KernelOptions {
       throw UsageError("wavelength", "is required by --target exponential-cosine");
   }
 
+  // A wave of less than two samples along an axis looks like a longer one.
+  void refuse_aliased(const EllipticTarget& t) const {
+    if (t.model != Model::exponential_cosine) return;
+    const double samples = t.wavelength / std::max(std::abs(std::cos(t.angle)) * t.spacing_x,
+                                                   std::abs(std::sin(t.angle)) * t.spacing_y);
+    if (samples < 2 * (1 - 1e-12))
+      throw UsageError("wavelength", wavelength + ": " + number(samples) +
+                                         " samples, at least 2 are needed to tell it from a longer one");
+  }
+
   static double metres(const char* option, const SampledLength& given, const Spacing& spacing,
                        std::size_t axis) {
     if (!given.samples && !spacing)
@@ -157,8 +171,8 @@ struct KernelOptions {
 /// The spacing of `shape` samples on `size`, which must be positive.
 inline Spacing spacing_of(Shape shape, std::array<double, 2> size) {
   for (double s : size)
-    if (!(s > 0 && std::isfinite(s)))
-      throw UsageError("size", format_quantity(s, "m") + ": must be positive");
+    if (!(s >= 1e-100 && s <= 1e100))
+      throw UsageError("size", format_quantity(s, "m") + ": must lie in 1e-100 ... 1e100 m");
   return std::array{size[0] / static_cast<double>(shape.nx), size[1] / static_cast<double>(shape.ny)};
 }
 

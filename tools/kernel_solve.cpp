@@ -135,6 +135,7 @@ Wanted wanted_kernel(const Tool& tool, const KernelOptions& options, const Spaci
   request.infeasible = infeasible_named(options.infeasible);
   request.tolerance = options.tolerance;
   request.acf_tolerance = options.acf_tolerance;
+  request.memory = static_cast<double>(options.memory);
   if (!options.formulation.empty()) request.formulation = formulation_named(options.formulation);
   if (!tool.given("--acf"))
     take_model(out, tool, options);

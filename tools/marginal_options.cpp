@@ -63,8 +63,11 @@ std::optional<Marginal> johnson(const Tool& tool, const PrescribedHeights& presc
 void MarginalOptions::declare(Tool& tool) {
   const std::string group = "Heights";
   tool.number("--skewness", skewness, "Skewness of the heights; negative where valleys are deep", group);
-  tool.number("--kurtosis", kurtosis, "Kurtosis of the heights, 3 for a Gaussian, above SKEWNESS^2 + 1",
-              group);
+  tool.number(
+      "--kurtosis", kurtosis,
+      "Kurtosis of the heights, 3 for a Gaussian, above SKEWNESS^2 + 1; absent: 3 + 1.5 SKEWNESS^2, that "
+      "of the gamma family. Far below that the heights are J-shaped or have two peaks, which is said",
+      group);
   tool.text(
       "--marginal", marginal, "NAME|FILE",
       "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone takes "
@@ -90,7 +93,9 @@ bool MarginalOptions::chosen_by_moments(const Tool& tool) const {
 
 std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, const HeightsWithAcf& table,
                                                           Infeasible answer) const {
-  if (chosen_by_moments(tool)) return PrescribedHeights{skewness, kurtosis, answer};
+  if (chosen_by_moments(tool))
+    return PrescribedHeights{skewness, tool.given("--kurtosis") ? kurtosis : gamma_kurtosis(skewness),
+                             answer};
   if (marginal == "gaussian") return std::nullopt;
   if (marginal != "johnson")
     throw UsageError("marginal",

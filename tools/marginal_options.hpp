@@ -1,6 +1,7 @@
 /// The options that say which heights a surface shall have.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,7 @@ namespace asperity::cli {
 
 struct MarginalOptions {
   std::string marginal = "gaussian";
-  double skewness = 0, kurtosis = 3;
+  double skewness = 0, kurtosis = NAN;  ///< NAN: as the skewness has it
 
   void declare(Tool& tool);
   /// The first of them that was given, or nothing.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/memory.hpp"
 #include "stress_quantity.hpp"
 
 namespace asperity::cli {
@@ -43,11 +44,10 @@ void StressOptions::declare(Tool& tool) {
   tool.text("--friction-angle", friction_angle, "ANGLE",
             "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
       ->needs(slides);
-  tool.bytes(
-      "--memory", memory,
+  declare_memory(
+      tool, memory,
       "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
-      "for each variable. Into files layers go as they are made",
-      "Resources");
+      "for each variable. Into files layers go as they are made");
   tool.output();
   tool.table();
   tool.report();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "acf/equations.hpp"
+#include "acf/kernel_cost.hpp"
 #include "acf/search.hpp"
 #include "acf/wording.hpp"
 #include "grid/stopwatch.hpp"
@@ -56,16 +57,8 @@ std::string too_many(Shape lags) {
 
 // ---- the choice of lags ----
 
-// A cut where the target has fallen to so many times the tolerance leaves an error of about the tolerance.
-constexpr double cut_over_error = 5;
 constexpr double growth = 1.2;
 constexpr int most_trials = 10;
-
-Shape first_lags(const KernelRequest& request) {
-  if (!request.target.reach)
-    throw ParameterError("lags", "are required: how far this target reaches is not known");
-  return request.target.reach(std::min(cut_over_error * request.acf_tolerance, 0.5));
-}
 
 Shape more(Shape lags) {
   auto grown = [](Index n) { return static_cast<Index>(std::ceil(growth * static_cast<double>(n))); };
@@ -121,8 +114,9 @@ Kernel solve_at_open_lags(const KernelRequest& request) {
     const bool enough = search.solved() && search.best().report.error <= request.acf_tolerance;
     const bool hopeful = search.formulation() != Formulation::patir &&
                          (search.solved() || request.method == Method::newton_krylov);
-    if (enough || !hopeful || trial == most_trials || unknowns(more(lags)) > most_unknowns)
-      return search.finish();
+    const bool last = trial == most_trials || unknowns(more(lags)) > most_unknowns ||
+                      kernel_cost(more(lags)).memory > request.memory;
+    if (enough || !hopeful || last) return search.finish();
   }
 }
 
@@ -150,12 +144,16 @@ Infeasible infeasible_named(std::string_view name) {
   return named(answers_to_infeasible, "infeasible", name);
 }
 
+void check_rms(double rms) {
+  if (!(rms >= 1e-100 && rms <= 1e100))
+    throw ParameterError("rq", number(rms) + ": must lie in 1e-100 ... 1e100");
+}
+
 void KernelRequest::check() const {
   const bool open = lags == Shape{};
   if (!open && (lags.nx < 1 || lags.ny < 1)) throw ParameterError("lags", text(lags) + ": at least 1x1");
   if (unknowns(lags) > most_unknowns) throw ParameterError("lags", too_many(lags));
-  if (!(rms > 0 && std::isfinite(rms)))
-    throw ParameterError("rq", number(rms) + ": must be positive and finite");
+  check_rms(rms);
   if (!(tolerance >= 1e-13 && tolerance <= 1e-2))
     throw ParameterError("tolerance", number(tolerance) + " does not lie in 1e-13 ... 1e-2");
   if (!(acf_tolerance >= 1e-8 && acf_tolerance <= 0.5))

@@ -21,7 +21,7 @@
 /// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
 ///           points. From 15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented, 1.15 in
 ///           Patir's formulation; below, plans and tables are 0.1 ms (validation/acf_error_time.cpp). Memory:
-///           40 vectors of n·m, 100 in Patir's formulation.
+///           acf/kernel_cost.hpp.
 ///
 /// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
 /// [2] V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian three-dimensional rough
@@ -29,6 +29,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -80,11 +81,11 @@ struct KernelRequest {
   std::optional<Formulation> formulation;  ///< none: symmetric, or oriented where the target is
   Method method = Method::newton_krylov;
   Infeasible infeasible = Infeasible::automatic;
-  double rms = 1;            ///< σ [m], > 0
+  double rms = 1;            ///< σ [m], 1e-100 … 1e100
   double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
   double acf_tolerance =
-      1e-3;  ///< on the error over all lags where `lags` is left open, else on the change of those
-             ///< prescribed, 1e-8 … 0.5
+      1e-3;  ///< on the error over all lags where `lags` is left open, else on the change, 1e-8 … 0.5
+  double memory = std::numeric_limits<double>::infinity();   ///< bound of acf/kernel_cost.hpp [byte]
   std::function<void(const KernelProgress&)> progress = {};  ///< told of every step
 
   void check() const;
@@ -121,6 +122,9 @@ struct Kernel {
   Index first_p() const { return 0; }
   Index first_q() const { return -(acf_target.cols() / 2); }
 };
+
+/// Throws ParameterError("rq") outside the bounds of KernelRequest::rms.
+void check_rms(double rms);
 
 /// Throws ParameterError when the request cannot be meant, and for a target that cannot be met where
 /// `infeasible` asks for it.

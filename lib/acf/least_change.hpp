@@ -22,7 +22,7 @@ namespace asperity {
 struct LeastChangeOptions {
   double tolerance = 1e-10;  ///< on max |F| [σ²]
   int max_steps = 12;
-  int max_inner = 60;        ///< inner iterations a step
+  int max_inner = 60;  ///< inner iterations a step
   IterationObserver told = {};
 };
 

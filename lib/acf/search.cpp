@@ -6,6 +6,7 @@
 #include "acf/appraisal.hpp"
 #include "acf/conjugate_gradient.hpp"
 #include "acf/fixed_point.hpp"
+#include "acf/kernel_cost.hpp"
 #include "acf/least_change.hpp"
 #include "acf/least_squares.hpp"
 #include "acf/newton_krylov.hpp"
@@ -87,6 +88,7 @@ Search::Search(const KernelRequest& request, Shape lags)
       lags_(lags),
       formulation_(request.formulation.value_or(request.target.oriented ? Formulation::oriented
                                                                         : Formulation::symmetric)) {
+  check_memory(request, lags, kernel_cost(lags));
   auto zero_phase = std::make_unique<ZeroPhaseEquations>(request.target, lags, oriented());
   for (double r : zero_phase->target()) {
     if (!std::isfinite(r)) refuse("the autocorrelation is not finite at one of the " + text(lags) + " lags");
@@ -244,8 +246,12 @@ void Search::descend(long budget) {
 // lost too much beyond its ends. Where equations are to be met exactly, the least change makes up for that.
 void Search::widen() {
   if (hopeless_) return;
+  check_memory(request_, lags_, wider_kernel_cost(lags_));
   const auto cells = static_cast<double>(lags_.cells());
-  auto fits = [&](Index torus) { return static_cast<double>(torus * torus) * cells <= largest_torus; };
+  auto fits = [&](Index torus) {
+    return static_cast<double>(torus * torus) * cells <= largest_torus &&
+           wider_kernel_cost(lags_, torus).memory <= request_.memory;
+  };
   double change = widen(least_torus);
   for (Index torus = least_torus * 3 / 2; best_ && lost_more_than(change) && fits(torus);
        torus = torus * 3 / 2)

@@ -29,7 +29,8 @@ class Search {
  public:
   static constexpr double largest_change = 1e-2;  ///< that the automatic answer makes unasked [σ²]
 
-  /// The request must live as long as the search.
+  /// The request must live as long as the search. Throws ParameterError("memory") where Newton's iteration takes more
+  /// than it allows, as do run() and finish() where a wider kernel does.
   Search(const KernelRequest& request, Shape lags);
 
   /// In place of run(), of a target whose spectrum is known to be negative whatever the lags: no kernel is sought but

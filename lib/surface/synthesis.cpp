@@ -130,4 +130,11 @@ Field Synthesis::noise_below(const WhiteNoise& noise) const {
   return out;
 }
 
+double periodic_variance(const Field& kernel, Shape surface) {
+  Field wrapped = Field::Zero(std::min(surface.nx, kernel.rows()), std::min(surface.ny, kernel.cols()));
+  for (Index k = 0; k < kernel.rows(); ++k)
+    for (Index l = 0; l < kernel.cols(); ++l) wrapped(k % surface.nx, l % surface.ny) += kernel(k, l);
+  return wrapped.square().sum() / kernel.square().sum();
+}
+
 }  // namespace asperity

@@ -13,6 +13,10 @@
 /// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band.
 /// The surface therefore depends neither on the number of threads nor on the memory, to the last bit.
 ///
+/// On a periodic surface a kernel whose autocorrelation R reaches around it has the variance
+///     Σ_j Σ_k R(jN, kM)                                                                                (2)
+/// in place of R(0,0), that of a free surface.
+///
 /// Symbols   N × M  points of the surface   K × L  of the kernel   A × B  of a tile   P × Q  of its torus
 /// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
 /// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a tile. The cheaper
@@ -87,5 +91,8 @@ class Synthesis {
   std::unique_ptr<const TileFilter> filter_;
   Index strips_ = 1;  ///< rows of tiles in a band
 };
+
+/// (2) over R(0,0): 1 where the kernel fits the surface.
+double periodic_variance(const Field& kernel, Shape surface);
 
 }  // namespace asperity

@@ -63,6 +63,8 @@ TEST_CASE("a surface that goes to a file as it is made tells its range and the s
 }
 
 TEST_CASE("too little memory is exit 2 and names the least, which is enough", "[generate][contract]") {
+  require("asperity-kernel --rq 0.4um --length 4px --spacing 10um -o kernel.nc");
+  const std::string draw = "asperity-generate --kernel kernel.nc --shape 1500x40 --seed 7 --no-history";
   const Outcome refused = shell(draw + " --memory 20kB -o absent.nc; echo $?; ls absent.nc");
   CHECK(refused.out == "2\n");
   const std::string words = "--memory: 20kB does not hold one strip of this surface: ";

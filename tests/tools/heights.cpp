@@ -108,6 +108,15 @@ TEST_CASE("an ensemble of shaped surfaces is validated against what it was drawn
   CHECK_THAT(single.error, ContainsSubstring("--errors"));
 }
 
+TEST_CASE("a skewness alone is validated with the kurtosis of the gamma family", "[heights][contract]") {
+  require(
+      "asperity-generate --shape 16x16 --size 1mm --rq 0.4um --length 3px --seed 4 --count 12 -o g_%02d.nc");
+  const std::string validate = "asperity-validate g_*.nc -q --errors spread ";
+  CHECK_THAT(shell(validate + "--skewness -1").out, ContainsSubstring("Sku\t1\t4.5\t"));
+  CHECK_THAT(shell(validate + "--skewness -1 --kurtosis 3.5").out, ContainsSubstring("Sku\t1\t3.5\t"));
+  CHECK_THAT(shell(validate).out, ContainsSubstring("Sku\t1\t3\t"));
+}
+
 // A Gaussian's errors would be 0.018 and 0.029.
 TEST_CASE("the standard errors of a shaped surface's moments are those of its distribution, drawn or evident",
           "[heights][law]") {
@@ -168,11 +177,62 @@ TEST_CASE("moments that there are not are refused with their bound, or changed a
   CHECK(kurtosis < 5.5);
 }
 
+// A skewness alone kept the kurtosis of 3: at -1 the heights were cut at a ceiling of 1.09 Sq, and densest there.
+TEST_CASE("a skewness alone brings the kurtosis of the gamma family, a kurtosis alone no skewness",
+          "[heights][contract]") {
+  const std::string draw = "asperity-generate" + grid + common + " --seed 3 -o s.nc ";
+  const auto expected = [](const char* moment) {
+    return attribute("s.nc", std::string("generate_") + moment + "_expected");
+  };
+  require(draw + "--skewness -1");
+  CHECK(std::abs(expected("skewness") + 1) <= 1e-10);
+  CHECK(std::abs(expected("kurtosis") - 4.5) <= 1e-10);
+  CHECK(heights("s.nc").maxCoeff() >= 1.5 * 0.4e-6);
+  require(draw + "--kurtosis 5");
+  CHECK(expected("skewness") == 0);
+  CHECK(std::abs(expected("kurtosis") - 5) <= 1e-10);
+  require("ASPERITY_SKEWNESS=-0.4 " + draw + "--method filter");
+  CHECK(std::abs(expected("kurtosis") - 3.24) <= 1e-9);
+  require(draw + "-q --skewness -1 --kurtosis 3");
+  CHECK(std::abs(expected("kurtosis") - 3) <= 1e-10);
+  refused("asperity-generate" + grid + common + " --skewness 100", 2, {"--skewness", "50"});
+}
+
+TEST_CASE(
+    "heights that end within 3 Sq are said in one line, with the bound, and warned of where they crowd there",
+    "[heights][contract]") {
+  const std::string draw =
+      "asperity-generate --shape 8x8 --size 1mm --rq 0.4um --length 2px --seed 3 -o s.nc ";
+  const auto said = [&](const std::string& options) {
+    const Outcome run = shell(draw + options);
+    CAPTURE(options, run.error);
+    CHECK(run.exit == 0);
+    CHECK(lines(run.error) <= 1);
+    return run.error;
+  };
+  CHECK(said("--skewness -0.5").empty());
+  CHECK(said("--skewness -0.5 --kurtosis 4").empty());
+  CHECK_THAT(said("--skewness -1"),
+             ContainsSubstring("asperity-generate: heights are bounded at +2.44 Sq (976nm)"));
+  CHECK_THAT(said("--skewness 1"), ContainsSubstring("bounded at -2.44 Sq (-976nm)"));
+  CHECK(said("-q --skewness -1").empty());
+  const std::string cut = said("-q --skewness -1 --kurtosis 3");
+  CHECK_THAT(
+      cut,
+      ContainsSubstring(
+          "warning: heights are bounded at -2.96 Sq (-1.19um) and +1.09 Sq (435nm), Johnson's S_B, and J"));
+  CHECK_THAT(cut, ContainsSubstring("the density is largest 0.053 Sq from its upper end"));
+  CHECK_THAT(said("-q --skewness 1 --kurtosis 3"), ContainsSubstring("lower end"));
+  CHECK_THAT(said("-q --kurtosis 1.7"), ContainsSubstring("two peaks, at -1.5 and +1.5 Sq"));
+  CHECK_THAT(shell("asperity-kernel -q --length 2px --skewness -1 --kurtosis 3 -o k.nc").error,
+             ContainsSubstring("and +1.09 Sq, Johnson's S_B"));
+}
+
 TEST_CASE("a correlation that skewed heights cannot have is refused, or changed with a warning",
           "[heights][contract]") {
   const std::string draw = "asperity-generate" + grid +
                            " --rq 0.4um --target exponential-cosine --length 120px,40px --wavelength 20px"
-                           " --skewness -2 --kurtosis 10 --lags 20x20";
+                           " --skewness -2 --kurtosis 10 --lags 20x20 -q";
   refused(draw, 2, {"--marginal", "correlate no lower than -0.71"});
   const Outcome run = shell(draw + " --infeasible nearest --seed 1 -o s.nc");
   CAPTURE(run.error);

@@ -1,0 +1,41 @@
+#include "acf/kernel_cost.hpp"
+
+#include <algorithm>
+
+#include "acf/wording.hpp"
+
+namespace asperity {
+namespace {
+
+// A cut where the target has fallen to so many times the tolerance leaves an error of about the tolerance.
+constexpr double cut_over_error = 5;
+
+double area(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
+
+std::string megabytes(double bytes) { return number(bytes / 1e6) + "MB"; }
+
+}  // namespace
+
+Shape first_lags(const KernelRequest& request) {
+  if (request.lags != Shape{}) return request.lags;
+  if (request.target.known) return *request.target.known;
+  if (!request.target.reach)
+    throw ParameterError("lags", "are required: how far this target reaches is not known");
+  return request.target.reach(std::min(cut_over_error * request.acf_tolerance, 0.5));
+}
+
+KernelCost kernel_cost(Shape lags) { return {1500 * area(lags), 160 * area(lags)}; }
+KernelCost wider_kernel_cost(Shape lags, Index torus) {
+  const double points = static_cast<double>(torus * torus) * area(lags);
+  return {250 * points, 40 * points};
+}
+
+void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
+  if (cost.memory <= request.memory) return;
+  throw ParameterError("memory", megabytes(request.memory) + ": a kernel of " + text(lags) +
+                                     " lags takes some " + megabytes(cost.memory) +
+                                     "; shorter lengths, wider samples, fewer --lags or a "
+                                     "larger --acf-tolerance take less");
+}
+
+}  // namespace asperity
