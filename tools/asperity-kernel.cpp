@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     cli::Solved solved = cli::solve(tool, cli::wanted_kernel(tool, options, known));
 
     const cli::Exit code = cli::tell(tool, solved);
+    solved.before.tell(tool, solved.data, "kernel");
     tool.write(solved.data);
     return code;
   });
