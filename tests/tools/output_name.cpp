@@ -87,6 +87,7 @@ TEST_CASE("a table is text, JSON with --json alone, a page is HTML", "[output][c
     check_refused(press + "--loads 1N,2N -o " + file, file);
   }
   check_refused("asperity-report s.nc -o page.pdf", "page.pdf");
+  check_refused(draw + "--report r.nc -o /dev/null", "r.nc", "report");
   for (const std::string good :
        {"-o t.tsv", "-o t.txt", "-o t", "-o t.csv", "-o t.result", "--json -o t.json", "--json -o t.txt"}) {
     CAPTURE(good);

@@ -66,12 +66,14 @@ void check_dataset_name(const std::string& name, const std::string& option) {
            "with asperity-convert");
 }
 
-void check_table_name(const std::string& name, bool json) {
+void check_table_name(const std::string& name, bool json, const std::string& option) {
   const std::string extension = extension_of(name);
   if (extension == "json" && !json)
-    refuse("output", name, "names JSON, which --json prints, and this is a table");
+    refuse(option, name, "names JSON, which --json prints, and this is a table");
   if (!extension.empty() && !is_text_name(extension))
-    refuse("output", name, "names another format, and a table is text: end it in .tsv or .txt");
+    refuse(option, name,
+           json ? "names another format, and JSON is text: end it in .json"
+                : "names another format, and a table is text: end it in .tsv or .txt");
 }
 
 void check_page_name(const std::string& name) {

@@ -15,8 +15,8 @@ std::string extension_of(const std::string& name);
 
 bool names_dataset(const std::string& extension);
 void check_dataset_name(const std::string& name, const std::string& option = "output");
-/// JSON goes into .json alone where it has a name that says JSON.
-void check_table_name(const std::string& name, bool json);
+/// .json is for what is JSON.
+void check_table_name(const std::string& name, bool json, const std::string& option = "output");
 /// Of a page, HTML.
 void check_page_name(const std::string& name);
 

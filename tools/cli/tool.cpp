@@ -121,6 +121,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
                 "--output: a dataset is binary and standard output is a terminal; pipe it on or name a file");
   if ((writes_dataset_ || writes_table_) && !writes_any_)
     check_output_name(output_, writes_dataset_, writes_table_, json_);
+  if (!report_.empty()) check_table_name(report_, true, "report");
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
     return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " --help tells more)");
   return body();
