@@ -244,6 +244,20 @@ TEST_CASE("an autocorrelation or a spectrum of the pressure goes with it, one of
     }
 }
 
+TEST_CASE("an autocorrelation of the surface that is pressed stays, unless the press leaves another one",
+          "[lineage][contract]") {
+  write_everything();
+  const std::string press = "asperity-contact --load 2N --variable heights_residual m.nc -o p.nc" + bodies;
+  REQUIRE(shell("asperity-acf --dataset --variable heights_residual all.nc -o m.nc && " + press).exit == 0);
+  CHECK(read_dataset("p.nc").has("acf"));
+  REQUIRE(shell(press + "--yield 90MPa --unload").exit == 0);
+  const Dataset pressed = read_dataset("p.nc");
+  CHECK(!pressed.has("acf"));
+  const Field before = field_of(read_dataset("m.nc"), "heights_residual"),
+              flattened = field_of(pressed, "displacement_plastic");
+  CHECK((field_of(pressed, "heights_residual") == before - flattened).all());
+}
+
 TEST_CASE("each dataset of a sweep is one case, and what went is said once", "[lineage][contract]") {
   write_everything();
   const Outcome run = shell("asperity-contact all.nc --loads 1N,2N --each press-%d.nc" + bodies);
