@@ -85,8 +85,6 @@ AcfTable from_dataset(Dataset data) {
     if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
     out.heights = measured_with_acf(data);
   }
-  forget_surface(data);
-  forget_kernel(data);
   out.dataset = std::move(data);
   return out;
 }

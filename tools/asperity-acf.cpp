@@ -1,5 +1,7 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include "acf_lengths.hpp"
+#include "cli/lineage.hpp"
+#include "cli/output_name.hpp"
 #include "marginal_dataset.hpp"
 #include "stats/moments.hpp"
 #include "stats/structure_function.hpp"
@@ -66,20 +68,10 @@ MeasuredHeights quantiles_of(const Field& heights) {
   return MeasuredHeights::of(std::move(sample));
 }
 
-// What an earlier run measured.
-void forget_acf(Dataset& data) {
-  data.erase("acf");
-  data.erase("structure_function");
-  data.erase("acf_quantiles");
-  std::vector<std::string> stale;
-  for (const Attribute& a : data.attributes)
-    if (a.name.starts_with("acf_")) stale.push_back(a.name);
-  for (const std::string& name : stale) data.attributes.erase(name);
-}
-
 void add_to(Dataset& data, const cli::Measured& measured, const Result& result,
-            const cli::Quantities& lengths, bool absolute) {
-  forget_acf(data);
+            const cli::Quantities& lengths, const std::string& variable, bool absolute) {
+  cli::drop_results(data, "acf", variable);
+  data.attributes.set("acf_variable", variable);
   const Grid& grid = measured.grid;
   const AcfEstimate& estimate = result.estimate;
   const double scale = absolute ? estimate.variance : 1;
@@ -172,6 +164,7 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
+    if (!what.lengths && !prints_profiles(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const cli::Measured measured = cli::measure(data, options, tool.thread_count());
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(measured.grid);
@@ -186,7 +179,9 @@ int main(int argc, char** argv) {
     } else if (prints_profiles(tool, what)) {
       cli::print(tool, profiles(measured, result, what.absolute));
     } else {
-      add_to(data, measured, result, lengths(), what.absolute);
+      const cli::Inventory before(data);
+      add_to(data, measured, result, lengths(), options.variable, what.absolute);
+      before.tell(tool, data, "acf");
       tool.write(data);
     }
     return cli::done;

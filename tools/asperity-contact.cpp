@@ -2,6 +2,7 @@
 /// what many loads do.
 #include <fmt/format.h>
 
+#include "cli/lineage.hpp"
 #include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "contact/influence.hpp"
@@ -56,7 +57,9 @@ int press(cli::Tool& tool, const cli::ContactOptions& options) {
   cli::ContactScene scene = cli::read_scene(tool, options);
   const Contact contact =
       solve_contact(scene.grid, std::move(scene.gap), options.bodies.composite_modulus(), options.contact);
+  const cli::Inventory before(scene.data);
   cli::record(scene, options, contact);
+  before.tell(tool, scene.data, "pressure");
   tool.write(scene.data);
   return told_exit(tool, contact, "");
 }
@@ -65,6 +68,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
   const cli::ContactScene scene = cli::read_scene(tool, options);
   const auto influence =
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
+  const cli::Inventory before(scene.data);
   cli::LoadTable table;
   int code = cli::done, number = 0;
   press_in_turn(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
@@ -75,6 +79,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
     cli::record(one, options, c);
+    if (number == 1) before.tell(tool, one.data, "pressure");
     tool.write(one.data, cli::numbered("each", options.each, number));
   });
   cli::print(tool, table.table());

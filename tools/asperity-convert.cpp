@@ -4,9 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "cli/lineage.hpp"
+#include "cli/output_name.hpp"
+#include "cli/series.hpp"
 #include "cli/stream.hpp"
 #include "cli/tool.hpp"
 #include "dataset/axis_order.hpp"
+#include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
 #include "formats/vti.hpp"
@@ -20,6 +24,14 @@ namespace {
 // What a whole dataset is written as, beside the formats of maps.
 constexpr std::string_view datasets[] = {"netcdf", "vti", "vtr"};
 
+std::string extensions() {
+  std::string out = ".nc, .vti, .vtr";
+  for (const Format& format : formats())
+    for (const std::string& word : cli::split(std::string(format.extensions), ' '))
+      if (!word.empty() && out.find("." + word) == out.npos) out += ", ." + word;
+  return out;
+}
+
 struct Options {
   std::string to = "auto", to_order = "xy", variable = "heights";
   bool surface = false;
@@ -27,10 +39,13 @@ struct Options {
 
   std::string target(const std::string& output) const {
     if (to != "auto") return to;
-    const std::string extension = output.substr(output.find_last_of('.') + 1);
+    const std::string extension = cli::extension_of(output);
+    if (cli::names_dataset(extension)) return "netcdf";
     if (extension == "vti" || extension == "vtr") return extension;
-    const Format* found = output == "-" ? nullptr : format_by_extension(output);
-    return found ? std::string(found->name) : "netcdf";
+    if (const Format* found = format_by_extension("." + extension)) return std::string(found->name);
+    throw cli::UsageError("output", "'" + output +
+                                        "' names none of the formats that are written: end it in " +
+                                        extensions() + ", or say --to");
   }
 };
 
@@ -56,10 +71,24 @@ Dataset without_depth(Dataset data) {
   return data;
 }
 
+// The map, cut, thinned or filled, in place of the surface that it was.
+Dataset changed(const cli::Tool& tool, const Options& options, Dataset data) {
+  const cli::Inventory before(data);
+  Dataset map = dataset_of(options.map.applied(map_of(data, options.variable)));
+  cli::drop_surface(data, "kernel");
+  for (const Dimension& d : map.dimensions) data.set_dimension(d.name, d.length);
+  for (Variable& v : map.variables) data.put(std::move(v));
+  before.tell(tool, data, "map");
+  return data;
+}
+
 // A dataset passes whole, unless its map is cut or filled.
 Dataset dataset_from(const cli::Tool& tool, const Options& options, std::optional<cli::Bytes> bytes) {
-  const bool whole = tool.format().netcdf(*bytes) && !options.map.changes();
-  Dataset data = whole ? decode_netcdf(*bytes) : dataset_of(map_from(tool, options, *bytes));
+  if (!tool.format().netcdf(*bytes)) return dataset_of(map_from(tool, options, *bytes));
+  Dataset data = decode_netcdf(*bytes);
+  bytes.reset();
+  for (const std::string& line : settle_lengths(data)) tool.warn(line);
+  if (options.map.changes()) data = changed(tool, options, std::move(data));
   if (options.surface) return without_depth(std::move(data));
   return data;
 }
@@ -94,10 +123,12 @@ int convert(cli::Tool& tool, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-convert",
-                 "Measured surfaces from and to the formats of other programs, and datasets for ParaView. "
-                 "Lengths and heights become metres; "
-                 "a map's missing points stay missing unless --fill is given.");
+  cli::Tool tool(
+      "asperity-convert",
+      "Measured surfaces from and to the formats of other programs, and datasets for ParaView. "
+      "Lengths and heights become metres; "
+      "a map's missing points stay missing unless --fill is given. A dataset passes whole; where its "
+      "map is cut, thinned, filled or resized, whatever else belongs to the surface is dropped.");
   Options o;
   tool.input();
   o.map.declare(tool);

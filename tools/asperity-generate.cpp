@@ -123,7 +123,7 @@ void judge_overlap(const cli::Tool& tool, const Field& kernel, Shape surface) {
   if (change > told) tool.warn("--periodic: " + words);
 }
 
-Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
+Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code, cli::Inventory& before) {
   const bool model = !tool.given("--acf");
   if (model && !tool.given("--shape")) throw cli::UsageError("shape", "is required");
   if (model && !tool.given("--length")) throw cli::UsageError("length", "is required, or --acf or --kernel");
@@ -138,10 +138,11 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code) {
   o.measured = wanted.measured;
   cli::Solved kernel = cli::solve(tool, std::move(wanted));
   code = cli::tell(tool, kernel, true);
+  before = std::move(kernel.before);
   return std::move(kernel.data);
 }
 
-Dataset read_kernel(cli::Tool& tool, Options& o) {
+Dataset read_kernel(cli::Tool& tool, Options& o, cli::Inventory& before) {
   const cli::Bytes read = cli::read_all(tool.given("--kernel") ? o.kernel : "-");
   const std::string_view bytes = read;
   if (bytes.empty() && !tool.given("--kernel"))
@@ -151,19 +152,22 @@ Dataset read_kernel(cli::Tool& tool, Options& o) {
     throw cli::UsageError(heights,
                           "is for the solution of the kernel, by asperity-kernel, or for --method filter");
   Dataset data = decode_netcdf(bytes);
+  for (const std::string& line : settle_lengths(data)) tool.warn(line);
   adopt_grid(tool, o, data);
-  cli::forget_surface(data);
-  cli::foresee_extent(tool, target_of_table(cli::kernel_of(data).acf_target), o.shape, "shape");
+  before = cli::Inventory(data);
+  cli::drop_surface(data);
+  cli::foresee_extent(tool, target_of_table(known_lags(cli::kernel_of(data).acf_target)), o.shape, "shape");
   cli::tell_read(tool, data);
   return data;
 }
 
-// The kernel of the options or of the file, and the exit code that follows from how it was solved.
-Dataset kernel_dataset(cli::Tool& tool, Options& o, cli::Exit& code) {
+// The kernel of the options or of the file, the exit code that follows from how it was solved, and what came with it.
+Dataset kernel_dataset(cli::Tool& tool, Options& o, cli::Exit& code, cli::Inventory& before) {
   const std::string target = target_option(tool, o.acf.filters());
-  if (!tool.given("--kernel") && (!target.empty() || cli::stdin_is_terminal())) return solved(tool, o, code);
+  if (!tool.given("--kernel") && (!target.empty() || cli::stdin_is_terminal()))
+    return solved(tool, o, code, before);
   if (!target.empty()) throw cli::UsageError(target, "does not go together with --kernel");
-  return read_kernel(tool, o);
+  return read_kernel(tool, o, before);
 }
 
 // The kernel's tables with the height and the spacing of this surface.
@@ -243,13 +247,15 @@ int main(int argc, char** argv) {
     if (options.count > 1 && tool.given("--report"))
       throw cli::UsageError("report", "is of one surface; each dataset of an ensemble carries its own");
     cli::Exit code = cli::done;
-    Dataset base = kernel_dataset(tool, options, code);
+    cli::Inventory before;
+    Dataset base = kernel_dataset(tool, options, code, before);
     const cli::KernelTables tables = tables_for(tool, options, base);
     if (options.periodic) judge_overlap(tool, tables.kernel, options.shape);
     set_kernel(base, tables);
     set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
 
     const Distribution distribution = distribution_of(tool, options, base, tables);
+    before.tell(tool, base, "surface", options.noise ? "heights generate_* noise" : "heights generate_*");
     const Synthesis synthesis = synthesis_of(tool, options, tables.kernel, distribution.heights);
     cli::Progress progress(tool);
     for (int k = 0; k < options.count; ++k) {

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     cli::Solved solved = cli::solve(tool, std::move(wanted));
 
     const cli::Exit code = cli::tell(tool, solved);
+    solved.before.tell(tool, solved.data, "kernel");
     tool.write(solved.data);
     return code;
   });

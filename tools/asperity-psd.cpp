@@ -1,6 +1,8 @@
 // Power spectral densities of a surface, of its profiles, and over rings.
 #include <numbers>
 
+#include "cli/lineage.hpp"
+#include "cli/output_name.hpp"
 #include "cli/table.hpp"
 #include "measured.hpp"
 #include "stats/spectrum.hpp"
@@ -52,12 +54,15 @@ cli::Table profiles(const cli::Measured& measured, const Windows& windows, int t
   return out;
 }
 
-void add_to(Dataset& data, const cli::Measured& measured, const LagField& psd, const std::string& window) {
+void add_to(Dataset& data, const cli::Measured& measured, const LagField& psd, const std::string& variable,
+            const std::string& window) {
+  cli::drop_results(data, "psd", variable);
   const auto step = [](double size) { return 2 * std::numbers::pi / size; };
   set_table(data, "psd", psd.half_plane(),
             {"wave_number_x", 0, step(measured.grid.size_x()), per_length, "wave number in x"},
             {"wave_number_y", -psd.max_q(), step(measured.grid.size_y()), per_length, "wave number in y"},
             {density_units(measured, 2), "power spectral density of the field"});
+  data.attributes.set("psd_variable", variable);
   data.attributes.set("psd_window", window);
 }
 
@@ -110,6 +115,7 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
+    if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const cli::Measured measured = cli::measure(data, options, tool.thread_count());
     const Windows windows = what.windows(measured.grid);
@@ -121,7 +127,9 @@ int main(int argc, char** argv) {
     if (prints_radial(tool, what)) {
       cli::print(tool, radial(measured, psd, windows));
     } else {
-      add_to(data, measured, psd, windows.x == Window::hann ? "hann" : "none");
+      const cli::Inventory before(data);
+      add_to(data, measured, psd, options.variable, windows.x == Window::hann ? "hann" : "none");
+      before.tell(tool, data, "psd");
       tool.write(data);
     }
     return cli::done;

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "cli/output_name.hpp"
 #include "cli/stream.hpp"
 #include "cli/tool.hpp"
 #include "grid/error.hpp"
@@ -56,6 +57,7 @@ std::string title_of(const cli::Tool& tool, const std::string& title) {
 }
 
 int report_on(const cli::Tool& tool, const Options& o) {
+  cli::check_page_name(o.output);
   const plot::Cases dataset{{tool.read(), ""}};
   const Dataset& data = dataset[0].data;
   const std::vector<report::Group> groups = groups_of(tool, data, o);

@@ -46,12 +46,15 @@ cli::Rows rows_of_whole(const cli::Tool& tool, const Dataset& data, const cli::M
 }
 
 cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const cli::MeasuredOptions& options,
-                         const cli::StatsOptions& what) {
+                         const cli::StatsOptions& what, cli::EnsembleGrid& grids) {
   if (const std::string whole = what.needs_whole_field(tool); !whole.empty())
     throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
                                         " bytes are more than an eighth of it, and " + whole +
                                         " needs the whole field");
   const FieldFile file(path, options.variable);
+  grids.add(tool, file.grid(), path);
+  Dataset head = file.dataset();
+  for (const std::string& line : settle_lengths(head)) tool.warn(path + ": " + line);
   cli::StripSample sample(file, options, {what.asks_for("hybrid"), what.memory, tool.thread_count()});
   tool.note("read in strips of " + std::to_string(sample.rows()) + " rows");
   if (sample.correlation_reaches_beyond())
@@ -63,11 +66,14 @@ cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const c
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-stats",
-                 "Parameters of a surface by ISO 25178-2, with standard errors that allow for the "
-                 "correlation of neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population "
-                 "moments of the whole field. Of several surfaces, the mean of each parameter over them, its "
-                 "standard error and spread, and the spread that the surfaces' own errors lead to expect.");
+  cli::Tool tool(
+      "asperity-stats",
+      "Parameters of a surface by ISO 25178-2, with standard errors that allow for the "
+      "correlation of neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population "
+      "moments of the whole field. Of several surfaces, the mean of each parameter over them, its "
+      "standard error and spread, and the spread that the surfaces' own errors lead to expect. Surfaces of "
+      "another spacing than the first's are refused, for slopes, peaks and lengths follow it; of "
+      "another size they are averaged with a warning.");
   cli::EnsembleInput surfaces;
   cli::MeasuredOptions options;
   cli::StatsOptions what;
@@ -92,6 +98,7 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     what.check(tool);
     cli::EnsembleRows ensemble;
+    cli::EnsembleGrid grids;
     cli::Quantities last;
     auto add = [&](cli::Rows rows) {
       ensemble.add(rows);
@@ -101,12 +108,13 @@ int main(int argc, char** argv) {
         tool,
         [&](const Dataset& data, const std::string& name) {
           tool.detail(name);
+          grids.add(tool, grid_of(data), name);
           add(rows_of_whole(tool, data, options, what));
         },
         [&](const std::string& path) {
           const bool bounded = tool.given("--memory") || what.needs_whole_field(tool).empty();
           const bool in_strips = bounded && larger_than_memory(path, what.memory);
-          if (in_strips) add(rows_in_strips(tool, path, options, what));
+          if (in_strips) add(rows_in_strips(tool, path, options, what, grids));
           return in_strips;
         });
     if (ensemble.surfaces() == 1)

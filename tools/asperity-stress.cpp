@@ -1,6 +1,7 @@
 /// Computes the stress below a loaded surface: in layers, in a section, at points, and where it is largest.
 #include <fmt/format.h>
 
+#include "cli/lineage.hpp"
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
@@ -41,7 +42,8 @@ int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
 int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
   cli::StressScene scene = cli::read_scene(tool, options);
   const Stopwatch clock;
-  cli::forget_stress(scene.data);
+  const cli::Inventory before(scene.data);
+  cli::drop_results(scene.data, "stress");
   if (options.maximum) {
     const StressMaximum top = search(tool, scene.solver(options, tool.thread_count()));
     cli::record_maximum(scene.data.attributes, top);
@@ -54,6 +56,7 @@ int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stres
     tool.write(scene.data);
   else
     cli::StressWriter(tool, scene, selection, options).write(finish);
+  before.tell(tool, scene.data, "stress");
   return cli::done;
 }
 

@@ -146,7 +146,9 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check();
     std::optional<PrescriptionTest> test;
+    cli::EnsembleGrid grids(cli::EnsembleGrid::Sizes::alike);
     options.surfaces.for_each(tool, [&](const Dataset& data, const std::string& name) {
+      grids.add(tool, grid_of(data), name);
       if (!test) test = test_for(options, data, tool.thread_count());
       tool.detail(name);
       test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));

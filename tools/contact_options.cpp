@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/output_name.hpp"
 #include "cli/series.hpp"
 #include "cli/stream.hpp"
 
@@ -142,7 +143,8 @@ void ContactOptions::check_streams(const Tool& tool) const {
     throw UsageError("output", "a dataset is binary and does not go to a terminal");
   if (!sweeps() && tool.json()) throw UsageError("json", "prints the table of --loads, which is not given");
   if (!sweeps() && !each.empty()) throw UsageError("each", "is for each of --loads, which are not given");
-  if (!each.empty()) numbered("each", each, 1);
+  sweeps() ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
+  if (!each.empty()) check_dataset_name(numbered("each", each, 1), "each");
   if (sweeps() && tool.given("--report"))
     throw UsageError("report", "is of one load; of --loads, each dataset carries its own (--each)");
   if (sweeps() && unload && each.empty())

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cli/lineage.hpp"
 #include "cli/record.hpp"
 #include "contact/flattening.hpp"
 #include "contact/hertz.hpp"
@@ -16,14 +17,12 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
     a.set_values(name, std::vector<double>{first, second});
   };
   const Bodies& b = o.bodies;
-  a.erase("contact_radius");
   set_pair("contact_radius_x", b.radius[0].x, b.radius[1].x);
   set_pair("contact_radius_y", b.radius[0].y, b.radius[1].y);
   set_pair("contact_young", b.young[0], b.young[1]);
   set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
   a.set("contact_composite_modulus", b.composite_modulus());
   a.set("contact_boundary", grid.periodic ? "periodic" : "free");
-  a.erase("contact_counter");
   if (!o.counter.empty()) a.set("contact_counter", o.counter);
   a.set("contact_limit_pressure", o.contact.limit_pressure);
   a.set("contact_tolerance", o.contact.tolerance);
@@ -31,9 +30,6 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
 
 // What the bodies would do were they smooth, where that has a closed form.
 void record_hertz(Attributes& a, const Bodies& bodies, double load) {
-  for (const char* name : {"contact_hertz_pressure", "contact_hertz_radius", "contact_hertz_radius_x",
-                           "contact_hertz_radius_y", "contact_hertz_approach"})
-    a.erase(name);
   if (!(bodies.curvature_x() > 0 && bodies.curvature_y() > 0)) return;
   const Hertz smooth = hertz(bodies, load);
   a.set("contact_hertz_pressure", smooth.pressure);
@@ -67,26 +63,29 @@ void record_fields(Dataset& data, const Contact& c) {
   set_flags(data, "contact", c.state, "state of contact", "open elastic at_limit_pressure");
 }
 
-void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c) {
-  data.erase("displacement_plastic");
+void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c, const Field& pressed) {
   if (std::isinf(o.contact.limit_pressure)) return;
   const Field flattened = plastic_flattening(c);
   set_field(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
   if (!o.unload) return;
-  const Field before =
-      o.smooth ? Field::Zero(flattened.rows(), flattened.cols()) : heights_of(data, o.variable);
-  set_field(data, "heights_residual", before - flattened, {"m", "heights after the load is removed"});
+  const Field left = o.smooth ? Field(-flattened) : Field(pressed - flattened);
+  set_field(data, "heights_residual", left, {"m", "heights after the load is removed"});
 }
 
 }  // namespace
 
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
+  const bool keeps = options.unload && !options.smooth;
+  const Field pressed = keeps ? heights_of(scene.data, options.variable) : Field();
+  const bool overwrites = options.unload && options.variable == "heights_residual";
+  drop_results(scene.data, "contact", overwrites ? "" : options.variable);
   Attributes& a = scene.data.attributes;
+  if (!options.smooth) a.set("contact_variable", options.variable);
   record_bodies(a, options, scene.grid);
   record_hertz(a, options.bodies, contact.load);
   record_result(a, contact);
   record_fields(scene.data, contact);
-  record_flattening(scene.data, options, contact);
+  record_flattening(scene.data, options, contact, pressed);
 }
 
 void LoadTable::add(const Contact& c) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
+#include "grid_words.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -31,22 +32,10 @@ bool periodic(const ContactOptions& o, const Grid& grid) {
   return out;
 }
 
-std::string described(const Grid& grid) {
-  return fmt::format("{}x{} cells on {} x {}{}", grid.shape.nx, grid.shape.ny,
-                     format_quantity(grid.size_x(), "m"), format_quantity(grid.size_y(), "m"),
-                     grid.periodic ? ", periodic" : "");
-}
-
-bool same(const Grid& one, const Grid& other) {
-  constexpr double printed = 1e-6;  // sizes may come from texts
-  return one.shape == other.shape && one.periodic == other.periodic &&
-         std::abs(one.dx / other.dx - 1) <= printed && std::abs(one.dy / other.dy - 1) <= printed;
-}
-
 Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid) try {
   const Dataset data = tool.read(name);
   const Grid own = grid_of(data);
-  if (!same(own, grid))
+  if (!same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
                                            described(grid)));
   return heights_of(data, "heights");

@@ -7,6 +7,9 @@
 
 #include "cli/progress.hpp"
 #include "cli/stream.hpp"
+#include "dataset/layout.hpp"
+#include "grid/error.hpp"
+#include "grid_words.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -50,8 +53,9 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
   if (taken("/proc/self/fd/0")) return {};  // when it is a file
   std::optional<Bytes> bytes = read_all("-");
   if (!tool.format().known(*bytes)) return listed(*bytes);
-  const Dataset dataset = tool.format().dataset(*bytes, "-");
+  Dataset dataset = tool.format().dataset(*bytes, "-");
   bytes.reset();
+  for (const std::string& line : settle_lengths(dataset)) tool.warn(line);
   visit(dataset, "-");
   return {};
 }
@@ -80,6 +84,25 @@ void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const VisitPa
       progress.count(static_cast<double>(k), static_cast<double>(names.size()), "surfaces");
     if (!taken(names[k])) visit(tool.read(names[k]), names[k]);
   }
+}
+
+void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& file) {
+  if (!first_) {
+    first_ = grid;
+    file_ = file;
+  }
+  const std::string both =
+      "its grid, " + described(grid) + ", is not that of " + file_ + ", " + described(*first_);
+  if (!same_spacing(grid, *first_))
+    throw DataError(file, both +
+                              ", and parameters of different spacings have no mean: measure them apart, or "
+                              "thin the finer one (asperity-convert --decimate)");
+  if (warned_ || same_grid(grid, *first_)) return;
+  if (sizes_ == Sizes::alike) throw DataError(file, both + ", and all are tested on one grid");
+  warned_ = true;
+  tool.warn(file + ": " + both +
+            ": extremes, correlation lengths and all errors depend on the size, and each "
+            "surface counts the same in the mean");
 }
 
 }  // namespace asperity::cli

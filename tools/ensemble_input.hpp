@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/tool.hpp"
+#include "grid/field.hpp"
 
 namespace asperity::cli {
 
@@ -23,6 +25,23 @@ struct EnsembleInput {
   void for_each(
       const Tool& tool, const Visit& visit,
       const VisitPath& taken = [](const std::string&) { return false; }) const;
+};
+
+/// Whether a mean over the surfaces means anything. Slopes, curvatures, peaks and correlation lengths follow the
+/// spacing, so that surfaces of different ones are refused; of different sizes each is an estimate of the same, but
+/// their errors, and all that grows with the size, differ, which is said once, or refused where they must be alike.
+class EnsembleGrid {
+ public:
+  enum class Sizes { any, alike };
+  explicit EnsembleGrid(Sizes sizes = Sizes::any) : sizes_(sizes) {}
+  /// Of the next surface; throws DataError(file, …) with both grids for one that does not belong to the first.
+  void add(const Tool& tool, const Grid& grid, const std::string& file);
+
+ private:
+  Sizes sizes_;
+  std::optional<Grid> first_;
+  std::string file_;
+  bool warned_ = false;
 };
 
 }  // namespace asperity::cli

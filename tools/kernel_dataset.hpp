@@ -9,9 +9,6 @@
 /// solve achieved.
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <initializer_list>
 #include <limits>
 
 #include "dataset/layout.hpp"
@@ -33,22 +30,6 @@ struct KernelTables {
     acf_achieved *= factor * factor;
   }
 };
-
-/// Erases the variables on dimensions that `gone` names, but for the coordinates x and y, those dimensions, and the
-/// global attributes that begin with one of the prefixes.
-inline void forget(Dataset& data, const std::function<bool(const std::string&)>& gone,
-                   std::initializer_list<std::string_view> prefixes) {
-  std::erase_if(data.variables, [&](const Variable& v) {
-    return v.name != "x" && v.name != "y" && std::ranges::any_of(v.dimensions, gone);
-  });
-  std::erase_if(data.dimensions,
-                [&](const Dimension& d) { return d.name != "x" && d.name != "y" && gone(d.name); });
-  std::vector<std::string> stale;
-  for (const Attribute& a : data.attributes)
-    for (std::string_view prefix : prefixes)
-      if (a.name.starts_with(prefix)) stale.push_back(a.name);
-  for (const std::string& name : stale) data.attributes.erase(name);
-}
 
 inline void set_kernel(Dataset& data, const KernelTables& tables) {
   const std::string_view height = tables.has_height ? "m" : "1", variance = tables.has_height ? "m2" : "1";
@@ -92,20 +73,6 @@ inline KernelTables kernel_of(const Dataset& data) {
   tables.has_height = data.at("acf_target").attributes.text("units") == "m2";
   tables.spacing = lag_spacing(data);
   return tables;
-}
-
-/// Leaves out what belongs to one surface: its heights, everything else on (x, y) or below it, and what was measured
-/// of it. The grid stays.
-inline void forget_surface(Dataset& data) {
-  forget(data, [](const std::string& d) { return d == "x" || d == "y" || d == "z" || d.starts_with("lag_"); },
-         {"generate_", "contact_", "stress_", "acf_"});
-}
-
-/// Leaves out a kernel and how it was solved for.
-inline void forget_kernel(Dataset& data) {
-  data.erase("kernel_quantiles");
-  forget(data, [](const std::string& d) { return d == "k" || d == "l" || d == "p" || d == "q"; },
-         {"kernel_"});
 }
 
 }  // namespace asperity::cli

@@ -55,6 +55,9 @@ void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
   out.request.target = target_of_table(std::move(table.half_plane));
   out.measured = std::move(table.heights);
   out.data = std::move(table.dataset);
+  out.before = Inventory(out.data);
+  drop_surface(out.data, "kernel");
+  for (const std::string& line : settle_lengths(out.data)) tool.warn(line);
   out.data.attributes.set("kernel_target", "table");
 }
 
@@ -165,8 +168,13 @@ Solved solve(const Tool& tool, Wanted wanted) {
   set_kernel(wanted.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height,
                            wanted.spacing, wanted.marginal.has_value()});
   describe(wanted.data.attributes, kernel, request);
-  return {std::move(wanted.data),           kernel.report,        kernel.lags, request.lags == Shape{},
-          request.target.known.has_value(), request.acf_tolerance};
+  return {std::move(wanted.data),
+          kernel.report,
+          kernel.lags,
+          request.lags == Shape{},
+          request.target.known.has_value(),
+          request.acf_tolerance,
+          std::move(wanted.before)};
 }
 
 Exit tell(const Tool& tool, const Solved& s, bool aside) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "cli/lineage.hpp"
 #include "kernel_dataset.hpp"
 #include "kernel_options.hpp"
 
@@ -16,6 +17,7 @@ struct Wanted {
   std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
   HeightsWithAcf measured;           ///< what came with a table
   Dataset data;  ///< what the kernel is added to: the attributes of the target, the grid of its table
+  Inventory before = {};  ///< of the table's dataset
 };
 
 /// The model or the table of the options, on samples of this spacing if it is known; a table may know it itself.
@@ -29,6 +31,7 @@ struct Solved {
   bool chosen;           ///< the lags, not given
   bool table;            ///< the target is one, most of whose far lags may be noise
   double acf_tolerance;  ///< that they were chosen for
+  Inventory before;      ///< of the dataset with the table, to tell what is gone
 };
 Solved solve(const Tool& tool, Wanted wanted);
 

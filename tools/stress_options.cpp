@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/memory.hpp"
+#include "cli/output_name.hpp"
 #include "stress_quantity.hpp"
 
 namespace asperity::cli {
@@ -68,6 +69,7 @@ void StressOptions::check(const Tool& tool) const {
   refuse(!table && tool.json(), "json", "prints the table of --points, which is not given");
   refuse(table && tool.given("--report"), "report", "is of a dataset; --points is a table");
   refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset already");
+  table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   refuse(!table && tool.output_is_terminal(), "output", "a dataset is binary and does not go to a terminal");
 }
 

@@ -11,10 +11,6 @@
 namespace asperity::cli {
 namespace {
 
-constexpr const char* attributes[] = {"stress_max_von_mises", "stress_max_x",     "stress_max_y",
-                                      "stress_max_depth",     "stress_section_x", "stress_section_y",
-                                      "stress_above"};
-
 // A number alone counts metres, as in every table.
 double parse_place(const std::string& word) {
   char* end = nullptr;
@@ -24,20 +20,12 @@ double parse_place(const std::string& word) {
 
 }  // namespace
 
-void forget_stress(Dataset& data) {
-  for (const StressQuantity& quantity : stress_quantities())
-    for (const auto& output : quantity.outputs) data.erase(output.name);
-  for (const char* name : attributes) data.attributes.erase(name);
-  for (const char* name : {"section_x", "section_y"}) data.erase(name);
-}
-
 void record_parameters(StressScene& scene, const StressOptions& options) {
   Attributes& a = scene.data.attributes;
   a.set("stress_poisson", scene.poisson);
   a.set("stress_resolution", options.resolution);
   a.set("stress_accurate_depth", accurate_depth(scene.grid));
   a.set("stress_friction", scene.friction.coefficient);
-  a.erase("stress_friction_angle");
   if (scene.friction.coefficient > 0) a.set("stress_friction_angle", scene.friction.angle);
   if (scene.least > 0) a.set("stress_above", scene.least);
   if (scene.plane)

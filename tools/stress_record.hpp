@@ -8,9 +8,6 @@
 
 namespace asperity::cli {
 
-/// Removes whatever an earlier run left of any quantity.
-void forget_stress(Dataset& data);
-
 /// The effective parameters.
 void record_parameters(StressScene& scene, const StressOptions& options);
 void record_maximum(Attributes& a, const StressMaximum& maximum);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 
 #include "dataset/units.hpp"
 #include "grid/error.hpp"
@@ -34,21 +36,49 @@ struct AxisExtent {
   bool periodic;
 };
 
-// The spacing of a coordinate from its `length`, else from its values; either must agree with the other.
+bool single_precision(const Values& values) { return std::holds_alternative<std::vector<float>>(values); }
+
+// The length that evenly spaced points have by themselves, NaN of a single one.
+double length_of_points(const std::vector<double>& points) {
+  const auto n = static_cast<double>(points.size());
+  return n > 1 ? std::abs(points.back() - points.front()) / (n - 1) * n : NAN;
+}
+
+// Whether a length is that of the points within what numbers of their types, and texts of six digits, leave open.
+bool agrees(double length, const Variable& axis, const std::vector<double>& points) {
+  const double of_points = length_of_points(points),
+               farthest = std::max(std::abs(points.front()), std::abs(points.back())),
+               digits = single_precision(axis.values) ? std::numeric_limits<float>::epsilon()
+                                                      : std::numeric_limits<double>::epsilon();
+  return std::isnan(of_points) ||
+         std::abs(length - of_points) <= 1e-6 * std::abs(length) + 2 * digits * farthest;
+}
+
+// The one that is known more finely, where both agree; else that of the points.
+double settled_length(const Variable& axis, const std::vector<double>& points) {
+  const Values* told = axis.attributes.find("length");
+  const double length = axis.attributes.number("length", NAN), of_points = length_of_points(points);
+  if (!std::isfinite(length)) return of_points;
+  if (!(length > 0)) throw DataError(axis.name, "its length " + std::to_string(length) + " is not positive");
+  if (std::isnan(of_points)) return length;
+  const bool coarser = single_precision(*told) && !single_precision(axis.values);
+  return coarser || !agrees(length, axis, points) ? of_points : length;
+}
+
+// An axis must be evenly spaced, whatever its length is taken from.
 AxisExtent extent_of(const Variable& axis) {
   const auto n = static_cast<double>(count(axis.values));
   if (n < 1) throw DataError(axis.name, "it has no points");
-  const double factor = factor_to_metres(axis), length = axis.attributes.number("length", NAN);
+  const double factor = factor_to_metres(axis);
   const std::vector<double> values = numbers(axis.values);
+  const double length = settled_length(axis, values);
   const double step = values.size() > 1 ? (values.back() - values.front()) / (n - 1) : length;
   if (!std::isfinite(step) || step == 0)
     throw DataError(axis.name, "it has no size: give it the attribute length");
   for (std::size_t i = 1; i < values.size(); ++i)
     if (!(std::abs(values[i] - values[i - 1] - step) <= 1e-3 * std::abs(step)))
       throw DataError(axis.name, "its points are not evenly spaced");
-  const double spacing = std::isfinite(length) ? length / n : std::abs(step);
-  if (!(spacing > 0)) throw DataError(axis.name, "its length " + std::to_string(length) + " is not positive");
-  return {spacing * factor, axis.attributes.number("periodic", 0) != 0};
+  return {length / n * factor, axis.attributes.number("periodic", 0) != 0};
 }
 
 void set_actual_range(Variable& variable, const double* first, std::size_t n) {
@@ -71,6 +101,28 @@ Variable make(std::string_view name, Names dimensions, std::vector<double> value
 Variable coordinate(std::string_view name, std::vector<double> values, std::string_view unit,
                     std::string_view words) {
   return make(name, {std::string(name)}, std::move(values), {unit, words});
+}
+
+// Whether two coordinates have the same points, but for six digits.
+bool same_points(const Variable& one, const Variable& other) try {
+  const double factor = unit_factor(unit_of(one), unit_of(other));
+  const std::vector<double> a = numbers(one.values), b = numbers(other.values);
+  const double farthest = b.empty() ? 0 : std::max(std::abs(b.front()), std::abs(b.back()));
+  return std::ranges::equal(a, b,
+                            [&](double x, double y) { return std::abs(x * factor - y) <= 1e-6 * farthest; });
+} catch (const std::invalid_argument&) {
+  return false;
+}
+
+// In place of a former one, and of whatever stood on its points if these are others.
+void put_coordinate(Dataset& dataset, Variable axis) {
+  const std::string name = axis.name;
+  dataset.set_dimension(name, static_cast<Index>(count(axis.values)));
+  if (const Variable* former = dataset.find(name); former && !same_points(*former, axis))
+    std::erase_if(dataset.variables, [&](const Variable& v) {
+      return std::ranges::find(v.dimensions, name) != v.dimensions.end();
+    });
+  dataset.put(std::move(axis));
 }
 
 std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()}; }
@@ -157,9 +209,26 @@ Grid grid_of(const Dataset& dataset) {
   return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic};
 }
 
+std::vector<std::string> settle_lengths(Dataset& dataset) {
+  std::vector<std::string> out;
+  for (const char* name : {"x", "y"}) {
+    Variable* axis = dataset.find(name);
+    const double length = axis ? axis->attributes.number("length", NAN) : NAN;
+    if (!std::isfinite(length) || !(length > 0)) continue;
+    const std::vector<double> points = numbers(axis->values);
+    const double settled = points.empty() ? 0 : settled_length(*axis, points);
+    if (!(settled > 0) || agrees(length, *axis, points)) continue;
+    std::ostringstream line;
+    line << name << ": its length " << length << " is not that of its " << points.size() << " points, "
+         << settled << ", which is taken";
+    out.push_back(line.str());
+    axis->attributes.set("length", settled);
+  }
+  return out;
+}
+
 void set_grid(Dataset& dataset, const Grid& grid) {
   auto set_axis = [&](std::string_view name, Index n, double spacing, auto position) {
-    dataset.set_dimension(name, n);
     std::vector<double> points;
     for (Index i = 0; i < n; ++i) points.push_back(position(i));
     Variable axis =
@@ -168,7 +237,7 @@ void set_grid(Dataset& dataset, const Grid& grid) {
     axis.attributes.set("length", spacing * static_cast<double>(n));
     axis.attributes.set("periodic", grid.periodic ? 1 : 0);
     axis.attributes.set("axis", name == "x" ? "X" : "Y");
-    dataset.put(std::move(axis));
+    put_coordinate(dataset, std::move(axis));
   };
   set_axis("x", grid.shape.nx, grid.dx, [&](Index i) { return grid.x(i); });
   set_axis("y", grid.shape.ny, grid.dy, [&](Index j) { return grid.y(j); });
@@ -235,14 +304,13 @@ std::vector<double> depths_of(const Dataset& dataset) {
 }
 
 void set_depths(Dataset& dataset, const std::vector<double>& depths) {
-  dataset.set_dimension("z", static_cast<Index>(depths.size()));
   Variable z = coordinate("z", depths, "m", "depth below the surface");
   z.attributes.set("unit", "m");
   z.attributes.set("axis", "Z");
   z.attributes.set("positive", "down");
   z.attributes.set("length", *std::ranges::max_element(depths));
   z.attributes.set("periodic", 0);
-  dataset.put(std::move(z));
+  put_coordinate(dataset, std::move(z));
 }
 
 void set_volume(Dataset& dataset, std::string_view name, std::vector<double> values, Meaning meaning) {
@@ -252,10 +320,9 @@ void set_volume(Dataset& dataset, std::string_view name, std::vector<double> val
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
                Meaning meaning) {
   auto set_axis = [&](const Axis& axis, Index n) {
-    dataset.set_dimension(axis.name, n);
     std::vector<double> points;
     for (Index i = 0; i < n; ++i) points.push_back(static_cast<double>(axis.first + i) * axis.step);
-    dataset.put(coordinate(axis.name, std::move(points), axis.unit, axis.meaning));
+    put_coordinate(dataset, coordinate(axis.name, std::move(points), axis.unit, axis.meaning));
   };
   set_axis(row, values.rows());
   set_axis(column, values.cols());

@@ -20,9 +20,14 @@
 
 namespace asperity {
 
-/// The grid of a dataset. Throws DataError when x or y is missing, has no size, or is not evenly spaced.
+/// The grid of a dataset. Of an axis whose attribute length and points agree, the finer of the two tells the spacing:
+/// the points where the length is in single precision and they are not, else the length; where they do not agree, as
+/// after cropping by a program that does not know the attribute, the points. Throws DataError when x or y is missing,
+/// has no size, or is not evenly spaced.
 Grid grid_of(const Dataset& dataset);
-/// Writes x and y; replaces a former grid and whatever stood on it.
+/// Gives x and y the lengths that grid_of takes, and returns a line on each that was another one.
+std::vector<std::string> settle_lengths(Dataset& dataset);
+/// Writes x and y; replaces a former grid and, if its points were others, whatever stood on it.
 void set_grid(Dataset& dataset, const Grid& grid);
 
 /// What becomes of missing points: DataError, or NaN.
@@ -58,6 +63,7 @@ void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::i
 
 /// The depths [m] of a dataset with z; throws DataError when there are none.
 std::vector<double> depths_of(const Dataset& dataset);
+/// Likewise of a former z.
 void set_depths(Dataset& dataset, const std::vector<double>& depths);
 /// Writes name(z, x, y); `values` is [depth][x][y], nz·nx·ny of them.
 void set_volume(Dataset& dataset, std::string_view name, std::vector<double> values, Meaning meaning);

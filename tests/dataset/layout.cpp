@@ -162,7 +162,8 @@ TEST_CASE("units convert by their definition and refuse another dimension", "[un
 }
 
 TEST_CASE(
-    "missing points are NaN where they may be left out, by mask, by attribute or as NaN, and infinity is refused",
+    "missing points are NaN where they may be left out, by mask, by attribute or as NaN, and infinity is "
+    "refused",
     "[layout][contract]") {
   const Field heights = random_field(grid.shape, 7);
   Dataset data = with_heights(heights);
@@ -187,7 +188,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a field read from its file by rows or columns is the field read whole, its mask, fill value and unit included",
+    "a field read from its file by rows or columns is the field read whole, its mask, fill value and unit "
+    "included",
     "[layout][exact]") {
   Dataset data = with_heights(random_field(grid.shape, 8));
   std::vector<std::int8_t> mask(24, 0);
@@ -222,4 +224,87 @@ TEST_CASE(
   std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes.substr(0, bytes.size() - 64);
   CHECK_THROWS_AS(FieldFile(path, "heights"), DataError);
   std::filesystem::remove(path);
+}
+
+// ---- the length of an axis beside its points ----
+
+namespace {
+
+// 96 points of 3 mm.
+Dataset with_axis(const Values& length) {
+  Dataset out;
+  set_grid(out, {{96, 1}, 3e-3 / 96, 1e-6, false});
+  out.find("x")->attributes.set_values("length", length);
+  return out;
+}
+
+void in_single_precision(Variable& axis) {
+  const std::vector<double> points = numbers(axis.values);
+  axis.values = std::vector<float>(points.begin(), points.end());
+}
+
+}  // namespace
+
+// The attribute was taken whatever its type: cells were 1e-8 too large. Of n points within ±L/2 the two ends are each
+// known to ε L/4, and the step between n - 1 of them to ε/2 of L/(n - 1).
+TEST_CASE("of a length in single precision beside points in double the points are taken", "[layout][exact]") {
+  const std::vector<float> length{3e-3F};
+  REQUIRE(relative_error(static_cast<double>(length[0]), 3e-3) >= 1e-9);
+  CHECK(relative_error(grid_of(with_axis(length)).dx, 3e-3 / 96) <= 2 * epsilon);
+  Dataset data = with_axis(length);
+  CHECK(settle_lengths(data).empty());
+}
+
+TEST_CASE("of points in single precision beside a length in double the length is taken", "[layout][exact]") {
+  Dataset data = with_axis(std::vector<double>{3e-3});
+  in_single_precision(*data.find("x"));
+  CHECK(relative_error(grid_of(data).dx, 3e-3 / 96) <= epsilon);
+  // far from the origin single precision leaves more open: 1e-8 m at 0.1 m, a third of a thousandth of a cell
+  std::vector<float> far;
+  for (int i = 0; i < 96; ++i) far.push_back(static_cast<float>(0.1 + i * 3e-3 / 96));
+  data.find("x")->values = far;
+  CHECK(settle_lengths(data).empty());
+  CHECK(relative_error(grid_of(data).dx, 3e-3 / 96) <= epsilon);
+}
+
+// A program that cuts a dataset and does not know the attribute leaves it as it was: slopes halved, a load of 100 N
+// became one of 25 N.
+TEST_CASE("a length that disagrees with the points is not taken, and a line says so once",
+          "[layout][exact]") {
+  for (const double stale : {6e-3, 3e-3 * 97 / 96, 3e-3 * 95 / 96}) {
+    Dataset data = with_axis(std::vector<double>{stale});
+    CAPTURE(stale);
+    CHECK(relative_error(grid_of(data).dx, 3e-3 / 96) <= 2 * epsilon);
+    const std::vector<std::string> lines = settle_lengths(data);
+    REQUIRE(lines.size() == 1);
+    CHECK_THAT(lines[0], Catch::Matchers::StartsWith("x: its length 0.00"));
+    CHECK_THAT(lines[0], ContainsSubstring("is not that of its 96 points, 0.003, which is taken"));
+    CHECK(relative_error(data.at("x").attributes.number("length", 0), 3e-3) <= 2 * epsilon);
+    CHECK(settle_lengths(data).empty());
+  }
+  Dataset single;  // of one point the length is all there is
+  set_grid(single, {{1, 1}, 1e-3, 1e-3, false});
+  CHECK(settle_lengths(single).empty());
+  CHECK(grid_of(single).dx == 1e-3);
+}
+
+// ---- other points ----
+
+// The header said so, and whatever had as many points stayed.
+TEST_CASE("other points take away what stood on the former ones, the same ones leave it",
+          "[layout][contract]") {
+  auto has_after = [](double dx, const std::vector<double>& depths) {
+    Dataset data;
+    set_grid(data, grid);
+    set_field(data, "field", random_field(grid.shape, 1), {"K", "of a user"});
+    set_depths(data, {0, 1e-6});
+    data.put({"deep", {"z"}, std::vector<double>{1, 2}, {}});
+    set_grid(data, {grid.shape, dx, grid.dy, true});
+    set_depths(data, depths);
+    return std::pair(data.has("field"), data.has("deep"));
+  };
+  CHECK(has_after(grid.dx, {0, 1e-6}) == std::pair(true, true));
+  CHECK(has_after(grid.dx * (1 + 1e-12), {0, 1e-6}) == std::pair(true, true));
+  CHECK(has_after(1.1 * grid.dx, {0, 1e-6}) == std::pair(false, true));
+  CHECK(has_after(grid.dx, {0, 2e-6}) == std::pair(true, false));
 }

@@ -275,13 +275,13 @@ TEST_CASE("what asperity-contact cannot do is one line that names the option, th
       {surface + " | asperity-contact --load 5N --counter -" + elastic, "--counter: standard input"},
   };
   for (const auto& [line, words] : wrong) {
-    const Outcome run = shell(line + " -o absent.nc");
+    const Outcome run = shell(line + " -o absent");
     CAPTURE(line, run.error);
     CHECK(run.exit == 2);
     CHECK(lines(run.error) == 1);
     CHECK_THAT(run.error, ContainsSubstring("asperity-contact: ") && ContainsSubstring(words));
   }
-  CHECK_FALSE(std::filesystem::exists(scratch("absent.nc")));
+  CHECK_FALSE(std::filesystem::exists(scratch("absent")));
 }
 
 TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 and one line",

@@ -2,9 +2,21 @@
 
 #include <stdexcept>
 
+#include "cli/output_name.hpp"
 #include "dataset/netcdf.hpp"
 
 namespace asperity::cli {
+
+namespace {
+
+const std::string& checked(const std::string& name) {
+  check_dataset_name(name);
+  return name;
+}
+
+}  // namespace
+
+DatasetStream::DatasetStream(const std::string& name) : file_(checked(name)) {}
 
 void DatasetStream::head(const Dataset& dataset, std::size_t deferred) {
   const std::string bytes = encode_netcdf_head(dataset, deferred);

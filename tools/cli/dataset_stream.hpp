@@ -17,7 +17,8 @@ namespace asperity::cli {
 
 class DatasetStream {
  public:
-  explicit DatasetStream(const std::string& name) : file_(name) {}
+  /// Throws ParameterError("output", …) for a name of another format.
+  explicit DatasetStream(const std::string& name);
 
   /// Whether head() may be called again: the output is a regular file, no pipe.
   bool rewritable() const { return file_.rewritable(); }

@@ -180,7 +180,11 @@ void Tool::input_format(const std::string& name) {
 // The options that all or several tools have stand last in --help, in one order.
 void Tool::add_common() {
   if (writes_dataset_ || writes_table_)
-    text("-o,--output", output_, "FILE", "Where the result goes; - is standard output", common);
+    text("-o,--output", output_, "FILE",
+         std::string("Where the result goes; - is standard output") +
+             (writes_any_ || !writes_dataset_ ? ""
+                                              : ". A dataset is NetCDF: FILE.nc, or without an extension"),
+         common);
   if (writes_table_) flag("--json", json_, "Print one JSON object instead of a table", common);
   if (reports_) text("--report", report_, "FILE.json", "Write what was achieved as one JSON object", common);
   if (seeded_) add_seed();

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/output_name.hpp"
 #include "cli/tool.hpp"
 
 namespace asperity::cli {
@@ -139,10 +140,12 @@ std::string render(const Quantities& quantities, bool json, bool terminal) {
 }
 
 void print(const Tool& tool, const Table& table) {
+  check_table_name(tool.output_name(), tool.json());
   tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
 }
 
 void print(const Tool& tool, const Quantities& quantities) {
+  check_table_name(tool.output_name(), tool.json());
   tool.write_text(render(quantities, tool.json(), tool.output_is_terminal()));
 }
 

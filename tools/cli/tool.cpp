@@ -9,6 +9,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "cli/config.hpp"
+#include "cli/output_name.hpp"
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
@@ -35,6 +36,12 @@ bool names(const std::vector<std::string>& arguments, const CLI::Option& option)
     return std::ranges::any_of(option.get_lnames(), is_long) ||
            std::ranges::any_of(option.get_snames(), is_short);
   });
+}
+
+// As early as can be: of a tool that writes either, what neither may be written into.
+void check_output_name(const std::string& name, bool dataset, bool table, bool json) {
+  if (!table) return check_dataset_name(name);
+  if (!dataset || !names_dataset(extension_of(name))) check_table_name(name, json);
 }
 
 }  // namespace
@@ -112,6 +119,9 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   if (writes_dataset_ && !writes_any_ && !writes_table_ && output_is_terminal())
     return fail(usage_error,
                 "--output: a dataset is binary and standard output is a terminal; pipe it on or name a file");
+  if ((writes_dataset_ || writes_table_) && !writes_any_)
+    check_output_name(output_, writes_dataset_, writes_table_, json_);
+  if (!report_.empty()) check_table_name(report_, true, "report");
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
     return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " --help tells more)");
   return body();
@@ -155,13 +165,18 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
 
 Dataset Tool::read() const { return read(input_); }
 
-Dataset Tool::read(const std::string& name) const { return format_.dataset(read_all(name), name); }
+Dataset Tool::read(const std::string& name) const {
+  Dataset data = format_.dataset(read_all(name), name);
+  for (const std::string& line : settle_lengths(data)) warn((name == "-" ? "" : name + ": ") + line);
+  return data;
+}
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }
 
 void Tool::write(Dataset& dataset, const std::string& name) {
   if (name == "-" && stdout_is_terminal())
     throw UsageError("output", "a dataset is binary and does not go to a terminal");
+  if (!writes_any_) check_dataset_name(name);
   sign(dataset);
   OutputFile file(name);
   write_netcdf(dataset, [&](std::string_view bytes) { file.write(bytes); });

@@ -80,6 +80,7 @@ constexpr Entry entries[] = {
     {"contact_poisson", parameter, "1", "Poisson's ratios"},
     {"contact_composite_modulus", parameter, "Pa", "composite modulus"},
     {"contact_boundary", parameter, "", "boundary"},
+    {"contact_variable", parameter, "", "surface that is pressed"},
     {"contact_counter", parameter, "", "second body"},
     {"contact_limit_pressure", parameter, "Pa", "limit pressure"},
     {"contact_tolerance", parameter, "1", "tolerance of the residual"},

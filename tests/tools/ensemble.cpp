@@ -1,0 +1,75 @@
+// Surfaces of an ensemble must have grids over which a mean says something.
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+std::string draw(const std::string& shape, const std::string& size, const std::string& name) {
+  return "asperity-generate --rq 0.4um --length 50um --seed 7 --shape " + shape + " --size " + size + " -o " +
+         name + " && ";
+}
+
+}  // namespace
+
+// Maps of 10 and 20 um spacing were averaged without a word: Sdq differs by the spacing alone.
+TEST_CASE("surfaces of different spacings have no mean: refused, with the file and both grids",
+          "[ensemble][contract]") {
+  const std::string both = draw("32x32", "640um", "coarse.nc") + draw("32x32", "320um", "fine.nc");
+  for (const std::string tool : {"asperity-stats", "asperity-stats --parameters height --memory 12kB",
+                                 "asperity-stats --profile x", "asperity-validate"}) {
+    const Outcome run = shell(both + tool + " coarse.nc fine.nc");
+    CAPTURE(tool, run.error);
+    CHECK(run.exit == 4);
+    CHECK_THAT(run.error, ContainsSubstring("fine.nc: its grid, 32x32 cells on 320um x 320um, is not that of "
+                                            "coarse.nc, 32x32 cells on 640um x 640um"));
+    CHECK(run.out.empty());
+  }
+}
+
+TEST_CASE("surfaces of different sizes are averaged with one warning, and not tested together",
+          "[ensemble][contract]") {
+  const std::string all = draw("32x32", "640um", "a.nc") + draw("32x24", "640um,480um", "b.nc") +
+                          draw("16x24", "320um,480um", "c.nc");
+  const Outcome run = shell(all + "asperity-stats -q a.nc b.nc c.nc");
+  CHECK(run.exit == 0);
+  CHECK(lines(run.error) == 1);
+  CHECK_THAT(run.error, ContainsSubstring("asperity-stats: warning: b.nc: its grid, 32x24 cells"));
+  CHECK(shell("asperity-validate a.nc b.nc").exit == 4);
+}
+
+TEST_CASE("surfaces of one grid, or of one but for six digits, are averaged without a word",
+          "[ensemble][contract]") {
+  const Outcome run = shell(draw("32x32", "640um", "a.nc") + draw("32x32", "640.0001um", "b.nc") +
+                            "asperity-stats a.nc b.nc");
+  CHECK(run.exit == 0);
+  CHECK(run.error.empty());
+}
+
+// As after ds.isel(x=slice(0, 16)) of xarray, which keeps the attribute: twice the spacing, half the slopes.
+TEST_CASE("a length that is not that of the points is not taken, which every tool says and mends",
+          "[ensemble][contract]") {
+  REQUIRE(shell(draw("32x24", "640um,480um", "whole.nc") + "true").exit == 0);
+  Dataset data = read_dataset("whole.nc");
+  data.find("x")->attributes.set("length", 1.28e-3);
+  write_dataset(data, "stale.nc");
+  const std::string warning =
+      "warning: stale.nc: x: its length 0.00128 is not that of its 32 points, 0.00064, which is taken";
+  const Outcome told = shell("asperity-stats -q stale.nc");
+  CHECK_THAT(told.error, ContainsSubstring(warning));
+  CHECK(told.out == shell("asperity-stats whole.nc").out);
+  CHECK_THAT(shell("asperity-stats -q stale.nc --parameters height --memory 12kB").error,
+             ContainsSubstring(warning));
+  for (const std::string tool : {"asperity-acf --dataset stale.nc", "asperity-convert stale.nc",
+                                 "asperity-generate --kernel stale.nc --seed 1"}) {
+    const Outcome run = shell(tool + " > mended.nc");
+    CAPTURE(tool, run.error);
+    CHECK(run.exit == 0);
+    CHECK_THAT(run.error, ContainsSubstring("its length 0.00128 is not that of its 32 points"));
+    CHECK(std::abs(read_dataset("mended.nc").at("x").attributes.number("length", 0) / 640e-6 - 1) <= 1e-12);
+    CHECK(shell("asperity-stats mended.nc").error.empty());
+  }
+}
