@@ -15,8 +15,7 @@ constexpr double face_reduction = 0.25;       // of |r| before violations are lo
 constexpr double face_goal = 0.9;             // of the tolerance, for max|r| on a face
 constexpr int face_steps = 200;
 constexpr int updates_before_refresh = 50;
-constexpr double far_from_datum = 100;     // displacements: round-off of g is then 1e-14 of them
-constexpr double round_off_floor = 1e-11;  // of ε, where gains end
+constexpr double far_from_datum = 100;  // displacements: round-off of g is then 1e-14 of them
 
 }  // namespace
 

@@ -48,13 +48,14 @@ class CountedOperator final : public ElasticOperator {
   ElasticOperator& counted_;
 };
 
+inline constexpr double round_off_floor = 1e-11;  ///< of ε: below it gains may end
 enum class ContactStop { converged, convolution_limit, round_off };
 
 class GuardedGradients {
  public:
   struct Limits {
     double tolerance = 1e-6;  ///< of ε
-    int convolutions = 1000;
+    double convolutions = 1000;
   };
   using Observer = std::function<void(const ContactResidual&, const CountedOperator&)>;
 

@@ -96,16 +96,18 @@ WindowedGradients::Observer observer(const Grid& grid, Shape shape, const Contac
   };
 }
 
-std::string describe(ContactStop stop, const ContactParameters& parameters) {
+std::string describe(ContactStop stop, double epsilon, const ContactParameters& parameters) {
   switch (stop) {
     case ContactStop::converged:
       return "converged";
     case ContactStop::round_off:
-      return "round-off allows no smaller residual";
+      return fmt::format("round-off allows no smaller residual than {:.1e}, the tolerance is {:.1e}", epsilon,
+                         parameters.tolerance);
     case ContactStop::convolution_limit:
       break;
   }
-  return fmt::format("the limit of {} convolutions is reached", parameters.max_convolutions);
+  return fmt::format("the limit of {} convolutions is reached at a residual of {:.1e}",
+                     parameters.max_convolutions, epsilon);
 }
 
 // Squares of pressures beyond 1e154 are infinite: then no residual says anything.
@@ -177,7 +179,7 @@ Field solve_level(Contact& contact, Level& level, Field start, bool near, Window
   contact.preconditionings += share * gradients.preconditionings();
   if (!finest) return std::move(gradients.pressure());
   contact.converged = stop == ContactStop::converged;
-  contact.reason = describe(stop, parameters);
+  contact.reason = describe(stop, gradients.residual().epsilon, parameters);
   keep(contact, grid, level.problem, gradients, parameters);
   return {};
 }

@@ -7,7 +7,8 @@
 ///       minimise on W, p = 0 elsewhere                                          contact/guarded.hpp
 ///       g ← h + K p on the grid                                    one application of the whole K
 ///       W ← W ∪ the least window of g < δ, with a margin
-/// W grows only, and the energy falls. It is the whole grid where the start is in contact everywhere, where the
+/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, the grid is looked at and W
+/// grows while there is a violation outside; only the limit of convolutions ends it without. It is the whole grid where the start is in contact everywhere, where the
 /// body has no windows or none worth it, and where the limit pressure on W would not carry the load.
 ///
 /// Accuracy  ε is that of the last g on the grid, which no recurrence has touched.
@@ -54,7 +55,7 @@ class WindowedGradients {
   ContactStop minimise(ElasticOperator& influence, ContactProblem& problem, Field& p, Field& g, bool near,
                        const Observer& observe);
   void confirm();
-  bool at_round_off();
+  bool at_round_off(ContactStop on_window);
 
   ElasticOperator& influence_;
   ContactProblem& problem_;
