@@ -44,6 +44,9 @@ class WindowedGradients {
   /// The solution, to be read or moved away.
   Field& pressure() { return p_; }
   Field& gap() { return g_; }  ///< h + K p
+  /// The window that holds it, and the body on that.
+  const Window& window() const { return window_; }
+  ElasticOperator& body() { return on_window_ ? *on_window_ : influence_; }
   const ContactResidual& residual() const { return residual_; }
   double convolutions() const { return convolutions_; }
   double preconditionings() const { return preconditionings_; }
