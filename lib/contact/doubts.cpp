@@ -35,17 +35,18 @@ std::string enlarge(const Grid& grid, const Bodies& bodies, const Contact& conta
                      2 * b, side(a, grid.size_x(), touched.along_x), side(b, grid.size_y(), touched.along_y));
 }
 
-std::string lengthen(const Grid& grid, const Bodies& bodies, const Contact& contact) {
+std::string lengthen(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
   const bool along_x = bodies.curvature_x() < bodies.curvature_y();
   const double length = along_x ? grid.size_x() : grid.size_y();
-  const double width =
-      2 * hertz_line(bodies.composite_modulus(), std::max(bodies.curvature_x(), bodies.curvature_y()),
-                     contact.load / length)
-              .half_width;
+  const double curvature = along_x ? bodies.curvature_y() : bodies.curvature_x();
+  const double b = hertz_line(bodies.composite_modulus(), curvature, contact.load / length).half_width;
+  const bool across = along_x ? touched.along_y : touched.along_x;
   return fmt::format(
-      ", where a cylinder ends and presses harder than one without ends, whose contact is {:.3g} m wide: "
-      "give a radius along {} too, or a domain wider than that",
-      width, along_x ? "x" : "y");
+             ", where a cylinder ends and presses harder than without an end: give a radius along {} too",
+             along_x ? "x" : "y") +
+         (across
+              ? fmt::format(", and a domain of {:.3g} m across for a contact of {:.3g} m", sides * b, 2 * b)
+              : "");
 }
 
 std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
@@ -53,27 +54,31 @@ std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& c
                      grid.size_y()) +
          (bodies.flat() ? ", and flat bodies go on beyond it: make them periodic, or give a radius"
           : has_point_contact(bodies) ? enlarge(grid, bodies, contact, touched)
-                                      : lengthen(grid, bodies, contact));
+                                      : lengthen(grid, bodies, contact, touched));
 }
 
-// The smallest radius of a body, either sign.
-double smallest(double first, double second) { return std::min(std::abs(first), std::abs(second)); }
+// Along one axis: half the domain and the smallest radius of a body, of either sign.
+struct Reach {
+  const char* axis;
+  double half, radius;
+  double share() const { return half / radius; }
+};
+
+Reach reach(const char* axis, double side, double first, double second) {
+  return {axis, side / 2, std::min(std::abs(first), std::abs(second))};
+}
 
 }  // namespace
 
 std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies) {
   const auto& [one, other] = bodies.radius;
-  std::vector<std::string> out;
-  auto look = [&out](const char* axis, double half, double radius) {
-    if (half > radius)
-      out.push_back(fmt::format(
-          "the domain ends at {} = {:.3g} m, beyond a body's radius of {:.3g} m: the gap there is that of a "
-          "paraboloid, not of the body",
-          axis, half, radius));
-  };
-  look("x", grid.size_x() / 2, smallest(one.x, other.x));
-  look("y", grid.size_y() / 2, smallest(one.y, other.y));
-  return out;
+  const Reach x = reach("x", grid.size_x(), one.x, other.x), y = reach("y", grid.size_y(), one.y, other.y);
+  const Reach& far = x.share() < y.share() ? y : x;
+  if (far.share() <= 1) return {};
+  return {fmt::format(
+      "the domain ends at {} = {:.3g} m, beyond a body's radius of {:.3g} m: the gap there is that of a "
+      "paraboloid, not of the body",
+      far.axis, far.half, far.radius)};
 }
 
 std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {
