@@ -1,7 +1,6 @@
 #include "contact/doubts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

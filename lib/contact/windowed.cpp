@@ -100,7 +100,8 @@ void WindowedGradients::confirm() {
   fresh_ = true;
 }
 
-// The window says so, and ε on the grid agrees; or ε has not fallen on the grid for some rounds.
+// ε of the grid is there, and the window says so or some rounds have not lowered it. At round-off the iteration may
+// end far from its best: then it goes on.
 bool WindowedGradients::at_round_off(ContactStop on_window) {
   rounds_without_gain_ = residual_.epsilon < best_ ? 0 : rounds_without_gain_ + 1;
   best_ = std::min(best_, residual_.epsilon);

@@ -8,8 +8,9 @@
 ///       g ← h + K p on the grid                                    one application of the whole K
 ///       W ← W ∪ the least window of g < δ, with a margin
 /// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, the grid is looked at and W
-/// grows while there is a violation outside; only the limit of convolutions ends it without. It is the whole grid where the start is in contact everywhere, where the
-/// body has no windows or none worth it, and where the limit pressure on W would not carry the load.
+/// grows while there is a violation outside; only the limit of convolutions ends it without. W is the whole grid where
+/// the start is in contact everywhere, where the body has no windows or none worth it, and where the limit pressure on
+/// W would not carry the load.
 ///
 /// Accuracy  ε is that of the last g on the grid, which no recurrence has touched.
 /// Cost      an application of K or M on W costs, and counts, as the share that W has of the grid's cells.

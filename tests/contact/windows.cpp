@@ -183,6 +183,20 @@ TEST_CASE("a window that stops at round-off is left under a given approach and i
   });
 }
 
+// Conjugate gradients that went on at round-off added up directions of noise: they ended anywhere, ε of 1e-3 and more, by
+// hundreds of convolutions.
+TEST_CASE("rough spheres end at round-off, and not far from it, whatever is asked for", "[contact][law]") {
+  const Grid grid = square(96);
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    for (double q : {30.0, 1000.0}) {
+      const Contact contact =
+          solve_contact(grid, rough_gap(grid, seed), modulus, {.load = q, .tolerance = 1e-17});
+      CAPTURE(seed, q, contact.reason, contact.convolutions);
+      CHECK(contact.residual <= 1e-11);
+      CHECK(contact.convolutions <= 300);
+    }
+}
+
 TEST_CASE("a periodic surface with spikes stops at round-off in the right answer too", "[window][law]") {
   Grid grid = square(64);
   grid.periodic = true;
