@@ -12,8 +12,8 @@
 /// Cells leave a bound all at once when a face is built, or in a gradient step; they join one only in a
 /// guarded or a gradient step, and then exactly. Every iterate is feasible and the energy falls, so that the
 /// sets cannot cycle. The residual on a face is not driven to zero: while no bound is violated the conjugate
-/// gradients go on, and once it has fallen to a quarter they stop at the first violation. They stop too where it has grown a
-/// thousandfold: at round-off the directions are noise, and adding them up leaves the solution.
+/// gradients go on, and once it has fallen to a quarter they stop at the first violation; they stop too where it
+/// has grown a thousandfold, for at round-off directions are noise that adds up.
 ///
 /// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
 /// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells; six

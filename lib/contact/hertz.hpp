@@ -17,8 +17,8 @@
 ///
 /// Symbols   Q load [N]   q load per length [N/m]   E* composite modulus [Pa]   Rx, Ry, R composite radii [m]
 ///           a, b semi-axes of the contact [m]   p₀ greatest pressure [Pa]   δ approach [m]
-/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5): infinite length; a cylinder that ends with the domain presses
-///           harder at its ends.
+/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5): infinite length; a cylinder that ends with the
+///           domain presses harder at its ends.
 /// Accuracy  round-off, some 10 ε.
 ///
 /// [1] H. Hertz, Über die Berührung fester elastischer Körper, J. reine angew. Math. 92 (1881) 156-171;
