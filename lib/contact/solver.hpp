@@ -20,8 +20,8 @@
 /// Accuracy  bounds exact, load to 1e-12, ε as asked for and confirmed. What the cells leave: Hertz's
 ///           greatest pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)².
 /// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…100 for rough ones, more the finer the grid;
-///           two for a contact of a hundred cells; 5…25 more for the stiffness. Preconditioners and passes over the
-///           cells add a half.
+///           two for a contact of a hundred cells; half as many again for the stiffness. Preconditioners and passes
+///           over the cells add a half.
 /// Scope     half-spaces and small strains: contact/doubts.hpp says where a result leaves them.
 /// Memory    12 doubles a cell, the gap and the result included; less where contact is a part of the domain.
 ///           Move the gap in if it is not wanted any more.

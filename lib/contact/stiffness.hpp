@@ -19,8 +19,8 @@
 /// Scope     the solution's C: Q(δ) of cells is piecewise linear, S is a staircase that steps up where a cell joins.
 /// Accuracy  (3): round-off, 1e-10 or so at a residual of 1e-6, which is asked for. The outline's cells leave of Hertz's
 ///           2aE* some 0.05 Δx/a, 0.2 Δx/a at most where the contact has 20 cells or more.
-/// Cost      5…10 convolutions on the contact's window for spheres, smooth or rough, 8…25 for periodic surfaces, where
-///           the solution itself takes 10 and 15…30.
+/// Cost      about half the convolutions of the solution, on its window: 5 for smooth spheres, 5…35 for rough ones, the
+///           more the sparser the contact and the finer the grid, 8…25 for periodic surfaces.
 ///
 /// J. R. Barber, Bounds on the electrical resistance between contacting elastic rough bodies,
 /// Proc. R. Soc. Lond. A 459 (2003) 53-66.
