@@ -73,7 +73,7 @@ AcfTable from_dataset(Dataset data) {
   const std::string name = data.has("acf") ? "acf" : "acf_target";
   if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
   AcfTable out;
-  const Field table = table_of(data, name);
+  const Field table = table_of(data, name, Missing::not_a_number);
   out.half_plane = known_lags(table);
   target_of_table(out.half_plane);
   const Variable& variable = data.at(name);

@@ -72,7 +72,7 @@ Prescription carried(const Dataset& data, const Grid& grid) {
   if (!rho)
     throw DataError("acf_target", "the first surface carries none for its grid; --target names another file");
   const bool metres = data.at("acf_target").attributes.text("units") == "m2";
-  const Field table = known_lags(table_of(data, "acf_target"));
+  const Field table = known_lags(table_of(data, "acf_target", Missing::not_a_number));
   return {.correlation = *rho, .sq = metres ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 

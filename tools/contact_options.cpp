@@ -86,6 +86,11 @@ void ContactOptions::declare_load(Tool& tool) {
                                      "Yield stress of the softer body: no pressure exceeds 3 of it", load);
   tool.quantity("--limit-pressure", contact.limit_pressure, "Pa", "The greatest pressure itself", load)
       ->excludes(yield);
+  tool.flag(
+      "--stiffness", contact.stiffness,
+      "Add contact_stiffness, dQ/d(approach) of the cells in contact; those at the limit pressure give way, "
+      "and a periodic surface in full contact is infinitely stiff",
+      load);
   tool.flag("--unload", unload,
             "Add heights_residual: the surface after the load is removed, the heights less "
             "displacement_plastic; what is elastic springs back",
@@ -95,8 +100,7 @@ void ContactOptions::declare_load(Tool& tool) {
       "--loads", loads_, "LOADS",
       "FROM:TO:COUNT, such as 10N:5kN:20 at equal ratios (10N:5kN:20:uniform: equal steps), or 10N,20N,50N: "
       "one load after the other, each "
-      "started from the last. Prints a table, a row a load; stiffness is dQ/d(approach), differentiated "
-      "in ln Q through five neighbouring loads",
+      "started from the last. Prints a table, a row a load, with the stiffness of each",
       sweep);
   tool.text("--each", each, "PATTERN", "Write a dataset for each load too, such as press-%03d.nc, from 1 on",
             sweep);
@@ -126,6 +130,7 @@ void ContactOptions::check_load(const Tool& tool) {
   if (tool.given("--load")) contact.load = load_;
   if (tool.given("--approach")) contact.approach = approach_;
   if (tool.given("--loads")) contact.load = (loads = parse_loads(loads_)).front();
+  if (sweeps()) contact.stiffness = true;
   if (tool.given("--yield")) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("{} Pa is not above 0", yield_));
     contact.limit_pressure = hardness * yield_;

@@ -6,7 +6,6 @@
 #include "cli/record.hpp"
 #include "contact/flattening.hpp"
 #include "contact/hertz.hpp"
-#include "contact/sweep.hpp"
 #include "dataset/layout.hpp"
 
 namespace asperity::cli {
@@ -30,7 +29,7 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
 
 // What the bodies would do were they smooth, where that has a closed form.
 void record_hertz(Attributes& a, const Bodies& bodies, double load) {
-  if (!(bodies.curvature_x() > 0 && bodies.curvature_y() > 0)) return;
+  if (!has_point_contact(bodies)) return;
   const Hertz smooth = hertz(bodies, load);
   a.set("contact_hertz_pressure", smooth.pressure);
   a.set("contact_hertz_radius", smooth.radius);
@@ -54,6 +53,14 @@ void record_result(Attributes& a, const Contact& c) {
   a.set("contact_levels", c.levels);
   a.set("contact_setup_seconds", on_record(c.setup_seconds));
   a.set("contact_seconds", on_record(c.seconds));
+}
+
+// Not that of a former run.
+void record_stiffness(Attributes& a, const ContactOptions& o, const Contact& c) {
+  if (!o.contact.stiffness) return;
+  a.set("contact_stiffness", c.stiffness);
+  a.set("contact_stiffness_residual", c.stiffness_residual);
+  a.set("contact_stiffness_converged", std::isnan(c.stiffness) ? 0 : 1);
 }
 
 void record_fields(Dataset& data, const Contact& c) {
@@ -84,36 +91,28 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   record_bodies(a, options, scene.grid);
   record_hertz(a, options.bodies, contact.load);
   record_result(a, contact);
+  record_stiffness(a, options, contact);
   record_fields(scene.data, contact);
   record_flattening(scene.data, options, contact, pressed);
 }
 
-void LoadTable::add(const Contact& c) {
-  rows_.push_back({c.load, c.approach, c.area, c.plastic_area, c.mean_gap, c.max_pressure, c.residual,
-                   c.convolutions, c.converged ? 1.0 : 0.0});
+Table load_table() {
+  return {{{"load", "N"},
+           {"approach", "m"},
+           {"area", "m2"},
+           {"plastic_area", "m2"},
+           {"mean_gap", "m"},
+           {"stiffness", "N/m"},
+           {"max_pressure", "Pa"},
+           {"residual", "1"},
+           {"convolutions", "1"},
+           {"converged", "1"}},
+          {}};
 }
 
-Table LoadTable::table() const {
-  std::vector<double> loads, approaches;
-  for (const Row& r : rows_) loads.push_back(r.load), approaches.push_back(r.approach);
-  const std::vector<double> slopes = stiffness(loads, approaches);
-  Table out{{{"load", "N"},
-             {"approach", "m"},
-             {"area", "m2"},
-             {"plastic_area", "m2"},
-             {"mean_gap", "m"},
-             {"stiffness", "N/m"},
-             {"max_pressure", "Pa"},
-             {"residual", "1"},
-             {"convolutions", "1"},
-             {"converged", "1"}},
-            {}};
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Row& r = rows_[i];
-    out.rows.push_back({r.load, r.approach, r.area, r.plastic_area, r.mean_gap, slopes[i], r.max_pressure,
-                        r.residual, r.convolutions, r.converged});
-  }
-  return out;
+std::vector<Cell> load_row(const Contact& c) {
+  return {c.load,      c.approach,     c.area,     c.plastic_area, c.mean_gap,
+          c.stiffness, c.max_pressure, c.residual, c.convolutions, c.converged ? 1.0 : 0.0};
 }
 
 }  // namespace asperity::cli

@@ -9,17 +9,8 @@ namespace asperity::cli {
 /// The effective parameters, the result and its fields, in place of any former ones.
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact);
 
-/// A row a load; the stiffness needs them all.
-class LoadTable {
- public:
-  void add(const Contact& contact);
-  Table table() const;
-
- private:
-  struct Row {
-    double load, approach, area, plastic_area, mean_gap, max_pressure, residual, convolutions, converged;
-  };
-  std::vector<Row> rows_;
-};
+/// The table of a sweep, its rows to come, and the row of a load.
+Table load_table();
+std::vector<Cell> load_row(const Contact& contact);
 
 }  // namespace asperity::cli

@@ -62,7 +62,7 @@ inline Spacing lag_spacing(const Dataset& data) {
 /// Throws DataError when a table is missing or makes no sense.
 inline KernelTables kernel_of(const Dataset& data) {
   KernelTables tables{table_of(data, "kernel"),
-                      table_of(data, "acf_target"),
+                      table_of(data, "acf_target", Missing::not_a_number),
                       table_of(data, "acf_achieved"),
                       false,
                       {},

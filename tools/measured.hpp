@@ -78,7 +78,7 @@ inline std::optional<LagField> carried_correlation(const Dataset& data, const st
     return lags.size() < 2 || std::abs(lags[1] - lags[0] - spacing) <= 1e-6 * spacing;
   };
   if (!fits("p", grid.dx) || !fits("q", grid.dy)) return std::nullopt;
-  return LagField(known_lags(table_of(data, name))).normalised();
+  return LagField(known_lags(table_of(data, name, Missing::not_a_number))).normalised();
 }
 
 inline int form_degree(const std::string& level) {

@@ -48,9 +48,7 @@ bool finite(const Contact& c) {
 }
 
 std::string outcome_of(const Contact& c) {
-  std::string out = c.converged ? "converged" : "not converged: " + c.reason;
-  for (const std::string& warning : c.warnings) out += "; warning: " + warning;
-  return out;
+  return c.converged ? "converged" : "not converged: " + c.reason;
 }
 
 // Bounds exact, load to 1e-12, and the residual.

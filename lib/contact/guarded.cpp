@@ -14,9 +14,9 @@ constexpr double sufficient_decrease = 1e-4;  // Armijo's fraction
 constexpr double face_reduction = 0.25;       // of |r| before violations are looked for
 constexpr double face_goal = 0.9;             // of the tolerance, for max|r| on a face
 constexpr int face_steps = 200;
+constexpr double divergence = 1e3;  // of |r| over its least: at round-off directions are noise, and add up
 constexpr int updates_before_refresh = 50;
-constexpr double far_from_datum = 100;     // displacements: round-off of g is then 1e-14 of them
-constexpr double round_off_floor = 1e-11;  // of ε, where gains end
+constexpr double far_from_datum = 100;  // displacements: round-off of g is then 1e-14 of them
 
 }  // namespace
 
@@ -146,8 +146,10 @@ void GuardedGradients::face_step() {
 void GuardedGradients::minimise_on_face() {
   face_gradients_.begin(face_, p_, g_);
   const double goal = face_goal * limits_.tolerance * residual_.scale;
-  double reference = face_gradients_.norm();
+  double reference = face_gradients_.norm(), least = reference;
   while (face_gradients_.steps() < face_steps && face_gradients_.step() && face_gradients_.largest() > goal) {
+    least = std::min(least, face_gradients_.norm());
+    if (face_gradients_.norm() > divergence * least) break;
     if (face_gradients_.norm() > face_reduction * reference) continue;
     if (face_gradients_.out_of_bounds() || face_gradients_.face_too_small()) break;
     reference = face_gradients_.norm();

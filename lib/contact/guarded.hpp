@@ -12,7 +12,8 @@
 /// Cells leave a bound all at once when a face is built, or in a gradient step; they join one only in a
 /// guarded or a gradient step, and then exactly. Every iterate is feasible and the energy falls, so that the
 /// sets cannot cycle. The residual on a face is not driven to zero: while no bound is violated the conjugate
-/// gradients go on, and once it has fallen to a quarter they stop at the first violation.
+/// gradients go on, and once it has fallen to a quarter they stop at the first violation; they stop too where it
+/// has grown a thousandfold, for at round-off directions are noise that adds up.
 ///
 /// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
 /// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells; six
@@ -48,13 +49,14 @@ class CountedOperator final : public ElasticOperator {
   ElasticOperator& counted_;
 };
 
+inline constexpr double round_off_floor = 1e-11;  ///< of ε: below it gains may end
 enum class ContactStop { converged, convolution_limit, round_off };
 
 class GuardedGradients {
  public:
   struct Limits {
     double tolerance = 1e-6;  ///< of ε
-    int convolutions = 1000;
+    double convolutions = 1000;
   };
   using Observer = std::function<void(const ContactResidual&, const CountedOperator&)>;
 

@@ -1,46 +1,57 @@
 #include "contact/hertz.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
+#include <fmt/format.h>
 #include <gsl/gsl_sf_ellint.h>
+
+#include "grid/error.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr int bisections = 64;
+constexpr double largest_ratio = 1e100;  // of curvatures; GSL's R_D ends at k² = 1e-204
 
 double carlson_d(double x, double y, double z) { return gsl_sf_ellint_RD(x, y, z, GSL_PREC_DOUBLE); }
 
 // ln(B/A) of (4) for k = exp t, less the one wanted.
-double mismatch(double t, void* wanted) {
+double mismatch(double t, double wanted) {
   const double k2 = std::exp(2 * t);
-  return std::log(carlson_d(0, 1, k2) / carlson_d(0, k2, 1)) - *static_cast<double*>(wanted);
+  return std::log(carlson_d(0, 1, k2) / carlson_d(0, k2, 1)) - wanted;
 }
 
-// k ≤ 1 for B/A = exp(ratio) ≥ 1; it lies above A/B, for B/A ≥ 1/k.
+// k ≤ 1 for B/A = exp(ratio) ≥ 1, by bisection; it lies above A/B, for B/A ≥ 1/k. Near k = 1 the mismatch may have lost
+// its sign in round-off at both ends, which a bisection does not mind.
 double axes_ratio(double ratio) {
-  if (ratio == 0) return 1;
-  const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
-      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
-  gsl_function f{&mismatch, &ratio};
   double low = -ratio, high = 0;
-  gsl_root_fsolver_set(solver.get(), &f, low, high);
-  for (int i = 0; i < 100 && gsl_root_test_interval(low, high, 2e-16, 2e-16) == GSL_CONTINUE; ++i) {
-    gsl_root_fsolver_iterate(solver.get());
-    low = gsl_root_fsolver_x_lower(solver.get());
-    high = gsl_root_fsolver_x_upper(solver.get());
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = (low + high) / 2;
+    (mismatch(middle, ratio) > 0 ? low : high) = middle;
   }
-  return std::exp(gsl_root_fsolver_root(solver.get()));
+  return std::exp(high);
 }
 
 }  // namespace
 
+bool has_point_contact(const Bodies& bodies) {
+  const auto [less, more] = std::minmax({bodies.curvature_x(), bodies.curvature_y()});
+  return less > 0 && std::isfinite(more) && more / less <= largest_ratio;
+}
+
 Hertz hertz(const Bodies& bodies, double load) {
+  bodies.check();
+  if (!has_point_contact(bodies))
+    throw ParameterError(
+        "radius", fmt::format("composite curvatures of {} and {} 1/m have no contact in a point: both must "
+                              "be above 0, and neither {:.0e} times the other",
+                              bodies.curvature_x(), bodies.curvature_y(), largest_ratio));
+  if (!(load > 0 && std::isfinite(load)))
+    throw ParameterError("load", fmt::format("{} N is not above 0", load));
   const double along_x = bodies.curvature_x(), along_y = bodies.curvature_y();
   const double less = std::min(along_x, along_y), more = std::max(along_x, along_y);
   const double k = axes_ratio(std::log(more / less)), modulus = bodies.composite_modulus();

@@ -17,8 +17,8 @@
 ///
 /// Symbols   Q load [N]   q load per length [N/m]   E* composite modulus [Pa]   Rx, Ry, R composite radii [m]
 ///           a, b semi-axes of the contact [m]   p₀ greatest pressure [Pa]   δ approach [m]
-/// Scope     (2): both curvatures above 0. (5): infinite length; a cylinder that ends with the domain presses
-///           harder at its ends.
+/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5): infinite length; a cylinder that ends with the
+///           domain presses harder at its ends.
 /// Accuracy  round-off, some 10 ε.
 ///
 /// [1] H. Hertz, Über die Berührung fester elastischer Körper, J. reine angew. Math. 92 (1881) 156-171;
@@ -39,7 +39,11 @@ struct Hertz {
   double radius_y = 0;  ///< semi-axis along y [m]
 };
 
-/// (2); both composite curvatures must be above 0.
+/// Whether (2) has an answer in doubles: both composite curvatures above 0 and finite, neither 1e100 times the other.
+bool has_point_contact(const Bodies& bodies);
+
+/// (2). Throws ParameterError("radius") where has_point_contact is false, ParameterError("load") where the load is not
+/// above 0 and finite, and as Bodies::check does.
 Hertz hertz(const Bodies& bodies, double load);
 
 struct HertzLine {

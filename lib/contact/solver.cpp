@@ -9,6 +9,7 @@
 #include "contact/influence.hpp"
 #include "contact/nested.hpp"
 #include "contact/problem.hpp"
+#include "contact/stiffness.hpp"
 #include "contact/windowed.hpp"
 #include "grid/error.hpp"
 #include "grid/stopwatch.hpp"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr double coarse_tolerance = 1e-3;
 constexpr double load_round_off = 1e-12;
-constexpr Index cells_to_be_trusted = 50;
 constexpr Index near_margin = 32,
                 warm_margin = 12;  // parts of the contact, about a start of another grid or load
 
@@ -96,16 +96,18 @@ WindowedGradients::Observer observer(const Grid& grid, Shape shape, const Contac
   };
 }
 
-std::string describe(ContactStop stop, const ContactParameters& parameters) {
+std::string describe(ContactStop stop, double epsilon, const ContactParameters& parameters) {
   switch (stop) {
     case ContactStop::converged:
       return "converged";
     case ContactStop::round_off:
-      return "round-off allows no smaller residual";
+      return fmt::format("round-off allows no smaller residual than {:.1e}, the tolerance is {:.1e}", epsilon,
+                         parameters.tolerance);
     case ContactStop::convolution_limit:
       break;
   }
-  return fmt::format("the limit of {} convolutions is reached", parameters.max_convolutions);
+  return fmt::format("the limit of {} convolutions is reached at a residual of {:.1e}",
+                     parameters.max_convolutions, epsilon);
 }
 
 // Squares of pressures beyond 1e154 are infinite: then no residual says anything.
@@ -147,18 +149,19 @@ void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedG
   contact.load_error = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
 }
 
-bool touches_edge(const Field& p) {
-  return (p.row(0) > 0).any() || (p.row(p.rows() - 1) > 0).any() || (p.col(0) > 0).any() ||
-         (p.col(p.cols() - 1) > 0).any();
-}
-
-void add_warnings(Contact& contact, const Grid& grid) {
-  const Index cells = (contact.pressure > 0).count();
-  if (cells < cells_to_be_trusted)
-    contact.warnings.push_back(
-        fmt::format("the contact has {} cells, fewer than {}: refine the grid", cells, cells_to_be_trusted));
-  if (!grid.periodic && touches_edge(contact.pressure))
-    contact.warnings.push_back("the contact touches the edge of the domain: enlarge it");
+// dQ/dδ of a solution, on the window that holds it; of what is none it is not known.
+void add_stiffness(Contact& contact, const Grid& grid, WindowedGradients& solved,
+                   const ContactParameters& parameters) {
+  if (!contact.converged) return;
+  const Window& window = solved.window();
+  const double share = static_cast<double>(window.shape.cells()) / static_cast<double>(grid.shape.cells());
+  const Stiffness found =
+      contact_stiffness(solved.body(), window.of(contact.pressure), parameters.limit_pressure,
+                        grid.cell_area(), parameters.max_convolutions / share, parameters.threads);
+  contact.stiffness = found.value;
+  contact.stiffness_residual = found.residual;
+  contact.convolutions += share * found.convolutions;
+  contact.preconditionings += share * found.preconditionings;
 }
 
 Field flat_start(const ContactProblem& problem) {
@@ -177,8 +180,9 @@ Field solve_level(Contact& contact, Level& level, Field start, bool near, Window
   contact.preconditionings += share * gradients.preconditionings();
   if (!finest) return std::move(gradients.pressure());
   contact.converged = stop == ContactStop::converged;
-  contact.reason = describe(stop, parameters);
+  contact.reason = describe(stop, gradients.residual().epsilon, parameters);
   keep(contact, grid, level.problem, gradients, parameters);
+  if (parameters.stiffness) add_stiffness(contact, grid, gradients, parameters);
   return {};
 }
 
@@ -241,7 +245,6 @@ Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& i
   solve_levels(contact, grid, std::move(levels), parameters);
   contact.setup_seconds += influence.setup_seconds() - setup_before;
   contact.seconds = watch.seconds() - contact.setup_seconds;
-  add_warnings(contact, grid);
   return contact;
 }
 

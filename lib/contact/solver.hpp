@@ -20,7 +20,9 @@
 /// Accuracy  bounds exact, load to 1e-12, ε as asked for and confirmed. What the cells leave: Hertz's
 ///           greatest pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)².
 /// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…100 for rough ones, more the finer the grid;
-///           two for a contact of a hundred cells. Preconditioners and passes over the cells add a half.
+///           two for a contact of a hundred cells; half as many again for the stiffness. Preconditioners and passes
+///           over the cells add a half.
+/// Scope     half-spaces and small strains: contact/doubts.hpp says where a result leaves them.
 /// Memory    12 doubles a cell, the gap and the result included; less where contact is a part of the domain.
 ///           Move the gap in if it is not wanted any more.
 #pragma once
@@ -53,6 +55,7 @@ struct ContactParameters {
   double limit_pressure = std::numeric_limits<double>::infinity();  ///< p_Y [Pa]; infinity: elastic
   double tolerance = 1e-6;                                          ///< of ε
   int max_convolutions = 1000;                                      ///< on the finest grid
+  bool stiffness = false;                                           ///< tell dQ/dδ too, by as many again
   bool nested_start = true;                                         ///< begin on coarser grids
   Field start = {};                                                 ///< or from this pressure [Pa], if any
   int threads = 1;
@@ -77,8 +80,11 @@ struct Contact {
   double max_pressure = 0;  ///< [Pa]
   double area = 0;          ///< of all cells with p > 0 [m²]
   double plastic_area = 0;  ///< of the cells with p = p_Y [m²]
+  /// dQ/dδ [N/m] by contact/stiffness.hpp, and its residual; NaN where not asked for or not known.
+  double stiffness = std::numeric_limits<double>::quiet_NaN();
+  double stiffness_residual = std::numeric_limits<double>::quiet_NaN();
 
-  bool converged = false;
+  bool converged = false;   ///< the pressure; a stiffness that has not is NaN
   std::string reason;       ///< why it ended
   double residual = 0;      ///< ε, from a fresh convolution
   double load_error = 0;    ///< |Σ p ΔxΔy / Q - 1|; 0 where the approach is given
@@ -87,8 +93,6 @@ struct Contact {
   int levels = 1;               ///< grids, the finest included
   double setup_seconds = 0;     ///< influence coefficients and plans
   double seconds = 0;           ///< the solution
-
-  std::vector<std::string> warnings;  ///< what makes the result doubtful: contact at the edge, too few cells
 };
 
 /// Solves with the half-space's operator, the periodic one where the grid is periodic. Throws

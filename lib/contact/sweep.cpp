@@ -1,6 +1,5 @@
 #include "contact/sweep.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,20 +21,6 @@ void check_loads(const std::vector<double>& loads, double largest) {
     throw ParameterError(
         "loads", fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N",
                              loads.back(), largest));
-}
-
-// The derivative at t[at] of the polynomial through (t, y), by Lagrange's weights.
-double derivative(const double* t, const double* y, std::size_t n, std::size_t at) {
-  auto weight = [&](std::size_t j) {
-    double product = 1;
-    for (std::size_t k = 0; k < n; ++k)
-      if (k != j) product *= t[j] - t[k];
-    return 1 / product;
-  };
-  double sum = 0;
-  for (std::size_t j = 0; j < n; ++j)
-    if (j != at) sum += weight(j) / weight(at) * (y[j] - y[at]) / (t[at] - t[j]);
-  return sum;
 }
 
 // (1), from one solution or from two; before the first it is empty.
@@ -82,18 +67,6 @@ void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperato
     prediction.learn(load, contact.pressure);
     take(contact);
   }
-}
-
-std::vector<double> stiffness(const std::vector<double>& loads, const std::vector<double>& approaches) {
-  const std::size_t n = loads.size(), points = std::min<std::size_t>(n, 5);
-  if (n < 2) return std::vector<double>(n, std::numeric_limits<double>::quiet_NaN());
-  std::vector<double> t, out;
-  for (double load : loads) t.push_back(std::log(load));
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t first = std::clamp<std::size_t>(i, points / 2, n - points + points / 2) - points / 2;
-    out.push_back(loads[i] / derivative(&t[first], &approaches[first], points, i - first));
-  }
-  return out;
 }
 
 }  // namespace asperity

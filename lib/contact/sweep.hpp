@@ -5,16 +5,13 @@
 ///     p ≈ max(0, p₁ + (p₁ - p₀) (Q₂ - Q₁)/(Q₁ - Q₀)),   after the first load p ≈ p₁ Q₂/Q₁,      (1)
 /// with no coarser grids; influence coefficients and plans are made once.
 ///
-/// The stiffness dQ/dδ is had from the loads themselves, by differentiating the polynomial in t = ln Q through
-/// each load and its nearest four (of fewer loads, through all),
-///     dQ/dδ = Q / (dδ/dt).                                                                      (2)
+/// The stiffness dQ/dδ is each solution's own, where parameters.stiffness asks for it (contact/stiffness.hpp): no
+/// differences of loads.
 ///
 /// Symbols   Q load [N]   p pressure [Pa]   δ approach [m]
-/// Accuracy  of (2) for δ ~ Q^n and steps s = ln(Q₂/Q₁), relative: (ns)⁴/30 between, (ns)⁴/5 at both ends;
-///           for spheres (n = ⅔) 4e-5 and 3e-4 with eight loads a decade. Of two loads it is a chord: ns/2.
 /// Cost      a load about as many convolutions as from coarser grids: the edge of the contact is what takes them,
 ///           and (1) knows it no better. At 256 × 256 cells, ε = 1e-8, eighteen loads a decade: 5 for smooth
-///           spheres, 10 for rough ones.
+///           spheres, 10 for rough ones; the stiffness takes half as many again.
 #pragma once
 
 #include <functional>
@@ -34,8 +31,5 @@ std::vector<double> geometric_loads(double from, double to, int count);
 void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
                    ContactParameters parameters, const std::vector<double>& loads,
                    const std::function<void(const Contact&)>& take);
-
-/// (2) at each load [N/m]; of a single load it is not known (NaN).
-std::vector<double> stiffness(const std::vector<double>& loads, const std::vector<double>& approaches);
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #include "contact/windowed.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "contact/projection.hpp"
 
@@ -8,8 +8,7 @@ namespace asperity {
 namespace {
 
 constexpr Index least_margin = 4;
-constexpr double spare_cells = 1.25;       // of those that the limit pressure needs for the load
-constexpr double round_off_floor = 1e-11;  // of ε, where gains end
+constexpr double spare_cells = 1.25;  // of those that the limit pressure needs for the load
 
 ContactProblem on_window(const ContactProblem& problem, const Window& window) {
   ContactProblem part = problem.without_gap();
@@ -36,9 +35,10 @@ ContactStop WindowedGradients::solve(Field start, bool near, const Observer& obs
     if (is_whole() && !limits_.confirm) return stop;
     confirm();
     if (residual_.epsilon <= limits_.tolerance) return ContactStop::converged;
-    if (stop != ContactStop::converged) return stop;
-    if (at_round_off()) return ContactStop::round_off;
+    if (stop == ContactStop::convolution_limit) return stop;
+    const Window before = window_;
     choose(united(contact_, overlap_window(g_, residual_.approach)));
+    if (at_round_off(stop) && window_ == before) return ContactStop::round_off;
     near = true;
   }
 }
@@ -73,7 +73,7 @@ ContactStop WindowedGradients::minimise(bool near, const Observer& observe) {
 ContactStop WindowedGradients::minimise(ElasticOperator& influence, ContactProblem& problem, Field& p,
                                         Field& g, bool near, const Observer& observe) {
   const double share = static_cast<double>(p.size()) / static_cast<double>(problem_.h.size());
-  const auto limit = static_cast<int>(std::ceil((limits_.convolutions - convolutions_) / share));
+  const double limit = (limits_.convolutions - convolutions_) / share;
   GuardedGradients gradients(influence, problem, {limits_.tolerance, limit});
   const ContactStop stop = gradients.solve(std::move(p), std::move(g), near,
                                            [&](const ContactResidual& residual, const CountedOperator& work) {
@@ -100,10 +100,13 @@ void WindowedGradients::confirm() {
   fresh_ = true;
 }
 
-bool WindowedGradients::at_round_off() {
+// ε of the grid is there, and the window says so or some rounds have not lowered it. At round-off the iteration may
+// end far from its best: then it goes on.
+bool WindowedGradients::at_round_off(ContactStop on_window) {
   rounds_without_gain_ = residual_.epsilon < best_ ? 0 : rounds_without_gain_ + 1;
   best_ = std::min(best_, residual_.epsilon);
-  return best_ < round_off_floor && rounds_without_gain_ > 3;
+  return residual_.epsilon < round_off_floor &&
+         (on_window == ContactStop::round_off || rounds_without_gain_ > 3);
 }
 
 }  // namespace asperity

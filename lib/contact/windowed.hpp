@@ -7,8 +7,10 @@
 ///       minimise on W, p = 0 elsewhere                                          contact/guarded.hpp
 ///       g ← h + K p on the grid                                    one application of the whole K
 ///       W ← W ∪ the least window of g < δ, with a margin
-/// W grows only, and the energy falls. It is the whole grid where the start is in contact everywhere, where the
-/// body has no windows or none worth it, and where the limit pressure on W would not carry the load.
+/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, the grid is looked at and W
+/// grows while there is a violation outside; only the limit of convolutions ends it without. W is the whole grid where
+/// the start is in contact everywhere, where the body has no windows or none worth it, and where the limit pressure on
+/// W would not carry the load.
 ///
 /// Accuracy  ε is that of the last g on the grid, which no recurrence has touched.
 /// Cost      an application of K or M on W costs, and counts, as the share that W has of the grid's cells.
@@ -43,6 +45,9 @@ class WindowedGradients {
   /// The solution, to be read or moved away.
   Field& pressure() { return p_; }
   Field& gap() { return g_; }  ///< h + K p
+  /// The window that holds it, and the body on that.
+  const Window& window() const { return window_; }
+  ElasticOperator& body() { return on_window_ ? *on_window_ : influence_; }
   const ContactResidual& residual() const { return residual_; }
   double convolutions() const { return convolutions_; }
   double preconditionings() const { return preconditionings_; }
@@ -54,7 +59,7 @@ class WindowedGradients {
   ContactStop minimise(ElasticOperator& influence, ContactProblem& problem, Field& p, Field& g, bool near,
                        const Observer& observe);
   void confirm();
-  bool at_round_off();
+  bool at_round_off(ContactStop on_window);
 
   ElasticOperator& influence_;
   ContactProblem& problem_;

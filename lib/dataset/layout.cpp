@@ -329,11 +329,11 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
   dataset.put(make(name, {std::string(row.name), std::string(column.name)}, flat(values), meaning));
 }
 
-Field table_of(const Dataset& dataset, std::string_view name) {
+Field table_of(const Dataset& dataset, std::string_view name, Missing missing) {
   const Variable& variable = dataset.at(name);
   if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
   Field out = matrix(dataset, variable, 1.0);
-  refuse_not_finite(variable.name, out, Missing::refused);
+  refuse_not_finite(variable.name, out, missing);
   return out;
 }
 

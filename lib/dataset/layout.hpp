@@ -82,7 +82,7 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
                Meaning meaning);
 /// A variable of any two dimensions as a field; throws DataError when it is missing or holds a number not
 /// finite.
-Field table_of(const Dataset& dataset, std::string_view name);
+Field table_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 
 /// Puts `line` in front of the global attribute `history`.
 void add_history(Dataset& dataset, std::string_view line);

@@ -149,3 +149,49 @@ TEST_CASE("a ball in a groove has the difference of their curvatures, and none i
   CHECK(refused({.radius = {Radii(0, 1), Radii()}}) == "radius-x");
   CHECK(refused({.radius = {Radii(1, NAN), Radii()}}) == "radius-y");
 }
+
+// GSL's handler stands in these tests as in a user's program: outside the domain of R_D, or where a bracket has lost its
+// sign, it aborts the process. A cylinder did.
+TEST_CASE("bodies without a contact in a point are refused in one line and nothing is aborted",
+          "[hertz][contract]") {
+  const double flat = std::numeric_limits<double>::infinity();
+  auto refusal = [](const Bodies& bodies, double load) -> std::string {
+    try {
+      hertz(bodies, load);
+    } catch (const ParameterError& error) {
+      return error.name;
+    }
+    return "";
+  };
+  const Radii none[] = {{50e-3, flat}, {flat, 50e-3}, {flat, flat}, {1e-160, 1e160}, {1e-310, 1}};
+  for (const Radii& radii : none) {
+    CAPTURE(radii.x, radii.y);
+    CHECK_FALSE(has_point_contact({.radius = {radii, Radii()}}));
+    CHECK(refusal({.radius = {radii, Radii()}}, 1000) == "radius");
+  }
+  CHECK(refusal({.radius = {Radii(50e-3), Radii(-50e-3)}}, 1000) == "radius");
+  CHECK(refusal({.radius = {Radii(0, 1), Radii()}}, 1000) == "radius-x");
+  for (double q : {0.0, -1.0, flat, std::nan("")}) CHECK(refusal(spheres, q) == "load");
+}
+
+// For k → 0 (1) is B/A = 1/(k² (ln 4/k - 1)) but for k² ln k.
+TEST_CASE("ratios of radii over 24 decades have the narrow ellipse's axes", "[hertz][exact]") {
+  for (double ratio : {1e8, 1e12, 1e24, 1e99}) {
+    const Hertz h = hertz({.radius = {Radii(1e12, 1e12 / ratio), Radii()}}, 1);
+    const double k = h.radius_y / h.radius_x, narrow = 1 / (k * k * (std::log(4 / k) - 1));
+    CAPTURE(ratio, k);
+    CHECK(relative_error(narrow, ratio) <= k * k * std::log(4 / k) * 3 + 1e3 * epsilon);
+    const Hertz turned = hertz({.radius = {Radii(1e12 / ratio, 1e12), Radii()}}, 1);
+    CHECK(turned.radius_x == h.radius_y);
+    CHECK(turned.approach == h.approach);
+  }
+}
+
+// Curvatures that are equal but for round-off: the mismatch has no sign left to bracket.
+TEST_CASE("radii that differ by round-off are a sphere's", "[hertz][exact]") {
+  const Hertz sphere = hertz(spheres, 1000);
+  for (int i = -20; i <= 20; ++i) {
+    const Radii radii(25e-3, 25e-3 * (1 + i * epsilon));
+    check_same(hertz({.radius = {radii, Radii()}}, 1000), sphere, 40 * epsilon);
+  }
+}

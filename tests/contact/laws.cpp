@@ -232,14 +232,6 @@ TEST_CASE("a load or approach whose pressures or displacements no double holds i
   CHECK(press(grid, gap, {.load = 1e100}).residual <= 1e-6);
 }
 
-TEST_CASE("contact at the edge and contact of few cells are reported", "[contact][contract]") {
-  const Grid grid = square(32);
-  const Field gap = undeformed_gap(grid, spheres);
-  CHECK(press(grid, gap).warnings.empty());
-  CHECK(press(grid, gap, {.load = 1}).warnings.size() == 1);
-  CHECK(press(grid, gap, {.load = 50000}).warnings.size() == 1);
-}
-
 TEST_CASE("a solution cut short says so and still keeps bounds and load", "[contact][contract]") {
   const Grid grid = square(64);
   const Contact contact = press(grid, rough_gap(grid), {.max_convolutions = 4});

@@ -38,58 +38,6 @@ TEST_CASE("geometric loads begin and end where they should and keep their ratio"
     CHECK(relative_error(loads[i] / loads[i - 1], std::pow(500, 1 / 19.0)) <= 20 * epsilon);
 }
 
-// A polynomial of degree four or less in ln Q; round-off is ε times the sum of the weights' magnitudes.
-TEST_CASE("the stiffness is exact where the approach is a polynomial in the load's logarithm",
-          "[sweep][exact]") {
-  const std::vector<double> all{1, 2, 3, 7, 10, 30, 40};
-  for (std::size_t n = 2; n <= all.size(); ++n) {
-    const std::vector<double> loads(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
-    const double power = std::min(static_cast<double>(n) - 1, 4.0);
-    std::vector<double> approaches;
-    for (double q : loads) approaches.push_back(3 + std::pow(1 + std::log(q), power));
-    const std::vector<double> found = stiffness(loads, approaches);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double exact = loads[i] / (power * std::pow(1 + std::log(loads[i]), power - 1));
-      CAPTURE(n, i);
-      CHECK(relative_error(found[i], exact) <= 1e-11);
-    }
-  }
-  CHECK(std::isnan(stiffness({5}, {1}).front()));
-}
-
-// δ ~ Q^⅔: the truncation errors of (1), of which the constants are 1/30 between, 1/20 beside and 1/5 at the ends.
-TEST_CASE("the stiffness of Hertz's approach errs as the header says", "[sweep][order]") {
-  const std::vector<double> loads = geometric_loads(10, 1e4, 25);
-  std::vector<double> approaches;
-  for (double q : loads) approaches.push_back(hertz(spheres, q).approach);
-  const std::vector<double> found = stiffness(loads, approaches);
-  const double step = 2.0 / 3 * std::log(loads[1] / loads[0]);
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const std::size_t end = std::min(i, loads.size() - 1 - i);
-    const double truncation = std::pow(step, 4) / (end == 0 ? 5 : end == 1 ? 20 : 30);
-    const double exact = 2 * modulus * hertz(spheres, loads[i]).radius;
-    CAPTURE(i, truncation);
-    CHECK(relative_error(found[i], exact) <= 1.5 * truncation);
-  }
-}
-
-// The grid errs in δ by some 0.05 (Δx/a)², a staircase whose steps the derivative shows; its truncation is (2s/3)⁴/5
-// and less.
-TEST_CASE("the stiffness of spheres pressed in turn is 2 E* a", "[sweep][exact]") {
-  const Grid grid = square(128);
-  const std::vector<double> loads = geometric_loads(500, 5000, 9);
-  std::vector<double> approaches;
-  for (const Contact& c : sweep(grid, undeformed_gap(grid, spheres), {}, loads))
-    approaches.push_back(c.approach);
-  const std::vector<double> found = stiffness(loads, approaches);
-  const double truncation = std::pow(2.0 / 3 * std::log(loads[1] / loads[0]), 4) / 5;
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const double a = hertz(spheres, loads[i]).radius;
-    CAPTURE(i, found[i] / (2 * modulus * a) - 1);
-    CHECK(relative_error(found[i], 2 * modulus * a) <= 0.5 * std::pow(grid.dx / a, 2) + truncation);
-  }
-}
-
 TEST_CASE("loads pressed in turn end in the solutions of each alone, the first alone from coarser grids",
           "[sweep][law]") {
   const Grid grid = square(64);

@@ -320,7 +320,7 @@ TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at ev
     CHECK(twin.attributes.number("kernel_error", 1) <= 1e-3);
     CHECK(twin.attributes.number("kernel_converged", 0) == 1);
     // As far as the kernel reaches, and no farther than it is known what was asked for.
-    const Field achieved = table_of(twin, "acf_achieved"), target = table_of(twin, "acf_target");
+    const Field achieved = table_of(twin, "acf_achieved"), target = table_of(twin, "acf_target", Missing::not_a_number);
     CHECK(achieved.rows() == kernel.rows() + 1);
     CHECK(shape_of(known_lags(target)) == shape_of(asked));
     // A twin's own target is a table again.

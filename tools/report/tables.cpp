@@ -78,7 +78,8 @@ std::vector<Comparison> comparisons(const Dataset& data) {
       {"largest pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
       {"real contact area", area, ellipse, "m2", share(area, grid.size_x() * grid.size_y(), "the domain")},
       {"area at the limit pressure", plastic, NAN, "m2", share(plastic, area, "the contact")},
-      {"mean gap", value("mean_gap"), NAN, "m"}};
+      {"mean gap", value("mean_gap"), NAN, "m"},
+      {"stiffness", value("stiffness"), 1.5 * value("load") / value("hertz_approach"), "N/m"}};  // δ ~ Q^⅔
 }
 
 std::string head(std::initializer_list<const char*> columns) {

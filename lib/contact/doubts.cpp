@@ -1,0 +1,101 @@
+#include "contact/doubts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "contact/hertz.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index cells_to_be_trusted = 50;
+constexpr double sides = 3;       // of a domain that holds a contact, in semi-axes
+constexpr double enlarged = 1.5;  // what has them already and is too small
+
+// Whether the contact lies at the domain's ends along x and along y.
+struct Touched {
+  explicit Touched(const Field& p)
+      : along_x((p.row(0) > 0).any() || (p.row(p.rows() - 1) > 0).any()),
+        along_y((p.col(0) > 0).any() || (p.col(p.cols() - 1) > 0).any()) {}
+  bool along_x, along_y;
+};
+
+std::string enlarge(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
+  const Hertz smooth = hertz(bodies, contact.load);
+  const double filled = std::sqrt(contact.load / (std::numbers::pi * contact.max_pressure)) / smooth.radius;
+  const double a = smooth.radius_x * std::max(1.0, filled), b = smooth.radius_y * std::max(1.0, filled);
+  auto side = [](double semi_axis, double present, bool short_of) {
+    return std::max(sides * semi_axis, short_of ? enlarged * present : present);
+  };
+  return fmt::format(": smooth bodies touch on {:.3g} x {:.3g} m; make it {:.3g} x {:.3g} m or more", 2 * a,
+                     2 * b, side(a, grid.size_x(), touched.along_x), side(b, grid.size_y(), touched.along_y));
+}
+
+std::string lengthen(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
+  const bool along_x = bodies.curvature_x() < bodies.curvature_y();
+  const double length = along_x ? grid.size_x() : grid.size_y();
+  const double curvature = along_x ? bodies.curvature_y() : bodies.curvature_x();
+  const double b = hertz_line(bodies.composite_modulus(), curvature, contact.load / length).half_width;
+  const bool across = along_x ? touched.along_y : touched.along_x;
+  return fmt::format(
+             ", where a cylinder ends and presses harder than without an end: give a radius along {} too",
+             along_x ? "x" : "y") +
+         (across
+              ? fmt::format(", and a domain of {:.3g} m across for a contact of {:.3g} m", sides * b, 2 * b)
+              : "");
+}
+
+std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
+  return fmt::format("the contact touches the edge of the domain, {:.3g} x {:.3g} m", grid.size_x(),
+                     grid.size_y()) +
+         (bodies.flat() ? ", and flat bodies go on beyond it: make them periodic, or give a radius"
+          : has_point_contact(bodies) ? enlarge(grid, bodies, contact, touched)
+                                      : lengthen(grid, bodies, contact, touched));
+}
+
+// Along one axis: half the domain and the smallest radius of a body, of either sign.
+struct Reach {
+  const char* axis;
+  double half, radius;
+  double share() const { return half / radius; }
+};
+
+Reach reach(const char* axis, double side, double first, double second) {
+  return {axis, side / 2, std::min(std::abs(first), std::abs(second))};
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies) {
+  const auto& [one, other] = bodies.radius;
+  const Reach x = reach("x", grid.size_x(), one.x, other.x), y = reach("y", grid.size_y(), one.y, other.y);
+  const Reach& far = x.share() < y.share() ? y : x;
+  if (far.share() <= 1) return {};
+  return {fmt::format(
+      "the domain ends at {} = {:.3g} m, beyond a body's radius of {:.3g} m: the gap there is that of a "
+      "paraboloid, not of the body",
+      far.axis, far.half, far.radius)};
+}
+
+std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {
+  std::vector<std::string> out;
+  const Index cells = (contact.pressure > 0).count();
+  if (cells < cells_to_be_trusted)
+    out.push_back(
+        fmt::format("the contact has {} cells, fewer than {}: refine the grid", cells, cells_to_be_trusted));
+  const Touched touched(contact.pressure);
+  if (!grid.periodic && (touched.along_x || touched.along_y))
+    out.push_back(at_the_edge(grid, bodies, contact, touched));
+  const double modulus = bodies.composite_modulus();
+  if (contact.max_pressure > modulus)
+    out.push_back(fmt::format(
+        "the greatest pressure, {:.3g} Pa, is above the composite modulus, {:.3g} Pa, where strains are no "
+        "longer small: give a yield stress, filter the heights, or press less",
+        contact.max_pressure, modulus));
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+#include "contact/stiffness.hpp"
+
+#include "contact/guarded.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double no_answer = 1e-9;  // of K₀₀: round-off of K 1 = 0
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool answers_constant(ElasticOperator& body, Shape shape) {
+  Field u = Field::Ones(shape.nx, shape.ny);
+  body.apply(u, u);
+  return u.abs().maxCoeff() > no_answer * body.self_influence();
+}
+
+}  // namespace
+
+Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double limit_pressure,
+                            double cell_area, double convolutions, int threads) {
+  ContactProblem problem{
+      .h = Field::Zero(pressure.rows(), pressure.cols()), .cap = limit_pressure, .threads = threads};
+  const Field& none = problem.h;
+  Face free;
+  free.set(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
+  if (free.cells == 0) return {.value = 0, .residual = 0};
+  CountedOperator counted(body);
+  if (free.cells == static_cast<double>(pressure.size()) && !answers_constant(counted, shape_of(pressure)))
+    return {.value = infinity, .residual = 0, .convolutions = counted.convolutions};
+
+  problem.approach = 1;  // of K q
+  Trial trial;
+  FaceGradients gradients(counted, problem, trial);
+  gradients.begin(free, none, none);
+  while (gradients.largest() > stiffness_tolerance / 2 && counted.convolutions < convolutions &&
+         gradients.step()) {
+  }
+  counted.apply(trial.p, trial.g);
+  gradients.begin(free, trial.p, trial.g);  // looks at the fresh u
+  Stiffness out{.residual = gradients.largest(),
+                .convolutions = counted.convolutions,
+                .preconditionings = counted.preconditionings};
+  if (out.residual <= stiffness_tolerance)
+    out.value = cell_area *
+                problem.blocks().sum([&](Block b) { return (b.of(trial.p) * (2 - b.of(trial.g))).sum(); });
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,79 @@
+#include "contact/doubts.hpp"
+
+#include "scenes.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+constexpr double flat = std::numeric_limits<double>::infinity();
+
+std::string told(const Grid& grid, const Bodies& bodies, ContactParameters parameters,
+                 const Field& heights = {}) {
+  Field gap = undeformed_gap(grid, bodies);
+  if (heights.size() > 0) gap -= heights;
+  std::string out;
+  for (const std::string& doubt :
+       doubts(grid, bodies, solve_contact(grid, gap, bodies.composite_modulus(), parameters)))
+    out += doubt + "\n";
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a contact within its domain, of many cells and small strains, is not in doubt",
+          "[doubts][contract]") {
+  CHECK(told(square(32), spheres, {.load = load}).empty());
+  CHECK(doubts(square(32), spheres).empty());
+}
+
+TEST_CASE("a contact of few cells is told how many they are", "[doubts][contract]") {
+  CHECK_THAT(told(square(32), spheres, {.load = 1}), ContainsSubstring("cells, fewer than 50"));
+}
+
+// 50 kN: a = 2.017 mm, so that 4.03 mm are touched and 6.05 mm wanted.
+TEST_CASE("a contact at the domain's edge is told the size that Hertz's needs", "[doubts][contract]") {
+  CHECK_THAT(told(square(32), spheres, {.load = 50000}),
+             ContainsSubstring(
+                 "domain, 0.003 x 0.003 m: smooth bodies touch on 0.00403 x 0.00403 m; make it 0.00605 x "
+                 "0.00605 m or more"));
+  // It fits in 6.05 mm; at a limit of 1 GPa the same load takes √(Q/πp) = 3.989 mm for a.
+  CHECK(told(square(32, 6.05e-3), spheres, {.load = 50000}).empty());
+  CHECK_THAT(told(square(32, 7.2e-3), spheres, {.load = 50000, .limit_pressure = 1e9}),
+             ContainsSubstring("make it 0.012 x 0.012 m"));
+  // A rough contact at the edge of a domain that Hertz would not fill: half as much again.
+  Field peak = Field::Zero(32, 32);
+  peak(0, 16) = 100e-6;
+  CHECK_THAT(told(square(32), spheres, {.load = 100}, peak), ContainsSubstring("make it 0.0045 x 0.003 m"));
+}
+
+TEST_CASE("flats and cylinders at the edge are told what they lack", "[doubts][contract]") {
+  CHECK_THAT(told(square(32), {}, {.load = 10}), ContainsSubstring("make them periodic, or give a radius"));
+  const Bodies cylinder{.radius = {Radii(50e-3, flat), Radii()}};
+  CHECK_THAT(told(square(32), cylinder, {.load = 1000}), ContainsSubstring("give a radius along y too\n"));
+  // b = √(4 q R/πE*) = 1.72 mm.
+  CHECK_THAT(told(square(32), cylinder, {.load = 16000}),
+             ContainsSubstring("give a radius along y too, and a domain of 0.00517 m across"));
+  Grid periodic = square(32);
+  periodic.periodic = true;
+  CHECK(told(periodic, {}, {.load = 10}).empty());
+}
+
+// 13.5 TPa came without a word from a rough surface of 0.08 mm x 0.2 mm under 5 kN.
+TEST_CASE("a pressure above the composite modulus is told with both", "[doubts][contract]") {
+  const Field waves = 20e-6 * random_waves({32, 32}, 3);
+  Grid periodic = square(32, 1e-4);
+  periodic.periodic = true;
+  const std::string much = told(periodic, {}, {.load = 5000}, waves);
+  CHECK_THAT(much, ContainsSubstring("is above the composite modulus, 1.14e+11 Pa"));
+  CHECK(told(periodic, {}, {.load = 5, .limit_pressure = 3.6e9}, waves).find("modulus") == std::string::npos);
+}
+
+TEST_CASE("a domain beyond a body's radius is told with both", "[doubts][contract]") {
+  const Grid grid{{32, 64}, 1e-4, 1e-4};  // 3.2 mm x 6.4 mm
+  const std::vector<std::string> found = doubts(grid, {.radius = {Radii(50e-3), Radii(-3e-3, -3.1e-3)}});
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0], ContainsSubstring("y = 0.0032 m, beyond a body's radius of 0.0031 m"));
+  CHECK(doubts(grid, {.radius = {Radii(1e-3), Radii(1e-3)}}).size() == 1);
+}
