@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "grid/error.hpp"
+#include "grid/poisson.hpp"
 #include "stress/response.hpp"
 
 namespace asperity {
@@ -28,8 +29,7 @@ Index apart(Index ny) { return (ny + width - 1) / width * width; }
 
 void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson) {
   friction.check();
-  if (!(poisson >= 0 && poisson <= 0.5))
-    throw ParameterError("poisson", fmt::format("{} is not between 0 and 0.5", poisson));
+  check_poisson(poisson);
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
   const double largest = pressure.size() > 0 ? pressure.abs().maxCoeff() : 0;
@@ -163,8 +163,8 @@ void StressSolver::interpolate_row(const Resolution& r, Index i, const double* p
 }
 
 void check_depth(double z) {
-  if (!(z >= 0 && std::isfinite(z)))
-    throw ParameterError("depth", fmt::format("{} m is not a depth, 0 or more", z));
+  if (!(z >= 0 && z <= farthest))
+    throw ParameterError("depth", fmt::format("{} m is not a depth, 0 ... {:g} m", z, farthest));
 }
 
 double accurate_depth(const Grid& grid) { return 2 * std::max(grid.dx, grid.dy); }

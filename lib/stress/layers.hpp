@@ -45,10 +45,12 @@ using StressRow = std::array<const double*, 6>;
 /// Rows of many layers: row(layer, i, values).
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
-/// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, ("friction") or ("friction-angle") unless they are such,
+/// Throws ParameterError("poisson") unless -1 < ν ≤ ½, ("friction") or ("friction-angle") unless they are such,
 /// DataError("pressure") unless the pressure fits the grid, is finite and its largest value 0 or 1e-100 … 1e100 Pa.
 void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
-/// Throws ParameterError("depth") unless 0 ≤ z < ∞.
+/// Places and depths reach so far [m]: squares of them are numbers that doubles hold.
+inline constexpr double farthest = 1e30;
+/// Throws ParameterError("depth") unless 0 ≤ z ≤ farthest.
 void check_depth(double z);
 
 class StressSolver {
@@ -64,7 +66,6 @@ class StressSolver {
   const Field& pressure() const { return pressure_; }
   double poisson() const { return poisson_; }
   int threads() const { return threads_; }
-  bool slides() const { return acting(weights_).count() > 1; }  ///< friction acts
 
   /// What one thread needs to compute layers; may be used again for any depth and components.
   class Workspace {
@@ -86,7 +87,7 @@ class StressSolver {
     AlignedVector<double> across_;
   };
 
-  /// The layer at depth z, row after row: row(i, values). Throws ParameterError("depth") unless 0 ≤ z < ∞.
+  /// The layer at depth z, row after row: row(i, values). Throws as check_depth does.
   template <class RowSink>
   void layer(double z, stress::Set asked, Workspace& work, RowSink row) const {
     transform_layer(z, asked, work);

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "layer.hpp"
-#include "stress/influence.hpp"
+#include "stress/points.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -106,7 +106,7 @@ TEST_CASE("on the edges and corners of the cells the surface stress under fricti
   const Friction friction{0.5, 0.5};
   auto error = [&](Index n, double x, double y) {
     const Grid grid = hertz_grid(n);
-    const stress::Tensor s = stress_at(grid, hertz_pressure(grid), x, y, 0, nu, friction),
+    const stress::Tensor s = StressPoints(grid, hertz_pressure(grid), friction, nu).at(x, y, 0),
                          exact = hertz_stress(x, y, 0, nu, friction);
     double top = 0;
     for (auto c : stress::components) top = std::max(top, std::abs(s[c] - exact[c]));
