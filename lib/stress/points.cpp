@@ -18,7 +18,7 @@ using stress::Tensor;
 using stress::Traction;
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double faded = 45;  // qz of a mode of which e^-45 = 3e-20 is left
+constexpr double faded = 40;  // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 

@@ -9,11 +9,12 @@
 ///     σ(x, y, z) = Σ_{kx,ky} (-i)^m S(qx,qy,z) p^(kx,ky) exp(i (qx (x-x_0) + qy (y-y_0))).              (2)
 /// A mode of half the cells stands for both its directions, half of it for each. The mean pressure p̄ acts on a body held
 /// at its sides, at every depth: σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄, and a mean traction q̄ gives σxz = -q̄. Positions a
-/// period apart are the same.
+/// period apart are the same. At the surface the polynomial swings between the centres, by 14 % of a step of the
+/// pressure, half a cell below it by 3 %, a cell below it by 0.6 %.
 ///
-/// Accuracy  (1) 4e-13 of the stress, (2) 16 ε Σ|p^|, however far or deep.
-/// Cost      (1) O(nx ny) a point, some 0.1 µs a loaded cell; (2) a transform, then some 0.05 µs a mode that reaches
-///           to z, of nx ny / 2 at the surface, 250 (Lx/z) (Ly/z) ... at depth.
+/// Accuracy  (1) 4e-13 of the stress, however far; (2) ε n max p on n × n cells, as the layers.
+/// Cost      (1) some 1 µs a loaded cell; (2) a transform once, then some 0.04 µs for each pair of modes ±kx that is
+///           felt: nx ny / 4 at the surface, at most 32 Lx Ly / z² at depth z.
 #pragma once
 
 #include <optional>

@@ -288,4 +288,7 @@ TEST_CASE("a solver refuses what it cannot answer and names it", "[layers][contr
   CHECK_THROWS_AS(StressSolver(oblong, 1e300 * p, 0.3), DataError);
   CHECK_THROWS_AS(StressSolver(oblong, 1e-300 * p, 0.3), DataError);
   CHECK_NOTHROW(StressSolver(oblong, 0 * p, 0.3));
+  CHECK_THROWS_AS(StressSolver(oblong, p, Friction{1e200, 0}, 0.3), ParameterError);
+  CHECK_THROWS_AS(StressSolver({{0, 0}, 1, 1}, Field(0, 0), 0.3), DataError);
+  CHECK_THROWS_AS(StressSolver({{20, 13}, 0.4, 0}, p, 0.3), DataError);  // a stress that is not a number
 }
