@@ -64,7 +64,7 @@ struct Sample {
 class Account {
  public:
   Account(Index scanned, const std::function<void(const StressProbe&)>& told)
-      : expected_(scanned + usual_steps), told_(told) {}
+      : expected_(scanned + 1 + usual_steps), told_(told) {}
 
   void add(const Sample& sample) {
     const std::scoped_lock lock(mutex_);

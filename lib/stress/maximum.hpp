@@ -12,7 +12,7 @@
 ///
 /// Accuracy  of the search: 8e-5 of the value for a smooth contact, 4e-3 for rough ones. The stress itself is that of
 ///           stress/layers.hpp.
-/// Cost      about 15 layers of all components at 128 cells, one more each time the grid's side grows by
+/// Cost      about 16 layers of all components at 128 cells, one more each time the grid's side grows by
 ///           half, and a few to refine.
 #pragma once
 

@@ -143,11 +143,6 @@ TEST_CASE("an unloaded surface has its maximum zero", "[maximum][contract]") {
 
 namespace {
 
-Field shifted(const Field& f, Index by_x, Index by_y) {
-  return Field::NullaryExpr(
-      f.rows(), f.cols(), [&](Index i, Index j) { return f((i + by_x) % f.rows(), (j + by_y) % f.cols()); });
-}
-
 // From a to b on a circle of this length.
 double apart(double a, double b, double length) { return std::abs(std::remainder(a - b, length)); }
 

@@ -23,13 +23,6 @@ double difference(const Tensor& a, const Tensor& b) {
   return top;
 }
 
-Field shifted(const Field& f, Index by_x, Index by_y) {
-  return Field::NullaryExpr(
-      f.rows(), f.cols(), [&](Index i, Index j) { return f((i + by_x) % f.rows(), (j + by_y) % f.cols()); });
-}
-
-Field tiled(const Field& f, Index in_x, Index in_y) { return f.replicate(in_x, in_y); }
-
 // A mode's amplitude is at most the mean |p|; transforms and the sum over all modes leave 16 ε of their sum.
 double round_off(const Field& p) { return 32 * epsilon * p.abs().sum(); }
 
@@ -113,7 +106,7 @@ TEST_CASE("a periodic load tiled 2 x 2 or 3 x 1 leaves the stress at points, in 
     const StressPoints points(grid, p, friction, nu);
     for (auto [in_x, in_y] : {std::array<Index, 2>{2, 2}, std::array<Index, 2>{3, 1}}) {
       const Grid wide{{in_x * shape.nx, in_y * shape.ny}, 0.5, 0.4, true};
-      const Field q = tiled(p, in_x, in_y);
+      const Field q = p.replicate(in_x, in_y);
       const StressPoints tiles(wide, q, friction, nu);
       const double dx = wide.x(0) - grid.x(0), dy = wide.y(0) - grid.y(0), bound = round_off(q);
       for (double z : {0.0, 0.2, 3.0}) {
