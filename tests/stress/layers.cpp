@@ -290,5 +290,5 @@ TEST_CASE("a solver refuses what it cannot answer and names it", "[layers][contr
   CHECK_NOTHROW(StressSolver(oblong, 0 * p, 0.3));
   CHECK_THROWS_AS(StressSolver(oblong, p, Friction{1e200, 0}, 0.3), ParameterError);
   CHECK_THROWS_AS(StressSolver({{0, 0}, 1, 1}, Field(0, 0), 0.3), DataError);
-  CHECK_THROWS_AS(StressSolver({{20, 13}, 0.4, 0}, p, 0.3), DataError);  // a stress that is not a number
+  CHECK_THROWS_AS(StressSolver({{20, 13}, 0.4, 0}, p, 0.3), DataError);
 }
