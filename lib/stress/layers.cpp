@@ -173,7 +173,10 @@ void check_depth(double z) {
     throw ParameterError("depth", fmt::format("{} m is not a depth, 0 ... {:g} m", z, farthest));
 }
 
-double accurate_depth(const Grid& grid) { return 2 * std::max(grid.dx, grid.dy); }
+double accurate_depth(const Grid& grid) {
+  auto step = [&](Index cells, double spacing) { return grid.periodic && cells == 1 ? 0 : spacing; };
+  return 2 * std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
+}
 
 double shallow_error(double poisson, const Friction& friction) {
   return std::max(0.09, 0.11 * (1 - 2 * poisson)) + 0.26 * friction.coefficient;

@@ -120,10 +120,12 @@ class StressSolver {
   DepthLevels<Resolution> levels_;
 };
 
-/// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz
-/// contact (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell; with friction
-/// μ = 0.5 components 7e-3, von Mises 1.0e-2), of any ν. Above it, cells nearer than this to an edge of the pressure may
-/// be off by shallow_error; others by 1.2 %, at z = 0 by 5.5 μ % more: a tangential stress has the logarithm of the distance from each step of its traction q, which halfway between the steps leaves at order 1
+/// Two cells, of their longer side; a period of one cell has no steps along it. From there on every value is within 1 %
+/// of the largest pressure even below the edge of a Hertz contact (of ten cells' radius: components 6e-3, von Mises 8e-3,
+/// falling as the root of the cell; with friction μ = 0.5 components 7e-3, von Mises 1.0e-2), of any ν. Above it, cells
+/// nearer than this to an edge of the pressure may be off by shallow_error; others by 1.2 %, at z = 0 by 5.5 μ % more: a
+/// tangential stress has the logarithm of the distance from each step of its traction q, which halfway between the steps
+/// leaves at order 1
 ///     Δσxx = -(2 ln 2/π) Δx ∂qx/∂x,   Δσyy = ν Δσxx,   Δσxy = -(ln 2/π) Δy ∂qx/∂y   of qx, of qy likewise,
 /// and fades as exp(-2πz/Δx).
 double accurate_depth(const Grid& grid);

@@ -8,7 +8,7 @@
 /// parabola in x and one in y; neighbours of a periodic grid's edge are those of the next period, and beyond the edge of
 /// a free one nothing is looked at. The surface itself is looked at too, for there may bear most: the trailing edge of a
 /// sliding contact (Hertz, ν = 0.3, from μ = 0.305 on), a long cylinder's or a wave's middle where ν is small (below
-/// 0.19 and 0.15), the edge of a Hertz contact where ν < -0.35.
+/// 0.19 and 0.15), the edge of a Hertz contact where ν < -0.34.
 ///
 /// Accuracy  of the search: 8e-5 of the value for a smooth contact, 4e-3 for rough ones. The stress itself is that of
 ///           stress/layers.hpp.

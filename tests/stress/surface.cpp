@@ -61,6 +61,15 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "accurate_depth is two longer sides of a cell, but for sides along which the pressure cannot change",
+    "[surface][contract]") {
+  CHECK(accurate_depth({{8, 9}, 0.5, 0.3}) == 1.0);
+  CHECK(accurate_depth({{1, 9}, 0.5, 0.3}) == 1.0);
+  CHECK(accurate_depth({{1, 9}, 0.5, 0.3, true}) == 0.6);  // was 1
+  CHECK(accurate_depth({{1, 1}, 0.5, 0.3, true}) == 0);
+}
+
 // 9 % were said of every Poisson's ratio: of 0 it is 11 %.
 TEST_CASE("above it the edge of a contact is off by shallow_error at the most, 9 % for steel at rest",
           "[surface][order]") {
