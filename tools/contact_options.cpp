@@ -7,11 +7,10 @@
 #include "cli/output_name.hpp"
 #include "cli/series.hpp"
 #include "cli/stream.hpp"
+#include "contact/flattening.hpp"
 
 namespace asperity::cli {
 namespace {
-
-constexpr double hardness = 3;  // limit pressure over yield stress
 
 double parse_load(const std::string& text) {
   const double load = parse_quantity("loads", text, "N");

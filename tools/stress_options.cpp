@@ -6,6 +6,7 @@
 
 #include "cli/memory.hpp"
 #include "cli/output_name.hpp"
+#include "grid/poisson.hpp"
 #include "stress_quantity.hpp"
 
 namespace asperity::cli {
@@ -81,7 +82,10 @@ double StressOptions::poisson_of(const Dataset& data) const {
   const std::vector<double> both = numbers(*recorded);
   if (body > static_cast<int>(both.size()))
     throw UsageError("body", fmt::format("{}: the dataset knows Poisson's ratio of {}", body, both.size()));
-  return both[static_cast<std::size_t>(body - 1)];
+  const double out = both[static_cast<std::size_t>(body - 1)];
+  if (!is_poisson_ratio(out))
+    throw DataError("contact_poisson", fmt::format("{} must lie above -1 and not above 0.5", out));
+  return out;
 }
 
 Friction StressOptions::sliding() const {

@@ -1,12 +1,13 @@
 #include "stress_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "grid/parallel.hpp"
-#include "stress/influence.hpp"
+#include "stress/points.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -49,11 +50,11 @@ std::vector<std::array<double, 3>> parse_points(std::string_view text) {
     std::vector<double> values;
     for (std::string word; words >> word;) values.push_back(parse_place(word));
     if (values.empty()) continue;
-    const bool sound = values.size() == 3 && std::isfinite(values[0]) && std::isfinite(values[1]) &&
-                       values[2] >= 0 && std::isfinite(values[2]);
+    const bool sound = values.size() == 3 && values[2] >= 0 &&
+                       std::ranges::all_of(values, [](double v) { return std::abs(v) <= farthest; });
     if (!sound)
-      throw DataError("points",
-                      fmt::format("line {}: '{}' is not x, y and a depth, 0 or more", number, line));
+      throw DataError("points", fmt::format("line {}: '{}' is not x, y and a depth, 0 or more, to {:g} m",
+                                            number, line, farthest));
     points.push_back({values[0], values[1], values[2]});
   }
   return points;
@@ -63,10 +64,11 @@ Table stress_table(const StressScene& scene, const StressSelection& selection,
                    const std::vector<std::array<double, 3>>& points, int threads) {
   const auto count = static_cast<Index>(points.size());
   Field components(6, count);
+  const StressPoints below(scene.grid, scene.pressure, scene.friction, scene.poisson, threads);
   parallel_ranges(count, threads, [&](Index begin, Index end, int) {
     for (Index k = begin; k < end; ++k) {
       const auto [x, y, z] = points[static_cast<std::size_t>(k)];
-      const stress::Tensor s = stress_at(scene.grid, scene.pressure, x, y, z, scene.poisson, scene.friction);
+      const stress::Tensor s = below.at(x, y, z);
       for (stress::Component c : stress::components) components(static_cast<Index>(c), k) = s[c];
     }
   });

@@ -13,7 +13,7 @@ std::vector<double> depths_on(const Grid& grid, const std::string& text) {
   if (text.empty()) return {};
   return parse_series("depths", text, Steps::uniform, [&](const std::string& word) {
     const double z = word == "0" ? 0 : parse_length("depths", word).metres(std::min(grid.dx, grid.dy));
-    if (!(z >= 0 && std::isfinite(z))) throw UsageError("depths", "'" + word + "' is no depth, 0 or more");
+    if (!(z >= 0 && z <= farthest)) throw UsageError("depths", "'" + word + "' is no depth, 0 ... 1e30 m");
     return z;
   });
 }

@@ -83,6 +83,13 @@ void StressWriter::write(const std::function<void(Attributes&)>& finish) {
   tool_.write_report(scene_.data);
 }
 
+double StressWriter::largest(std::string_view output) const {
+  double top = 0;
+  for (std::size_t k = 0; k < outputs_.size(); ++k)
+    if (outputs_[k].name == output) top = std::max(top, ranges_[k].high);
+  return top;
+}
+
 void StressWriter::write_file(DatasetStream& out) {
   const auto count = static_cast<Index>(scene_.depths.size());
   out.head(scene_.data, outputs_.size());

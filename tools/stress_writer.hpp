@@ -22,6 +22,8 @@ class StressWriter {
   /// Computes the layers of the scene and writes its dataset with them. In the end `finish` gives attributes that
   /// are there already their values.
   void write(const std::function<void(Attributes&)>& finish);
+  /// What was the largest value of an output [Pa]; 0 where it was not asked for.
+  double largest(std::string_view output) const;
 
  private:
   using Values = std::span<const double>;

@@ -2,8 +2,8 @@
 
 #include "stability.hpp"
 #include "stress/hertz.hpp"
-#include "stress/influence.hpp"
 #include "stress/maximum.hpp"
+#include "stress/points.hpp"
 
 namespace asperity {
 namespace {
@@ -22,13 +22,14 @@ Field hill(Shape shape) {
 // The layer at some cells against the sum over all cells, per greatest pressure.
 double layer_error(const Grid& grid, const Field& p, double z, double nu, const Friction& friction) {
   const StressSolver solver(grid, p, friction, nu);
+  const StressPoints points(grid, p, friction, nu);
   StressSolver::Workspace work;
   const double scale = p.maxCoeff();
   double worst = 0;
   solver.layer(z, stress::all, work, [&](Index i, const StressRow& row) {
     if (i % std::max<Index>(1, grid.shape.nx / 3) != 0) return;
     for (Index j = 0; j < grid.shape.ny; j += std::max<Index>(1, grid.shape.ny / 3)) {
-      const stress::Tensor exact = stress_at(grid, p, grid.x(i), grid.y(j), z, nu, friction);
+      const stress::Tensor exact = points.at(grid.x(i), grid.y(j), z);
       for (auto c : stress::components) {
         const double error = std::abs(row[c][j] - exact[c]) / scale;
         worst = error <= worst ? worst : error;  // and NaN

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "grid/error.hpp"
+#include "grid/poisson.hpp"
 
 namespace asperity {
 
@@ -33,8 +34,7 @@ void Bodies::check() const {
   for (double e : young)
     if (!(e > 0)) throw ParameterError("young", fmt::format("{} Pa is not above 0", e));
   if (std::isinf(young[0]) && std::isinf(young[1])) throw ParameterError("young", "both bodies are rigid");
-  for (double nu : poisson)
-    if (!(nu > -1 && nu <= 0.5)) throw ParameterError("poisson", fmt::format("{} is not in (-1, 0.5]", nu));
+  for (double nu : poisson) check_poisson(nu);
 }
 
 double Bodies::composite_modulus() const {

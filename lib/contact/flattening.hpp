@@ -19,6 +19,9 @@
 
 namespace asperity {
 
+/// What limits the pressure of a contact, over the yield stress in tension (D. Tabor, The Hardness of Metals, 1951).
+inline constexpr double hardness = 3;
+
 /// w of (1) [m].
 inline Field plastic_flattening(const Contact& contact) {
   Field out = (-contact.gap).max(0.0);

@@ -80,8 +80,8 @@ struct Axis {
 /// A field over lags or kernel indices: writes name(row, column) and the coordinates row(row) and column(column).
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
                Meaning meaning);
-/// A variable of any two dimensions as a field; throws DataError when it is missing or holds a number not
-/// finite.
+/// A variable of any two dimensions as a field; throws DataError when it is missing, or holds a number that is not finite
+/// and may not be missing.
 Field table_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 
 /// Puts `line` in front of the global attribute `history`.

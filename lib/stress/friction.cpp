@@ -1,6 +1,7 @@
 #include "stress/friction.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -11,8 +12,8 @@ namespace asperity {
 void Friction::check() const {
   if (!(coefficient >= 0 && std::isfinite(coefficient)))
     throw ParameterError("friction", fmt::format("{} is not 0 or more", coefficient));
-  if (!std::isfinite(angle))
-    throw ParameterError("friction-angle", fmt::format("{} is not a direction", angle));
+  if (!(std::abs(angle) <= 2 * std::numbers::pi * (1 + 1e-12)))
+    throw ParameterError("friction-angle", fmt::format("{} rad must lie within -360 ... 360 degrees", angle));
 }
 
 std::array<double, 3> Friction::weights() const {

@@ -16,7 +16,7 @@ namespace asperity {
 
 struct Friction {
   double coefficient = 0;  ///< μ ≥ 0
-  double angle = 0;        ///< α [rad]
+  double angle = 0;        ///< α [rad], a turn either way at the most
 
   /// Throws ParameterError("friction") or ("friction-angle").
   void check() const;

@@ -150,19 +150,4 @@ Tensor uniform_load_stress(double x, double y, double z, double a, double b, dou
                             : integrated(four_points, x, y, z, a, b, poisson, load);
 }
 
-Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z, double poisson,
-                 const Friction& friction) {
-  const auto weights = friction.weights();
-  Tensor sum{};
-  for (Index i = 0; i < grid.shape.nx; ++i)
-    for (Index j = 0; j < grid.shape.ny; ++j)
-      for (stress::Traction t : stress::tractions) {
-        if (weights[t] == 0 || pressure(i, j) == 0) continue;
-        const Tensor s =
-            uniform_load_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, poisson, t);
-        for (stress::Component c : stress::components) sum[c] += weights[t] * pressure(i, j) * s[c];
-      }
-  return sum;
-}
-
 }  // namespace asperity

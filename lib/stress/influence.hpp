@@ -33,9 +33,7 @@
 ///     convolution and fast Fourier transform algorithm, J. Tribology 124 (2002) 36-45.
 #pragma once
 
-#include "grid/field.hpp"
 #include "stress/component.hpp"
-#include "stress/friction.hpp"
 
 namespace asperity {
 
@@ -58,10 +56,5 @@ stress::Tensor point_load_stress(double x, double y, double z, double poisson,
 /// the largest component 4e-13.
 stress::Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                                    stress::Traction load = stress::normal);
-
-/// The stress at one point under a pressure constant in each cell, and its friction: the sum over the cells,
-/// O(nx ny).
-stress::Tensor stress_at(const Grid& grid, const Field& pressure, double x, double y, double z,
-                         double poisson, const Friction& friction = {});
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "stress/corner_tile.hpp"
+#include "stress/wave.hpp"
 #include "transform/columns.hpp"
 #include "transform/mirrored.hpp"
 
@@ -135,50 +136,6 @@ class HalfSpaceInfluence : public LayerInfluence {
   std::array<AlignedVector<Complex>, 3> symbols_;  ///< of the block last asked for, by traction
 };
 
-// A mode of unit load: (3), (4) of the header.
-struct Wave {
-  double qx, qy, z, nu;
-  double q = std::hypot(qx, qy), e = std::exp(-q * z);
-
-  double pressed(Component c) const {
-    const double bend = ((1 - 2 * nu) / q - z) / q;
-    switch (c) {
-      case stress::xx:
-        return -(2 * nu + qx * qx * bend) * e;
-      case stress::yy:
-        return -(2 * nu + qy * qy * bend) * e;
-      case stress::zz:
-        return -(1 + q * z) * e;
-      case stress::xy:
-        return qx * qy * bend * e;
-      case stress::xz:
-        return -qx * z * e;
-      case stress::yz:
-        return -qy * z * e;
-    }
-    return 0;
-  }
-
-  double sheared(Component c) const {
-    const double k = z + 2 * nu / q, w = e / q;
-    switch (c) {
-      case stress::xx:
-        return -qx * (2 + 2 * nu - k * qx * qx / q) * w;
-      case stress::yy:
-        return -qx * (2 * nu - k * qy * qy / q) * w;
-      case stress::zz:
-        return -qx * q * z * w;
-      case stress::xy:
-        return -qy * (1 - k * qx * qx / q) * w;
-      case stress::xz:
-        return -(q - z * qx * qx) * w;
-      case stress::yz:
-        return -qx * qy * z * w;
-    }
-    return 0;
-  }
-};
-
 class PeriodicInfluence : public LayerInfluence {
  public:
   PeriodicInfluence(const Grid& grid, double poisson, stress::Tractions acting)
@@ -206,21 +163,11 @@ class PeriodicInfluence : public LayerInfluence {
 
  private:
   double mode(Traction t, Component c, Index kx, Index ky) const {
-    if (kx == 0 && ky == 0) return mean(t, c);
     const bool nyquist_x = 2 * kx == grid_.shape.nx, nyquist_y = 2 * ky == grid_.shape.ny;
     if ((odd_in_x(c, t) && nyquist_x) || (odd_in_y(c, t) && nyquist_y)) return 0;
     const double qx = 2 * std::numbers::pi * static_cast<double>(kx) / grid_.size_x();
     const double qy = 2 * std::numbers::pi * static_cast<double>(ky) / grid_.size_y();
-    if (t == stress::normal) return Wave{qx, qy, z_, poisson_}.pressed(c);
-    if (t == stress::shear_x) return Wave{qx, qy, z_, poisson_}.sheared(c);
-    return Wave{qy, qx, z_, poisson_}.sheared(stress::exchanged(c));
-  }
-
-  double mean(Traction t, Component c) const {
-    if (t == stress::shear_x) return c == stress::xz ? -1 : 0;
-    if (t == stress::shear_y) return c == stress::yz ? -1 : 0;
-    if (c == stress::zz) return -1;
-    return c == stress::xx || c == stress::yy ? -poisson_ / (1 - poisson_) : 0;
+    return stress::Wave{qx, qy, z_, poisson_}(t, c);
   }
 
   Grid grid_;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "grid/error.hpp"
+#include "grid/poisson.hpp"
 #include "stress/response.hpp"
 
 namespace asperity {
@@ -28,14 +29,19 @@ Index apart(Index ny) { return (ny + width - 1) / width * width; }
 
 void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson) {
   friction.check();
-  if (!(poisson >= 0 && poisson <= 0.5))
-    throw ParameterError("poisson", fmt::format("{} is not between 0 and 0.5", poisson));
+  check_poisson(poisson);
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
+  if (pressure.size() == 0) throw DataError("pressure", "it has no cells");
+  if (!(grid.dx > 0 && grid.dy > 0 && grid.size_x() <= farthest && grid.size_y() <= farthest))
+    throw DataError("pressure", fmt::format("its cells of {} m x {} m are no cells", grid.dx, grid.dy));
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
-  const double largest = pressure.size() > 0 ? pressure.abs().maxCoeff() : 0;
+  const double largest = pressure.abs().maxCoeff();
   if (largest != 0 && !(largest >= least_pressure && largest <= greatest_pressure))
     throw DataError("pressure", fmt::format("{} Pa is its largest value: must lie in {:g} ... {:g} Pa",
                                             largest, least_pressure, greatest_pressure));
+  if (!(friction.coefficient * largest <= greatest_pressure))
+    throw ParameterError("friction", fmt::format("{} of {} Pa is a traction above {:g} Pa",
+                                                 friction.coefficient, largest, greatest_pressure));
 }
 
 StressSolver::StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads,
@@ -163,10 +169,17 @@ void StressSolver::interpolate_row(const Resolution& r, Index i, const double* p
 }
 
 void check_depth(double z) {
-  if (!(z >= 0 && std::isfinite(z)))
-    throw ParameterError("depth", fmt::format("{} m is not a depth, 0 or more", z));
+  if (!(z >= 0 && z <= farthest))
+    throw ParameterError("depth", fmt::format("{} m is not a depth, 0 ... {:g} m", z, farthest));
 }
 
-double accurate_depth(const Grid& grid) { return 2 * std::max(grid.dx, grid.dy); }
+double accurate_depth(const Grid& grid) {
+  auto step = [&](Index cells, double spacing) { return grid.periodic && cells == 1 ? 0 : spacing; };
+  return 2 * std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
+}
+
+double shallow_error(double poisson, const Friction& friction) {
+  return std::max(0.09, 0.11 * (1 - 2 * poisson)) + 0.26 * friction.coefficient;
+}
 
 }  // namespace asperity

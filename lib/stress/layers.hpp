@@ -45,10 +45,13 @@ using StressRow = std::array<const double*, 6>;
 /// Rows of many layers: row(layer, i, values).
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
-/// Throws ParameterError("poisson") unless 0 ≤ ν ≤ ½, ("friction") or ("friction-angle") unless they are such,
-/// DataError("pressure") unless the pressure fits the grid, is finite and its largest value 0 or 1e-100 … 1e100 Pa.
+/// Throws ParameterError("poisson") unless -1 < ν ≤ ½ (grid/poisson.hpp), ("friction") or ("friction-angle") unless they
+/// are such and the traction at most 1e100 Pa, DataError("pressure") unless the pressure fits a grid of cells, is finite
+/// and its largest value 0 or 1e-100 … 1e100 Pa.
 void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
-/// Throws ParameterError("depth") unless 0 ≤ z < ∞.
+/// Places and depths reach so far [m]: squares of them are numbers that doubles hold.
+inline constexpr double farthest = 1e30;
+/// Throws ParameterError("depth") unless 0 ≤ z ≤ farthest.
 void check_depth(double z);
 
 class StressSolver {
@@ -64,7 +67,6 @@ class StressSolver {
   const Field& pressure() const { return pressure_; }
   double poisson() const { return poisson_; }
   int threads() const { return threads_; }
-  bool slides() const { return acting(weights_).count() > 1; }  ///< friction acts
 
   /// What one thread needs to compute layers; may be used again for any depth and components.
   class Workspace {
@@ -86,7 +88,7 @@ class StressSolver {
     AlignedVector<double> across_;
   };
 
-  /// The layer at depth z, row after row: row(i, values). Throws ParameterError("depth") unless 0 ≤ z < ∞.
+  /// The layer at depth z, row after row: row(i, values). Throws as check_depth does.
   template <class RowSink>
   void layer(double z, stress::Set asked, Workspace& work, RowSink row) const {
     transform_layer(z, asked, work);
@@ -118,13 +120,16 @@ class StressSolver {
   DepthLevels<Resolution> levels_;
 };
 
-/// Two cells. From there on every value is within 1 % of the largest pressure even below the edge of a Hertz
-/// contact (of ten cells' radius: components 6e-3, von Mises 8e-3, falling as the root of the cell; with friction
-/// μ = 0.5 components 7e-3, von Mises 1.0e-2). Above it, cells nearer than this to an edge of the pressure may be off
-/// by up to 9 %, by 26 μ % more under friction; others by 1 %, at z = 0 by 5.5 μ % more: a tangential stress has the
-/// logarithm of the distance from each step of its traction q, which halfway between the steps leaves at order 1
+/// Two cells, of their longer side; a period of one cell has no steps along it. From there on every value is within 1 %
+/// of the largest pressure even below the edge of a Hertz contact (of ten cells' radius: components 6e-3, von Mises 8e-3,
+/// falling as the root of the cell; with friction μ = 0.5 components 7e-3, von Mises 1.0e-2), of any ν. Above it, cells
+/// nearer than this to an edge of the pressure may be off by shallow_error; others by 1.2 %, at z = 0 by 5.5 μ % more: a
+/// tangential stress has the logarithm of the distance from each step of its traction q, which halfway between the steps
+/// leaves at order 1
 ///     Δσxx = -(2 ln 2/π) Δx ∂qx/∂x,   Δσyy = ν Δσxx,   Δσxy = -(ln 2/π) Δy ∂qx/∂y   of qx, of qy likewise,
 /// and fades as exp(-2πz/Δx).
 double accurate_depth(const Grid& grid);
+/// Of the largest pressure: 9 %, or 11 (1-2ν) % where that is more, and 26 μ % more under friction.
+double shallow_error(double poisson, const Friction& friction);
 
 }  // namespace asperity

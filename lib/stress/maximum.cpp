@@ -37,19 +37,21 @@ struct Peak {
   double value = 0, x = 0, y = 0;
 };
 
+// About the k-th value, the largest of `line`. Its neighbours beyond an end are those of the next period; without one
+// the end itself stands.
+template <class Line>
+Parabola peak_along(const Line& line, Index k, bool periodic) {
+  const Index n = line.size();
+  if (!periodic && (k == 0 || k + 1 == n)) return {0, line(k)};
+  return parabola(-1, line((k + n - 1) % n), 0, line(k), 1, line((k + 1) % n));
+}
+
 Peak peak_of(const Field& f, const Grid& grid) {
   Index i, j;
   const double top = f.maxCoeff(&i, &j);
-  Peak peak{top, grid.x(i), grid.y(j)};
-  if (i > 0 && i + 1 < f.rows()) {
-    const Parabola p = parabola(-1, f(i - 1, j), 0, top, 1, f(i + 1, j));
-    peak.x += p.vertex * grid.dx, peak.value += p.value - top;
-  }
-  if (j > 0 && j + 1 < f.cols()) {
-    const Parabola p = parabola(-1, f(i, j - 1), 0, top, 1, f(i, j + 1));
-    peak.y += p.vertex * grid.dy, peak.value += p.value - top;
-  }
-  return peak;
+  const Parabola x = peak_along(f.col(j), i, grid.periodic), y = peak_along(f.row(i), j, grid.periodic);
+  return {top + (x.value - top) + (y.value - top), grid.x(i) + x.vertex * grid.dx,
+          grid.y(j) + y.vertex * grid.dy};
 }
 
 // A layer looked at: its depth as ln z, -∞ at the surface, and its peak.
@@ -62,7 +64,7 @@ struct Sample {
 class Account {
  public:
   Account(Index scanned, const std::function<void(const StressProbe&)>& told)
-      : expected_(scanned + usual_steps), told_(told) {}
+      : expected_(scanned + 1 + usual_steps), told_(told) {}
 
   void add(const Sample& sample) {
     const std::scoped_lock lock(mutex_);
@@ -98,17 +100,25 @@ class Probe {
   Field von_mises_;
 };
 
+// From the first loaded line to the last; of a period, the fewest lines that hold all of them.
+template <class Lines>
+double extent(const Lines& loaded, bool periodic) {
+  Index first = -1, last = -1, gap = 0;
+  for (Index k = 0; k < loaded.size(); ++k) {
+    if (!loaded(k)) continue;
+    if (first < 0) first = k;
+    if (last >= 0) gap = std::max(gap, k - last - 1);
+    last = k;
+  }
+  const Index span = last - first + 1;
+  return static_cast<double>(periodic ? std::min(span, loaded.size() - gap) : span);
+}
+
 // Half the longer side of the rectangle around the loaded cells.
 double loaded_radius(const Grid& grid, const Field& pressure) {
-  Index first_i = grid.shape.nx, last_i = -1, first_j = grid.shape.ny, last_j = -1;
-  for (Index i = 0; i < grid.shape.nx; ++i)
-    for (Index j = 0; j < grid.shape.ny; ++j) {
-      if (pressure(i, j) == 0) continue;
-      first_i = std::min(first_i, i), last_i = std::max(last_i, i);
-      first_j = std::min(first_j, j), last_j = std::max(last_j, j);
-    }
-  return 0.5 * std::max(static_cast<double>(last_i - first_i + 1) * grid.dx,
-                        static_cast<double>(last_j - first_j + 1) * grid.dy);
+  const Eigen::Array<bool, Eigen::Dynamic, 1> in_x = (pressure != 0).rowwise().any(),
+                                              in_y = (pressure != 0).colwise().any().transpose();
+  return 0.5 * std::max(extent(in_x, grid.periodic) * grid.dx, extent(in_y, grid.periodic) * grid.dy);
 }
 
 std::vector<double> scan_depths(const Grid& grid, const Field& pressure) {
@@ -168,10 +178,8 @@ StressMaximum maximum_von_mises(const StressSolver& solver,
   Sample best = *std::max_element(
       s.begin(), s.end(), [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
   Probe probe(solver, account);
-  if (solver.slides()) {
-    const Sample surface = probe.at(-std::numeric_limits<double>::infinity());
-    if (surface.peak.value > best.peak.value) best = surface;
-  }
+  const Sample surface = probe.at(-std::numeric_limits<double>::infinity());
+  if (surface.peak.value > best.peak.value) best = surface;
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
     if (s[k].peak.value < s[k - 1].peak.value || s[k].peak.value < s[k + 1].peak.value) continue;
     const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;

@@ -11,7 +11,7 @@
 /// them. On the coarse torus the kernel is therefore whole for the lags that are needed, and then falls to 0
 /// smoothly, over the `taper` lags more that the torus has for it, as the integral of exp(β√(1-u²)), |u| < 1.
 ///
-/// Accuracy  2e-6 of the largest pressure; 1e-9 in a periodic half-space.
+/// Accuracy  2e-6 of the largest pressure; below a rough periodic one 1e-8.
 /// Cost      32 layers of 128 × 128 cells down to 51 of them half, 64 of 512 × 512 a fifth of those in full.
 #pragma once
 

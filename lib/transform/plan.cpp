@@ -1,9 +1,11 @@
 #include "transform/plan.hpp"
 
 #include <array>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 
 #include <fftw3.h>
@@ -30,6 +32,14 @@ using Key = std::tuple<Kind, Index, Index>;
 // The plans of late, shared by all transforms of the same size.
 std::map<Key, detail::PlanPointer> recent;
 constexpr std::size_t most_recent = 64;
+
+// FFTW counts by int: a longer side would become another one.
+int counted(Index n) {
+  if (n > std::numeric_limits<int>::max())
+    throw std::length_error("a transform of " + std::to_string(n) +
+                            " points along a side is too long for FFTW");
+  return static_cast<int>(n);
+}
 
 // FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory, and an
 // aligned one may be executed on any other aligned array.
@@ -74,7 +84,7 @@ std::string transform_version() {
 }
 
 RealTransform::RealTransform(Index n) : n_(n) {
-  const int points = static_cast<int>(n);
+  const int points = counted(n);
   const std::size_t doubles = aligned(n + 2);
   forward_ = plan({real_forward, n, 1}, 2 * doubles, [&](double* a) {
     return fftw_plan_dft_r2c_1d(points, a, reinterpret_cast<fftw_complex*>(a + doubles), FFTW_ESTIMATE);
@@ -93,8 +103,7 @@ void RealTransform::inverse(Complex* in, double* out) const {
 }
 
 ColumnTransform::ColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
-  const int points = static_cast<int>(n), columns = static_cast<int>(width),
-            apart = static_cast<int>(stride());
+  const int points = counted(n), columns = counted(width), apart = counted(stride());
   auto one_way = [&](Kind kind, int sign) {
     const std::size_t doubles = aligned(2 * size());
     return plan({kind, n, width}, 2 * doubles, [&](double* a) {
@@ -115,7 +124,7 @@ void ColumnTransform::inverse(const Complex* in, Complex* out) const {
 }
 
 RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
-  const int nx = static_cast<int>(shape.nx), ny = static_cast<int>(shape.ny);
+  const int nx = counted(shape.nx), ny = counted(shape.ny);
   const std::size_t offset = aligned(shape.cells()), doubles = offset + 2 * size(spectrum_size());
   forward_ = plan({plane_forward, shape.nx, shape.ny}, doubles, [&](double* a) {
     return fftw_plan_dft_r2c_2d(nx, ny, a, reinterpret_cast<fftw_complex*>(a + offset),

@@ -6,6 +6,7 @@
 #include "layer.hpp"
 #include "stress/hertz.hpp"
 #include "stress/influence.hpp"
+#include "stress/points.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -30,12 +31,14 @@ TEST_CASE("along an axis only one traction acts", "[friction][contract]") {
   CHECK(acting(Friction{0, 0.3}.weights()).count() == 1);
 }
 
-TEST_CASE("friction that is negative or no number is refused", "[friction][contract]") {
+TEST_CASE("friction that is negative or no number, or beyond a turn, is refused", "[friction][contract]") {
   const Grid grid = hertz_grid(8);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(sliding_hertz(grid, {-0.1, 0}), ParameterError);
   CHECK_THROWS_AS(sliding_hertz(grid, {nan, 0}), ParameterError);
   CHECK_THROWS_AS(sliding_hertz(grid, {0.1, nan}), ParameterError);
+  CHECK_THROWS_AS(sliding_hertz(grid, {0.1, 2.001 * pi}), ParameterError);
+  CHECK_NOTHROW(sliding_hertz(grid, {0.1, -360 * (pi / 180)}));
 }
 
 // Round-off as of a layer without friction (layers.cpp), for each traction.
@@ -47,10 +50,11 @@ TEST_CASE("a layer under friction is the direct sum over the loaded cells", "[fr
         const Field p = random_field(shape, 41);
         const Friction friction{0.35, angle};
         const TensorField computed = layer(StressSolver(grid, p, friction, nu), z);
+        const StressPoints direct(grid, p, friction, nu);
         double error = 0;
         for (Index i = 0; i < shape.nx; ++i)
           for (Index j = 0; j < shape.ny; ++j) {
-            const Tensor s = stress_at(grid, p, grid.x(i), grid.y(j), z, nu, friction);
+            const Tensor s = direct.at(grid.x(i), grid.y(j), z);
             for (auto c : stress::components) error = std::max(error, std::abs(computed[c](i, j) - s[c]));
           }
         CAPTURE(shape.nx, shape.ny, z, angle);

@@ -48,6 +48,12 @@ inline stress::Tensor hertz_laplacian(double x, double y, double z, double nu,
   return sum;
 }
 
+/// The field moved by so many cells towards the origin, what passes the edge coming in at the other.
+inline Field shifted(const Field& f, Index by_x, Index by_y) {
+  return Field::NullaryExpr(
+      f.rows(), f.cols(), [&](Index i, Index j) { return f((i + by_x) % f.rows(), (j + by_y) % f.cols()); });
+}
+
 /// A square of side 3 around the unit contact, n × n cells.
 inline Grid hertz_grid(Index n) {
   return {{n, n}, 3.0 / static_cast<double>(n), 3.0 / static_cast<double>(n)};

@@ -6,6 +6,7 @@
 #include "layer.hpp"
 #include "stress/hertz.hpp"
 #include "stress/influence.hpp"
+#include "stress/points.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -19,9 +20,10 @@ const Grid oblong{{20, 13}, 0.4, 0.3};
 TensorField direct(const Grid& grid, const Field& pressure, double z, double nu) {
   TensorField out;
   for (auto& f : out) f.resize(grid.shape.nx, grid.shape.ny);
+  const StressPoints points(grid, pressure, {}, nu);
   for (Index i = 0; i < grid.shape.nx; ++i)
     for (Index j = 0; j < grid.shape.ny; ++j) {
-      const Tensor s = stress_at(grid, pressure, grid.x(i), grid.y(j), z, nu);
+      const Tensor s = points.at(grid.x(i), grid.y(j), z);
       for (auto c : stress::components) out[c](i, j) = s[c];
     }
   return out;
@@ -37,7 +39,7 @@ TEST_CASE("a layer is the direct sum over the loaded cells, for every shape, dep
   for (Shape shape :
        {Shape{1, 1}, Shape{1, 9}, Shape{6, 1}, Shape{2, 2}, Shape{7, 5}, Shape{8, 16}, Shape{19, 10}})
     for (double z : {0.0, 0.07, 1.1, 9.0})
-      for (double nu : {0.0, 0.3, 0.5}) {
+      for (double nu : {-0.9, 0.0, 0.3, 0.5}) {
         const Grid grid{shape, 0.3, 0.5};
         const Field p = random_field(shape, 21);
         CAPTURE(shape.nx, shape.ny, z, nu);
@@ -276,12 +278,17 @@ TEST_CASE("a solver refuses what it cannot answer and names it", "[layers][contr
   Field broken = p;
   broken(3, 4) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(StressSolver(oblong, p, 0.6), ParameterError);
-  CHECK_THROWS_AS(StressSolver(oblong, p, -0.1), ParameterError);
+  CHECK_THROWS_AS(StressSolver(oblong, p, -1), ParameterError);
+  CHECK_NOTHROW(StressSolver(oblong, p, -0.3));  // was refused here, and taken by the contact before it
   CHECK_THROWS_AS(StressSolver(oblong, broken, 0.3), DataError);
   CHECK_THROWS_AS(StressSolver(oblong, Field::Ones(13, 20), 0.3), DataError);
   CHECK_THROWS_AS(layer(StressSolver(oblong, p, 0.3), -1e-9), ParameterError);
+  CHECK_THROWS_AS(layer(StressSolver(oblong, p, 0.3), 1e200), ParameterError);  // its stress was not a number
   // The von Mises stress of these was infinite and 0.
   CHECK_THROWS_AS(StressSolver(oblong, 1e300 * p, 0.3), DataError);
   CHECK_THROWS_AS(StressSolver(oblong, 1e-300 * p, 0.3), DataError);
   CHECK_NOTHROW(StressSolver(oblong, 0 * p, 0.3));
+  CHECK_THROWS_AS(StressSolver(oblong, p, Friction{1e200, 0}, 0.3), ParameterError);
+  CHECK_THROWS_AS(StressSolver({{0, 0}, 1, 1}, Field(0, 0), 0.3), DataError);
+  CHECK_THROWS_AS(StressSolver({{20, 13}, 0.4, 0}, p, 0.3), DataError);
 }

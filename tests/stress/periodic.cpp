@@ -72,11 +72,8 @@ TEST_CASE("a uniform pressure on a periodic half-space is borne by a body held a
 
 TEST_CASE("a shifted periodic pressure gives the shifted stress", "[periodic][law]") {
   const Grid grid{{12, 10}, 0.5, 0.4, true};
-  auto shifted = [](const Field& f) {
-    return Field(Field::NullaryExpr(12, 10, [&](Index i, Index j) { return f((i + 5) % 12, (j + 3) % 10); }));
-  };
   const Field p = random_field(grid.shape, 31);
   const TensorField s = layer(StressSolver(grid, p, nu), 0.2),
-                    t = layer(StressSolver(grid, shifted(p), nu), 0.2);
-  for (auto c : stress::components) CHECK((shifted(s[c]) - t[c]).abs().maxCoeff() <= 32 * epsilon);
+                    t = layer(StressSolver(grid, shifted(p, 5, 3), nu), 0.2);
+  for (auto c : stress::components) CHECK((shifted(s[c], 5, 3) - t[c]).abs().maxCoeff() <= 32 * epsilon);
 }

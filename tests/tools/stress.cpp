@@ -98,3 +98,103 @@ TEST_CASE("principal, tresca and octahedral are written with the components that
   CHECK(data.at("direction_3_x").attributes.text("units") == "1");
   CHECK(data.at("stress_1").attributes.text("units") == "Pa");
 }
+
+// The contact took -0.3 and the stress, which reads it from the dataset, refused it as a wrong option.
+TEST_CASE(
+    "a Poisson's ratio that the contact takes is taken by the stress, and one that no body has is bad data",
+    "[stress][contract]") {
+  const std::string press =
+      "asperity-contact --smooth --shape 32x32 --size 3mm --radius 50mm --young 208GPa --load 5kN ";
+  for (const char* ratio : {"-0.99", "-0.3", "0", "0.5"}) {
+    const Outcome run =
+        shell(press + "--poisson=" + ratio + " | asperity-stress --depths 0.3mm -o auxetic.nc");
+    CAPTURE(ratio, run.error);
+    CHECK(run.exit == 0);
+    CHECK(read_dataset("auxetic.nc").attributes.number("stress_poisson", 9) == std::stod(ratio));
+  }
+  for (const char* ratio : {"-1", "0.51", "nan"}) {
+    const Outcome pressed = shell(press + "--poisson=" + ratio + " -o refused.nc"),
+                  below = shell("asperity-stress auxetic.nc --depths 0.3mm -o refused.nc --poisson=" +
+                                std::string(ratio));
+    CHECK(pressed.exit == 2);
+    CHECK(below.exit == 2);
+    CHECK(pressed.error.substr(pressed.error.find(':')) == below.error.substr(below.error.find(':')));
+  }
+  Dataset wrong = read_dataset("auxetic.nc");
+  wrong.attributes.set_values("contact_poisson", std::vector<double>{0.7, 0.3});
+  write_dataset(wrong, "wrong.nc");
+  const Outcome run = shell("asperity-stress wrong.nc --depths 0.3mm -o absent.nc");
+  CHECK(run.exit == 4);
+  CHECK(run.error == "asperity-stress: contact_poisson: 0.7 must lie above -1 and not above 0.5\n");
+  CHECK(shell("asperity-stress wrong.nc --body 2 --depths 0.3mm -o counter.nc").exit == 0);
+}
+
+namespace {
+
+// 64² cells of 47 um, Hertz: 1690 MPa 0.45 mm deep.
+const std::string smooth =
+    "asperity-contact --smooth --shape 64x64 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 --load "
+    "5kN ";
+
+std::string errors_of(const std::string& line) {
+  const Outcome run = shell(line);
+  INFO(line + run.error);
+  CHECK(run.exit == 0);
+  return run.error;
+}
+
+}  // namespace
+
+// A yield stress of 1100 MPa limits the pressure to 3300 MPa, more than Hertz's 2724: nothing yields at the surface, and
+// nothing was said of the 1690 MPa below it.
+TEST_CASE(
+    "von Mises stress above the yield stress is said once with both figures, of layers, points and the "
+    "maximum",
+    "[stress][contract]") {
+  REQUIRE(shell(smooth + "--yield 1100MPa -o plastic.nc; " + smooth + "--yield 1800MPa -o safe.nc; " +
+                smooth + "-o elastic.nc; echo 0 0 0.45mm > axis")
+              .exit == 0);
+  for (const char* asked :
+       {"--depths 0.1mm,0.45mm -o b.nc", "--depths 0.1mm,0.45mm | cat > b.nc",
+        "--depths 0.45mm --section y=0 -o b.nc", "--depths 0.1mm,0.45mm --memory 10kB | cat > b.nc",
+        "--maximum -o b.nc", "--maximum --depths 0.1mm -o b.nc", "--maximum --depths 0.45mm -o b.nc -q",
+        "--points axis -q", "--depths 0.45mm --above 0.5 -o b.nc"}) {
+    const std::string options = asked;
+    const std::string error = errors_of("asperity-stress plastic.nc " + options);
+    CAPTURE(options, error);
+    CHECK(lines(error) == 1);
+    CHECK_THAT(error, ContainsSubstring("warning: von Mises stress reaches 16") &&
+                          ContainsSubstring("above the yield stress of 1100 MPa"));
+    CHECK(errors_of("asperity-stress safe.nc " + options).empty());
+    CHECK(errors_of("asperity-stress elastic.nc " + options).empty());
+  }
+  CHECK(errors_of("asperity-stress plastic.nc --depths 0.45mm --components zz -o b.nc").empty());
+  CHECK(errors_of("asperity-stress plastic.nc --depths 3mm -o b.nc").empty());
+}
+
+// Only -v told it.
+TEST_CASE("a maximum above stress_accurate_depth is a warning with both depths, a deeper one is none",
+          "[stress][contract]") {
+  CHECK(errors_of(smooth + " | asperity-stress --maximum -q -o b.nc").empty());
+  const std::string error = errors_of(smooth + " | asperity-stress --maximum --friction 0.6 -q -o b.nc");
+  CHECK(lines(error) == 1);
+  CHECK_THAT(error, ContainsSubstring("warning: the largest von Mises stress lies 0 um deep") &&
+                        ContainsSubstring("93.75 um of stress_accurate_depth") && ContainsSubstring("25 %"));
+}
+
+// A pressure that rises as sin² towards the edge and would fall beyond it.
+TEST_CASE("a maximum at the edge of a free domain is a warning, at the edge of a period it is none",
+          "[stress][contract]") {
+  for (bool periodic : {false, true}) {
+    const Grid grid{{16, 8}, 1e-3, 4e-3, periodic};
+    Dataset data;
+    set_grid(data, grid);
+    const Field p =
+        sample(grid, [&](double x, double) { return std::pow(std::sin(M_PI * x / grid.size_x()), 8); });
+    set_field(data, "pressure", 1e9 * p, {"Pa", "pressure"});
+    write_dataset(data, "edge.nc");
+    const std::string error = errors_of("asperity-stress edge.nc --poisson 0.3 --maximum -o b.nc");
+    CAPTURE(periodic);
+    CHECK((error.find("lies at the edge of the domain") == std::string::npos) == periodic);
+  }
+}

@@ -1,0 +1,100 @@
+#include "stress/points.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "grid/error.hpp"
+#include "stress/influence.hpp"
+#include "stress/wave.hpp"
+
+namespace asperity {
+namespace {
+
+using stress::Component;
+using stress::Tensor;
+using stress::Traction;
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double faded = 40;  // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
+
+std::size_t size(Index n) { return static_cast<std::size_t>(n); }
+
+// exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
+std::vector<Complex> waves(Index n, double share) {
+  std::vector<Complex> out(size(n / 2 + 1));
+  for (Index k = 0; k <= n / 2; ++k)
+    out[size(k)] =
+        std::polar(2 * k == n ? 0.5 : 1.0, two_pi * std::remainder(static_cast<double>(k) * share, 1));
+  return out;
+}
+
+// Of the modes (kx, ky) and (-kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
+struct Pair {
+  Complex even, odd;
+};
+
+void add(const Pair& p, const stress::Wave& wave, const std::array<double, 3>& weights, Tensor& sum) {
+  for (Traction t : stress::tractions) {
+    if (weights[t] == 0) continue;
+    for (Component c : stress::components) {
+      const Complex& z = odd_in_x(c, t) ? p.odd : p.even;
+      const double part[] = {z.real(), z.imag(), -z.real()};  // of (-i)^m z
+      sum[c] += weights[t] * wave(t, c) * part[odd_in_x(c, t) + odd_in_y(c, t)];
+    }
+  }
+}
+
+}  // namespace
+
+StressPoints::StressPoints(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
+                           int threads)
+    : grid_(grid), pressure_(pressure), weights_(friction.weights()), poisson_(poisson) {
+  check_load(grid, pressure, friction, poisson);
+  if (grid.periodic) modes_.emplace(grid, pressure, 1, threads);
+}
+
+Tensor StressPoints::at(double x, double y, double z) const {
+  if (!(std::abs(x) <= farthest && std::abs(y) <= farthest))
+    throw ParameterError("place", fmt::format("({}, {}) m is farther than {:g} m", x, y, farthest));
+  check_depth(z);
+  return grid_.periodic ? below_waves(x, y, z) : below_cells(x, y, z);
+}
+
+Tensor StressPoints::below_cells(double x, double y, double z) const {
+  Tensor sum{};
+  for (Index i = 0; i < grid_.shape.nx; ++i)
+    for (Index j = 0; j < grid_.shape.ny; ++j)
+      for (Traction t : stress::tractions) {
+        if (weights_[t] == 0 || pressure_(i, j) == 0) continue;
+        const Tensor s =
+            uniform_load_stress(x - grid_.x(i), y - grid_.y(j), z, grid_.dx / 2, grid_.dy / 2, poisson_, t);
+        for (Component c : stress::components) sum[c] += weights_[t] * pressure_(i, j) * s[c];
+      }
+  return sum;
+}
+
+Tensor StressPoints::below_waves(double x, double y, double z) const {
+  const auto [nx, ny] = grid_.shape;
+  const std::vector<Complex> along_x = waves(nx, (x - grid_.x(0)) / grid_.size_x()),
+                             along_y = waves(ny, (y - grid_.y(0)) / grid_.size_y());
+  const Index width = PrunedTransform::width, stride = modes_->transform().stride();
+  Tensor sum{};
+  for (Index ky = 0; ky <= ny / 2; ++ky) {
+    const Complex* p = modes_->pressure(ky / width) + ky % width * stride;
+    const Complex across = (ky == 0 ? 1.0 : 2.0) * along_y[size(ky)];  // with (-kx, -ky)
+    for (Index kx = 0; kx <= nx / 2; ++kx) {
+      const stress::Wave wave{two_pi * static_cast<double>(kx) / grid_.size_x(),
+                              two_pi * static_cast<double>(ky) / grid_.size_y(), z, poisson_};
+      if (wave.q * z > faded) break;
+      const Complex ahead = p[kx] * along_x[size(kx)] * across,
+                    back = kx == 0 ? Complex{} : p[nx - kx] * std::conj(along_x[size(kx)]) * across;
+      add({ahead + back, ahead - back}, wave, weights_, sum);
+    }
+  }
+  return sum;
+}
+
+}  // namespace asperity

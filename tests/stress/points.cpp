@@ -1,0 +1,127 @@
+/// Points, layers, sections and the search have one field, of a free load and of a periodic one.
+#include "stress/points.hpp"
+
+#include <numbers>
+
+#include "grid/error.hpp"
+#include "layer.hpp"
+#include "stress/influence.hpp"
+#include "stress/section.hpp"
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using stress::Tensor;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, nu = 0.3;
+
+double difference(const Tensor& a, const Tensor& b) {
+  double top = 0;
+  for (auto c : stress::components) top = std::max(top, std::abs(a[c] - b[c]));
+  return top;
+}
+
+// A mode's amplitude is at most the mean |p|; transforms and the sum over all modes leave 16 ε of their sum.
+double round_off(const Field& p) { return 32 * epsilon * p.abs().sum(); }
+
+}  // namespace
+
+// stress_at summed the cells of one period alone: under a pressure that covers it -175 MPa in place of the layers' -500.
+TEST_CASE(
+    "at cell centres the stress at points is that of the layers, periodic or not, with and without friction",
+    "[points][exact]") {
+  for (Shape shape : {Shape{1, 1}, Shape{1, 9}, Shape{8, 1}, Shape{2, 2}, Shape{7, 5}, Shape{16, 10}})
+    for (bool periodic : {false, true})
+      for (const Friction& friction : {Friction{}, Friction{0.35, 0.6}, Friction{0.2, -2.0}}) {
+        const Grid grid{shape, 0.3, 0.5, periodic};
+        const Field p = random_field(shape, 51);
+        const StressPoints points(grid, p, friction, nu);
+        const StressSolver solver(grid, p, friction, nu);
+        for (double z : {0.0, 0.07, 1.1, 40.0, 1e4}) {
+          const TensorField whole = layer(solver, z);
+          double error = 0;
+          for (Index i = 0; i < shape.nx; ++i)
+            for (Index j = 0; j < shape.ny; ++j)
+              error = std::max(error, difference(points.at(grid.x(i), grid.y(j), z), tensor_at(whole, i, j)));
+          CAPTURE(shape.nx, shape.ny, periodic, friction.angle, z);
+          CHECK(error <= round_off(p));
+        }
+      }
+}
+
+// Between the centres p = p0 + p1 cos(q x) is what the cells' pressures say. Plane strain [Johnson, Contact Mechanics,
+// ch. 13]: σxx = -(1-qz) e cos, σzz = -(1+qz) e cos, σxz = -qz e sin, σyy = ν (σxx + σzz), e = p1 exp(-qz); of p0 a body
+// held at its sides bears ν/(1-ν) in x and y.
+TEST_CASE("between the cells, too, the stress below a periodic wave and its mean is that of plane strain",
+          "[points][exact]") {
+  for (Index n : {7, 16})
+    for (double poisson : {-0.5, 0.0, 0.3, 0.5}) {
+      const Grid grid{{n, 3}, 0.25, 0.4, true};
+      const double q = 2 * pi / grid.size_x(), p0 = 3, p1 = 2, held = -poisson / (1 - poisson) * p0;
+      const Field p = sample(grid, [&](double x, double) { return p0 + p1 * std::cos(q * x); });
+      const StressPoints points(grid, p, {}, poisson);
+      for (double z : {0.0, 0.2, 1.3, 50.0})
+        for (double x : {-0.8, 0.0, 0.125, 0.31, 0.5 * grid.size_x(), 17.0}) {
+          const double e = p1 * std::exp(-q * z), cosine = e * std::cos(q * x), sine = e * std::sin(q * x);
+          const double xx = -(1 - q * z) * cosine, zz = -(1 + q * z) * cosine;
+          const Tensor exact{xx + held, poisson * (xx + zz) + held, zz - p0, 0, -q * z * sine, 0};
+          CAPTURE(n, poisson, x, z);
+          CHECK(difference(points.at(x, 0.17, z), exact) <= 64 * epsilon * p.sum());
+        }
+    }
+}
+
+TEST_CASE("a mean traction is met by its own shear at any point, however deep", "[points][exact]") {
+  const Grid grid{{6, 5}, 0.5, 0.4, true};
+  const StressPoints points(grid, Field::Constant(6, 5, 2.0), {0.25, pi / 6}, nu);
+  for (double z : {0.0, 3.0, 1e3, farthest}) {
+    const Tensor exact{-2 * nu / (1 - nu), -2 * nu / (1 - nu), -2, 0, -0.5 * std::cos(pi / 6), -0.25};
+    CHECK(difference(points.at(0.3, -0.1, z), exact) <= 32 * epsilon * 60);
+  }
+}
+
+TEST_CASE("a periodic pressure shifted by whole cells shifts the stress at points, and a period leaves it",
+          "[points][law]") {
+  const Grid grid{{12, 9}, 0.5, 0.4, true};
+  const Field p = random_field(grid.shape, 52).abs();
+  const Friction friction{0.3, 2.5};
+  const StressPoints points(grid, p, friction, nu), moved(grid, shifted(p, 5, 7), friction, nu);
+  for (double z : {0.0, 0.3, 6.0})
+    for (auto [x, y] : {std::array{0.0, 0.0}, std::array{0.25, -0.2}, std::array{2.9, 1.77}}) {
+      const Tensor here = points.at(x, y, z);
+      CHECK(difference(here, moved.at(x - 5 * grid.dx, y - 7 * grid.dy, z)) <= round_off(p));
+      CHECK(difference(here, points.at(x + 3 * grid.size_x(), y - grid.size_y(), z)) <= round_off(p));
+    }
+}
+
+// Modes of half the cells along an even side are those that tiling splits.
+TEST_CASE("a periodic load tiled 2 x 2 or 3 x 1 leaves the stress at points, in layers and in sections",
+          "[points][law]") {
+  for (Shape shape : {Shape{8, 6}, Shape{5, 4}, Shape{1, 6}}) {
+    const Grid grid{shape, 0.5, 0.4, true};
+    const Field p = random_field(shape, 53).abs();
+    const Friction friction{0.4, 0.7};
+    const StressPoints points(grid, p, friction, nu);
+    for (auto [in_x, in_y] : {std::array<Index, 2>{2, 2}, std::array<Index, 2>{3, 1}}) {
+      const Grid wide{{in_x * shape.nx, in_y * shape.ny}, 0.5, 0.4, true};
+      const Field q = p.replicate(in_x, in_y);
+      const StressPoints tiles(wide, q, friction, nu);
+      const double dx = wide.x(0) - grid.x(0), dy = wide.y(0) - grid.y(0), bound = round_off(q);
+      for (double z : {0.0, 0.2, 3.0}) {
+        for (auto [x, y] : {std::array{0.1, 0.2}, std::array{-0.25, 0.4}, std::array{1.9, -1.1}})
+          CHECK(difference(points.at(x, y, z), tiles.at(x + dx, y + dy, z)) <= bound);
+        const TensorField whole = layer(StressSolver(wide, q, friction, nu), z);
+        const Index i = wide.shape.nx - 1, j = wide.shape.ny - 1;
+        CHECK(difference(points.at(wide.x(i) - dx, wide.y(j) - dy, z), tensor_at(whole, i, j)) <= bound);
+        StressSection(wide, q, friction, nu, {true, j})
+            .rows({z}, stress::all, [&](Index, Index, const StressRow& row) {
+              for (Index k = 0; k < wide.shape.nx; ++k)
+                for (auto c : stress::components)
+                  CHECK(std::abs(row[c][k] - points.at(wide.x(k) - dx, wide.y(j) - dy, z)[c]) <= bound);
+            });
+      }
+    }
+  }
+}
