@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_errno.h>
 
+#include "cli/apart.hpp"
 #include "cli/config.hpp"
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
@@ -127,6 +128,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 }
 
 int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
+  read_netcdf4_apart(&made_apart);
   gsl_set_error_handler_off();  // which would abort; what has no value is NaN, and shown as a dash
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
