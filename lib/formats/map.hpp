@@ -50,7 +50,8 @@ struct Map {
 /// The factor to metres of a unit of length as instruments spell it ("µm", "um", "nm", "m"). Throws DataError(variable,
 /// …) when it is none.
 double metres_per(std::string_view unit, const std::string& variable);
-/// Values and their unit: scaled to metres if it is a length, else as they are.
+/// Values and their unit: scaled to metres if it is a length, else as they are. Throws DataError("map", …) where that makes one
+/// infinite.
 void set_units(Map& map, std::string_view unit);
 
 /// Throws DataError("map", …) for a map of unknown size, which `format` cannot do without.

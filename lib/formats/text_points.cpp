@@ -76,6 +76,23 @@ bool on_grid(const Column& a, const Column& b) {
   return true;
 }
 
+bool constant(const Column& c) { return c.maxCoeff() <= c.minCoeff(); }
+
+// Of lines x y z: a profile along an axis, points on a grid, or lines of a scan of which one coordinate never turns.
+bool are_coordinates(const Column& x, const Column& y, const Column& z) {
+  if ((constant(x) && even(y)) || (constant(y) && even(x))) return true;
+  if (even(x)) return !even(z);
+  const auto scanned = [](const Column& c) { return !turns(c) && !constant(c); };
+  return z.size() > 3 && (on_grid(x, y) || scanned(x) || scanned(y));
+}
+
+// A matrix with its coordinates along two of its edges.
+bool labelled(const Field& lines) {
+  const Index n = lines.rows() - 1, columns = lines.cols() - 1;
+  if (n < 3 || columns < 3) return false;
+  return even(lines.col(0).tail(n)) && even(lines.row(0).tail(columns)) && !even(lines.col(columns).tail(n));
+}
+
 std::string number(double value) {
   std::string out;
   append_number(out, value);
@@ -98,13 +115,13 @@ Axis grid_axis(const Column& coordinates, const std::string& name) {
 
 bool has_coordinates(const Field& lines) {
   const Index n = lines.rows(), columns = lines.cols();
-  if (n < 3 || columns < 2 || !lines.leftCols(columns > 2 ? 2 : 1).isFinite().all()) return false;
+  if (n < 3 || columns < 2) return false;
+  if (labelled(lines)) return true;
   const Column first = lines.col(0), second = lines.col(1), last = lines.col(columns - 1);
+  if (!first.isFinite().all()) return false;
   if (columns == 2) return steady(first);
-  if (even(first)) return !even(last);
-  if (columns > 3 || n < 4) return false;
-  const auto scanned = [](const Column& c) { return !turns(c) && c.maxCoeff() > c.minCoeff(); };
-  return on_grid(first, second) || scanned(first) || scanned(second);
+  if (columns == 3 && second.isFinite().all()) return are_coordinates(first, second, last);
+  return even(first) && !even(last);
 }
 
 Map map_of_points(const Field& lines, double metres) {

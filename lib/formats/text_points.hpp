@@ -9,8 +9,9 @@
 
 namespace asperity {
 
-/// Whether the first columns look like coordinates: the first one ascends or descends in even steps where the last one
-/// does not; the first of two does so steadily; or the first two of three stand on a grid, or one of them never turns.
+/// Whether the columns are not all heights, to the eye: the first one ascends or descends in even steps where the last one
+/// does not; the first of two does so steadily; the first two of three stand on a grid, or one of them never turns; or the
+/// first line ascends evenly too, whatever stands in the corner.
 bool has_coordinates(const Field& lines);
 
 /// The map of lines of x z or x y z, x and y in `metres`. Throws DataError("map", …) where they are no grid.

@@ -137,7 +137,10 @@ TEST_CASE("columns that look like coordinates are refused until it is told what 
                          "0 0 3\n0 1 4\n1 0 5\n1 1 9\n",
                          "0 0 3\n1 0 4\n0 1 5\n1 1 9\n2 0 3\n",
                          "0 5 3\n1.1 2 4\n2 9 5\n2.9 4 9\n",
-                         "1 7 9 2 4\n2 8 8 1 1\n3 2 6 5 3\n"};
+                         "1 7 9 2 4\n2 8 8 1 1\n3 2 6 5 3\n",
+                         "0 0 5\n0 1 6\n0 2 7\n",
+                         ";0;1;2\n0;5;3;7\n2;9;1;2\n4;4;4;9\n",
+                         "0;2;1;0\n0;5;3;7\n2;9;1;2\n4;4;4;9\n"};
   for (const char* text : texts) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), ContainsSubstring("--points um"));
@@ -145,6 +148,9 @@ TEST_CASE("columns that look like coordinates are refused until it is told what 
     heights.heights = true;
     CHECK(refusal(text, heights) == "read");
   }
+  CHECK(refusal("2 4 6\n3 5 7\n4 6 8\n5 7 9\n") == "read");
+  CHECK(refusal("7 1 9 2\n0 7 3 7\n2 9 1 2\n4 4 4 9\n") == "read");
+  CHECK(refusal("0 0 0\n0 0 0\n0 0 0\n0 0 0\n") == "read");
   CHECK(refusal("3 1 2\n1 5 7\n2 2 2\n9 1 4\n2 8 6\n") == "read");
   CHECK(refusal("1 2 3\n4 5 6\n7 8 9\n") == "read");
 }
