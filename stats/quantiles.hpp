@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// What Student's t of so many degrees of freedom exceeds with the probability `tail`, 0 < tail < 1.
+/// What Student's t of so many degrees of freedom exceeds with the probability `tail`, 0 < tail < 1. Below one degree far
+/// tails reach beyond all numbers, and are NaN too.
 double student_quantile(double tail, double degrees);
 
 /// P(T ≤ t), and P(T > t).

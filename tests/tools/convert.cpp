@@ -93,7 +93,7 @@ TEST_CASE("a matrix in text has the order, the size and the unit that it is give
 // Each of them was read, shifted or cut into columns, without a word.
 TEST_CASE("a text that can be read in two ways is refused until an option tells, by every tool",
           "[convert][contract]") {
-  write_text("both.csv", "1,5\n2,5\n3,5\n");
+  write_text("both.csv", "1,5\n3,5\n2,5\n");
   write_text("xyz.txt", "# units: nm\n0 0 1\n0 2 2\n1 0 3\n1 2 4\n2 0 5\n2 2 6\n");
   write_text("xz.txt", "0 1\n1 2\n2 4\n");
   const std::pair<const char*, const char*> cases[] = {
@@ -114,7 +114,7 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
     return heights_in("told.nc");
   };
   CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
-  CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 2.5);
+  CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
   CHECK(shape_of(converted("xyz.txt --heights --size 1mm")) == Shape{6, 3});
   const Field z = converted("xyz.txt --points mm");
   REQUIRE(shape_of(z) == Shape{3, 2});

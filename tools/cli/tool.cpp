@@ -129,7 +129,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 
 int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
   read_netcdf4_apart(&made_apart);
-  gsl_set_error_handler_off();  // which would abort; what has no value is NaN, and shown as a dash
+  gsl_set_error_handler_off();  // called for want of memory alone: a line in place of an abort
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
   return fail(usage_error, config_file() + ": " + in_words(e));
