@@ -22,9 +22,15 @@ struct Dialect {
 };
 
 struct Fault {
-  std::size_t line = 0;      // counted from the first of the text
-  const char* at = nullptr;  // where it lies
+  std::size_t line;
+  const char* at;  // in the text
   std::string what;
+};
+
+// What is asked of a text beside its dialect.
+struct Asked {
+  std::size_t first_line;      // what the first line is called
+  std::optional<Shape> shape;  // of all numbers, whatever the lines; of a matrix it is not known
 };
 
 struct Table {
@@ -70,27 +76,25 @@ std::string fault_of(std::string_view cell, bool first) {
 
 class TableReader {
  public:
-  TableReader(std::string_view text, Dialect dialect, bool ragged)
-      : rest_(text), table_{.dialect = dialect, .values = {}, .fault = {}}, ragged_(ragged) {}
+  TableReader(std::string_view text, Dialect dialect, const Asked& asked)
+      : rest_(text),
+        table_{.dialect = dialect, .values = {}, .fault = {}},
+        asked_(asked),
+        line_(asked.first_line) {}
 
   Table read() {
-    while (!rest_.empty() && !table_.fault) {
-      ++line_;
+    for (; !rest_.empty() && !table_.fault; ++line_) {
       const std::string_view line = take_line(rest_), content = content_of(line, table_.dialect.separator);
       if (!content.empty()) add(content);
     }
-    if (table_.lines == 0 && !table_.fault) fail(rest_.data(), "there are no numbers in it", 0);
-    if (table_.fault)
-      table_.values = {};
-    else if (trailing_ && !ragged_ && table_.columns > 1)
-      remove_last_column();
+    if (!table_.fault) finish();
+    if (table_.fault) table_.values = {};
     return std::move(table_);
   }
 
  private:
-  void fail(const char* at, const std::string& what, std::size_t line) {
-    table_.fault = Fault{line, at, what};
-  }
+  void fail(const char* at, const std::string& what) { table_.fault = Fault{line_, at, what}; }
+  std::string here() const { return "line " + std::to_string(line_); }
 
   void add(std::string_view line) {
     const std::size_t before = table_.values.size();
@@ -99,23 +103,32 @@ class TableReader {
       add_cell(cell = take_cell(rest, table_.dialect.separator));
     if (table_.fault) return;
     trailing_ = trailing_ && cell.empty();
-    if (ragged_ && cell.empty()) table_.values.pop_back();
-    const auto here = static_cast<Index>(table_.values.size() - before);
-    if (table_.lines++ == 0) table_.columns = here;
-    if (!ragged_ && here != table_.columns)
-      fail(line.data(),
-           "has " + std::to_string(here) + " numbers, the first one " + std::to_string(table_.columns),
-           line_);
+    if (asked_.shape && cell.empty()) table_.values.pop_back();
+    const auto count = static_cast<Index>(table_.values.size() - before);
+    if (table_.lines++ == 0) table_.columns = count;
+    if (!asked_.shape && count != table_.columns)
+      fail(line.data(), here() + " has " + std::to_string(count) + " numbers, the first one " +
+                            std::to_string(table_.columns));
   }
 
   void add_cell(std::string_view cell) {
     const auto value = cell.empty() ? std::optional(Map::unknown) : number_of(cell, table_.dialect.comma);
     if (!value)
-      fail(cell.data(), fault_of(cell, table_.values.empty()), line_);
+      fail(cell.data(), here() + ", " + fault_of(cell, table_.values.empty()));
     else if (std::isinf(*value))
-      fail(cell.data(), "'" + std::string(cell.substr(0, 24)) + "', is infinite", line_);
+      fail(cell.data(), here() + ", '" + std::string(cell.substr(0, 24)) + "', is infinite");
     else
       table_.values.push_back(*value);
+  }
+
+  void finish() {
+    const std::size_t numbers = table_.values.size();
+    if (table_.lines == 0) return fail(rest_.data(), "there are no numbers in it");
+    if (asked_.shape && numbers != static_cast<std::size_t>(asked_.shape->cells()))
+      return fail(rest_.data(), "it holds " + std::to_string(numbers) + " numbers where its head says " +
+                                    std::to_string(asked_.shape->nx) + " x " +
+                                    std::to_string(asked_.shape->ny));
+    if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
   }
 
   void remove_last_column() {
@@ -129,8 +142,9 @@ class TableReader {
 
   std::string_view rest_;
   Table table_;
-  bool ragged_, trailing_ = true;  // every line so far ended with an empty cell
-  std::size_t line_ = 0;
+  Asked asked_;
+  bool trailing_ = true;  // every line so far ended with an empty cell
+  std::size_t line_;
 };
 
 // What a user did not rule out, and the text does not by its characters.
@@ -160,6 +174,7 @@ bool same(const Table& a, const Table& b) {
   return a.columns == b.columns && std::ranges::equal(a.values, b.values, equal);
 }
 
+// In a table of lines of one length.
 bool has_empty_column(const Table& table) {
   const auto empty = [&](Index column) {
     for (Index i = column; i < table.lines * table.columns; i += table.columns)
@@ -174,7 +189,8 @@ bool has_empty_column(const Table& table) {
 // Tabs that only keep columns apart would leave one empty where each of them ends a cell.
 bool tabs_decide(const Table& a, const Table& b) {
   return a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
-         a.dialect.comma == b.dialect.comma && !has_empty_column(a);
+         a.dialect.comma == b.dialect.comma && static_cast<Index>(a.values.size()) == a.lines * a.columns &&
+         !has_empty_column(a);
 }
 
 std::string words_of(const Table& table) {
@@ -200,30 +216,22 @@ std::string_view without_mark(std::string_view text, const std::string& variable
   return text;
 }
 
-[[noreturn]] void refuse(const Fault& fault, const std::string& variable, std::size_t first_line) {
-  const std::size_t line = fault.line + first_line - 1;
-  const bool counted = fault.what.starts_with("has");
-  throw DataError(variable, fault.line == 0
-                                ? fault.what
-                                : "line " + std::to_string(line) + (counted ? " " : ", ") + fault.what);
-}
-
-Table table_of(std::string_view text, const std::string& variable, std::size_t first_line,
-               const Reading& reading, bool ragged) {
+Table table_of(std::string_view text, const std::string& variable, const Asked& asked,
+               const Reading& reading) {
   text = without_mark(text, variable);
   std::optional<Table> found, refused;
   for (const Dialect dialect : dialects_of(text, reading)) {
-    Table table = TableReader(text, dialect, ragged).read();
+    Table table = TableReader(text, dialect, asked).read();
     if (table.fault) {
       if (further(table, refused)) refused = std::move(table);
     } else if (!found) {
       found = std::move(table);
-    } else if (!same(*found, table) && !(tabs_decide(*found, table) && !ragged)) {
+    } else if (!same(*found, table) && !tabs_decide(*found, table)) {
       throw DataError(variable, "it can be read as " + words_of(*found) + "; or as " + words_of(table) +
                                     ": asperity-convert --separator or --decimal tells");
     }
   }
-  if (!found) refuse(*refused->fault, variable, first_line);
+  if (!found) throw DataError(variable, refused->fault->what);
   return *std::move(found);
 }
 
@@ -231,23 +239,15 @@ Table table_of(std::string_view text, const std::string& variable, std::size_t f
 
 Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line,
                 const Reading& reading) {
-  const Table table = table_of(text, variable, first_line, reading, false);
+  const Table table = table_of(text, variable, {first_line, {}}, reading);
   return Eigen::Map<const Field>(table.values.data(), table.lines, table.columns);
-}
-
-std::vector<double> numbers_of(std::string_view text, const std::string& variable, std::size_t first_line,
-                               const Reading& reading) {
-  return table_of(text, variable, first_line, reading, true).values;
 }
 
 Field field_of_lines(std::string_view text, Shape shape, const std::string& variable, std::size_t first_line,
                      const Reading& reading) {
   check_shape(shape, text.size() + 1, variable);
-  const std::vector<double> values = numbers_of(text, variable, first_line, reading);
-  if (values.size() != static_cast<std::size_t>(shape.cells()))
-    throw DataError(variable, "it holds " + std::to_string(values.size()) + " numbers where its head says " +
-                                  std::to_string(shape.nx) + " x " + std::to_string(shape.ny));
-  return Eigen::Map<const Field>(values.data(), shape.ny, shape.nx).transpose();
+  const Table table = table_of(text, variable, {first_line, shape}, reading);
+  return Eigen::Map<const Field>(table.values.data(), shape.ny, shape.nx).transpose();
 }
 
 }  // namespace asperity

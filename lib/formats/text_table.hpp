@@ -18,7 +18,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "formats/map.hpp"
 #include "grid/field.hpp"
@@ -29,10 +28,6 @@ namespace asperity {
 /// number that is infinite, or another number of them. `first_line` is what the first is called.
 Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line = 1,
                 const Reading& reading = {});
-/// All numbers one after the other, whatever the lines.
-std::vector<double> numbers_of(std::string_view text, const std::string& variable, std::size_t first_line = 1,
-                               const Reading& reading = {});
-
 /// As many numbers as the shape has, line by line, each along x, however the text is broken into lines. Throws DataError before
 /// memory is taken for a shape that the text cannot hold, and where there are more or fewer.
 Field field_of_lines(std::string_view text, Shape shape, const std::string& variable,
