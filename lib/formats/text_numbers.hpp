@@ -27,7 +27,7 @@ void append_number(std::string& text, double value);
 /// A line for each row of the field, with a word for what is missing.
 std::string text_of(const Field& rows, char separator = '\t', std::string_view missing = "nan");
 
-/// The next line without its end (\n, \r\n or \r), taken off `text`.
+/// The next line without its end (LF, CR LF or CR), taken off `text`.
 std::string_view take_line(std::string_view& text);
 /// Without blanks at both ends.
 std::string_view trimmed(std::string_view text);

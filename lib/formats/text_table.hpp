@@ -10,7 +10,7 @@
 ///
 /// An empty cell is a missing point. Where every line ends with a separator, no cell is meant behind it. Lines that are
 /// empty or begin with # or %, or with ; where that does not separate, are left out; one of separators alone has all its
-/// points missing. A byte-order mark of UTF-8 is left out; UTF-16 is refused. A line ends with \n, \r\n or \r.
+/// points missing. A byte-order mark of UTF-8 is left out; UTF-16 is refused. A line ends with LF, CR LF or CR.
 ///
 /// Cost      at most ten passes, all but two of which end at the first line as a rule. Memory for two tables, eight bytes for a
 ///           number, of which there is at most one a byte.
