@@ -10,6 +10,7 @@
 #include "stats/acf_length.hpp"
 #include "stats/acf_lobe.hpp"
 #include "stats/gaussian_maximum.hpp"
+#include "stats/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -34,9 +35,7 @@ double lost_in_noise(const EffectiveSize& size, const EffectiveSize& admitted) {
 }
 
 double normal_quantile(double tail) { return gsl_cdf_ugaussian_Qinv(tail); }
-double student_quantile(double tail, double degrees) {
-  return std::isinf(degrees) ? normal_quantile(tail) : gsl_cdf_tdist_Qinv(tail, std::max(degrees, 1.0));
-}
+double t_quantile(double tail, double degrees) { return student_quantile(tail, std::max(degrees, 1.0)); }
 
 Shape nearest_lag(const Grid& grid, double angle, double length) {
   return {std::lround(length * std::cos(angle) / grid.dx), std::lround(length * std::sin(angle) / grid.dy)};
@@ -90,7 +89,7 @@ std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) 
 }
 
 double LengthIntervals::quantile_of_least(const std::vector<Reached>& reached, double tail) const {
-  const double wider = student_quantile(tail, degrees_) / normal_quantile(tail);
+  const double wider = t_quantile(tail, degrees_) / normal_quantile(tail);
   if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
   lags.reserve(reached.size());

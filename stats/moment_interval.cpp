@@ -7,20 +7,13 @@
 #include <gsl/gsl_cdf.h>
 
 #include "grid/error.hpp"
+#include "stats/quantiles.hpp"
 
 namespace asperity {
 namespace {
 
 // The variance of ln S_1 of an estimated correlation is 0.13 at most, down to 41 independent heights.
 constexpr double least_degrees = 15;
-
-// The quantile of χ²/ν that is exceeded with the probability of a tail. From 10⁴ degrees on by Wilson and Hilferty's cube
-// root, which errs by 0.05 ν^{-3/2}; GSL's iteration goes astray, without an error, at some 10⁵.
-double chi_squared_share(double tail, double degrees) {
-  if (degrees < 1e4) return gsl_cdf_chisq_Qinv(tail, degrees) / degrees;
-  const double variance = 2 / (9 * degrees);
-  return std::pow(1 - variance + gsl_cdf_ugaussian_Qinv(tail) * std::sqrt(variance), 3);
-}
 
 // (2), (3).
 Interval of_scale(double value, double degrees, double tail) {
@@ -78,7 +71,7 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
   const double patches = size.effective(2);
   const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
   const double t =
-      patches > 2 ? gsl_cdf_tdist_Qinv(tail, std::min(patches - 1, std::max(size.degrees(), least_degrees)))
+      patches > 2 ? student_quantile(tail, std::min(patches - 1, std::max(size.degrees(), least_degrees)))
                   : NAN;
   auto degrees = [](double value, double error_of_it) { return 0.5 * std::pow(value / error_of_it, 2); };
   return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),

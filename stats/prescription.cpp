@@ -12,6 +12,7 @@
 #include "stats/correlation_powers.hpp"
 #include "stats/effective_size.hpp"
 #include "stats/moments.hpp"
+#include "stats/quantiles.hpp"
 #include "stats/translation_error.hpp"
 
 namespace asperity {
@@ -168,7 +169,8 @@ double PrescriptionTest::score(double z, double skewness) const {
   const double t = prescription_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
   const double degrees =
       prescription_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
-  return normal_score(gsl_cdf_tdist_P(t, degrees), gsl_cdf_tdist_Q(t, degrees));
+  const StudentTails tails = student_tails(t, degrees);
+  return normal_score(tails.below, tails.above);
 }
 
 Claim PrescriptionTest::claim(const std::string& name, Index quantity, double prescribed, double mean,

@@ -14,16 +14,16 @@ namespace asperity {
 namespace {
 
 // Of mean square 1.
-Eigen::ArrayXd window_of(Window window, Index n) {
+Eigen::ArrayXd window_of(DataWindow window, Index n) {
   Eigen::ArrayXd w = Eigen::ArrayXd::Ones(n);
-  if (window == Window::hann)
+  if (window == DataWindow::hann)
     for (Index i = 0; i < n; ++i)
       w(i) -= std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
   return w / std::sqrt(w.square().mean());
 }
 
 // I of the variance.
-double inflation(Window window) { return window == Window::hann ? 35.0 / 18 : 1; }
+double inflation(DataWindow window) { return window == DataWindow::hann ? 35.0 / 18 : 1; }
 
 // Σ x_i y_j over the points that are there.
 double sum_over(const Field& valid, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
@@ -48,12 +48,12 @@ double share(Index k, Index n) { return 2 * std::abs(k) == n ? 0.5 : 1; }
 
 }  // namespace
 
-Windows default_windows(const Grid& grid) {
-  const Window both = grid.periodic ? Window::none : Window::hann;
+DataWindows default_windows(const Grid& grid) {
+  const DataWindow both = grid.periodic ? DataWindow::none : DataWindow::hann;
   return {both, both};
 }
 
-double spectrum_inflation(const Field& d, Windows windows) {
+double spectrum_inflation(const Field& d, DataWindows windows) {
   if (!has_missing(d)) return inflation(windows.x) * inflation(windows.y);
   const Field valid = validity(d);
   const Eigen::ArrayXd x = window_of(windows.x, d.rows()).square(),
@@ -62,7 +62,7 @@ double spectrum_inflation(const Field& d, Windows windows) {
   return static_cast<double>(d.size()) * sum_over(valid, x.square(), y.square()) / (squares * squares);
 }
 
-LagField power_spectrum(const Field& d, const Grid& grid, Windows windows, int threads) {
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads) {
   const auto [nx, ny] = grid.shape;
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
   const PrunedTransform transform(grid.shape, grid.shape);
@@ -87,13 +87,13 @@ LagField power_spectrum(const Field& d, const Grid& grid, Windows windows, int t
   return LagField(std::move(out));
 }
 
-std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, Window window,
+std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads) {
   if (axis == Axis1D::y) {
     const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, grid.periodic};
     return profile_spectrum(d.transpose(), turned, Axis1D::x, window, threads);
   }
-  const Windows windows{window, Window::none};
+  const DataWindows windows{window, DataWindow::none};
   const LagField psd = power_spectrum(d, grid, windows, threads);
   const double shared = spectrum_inflation(d, windows);
   std::vector<SpectrumPoint> out;

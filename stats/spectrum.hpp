@@ -40,22 +40,22 @@
 
 namespace asperity {
 
-enum class Window { none, hann };
+enum class DataWindow { none, hann };
 
 /// Windows along either axis.
-struct Windows {
-  Window x = Window::hann, y = Window::hann;
+struct DataWindows {
+  DataWindow x = DataWindow::hann, y = DataWindow::hann;
 };
 
 /// None on a periodic grid, Hann's on any other.
-Windows default_windows(const Grid& grid);
+DataWindows default_windows(const Grid& grid);
 
 /// I of the variance of means over wave numbers.
-double spectrum_inflation(const Field& d, Windows windows);
+double spectrum_inflation(const Field& d, DataWindows windows);
 
 /// (1) over the half-plane of wave numbers p ≥ 0. Sums over all wave numbers: for_each_lag on the periodic
 /// grid.
-LagField power_spectrum(const Field& d, const Grid& grid, Windows windows, int threads = 1);
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
 
 /// A PSD over one wave number.
 struct SpectrumPoint {
@@ -68,7 +68,7 @@ struct SpectrumPoint {
 enum class Axis1D { x, y };
 
 /// (3) for wave numbers ≥ 0.
-std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, Window window,
+std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads = 1);
 /// Of (1), for rings from the first on; `inflation` is I.
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation);

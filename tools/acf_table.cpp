@@ -9,6 +9,7 @@
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
+#include "formats/text_table.hpp"
 #include "plain_text.hpp"
 
 namespace asperity::cli {
@@ -116,44 +117,35 @@ std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::
 
 struct Text {
   std::vector<HeadedColumn> columns;  // of the header, if there is one
-  std::vector<std::vector<double>> rows;
+  Field rows;
 };
 
-Text parse(std::string_view bytes) {
-  Text text;
-  std::size_t number = 0;
+// Of the last comment that names them.
+std::vector<HeadedColumn> columns_in(std::string_view bytes) {
+  std::vector<HeadedColumn> out;
   while (!bytes.empty()) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    const std::string_view line = bytes.substr(0, end);
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-    ++number;
-    if (line.starts_with('#')) {
-      const auto columns = columns_of(line.substr(1));
-      if (place(columns, "acf") && (place(columns, "lag_x") || place(columns, "lag_y")))
-        text.columns = columns;
-      continue;
-    }
-    std::vector<double> row;
-    for (std::string_view word : words_of(line)) row.push_back(number_of(word, number, "acf"));
-    if (row.empty()) continue;
-    const std::size_t width =
-        text.columns.empty() ? text.rows.empty() ? row.size() : text.rows[0].size() : text.columns.size();
-    if (row.size() != width)
-      refuse("line " + std::to_string(number) + " has " + std::to_string(row.size()) + " numbers, not " +
-             std::to_string(width));
-    text.rows.push_back(std::move(row));
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+    if (!line.starts_with('#')) continue;
+    const auto columns = columns_of(line.substr(1));
+    if (place(columns, "acf") && (place(columns, "lag_x") || place(columns, "lag_y"))) out = columns;
   }
-  if (text.rows.empty()) refuse("there are no numbers in it");
+  return out;
+}
+
+Text parse(std::string_view bytes) {
+  Text text{columns_in(bytes), matrix_of(bytes, "acf")};
+  const auto named = static_cast<Index>(text.columns.size()), columns = text.rows.cols();
+  if (named > 0 && columns != named)
+    refuse("its lines have " + std::to_string(columns) + " numbers, its header " + std::to_string(named) +
+           " names");
+  if (text.rows.isNaN().any()) refuse("a number is missing in it");
   return text;
 }
 
 AcfTable from_matrix(const Text& text) {
-  Field quadrant(static_cast<Index>(text.rows.size()), static_cast<Index>(text.rows[0].size()));
-  for (Index p = 0; p < quadrant.rows(); ++p)
-    for (Index q = 0; q < quadrant.cols(); ++q)
-      quadrant(p, q) = text.rows[static_cast<std::size_t>(p)][static_cast<std::size_t>(q)];
   AcfTable out;
-  out.half_plane = half_plane_of_quadrant(quadrant);
+  out.half_plane = half_plane_of_quadrant(text.rows);
   target_of_table(out.half_plane);
   return out;
 }
@@ -166,7 +158,9 @@ AcfTable from_columns(const Text& text) {
   if (counts_samples(unit_x) != counts_samples(unit_y))
     refuse("one lag has a unit of length, the other none");
   std::vector<LagValue> values;
-  for (const auto& row : text.rows) values.push_back({row[*x], row[*y], row[*r]});
+  const auto column = [&](std::size_t c) { return text.rows.col(static_cast<Index>(c)); };
+  for (Index i = 0; i < text.rows.rows(); ++i)
+    values.push_back({column(*x)(i), column(*y)(i), column(*r)(i)});
   const LagTable lags = table_of_lags(values);
   AcfTable out;
   out.half_plane = lags.half_plane;

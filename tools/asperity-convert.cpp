@@ -56,9 +56,16 @@ std::vector<std::string> targets() {
   return out;
 }
 
-Map map_from(const cli::Tool& tool, const Options& options, std::string_view bytes) {
-  return options.map.applied(tool.format().netcdf(bytes) ? map_of(decode_netcdf(bytes), options.variable)
-                                                         : tool.format().map(bytes, tool.input_name()));
+Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
+  Dataset data = decode_netcdf(bytes);
+  for (const std::string& line : settle_lengths(data)) tool.warn(line);
+  return data;
+}
+
+Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
+             std::string_view bytes) {
+  return options.map.applied(format.netcdf(bytes) ? map_of(decoded(tool, bytes), options.variable)
+                                                  : format.map(bytes, tool.input_name()));
 }
 
 // What does not lie below the surface.
@@ -83,37 +90,39 @@ Dataset changed(const cli::Tool& tool, const Options& options, Dataset data) {
 }
 
 // A dataset passes whole, unless its map is cut or filled.
-Dataset dataset_from(const cli::Tool& tool, const Options& options, std::optional<cli::Bytes> bytes) {
-  if (!tool.format().netcdf(*bytes)) return dataset_of(map_from(tool, options, *bytes));
-  Dataset data = decode_netcdf(*bytes);
+Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
+                     std::optional<cli::Bytes> bytes) {
+  if (!format.netcdf(*bytes)) return dataset_of(map_from(tool, format, options, *bytes));
+  Dataset data = decoded(tool, *bytes);
   bytes.reset();
-  for (const std::string& line : settle_lengths(data)) tool.warn(line);
   if (options.map.changes()) data = changed(tool, options, std::move(data));
   if (options.surface) return without_depth(std::move(data));
   return data;
 }
 
 // All that is not NetCDF.
-std::string encoded(const cli::Tool& tool, const Options& options, const std::string& target,
-                    std::optional<cli::Bytes> bytes) {
-  if (target == "vti") return encode_vti(dataset_from(tool, options, std::move(bytes)));
-  if (target == "vtr") return encode_vtr(dataset_from(tool, options, std::move(bytes)));
+std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
+                    const std::string& target, std::optional<cli::Bytes> bytes) {
+  if (target == "vti") return encode_vti(dataset_from(tool, format, options, std::move(bytes)));
+  if (target == "vtr") return encode_vtr(dataset_from(tool, format, options, std::move(bytes)));
   if (options.surface)
     throw cli::UsageError("surface", "only netcdf, vti and vtr hold what lies below one, not " + target);
-  const Map map = map_from(tool, options, *bytes);
+  const Map map = map_from(tool, format, options, *bytes);
   return format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
 }
 
 int convert(cli::Tool& tool, const Options& options) {
   const std::string target = options.target(tool.output_name());
   std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name());
+  cli::InputFormat format = tool.format();
+  format.reading = options.map.reading(*bytes, format.found(*bytes, tool.input_name()));
   if (target == "netcdf") {
-    Dataset data = dataset_from(tool, options, std::move(bytes));
+    Dataset data = dataset_from(tool, format, options, std::move(bytes));
     if (options.to_order == "yx") data = in_viewers_order(std::move(data));
     tool.write(data);
     return cli::done;
   }
-  const std::string out = encoded(tool, options, target, std::move(bytes));
+  const std::string out = encoded(tool, format, options, target, std::move(bytes));
   if (tool.output_is_terminal() && !is_text(out))
     throw cli::UsageError("output", "this format is binary and does not go to a terminal");
   tool.write_text(out);

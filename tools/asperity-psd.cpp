@@ -15,9 +15,9 @@ struct Options {
   std::string window = "auto";
   bool radial = false, profiles = false, dataset = false;
 
-  Windows windows(const Grid& grid) const {
+  DataWindows windows(const Grid& grid) const {
     if (window == "auto") return default_windows(grid);
-    const Window both = window == "hann" ? Window::hann : Window::none;
+    const DataWindow both = window == "hann" ? DataWindow::hann : DataWindow::none;
     return {both, both};
   }
 };
@@ -31,7 +31,7 @@ std::string density_units(const cli::Measured& measured, int lengths) {
 
 constexpr const char* per_length = "rad m-1";
 
-cli::Table radial(const cli::Measured& measured, const LagField& psd, const Windows& windows) {
+cli::Table radial(const cli::Measured& measured, const LagField& psd, const DataWindows& windows) {
   const double inflation = spectrum_inflation(measured.heights, windows);
   const std::string unit = density_units(measured, 2);
   cli::Table out{{{"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}, {"count", "1"}}, {}};
@@ -40,11 +40,11 @@ cli::Table radial(const cli::Measured& measured, const LagField& psd, const Wind
   return out;
 }
 
-cli::Table profiles(const cli::Measured& measured, const Windows& windows, int threads) {
+cli::Table profiles(const cli::Measured& measured, const DataWindows& windows, int threads) {
   const std::string unit = density_units(measured, 1);
   cli::Table out{{{"direction", ""}, {"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}},
                  {}};
-  auto add = [&](const char* direction, Axis1D axis, Window window) {
+  auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
     for (const SpectrumPoint& point :
          profile_spectrum(measured.heights, measured.grid, axis, window, threads))
       out.rows.push_back({direction, point.wave_number, point.density, point.standard_error});
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
     if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const cli::Measured measured = cli::measure(data, options, tool.thread_count());
-    const Windows windows = what.windows(measured.grid);
+    const DataWindows windows = what.windows(measured.grid);
     if (what.profiles) {
       cli::print(tool, profiles(measured, windows, tool.thread_count()));
       return cli::done;
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
       cli::print(tool, radial(measured, psd, windows));
     } else {
       const cli::Inventory before(data);
-      add_to(data, measured, psd, options.variable, windows.x == Window::hann ? "hann" : "none");
+      add_to(data, measured, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
       before.tell(tool, data, "psd");
       tool.write(data);
     }

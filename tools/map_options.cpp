@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "cli/series.hpp"
+#include "dataset/units.hpp"
 #include "formats/fill.hpp"
+#include "formats/format.hpp"
 #include "grid/error.hpp"
 
 namespace asperity::cli {
@@ -54,9 +56,47 @@ Filling filling_of(const std::string& name) {
   return name == "laplace" ? Filling::laplace : name == "mean" ? Filling::mean : Filling::least;
 }
 
+// A unit of length, in metres.
+double coordinate_of(const std::string& unit) {
+  double metres = 0;
+  try {
+    metres = unit_factor(unit, "m");
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("points", error.what());
+  }
+  if (!(metres > 0)) throw UsageError("points", "'" + unit + "' is no length");
+  return metres;
+}
+
+Separator separator_of(const std::string& name) {
+  if (name == "blank") return Separator::blank;
+  if (name == "tab") return Separator::tab;
+  if (name == "comma") return Separator::comma;
+  return name == "semicolon" ? Separator::semicolon : Separator::any;
+}
+
+DecimalMark decimal_of(const std::string& name) {
+  if (name == "comma") return DecimalMark::comma;
+  return name == "point" ? DecimalMark::point : DecimalMark::any;
+}
+
 }  // namespace
 
 void MapOptions::declare(Tool& tool) {
+  tool.choice(
+      "--separator", separator_, {"auto", "blank", "tab", "comma", "semicolon"},
+      "What stands between the numbers of a text; auto: what lets every line hold as many, refused where "
+      "that is not one thing",
+      "Input");
+  tool.choice("--decimal", decimal_, {"auto", "point", "comma"},
+              "What marks the decimals of a text; auto: a point, or a comma that cannot be anything else",
+              "Input");
+  tool.text(
+      "--points", points_, "UNIT",
+      "The lines of a text are points of a grid in any order, x z or x y z, with x and y in this unit: um",
+      "Input");
+  tool.flag("--heights", heights_,
+            "Every column of a text holds heights, though the first of them look like coordinates", "Input");
   tool.quantities("--size", size_, "m",
                   "Lx,Ly, the sides of the map, where the file does not say or says it wrongly", "Input");
   tool.text("--unit", unit_, "UNIT",
@@ -70,6 +110,25 @@ void MapOptions::declare(Tool& tool) {
               "Give missing points values: a membrane over each hole (Laplace's equation), the mean or the "
               "least height",
               "Map");
+}
+
+Reading MapOptions::reading(std::string_view bytes, std::string_view format) const {
+  if (!points_.empty() && heights_) throw UsageError("points", "it cannot be given with --heights");
+  if (decimal_ == "comma" && separator_ == "comma")
+    throw UsageError("decimal", "a comma cannot separate numbers and mark their decimals at once");
+  const auto refuse = [&](const char* option) {
+    throw UsageError(option, "the input is " + std::string(format) + ", which tells by itself");
+  };
+  if (separator_ != "auto" && !is_text(bytes)) refuse("separator");
+  if (decimal_ != "auto" && !is_text(bytes)) refuse("decimal");
+  if (!points_.empty() && format != "text") refuse("points");
+  if (heights_ && format != "text") refuse("heights");
+  Reading out;
+  out.separator = separator_of(separator_);
+  out.decimal = decimal_of(decimal_);
+  out.heights = heights_;
+  if (!points_.empty()) out.coordinate = coordinate_of(points_);
+  return out;
 }
 
 bool MapOptions::changes() const {

@@ -7,7 +7,6 @@
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "formats/format.hpp"
 #include "grid/error.hpp"
 #include "plain_text.hpp"
 
@@ -38,15 +37,16 @@ std::optional<HeightMoments> moments_in(std::string_view bytes) {
   return found;
 }
 
-// The heights of a dataset or a map that are there, or the numbers of a text.
-std::vector<double> heights_in(std::string_view bytes, const std::string& name) {
+// The heights of a dataset or a map that are there, of a text too.
+std::vector<double> heights_in(std::string_view bytes, const std::string& name) try {
   const InputFormat any;
-  if (!any.netcdf(bytes) && format_of(bytes, name).name == "text") return numbers_in(bytes, "marginal");
   const Field field = any.netcdf(bytes) ? field_of(decode_netcdf(bytes), "heights", Missing::not_a_number)
                                         : any.map(bytes, name).values;
   std::vector<double> out(field.data(), field.data() + field.size());
   std::erase_if(out, [](double z) { return std::isnan(z); });
   return out;
+} catch (const DataError& error) {
+  throw DataError("marginal", error.name == "map" ? error.what() : error.name + ": " + error.what());
 }
 
 // Johnson's; none where they are Gaussian.

@@ -1,4 +1,4 @@
-/// Numbers in plain text, separated by blanks, tabs, commas or semicolons.
+/// Words in plain text, separated by blanks, tabs, commas or semicolons; tables of numbers are read by formats/text_table.hpp.
 #pragma once
 
 #include <charconv>
@@ -29,19 +29,6 @@ inline double number_of(std::string_view word, std::size_t line, const std::stri
   if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
     throw DataError(variable, "line " + std::to_string(line) + " does not hold finite numbers alone");
   return value;
-}
-
-/// Those of all lines but the ones that begin with #.
-inline std::vector<double> numbers_in(std::string_view bytes, const std::string& variable) {
-  std::vector<double> out;
-  for (std::size_t line = 1; !bytes.empty(); ++line) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    if (!bytes.starts_with('#'))
-      for (std::string_view word : words_of(bytes.substr(0, end)))
-        out.push_back(number_of(word, line, variable));
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-  }
-  return out;
 }
 
 }  // namespace asperity::cli

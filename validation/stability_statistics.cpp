@@ -120,7 +120,7 @@ void shapes(const StabilityTable& table) {
   table.answered("spectrum of 1 x 127", "a line of prime length", [] {
     const Field z = skewed_noise(1, 127) - 4;
     const Grid grid{{1, 127}, 1, 1, true};
-    const LagField psd = power_spectrum(z, grid, {Window::none, Window::none});
+    const LagField psd = power_spectrum(z, grid, {DataWindow::none, DataWindow::none});
     double sum = 0;  // of the row p = 0, which has both signs of q
     for (Index q = -psd.max_q(); q <= psd.max_q(); ++q) sum += psd(0, q);
     return Finding{"computed", "error of Parseval's sum", std::abs(sum / 127 / z.square().mean() - 1), 1e-13};

@@ -96,23 +96,11 @@ struct FreeWorkspace {
   void operator()(gsl_multilarge_nlinear_workspace* w) const { gsl_multilarge_nlinear_free(w); }
 };
 
-// GSL's error handler would abort; its codes are looked at here.
-class Quiet {
- public:
-  Quiet() : former_(gsl_set_error_handler_off()) {}
-  ~Quiet() { gsl_set_error_handler(former_); }
-  Quiet(const Quiet&) = delete;
-
- private:
-  gsl_error_handler_t* former_;
-};
-
 }  // namespace
 
 IterationResult minimise_squares(Equations& equations, std::span<double> u,
                                  const LeastSquaresOptions& options) {
   const Stopwatch watch;
-  const Quiet quiet;
   Weighted problem(equations);
   gsl_multilarge_nlinear_parameters parameters = gsl_multilarge_nlinear_default_parameters();
   parameters.trs = gsl_multilarge_nlinear_trs_cgst;

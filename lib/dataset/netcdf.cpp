@@ -1,12 +1,12 @@
 #include "dataset/netcdf.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
-#include "dataset/apart.hpp"
 #include "dataset/axis_order.hpp"
 #include "dataset/classic_head.hpp"
 #include "dataset/mapped_file.hpp"
@@ -196,15 +196,19 @@ Dataset decode_here(std::string_view bytes) {
   return read_dataset(file.id, bytes.size(), {});
 }
 
+std::atomic<DoneApart> apart = nullptr;
+
 // The same dataset in a classic format, made where the HDF5 library does no harm.
-SparseFile classic_from(std::string_view netcdf4) {
+SparseFile classic_from(std::string_view netcdf4, DoneApart done_apart) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
-  const Limits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
-                      .memory = library + 2 * most_made_of(netcdf4.size())};
-  return made_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4), sink); }, limits, "dataset");
+  const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
+                          .memory = library + 2 * most_made_of(netcdf4.size())};
+  return done_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4), sink); }, limits, "dataset");
 }
 
 }  // namespace
+
+void read_netcdf4_apart(DoneApart done_apart) { apart = done_apart; }
 
 bool looks_like_netcdf(std::string_view bytes) {
   return bytes.starts_with("CDF\001") || bytes.starts_with("CDF\002") || bytes.starts_with("CDF\005") ||
@@ -214,15 +218,18 @@ bool looks_like_netcdf(std::string_view bytes) {
 Dataset decode_netcdf(std::string_view bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
-  if (is_netcdf4(bytes)) return decode_netcdf(MappedFile(classic_from(bytes).name()).bytes());
-  check_classic_head(bytes);
+  const DoneApart done_apart = apart;
+  if (is_netcdf4(bytes) && done_apart != nullptr)
+    return decode_netcdf(MappedFile(classic_from(bytes, done_apart).name()).bytes());
+  if (!is_netcdf4(bytes)) check_classic_head(bytes);
   return in_own_order(decode_here(bytes));
 }
 
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {
   const MappedFile mapped(path);
   if (mapped.bytes().starts_with("CDF")) check_classic_head(mapped.bytes());
-  if (is_netcdf4(mapped.bytes())) classic_.emplace(classic_from(mapped.bytes()));
+  if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
+    classic_.emplace(classic_from(mapped.bytes(), done_apart));
   Handle file;
   check(nc_open(classic_ ? classic_->name().c_str() : path.c_str(), NC_NOWRITE, &file.id),
         path + " cannot be read");

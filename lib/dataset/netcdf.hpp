@@ -4,14 +4,16 @@
 /// variable other than the last exceeds 4 GiB or a type needs it. Read is every format that the installed
 /// library knows.
 ///
-/// A NetCDF-4 file is an HDF5 file, of which a hostile one makes the HDF5 library hang, crash or take all
-/// memory. It is read in a process of its own (dataset/apart.hpp), which hands it back in a classic format, and
-/// is refused when that takes more than 2 s of processor time and 1 s for each 5 MB of it, or more memory than
-/// 64 MiB and twice what deflating can make of its bytes (1032 times as many). It is held whole.
+/// A NetCDF-4 file is an HDF5 file, of which a hostile one makes the HDF5 library hang, crash or take all memory. It is
+/// read in the process that asks, unless that has said how to read it apart (read_netcdf4_apart), as Asperity's tools
+/// do. Then it is handed back in a classic format, held whole, and refused when that takes more than 2 s of
+/// processor time and 1 s for each 5 MB of it, or more memory than 64 MiB and twice what deflating can make of its
+/// bytes (1032 times as many).
 ///
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -24,6 +26,22 @@
 
 namespace asperity {
 
+/// Work that hands bytes to its sink.
+using WorkOfBytes = std::function<void(const std::function<void(std::string_view)>& sink)>;
+
+/// Bounds of work that is done apart.
+struct WorkLimits {
+  unsigned seconds = 1;    ///< of processor time
+  std::size_t memory = 0;  ///< bytes beyond those of the process that asks
+};
+
+/// The bytes of work done where it can do no harm; throws DataError(variable, …) with the work's own words where it threw
+/// one, and where it broke a limit.
+using DoneApart = SparseFile (*)(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
+
+/// How NetCDF-4 is read from now on, in all threads; by itself the library starts no process. Null: in this process.
+void read_netcdf4_apart(DoneApart apart);
+
 /// Whether bytes begin as a NetCDF file does.
 bool looks_like_netcdf(std::string_view bytes);
 
@@ -31,7 +49,7 @@ bool looks_like_netcdf(std::string_view bytes);
 /// are cut short, or hold a type that CDF-5 cannot.
 Dataset decode_netcdf(std::string_view bytes);
 
-/// A file on disk as it is, of which some variables are read by parts; of NetCDF-4 they all are in memory.
+/// A file on disk as it is, of which some variables are read by parts; of NetCDF-4 read apart they all are in memory.
 class NetcdfFile {
  public:
   /// Reads all but the values of variables that lie on all of `deferred`; throws DataError as decode_netcdf does.

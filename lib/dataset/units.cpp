@@ -1,6 +1,7 @@
 #include "dataset/units.hpp"
 
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include <udunits2.h>
@@ -13,12 +14,25 @@ struct FreeUnit {
 };
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
-// The database of units, read once. UDUNITS speaks on stderr unless told not to.
+// UDUNITS speaks on standard error unless told not to; whoever else uses it in this process finds it as it was.
+class Silence {
+ public:
+  Silence() : former_(ut_set_error_message_handler(ut_ignore)) {}
+  ~Silence() { ut_set_error_message_handler(former_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  ut_error_message_handler former_;
+};
+
+// UDUNITS' parser keeps global state.
+std::mutex library;
+
+// The database of units, read once.
 const ut_system* units() {
-  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system = [] {
-    ut_set_error_message_handler(ut_ignore);
-    return std::unique_ptr<ut_system, decltype(&ut_free_system)>(ut_read_xml(nullptr), &ut_free_system);
-  }();
+  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(ut_read_xml(nullptr),
+                                                                            &ut_free_system);
   if (!system) throw std::runtime_error("the units database of UDUNITS-2 cannot be read");
   return system.get();
 }
@@ -36,6 +50,8 @@ struct FreeConverter {
 }  // namespace
 
 double unit_factor(const std::string& from, const std::string& to) {
+  const std::lock_guard lock(library);
+  const Silence silence;
   const Unit source = parse(from), target = parse(to);
   const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(source.get(), target.get()));
   if (!converter) throw std::invalid_argument("'" + from + "' does not measure what '" + to + "' measures");

@@ -1,4 +1,7 @@
 /// Units by name, the only door to UDUNITS-2.
+///
+/// UDUNITS is silent during a call, which sets its message handler, the process's, and puts the former one back. Calls exclude
+/// one another; a program that uses UDUNITS itself in another thread at the same time must keep them apart.
 #pragma once
 
 #include <string>

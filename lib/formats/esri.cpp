@@ -5,6 +5,7 @@
 
 #include "formats/head.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_table.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -73,10 +74,10 @@ bool recognises_esri(std::string_view bytes) {
   return head.has("ncols") && head.has("nrows");
 }
 
-Map decode_esri(std::string_view bytes, Order) {
+Map decode_esri(std::string_view bytes, const Reading& reading) {
   const auto [head, numbers, lines] = parts_of(bytes);
   const Shape shape{head.count("ncols"), head.count("nrows")};
-  Map map{.values = field_of_lines(numbers, shape, "map", lines + 1), .spacing = spacing_of(head)};
+  Map map{.values = field_of_lines(numbers, shape, "map", lines + 1, reading), .spacing = spacing_of(head)};
   map.values = map.values.rowwise().reverse().eval();
   if (head.has("NODATA_value")) remove_missing(map.values, head);
   return map;

@@ -23,7 +23,7 @@
 namespace asperity {
 
 bool recognises_esri(std::string_view bytes);
-Map decode_esri(std::string_view bytes, Order order);
+Map decode_esri(std::string_view bytes, const Reading& reading);
 /// Throws DataError("map", …) for a map without a size.
 std::string encode_esri(const Map& map, Order order);
 

@@ -19,7 +19,7 @@ struct Format {
   bool (*recognises)(std::string_view bytes);  ///< by the first bytes; null where they do not tell
   /// Throws DataError("map" or what the format calls it, …) for bytes that are not what they claim to be, in time and memory
   /// of the order of their number.
-  Map (*decode)(std::string_view bytes, Order order);
+  Map (*decode)(std::string_view bytes, const Reading& reading);
   /// Throws DataError for a map that the format cannot hold.
   std::string (*encode)(const Map& map, Order order);
   bool single = false;  ///< writes numbers of single precision, 24 bits

@@ -45,7 +45,7 @@ std::string head_of(const Map& map) {
 
 bool recognises_gsf(std::string_view bytes) { return bytes.starts_with(magic); }
 
-Map decode_gsf(std::string_view bytes, Order) {
+Map decode_gsf(std::string_view bytes, const Reading&) {
   if (!recognises_gsf(bytes)) throw DataError("map", "it does not begin as a Gwyddion Simple Field");
   const std::size_t end = bytes.find('\0');
   if (end == bytes.npos) throw DataError("map", "its head has no end");

@@ -21,7 +21,7 @@
 namespace asperity {
 
 bool recognises_gsf(std::string_view bytes);
-Map decode_gsf(std::string_view bytes, Order order);
+Map decode_gsf(std::string_view bytes, const Reading& reading);
 std::string encode_gsf(const Map& map, Order order);
 
 }  // namespace asperity

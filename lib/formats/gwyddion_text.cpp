@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "formats/text_numbers.hpp"
+#include "formats/text_table.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -29,7 +30,8 @@ struct Length {
 std::optional<Length> length_of(std::string_view text) {
   const std::size_t blank = text.find_first_of(" \t");
   if (blank == text.npos) return std::nullopt;
-  const auto number = number_of(text.substr(0, blank), true);
+  const std::string_view word = text.substr(0, blank);
+  const auto number = number_of(word, word.find(',') == word.npos ? Comma::none : Comma::decimal);
   if (!number) return std::nullopt;
   return Length{*number, trimmed(text.substr(blank))};
 }
@@ -79,10 +81,11 @@ bool recognises_gwyddion_text(std::string_view bytes) {
   return take_head(head).lengths.size() >= 2;
 }
 
-Map decode_gwyddion_text(std::string_view bytes, Order) {
+Map decode_gwyddion_text(std::string_view bytes, const Reading& reading) {
   const Head head = take_head(bytes);
   if (head.lengths.size() < 2) throw DataError("map", "its head does not state a width and a height");
-  Map map{.values = matrix_of(bytes, "map", head.lines + 1).transpose(), .title = std::string(head.channel)};
+  Map map{.values = matrix_of(bytes, "map", head.lines + 1, reading).transpose(),
+          .title = std::string(head.channel)};
   map.spacing = {metres(head.lengths[0]) / static_cast<double>(map.values.rows()),
                  metres(head.lengths[1]) / static_cast<double>(map.values.cols())};
   set_units(map, head.units);

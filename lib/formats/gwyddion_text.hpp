@@ -17,7 +17,7 @@
 namespace asperity {
 
 bool recognises_gwyddion_text(std::string_view bytes);
-Map decode_gwyddion_text(std::string_view bytes, Order order);
+Map decode_gwyddion_text(std::string_view bytes, const Reading& reading);
 std::string encode_gwyddion_text(const Map& map, Order order);
 
 }  // namespace asperity

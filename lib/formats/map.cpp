@@ -69,6 +69,7 @@ void set_units(Map& map, std::string_view unit) {
   }
   map.units = "m";
   if (factor != 1) map.values *= factor;
+  if (map.values.isInf().any()) throw DataError("map", "in metres a value is infinite");
 }
 
 void check_size(const Map& map, const std::string& format) {

@@ -6,7 +6,7 @@
 ///
 /// A file's lines. Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) settle what runs along a line, x in
 /// all of them, and the first line is that of the least y; ESRI's, a chart, begins with the north, the largest. A bare
-/// matrix (text, npy) does not say: Order tells.
+/// matrix (text, npy) does not say: Reading tells.
 #pragma once
 
 #include <array>
@@ -22,6 +22,22 @@ namespace asperity {
 /// The indices of a bare matrix, the slower one first: `xy` has a line for each x, `yx` one for each y.
 enum class Order { xy, yx };
 
+/// What stands between the numbers of a text, and what marks their decimals; `any` where the text is to tell.
+enum class Separator { any, blank, tab, comma, semicolon };
+enum class DecimalMark { any, point, comma };
+
+/// What a user knows of a file that it does not say itself. Each format heeds what it leaves open.
+struct Reading {
+  Reading(Order order_of_matrix = Order::xy) : order(order_of_matrix) {}
+
+  Order order;
+  Separator separator = Separator::any;
+  DecimalMark decimal = DecimalMark::any;
+  bool heights = false;  ///< a text's columns are heights, though the first of them look like coordinates
+  double coordinate =
+      0;  ///< a text's lines are points, x z or x y z, with x and y in this many metres; 0: heights
+};
+
 struct Map {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -34,7 +50,8 @@ struct Map {
 /// The factor to metres of a unit of length as instruments spell it ("µm", "um", "nm", "m"). Throws DataError(variable,
 /// …) when it is none.
 double metres_per(std::string_view unit, const std::string& variable);
-/// Values and their unit: scaled to metres if it is a length, else as they are.
+/// Values and their unit: scaled to metres if it is a length, else as they are. Throws DataError("map", …) where that makes one
+/// infinite.
 void set_units(Map& map, std::string_view unit);
 
 /// Throws DataError("map", …) for a map of unknown size, which `format` cannot do without.

@@ -160,14 +160,14 @@ Parts parts_of(std::string_view bytes) {
 
 bool recognises_npy(std::string_view bytes) { return bytes.starts_with(magic); }
 
-Map decode_npy(std::string_view bytes, Order order) {
+Map decode_npy(std::string_view bytes, const Reading& reading) {
   const auto [head, numbers] = parts_of(bytes);
   const Described described = description_of(Literals(head));
   Shape shape{described.shape[0], described.shape[1]};
-  if (order == Order::yx) std::swap(shape.nx, shape.ny);
+  if (reading.order == Order::yx) std::swap(shape.nx, shape.ny);
   const Raster raster{type_of(described.descr),
                       described.descr[0] == '>' ? std::endian::big : std::endian::little,
-                      described.fortran == (order == Order::xy) ? Order::yx : Order::xy};
+                      described.fortran == (reading.order == Order::xy) ? Order::yx : Order::xy};
   Map map{.values = field_from(numbers, shape, raster, "map")};
   if (described.descr.substr(1) == half) map.values = map.values.unaryExpr(&half_of_bits);
   return map;

@@ -20,7 +20,7 @@
 namespace asperity {
 
 bool recognises_npy(std::string_view bytes);
-Map decode_npy(std::string_view bytes, Order order);
+Map decode_npy(std::string_view bytes, const Reading& reading);
 std::string encode_npy(const Map& map, Order order);
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_table.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -170,11 +171,12 @@ std::endian endian_of(const Head& head, NumberType type) {
   return std::endian::little;
 }
 
-Field numbers_of(const Head& head, std::string_view bytes, Shape shape, std::size_t lines) {
+Field values_of(const Head& head, std::string_view bytes, Shape shape, std::size_t lines,
+                const Reading& reading) {
   const std::string encoding = lower(head.text("encoding"));
   const NumberType type = type_of(head);
   if (encoding == "text" || encoding == "txt" || encoding == "ascii")
-    return field_of_lines(bytes, shape, "map", lines + 1);
+    return field_of_lines(bytes, shape, "map", lines + 1, reading);
   const Raster raster{type, endian_of(head, type), Order::yx};
   if (encoding == "raw") return field_from(bytes, shape, raster, "map");
   if (encoding != "gzip" && encoding != "gz")
@@ -202,13 +204,14 @@ bool recognises_nrrd(std::string_view bytes) {
          (bytes[8] == '\n' || bytes[8] == '\r');
 }
 
-Map decode_nrrd(std::string_view bytes, Order) {
+Map decode_nrrd(std::string_view bytes, const Reading& reading) {
   if (!recognises_nrrd(bytes)) refuse("it does not begin as NRRD0001 to NRRD0005");
   std::size_t lines = 0;
   const Head head(take_head(bytes, lines), ":");
   check_attached(head);
   const Axes axes = axes_of(head);
-  Map map{.values = numbers_of(head, bytes, axes.shape, lines), .title = std::string(head.text("content"))};
+  Map map{.values = values_of(head, bytes, axes.shape, lines, reading),
+          .title = std::string(head.text("content"))};
   map.spacing = {spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
   if (const auto units = unquoted(field(head, "sample units")); !units.empty()) set_units(map, units);
   return map;

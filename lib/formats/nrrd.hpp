@@ -27,7 +27,7 @@
 namespace asperity {
 
 bool recognises_nrrd(std::string_view bytes);
-Map decode_nrrd(std::string_view bytes, Order order);
+Map decode_nrrd(std::string_view bytes, const Reading& reading);
 std::string encode_nrrd(const Map& map, Order order);
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_table.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -65,7 +66,7 @@ std::string_view take_head(std::string_view& text, std::size_t& lines) {
   throw DataError("map", "its head has no end, a line that begins with *");
 }
 
-Map decode_text(std::string_view bytes) {
+Map decode_text(std::string_view bytes, const Reading& reading) {
   std::size_t lines = 0;
   const Head head(take_head(bytes, lines), "=");
   const Described d{{head.count("NumPoints"), head.count("NumProfiles")},
@@ -76,7 +77,7 @@ Map decode_text(std::string_view bytes) {
                     head.count("DataType"),
                     head.count("CheckType")};
   check(d);
-  return heights_of(field_of_lines(bytes.substr(0, bytes.find('*')), d.shape, "map", lines + 1), d);
+  return heights_of(field_of_lines(bytes.substr(0, bytes.find('*')), d.shape, "map", lines + 1, reading), d);
 }
 
 // Takes numbers off the bytes one after the other.
@@ -182,9 +183,9 @@ std::string entry(std::string_view name, double value) {
 bool recognises_sdf(std::string_view bytes) { return recognises(bytes, 'b'); }
 bool recognises_sdf_text(std::string_view bytes) { return recognises(bytes, 'a'); }
 
-Map decode_sdf(std::string_view bytes, Order) {
+Map decode_sdf(std::string_view bytes, const Reading& reading) {
   if (recognises_sdf(bytes)) return decode_binary(bytes);
-  if (recognises_sdf_text(bytes)) return decode_text(bytes);
+  if (recognises_sdf_text(bytes)) return decode_text(bytes, reading);
   throw DataError("map", "it does not begin as an SDF of ISO 25178-71 or BCR");
 }
 

@@ -37,7 +37,7 @@ namespace asperity {
 bool recognises_sdf(std::string_view bytes);
 bool recognises_sdf_text(std::string_view bytes);
 /// Of either kind.
-Map decode_sdf(std::string_view bytes, Order order);
+Map decode_sdf(std::string_view bytes, const Reading& reading);
 /// Throw DataError("map", …) for a map without a size, too large a one, or one of something else than heights.
 std::string encode_sdf(const Map& map, Order order);
 std::string encode_sdf_text(const Map& map, Order order);

@@ -1,23 +1,39 @@
 #include "formats/text_matrix.hpp"
 
 #include "formats/text_numbers.hpp"
+#include "formats/text_points.hpp"
+#include "formats/text_table.hpp"
+#include "grid/error.hpp"
 
 namespace asperity {
+namespace {
 
-Map decode_text_matrix(std::string_view bytes, Order order) {
+// Of the last line "# units: …".
+std::string_view units_in(std::string_view text) {
   constexpr std::string_view states_units = "# units:";
-  std::string numbers(bytes);
   std::string_view units;
-  for (std::string_view rest = bytes; !rest.empty();) {
-    const auto begin = static_cast<std::size_t>(rest.data() - bytes.data());
-    const std::string_view line = take_line(rest);
-    if (!line.starts_with('#')) continue;
-    if (line.starts_with(states_units)) units = trimmed(line.substr(states_units.size()));
-    numbers.replace(begin, line.size(), line.size(), ' ');
-  }
-  Map map{.values = matrix_of(numbers, "map")};
-  if (order == Order::yx) map.values.transposeInPlace();
-  if (!units.empty()) set_units(map, units);
+  while (!text.empty())
+    if (const std::string_view line = take_line(text); line.starts_with(states_units))
+      units = trimmed(line.substr(states_units.size()));
+  return units;
+}
+
+Map map_of_lines(Field lines, const Reading& reading) {
+  if (reading.coordinate > 0) return map_of_points(lines, reading.coordinate);
+  if (!reading.heights && has_coordinates(lines))
+    throw DataError("map",
+                    "its first columns look like coordinates, not heights: asperity-convert --points um "
+                    "reads lines of x z or "
+                    "x y z, x and y in um; --heights takes every column for heights");
+  if (reading.order == Order::yx) lines.transposeInPlace();
+  return {.values = std::move(lines)};
+}
+
+}  // namespace
+
+Map decode_text_matrix(std::string_view bytes, const Reading& reading) {
+  Map map = map_of_lines(matrix_of(bytes, "map", 1, reading), reading);
+  if (const std::string_view units = units_in(bytes); !units.empty()) set_units(map, units);
   return map;
 }
 

@@ -1,7 +1,9 @@
-/// A matrix of numbers in plain text: one line for each x, or for each y.
+/// Numbers in plain text: a matrix of heights, one line for each x or for each y, or points of a surface.
 ///
-/// Lines that begin with # are comments; one of the form `# units: um` states the unit of the values. Neither that nor
-/// the size need be there: a matrix says little about itself.
+/// A line of the form `# units: um` states the unit of the values. Neither that nor the size need be there: a matrix says
+/// little about itself. How its numbers are separated is in formats/text_table.hpp. Lines of x z or x y z are read where
+/// Reading says that they are (formats/text_points.hpp); a matrix whose first columns look like coordinates is refused
+/// until it says what they are, for a map of its columns would be no error that anyone sees.
 #pragma once
 
 #include <string>
@@ -11,7 +13,7 @@
 
 namespace asperity {
 
-Map decode_text_matrix(std::string_view bytes, Order order);
+Map decode_text_matrix(std::string_view bytes, const Reading& reading);
 std::string encode_text_matrix(const Map& map, Order order);
 
 }  // namespace asperity

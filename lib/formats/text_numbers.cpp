@@ -4,60 +4,81 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-
-#include "formats/raster.hpp"
-#include "grid/error.hpp"
+#include <cstdlib>
+#include <locale.h>
 
 namespace asperity {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
 
-// The next word of a line, taken off it.
-std::string_view take_word(std::string_view& line, std::string_view separators) {
-  const std::size_t begin = std::min(line.find_first_not_of(separators), line.size());
-  const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
-}
-
 bool is_missing(std::string_view word) {
+  if (word.size() > 1 && word.find_first_not_of('-') == word.npos) return true;
   if (word.size() > 3) return false;
   const std::string name = lower(word);
-  return name == "nan" || name == "bad" || name == "--";
+  return name == "nan" || name == "bad" || name == "n/a" || name == "na";
 }
 
-double number_in_line(std::string_view word, bool decimal_comma, const std::string& variable,
-                      std::size_t line) {
-  const auto value = number_of(word, decimal_comma);
-  const std::string where = "line " + std::to_string(line) + ", '" + std::string(word.substr(0, 24)) + "', ";
-  if (!value) throw DataError(variable, where + "is no number");
-  if (std::isinf(*value)) throw DataError(variable, where + "is infinite");
-  return *value;
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// "1,234,567.5": one to three digits, the first no zero, and groups of three.
+bool has_thousands(std::string_view word) {
+  const std::string_view whole = word.substr(0, word.find('.'));
+  if (whole.starts_with('0') || whole.size() > 19) return false;
+  const std::size_t first = whole.find(',');
+  if (first == whole.npos || first == 0 || first > 3 || (whole.size() - first) % 4 != 0) return false;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if ((i >= first && (i - first) % 4 == 0) ? whole[i] != ',' : !is_digit(whole[i])) return false;
+  return true;
 }
 
-// Calls number(value) for each word and line(number of line) after each line that has any.
-template <class Number, class Line>
-void for_each_number(std::string_view text, const std::string& variable, std::size_t first_line,
-                     Number number, Line line) {
-  const bool comma = has_decimal_commas(text);
-  const std::string_view separators = comma ? " \t\r\f\v;" : " \t\r\f\v;,";
-  for (std::size_t at = first_line; !text.empty(); ++at) {
-    std::string_view rest = take_line(text);
-    bool any = false;
-    for (std::string_view word; !(word = take_word(rest, separators)).empty(); any = true)
-      number(number_in_line(word, comma, variable, at));
-    if (any) line(at);
+// A number as C writes it: what others write for its sign, its exponent and its decimal mark replaced.
+std::optional<std::string> in_c(std::string_view word, Comma comma) {
+  constexpr std::string_view minus = "\u2212";
+  std::string out;
+  if (word.starts_with(minus)) out = "-";
+  word.remove_prefix(out.empty() ? 0 : minus.size());
+  out += word;
+  const std::size_t at = out.find(','), digits = out.find_first_not_of("+-");
+  if (at != out.npos && comma == Comma::none) return std::nullopt;
+  if (comma == Comma::decimal) {
+    if (out.find('.') != out.npos) return std::nullopt;
+    if (at != out.npos) {
+      if (at == 0 || at + 1 == out.size() || !is_digit(out[at - 1]) || !is_digit(out[at + 1]))
+        return std::nullopt;
+      out[at] = '.';
+    }
+  } else if (at != out.npos) {
+    if (!has_thousands(std::string_view(out).substr(digits))) return std::nullopt;
+    std::erase(out, ',');
   }
+  if (const std::size_t d = out.find_first_of("dD");
+      d != out.npos && d > 0 && (is_digit(out[d - 1]) || out[d - 1] == '.'))
+    out[d] = 'e';
+  if (out.size() > 1 && out.front() == '+' && out[1] != '-') out.erase(0, 1);
+  return out;
+}
+
+// Zero or infinite: what is too small or too large. Not in the language that a process may have chosen.
+double beyond_range(const std::string& word) {
+  static const locale_t c = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  return ::strtod_l(word.c_str(), nullptr, c);
+}
+
+std::optional<double> plain_number_of(std::string_view word) {
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (rest != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc() ? value : beyond_range(std::string(word));
 }
 
 }  // namespace
 
 std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
+  text.remove_prefix(end);
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
   return line;
 }
 
@@ -74,33 +95,13 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-// The first line that has a comma decides: "1,5 2,5" or "1,5;2,5", where "1,5" or "1, 5" separate.
-bool has_decimal_commas(std::string_view text) {
-  while (!text.empty()) {
-    const std::string_view line = trimmed(take_line(text));
-    const std::size_t comma = line.find(',');
-    if (comma == line.npos) continue;
-    const bool within = comma > 0 && comma + 1 < line.size() &&
-                        std::isdigit(static_cast<unsigned char>(line[comma - 1])) != 0 &&
-                        std::isdigit(static_cast<unsigned char>(line[comma + 1])) != 0;
-    return within && line.find_first_of(" \t;") != line.npos && line.find('.') == line.npos;
-  }
-  return false;
-}
-
-std::optional<double> number_of(std::string_view word, bool decimal_comma) {
+std::optional<double> number_of(std::string_view word, Comma comma) {
   if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();
-  char copy[64];
-  if (decimal_comma && word.find(',') != word.npos) {
-    if (word.size() > sizeof copy || word.find('.') != word.npos) return std::nullopt;
-    std::ranges::replace_copy(word, copy, ',', '.');
-    word = {copy, word.size()};
-  }
-  if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (rest != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
-  return error == std::errc() ? std::optional(value) : std::strtod(std::string(word).c_str(), nullptr);
+  if (const auto value = plain_number_of(word);
+      value && !(comma == Comma::decimal && word.find('.') != word.npos))
+    return value;
+  const auto plain = in_c(word, comma);
+  return plain ? plain_number_of(*plain) : std::nullopt;
 }
 
 std::optional<Index> whole_number_of(std::string_view word) {
@@ -108,40 +109,6 @@ std::optional<Index> whole_number_of(std::string_view word) {
   const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (rest != word.data() + word.size() || error != std::errc() || value < 0) return std::nullopt;
   return value;
-}
-
-Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line) {
-  std::vector<double> values;
-  Index rows = 0, columns = 0;
-  for_each_number(
-      text, variable, first_line, [&](double value) { values.push_back(value); },
-      [&](std::size_t line) {
-        const Index here = static_cast<Index>(values.size()) - rows * columns;
-        if (rows == 0) columns = here;
-        if (here != columns)
-          throw DataError(variable, "line " + std::to_string(line) + " has " + std::to_string(here) +
-                                        " numbers, the first one " + std::to_string(columns));
-        ++rows;
-      });
-  if (rows == 0) throw DataError(variable, "there are no numbers in it");
-  return Eigen::Map<const Field>(values.data(), rows, columns);
-}
-
-std::vector<double> numbers_of(std::string_view text, const std::string& variable, std::size_t first_line) {
-  std::vector<double> values;
-  for_each_number(
-      text, variable, first_line, [&](double value) { values.push_back(value); }, [](std::size_t) {});
-  return values;
-}
-
-Field field_of_lines(std::string_view text, Shape shape, const std::string& variable,
-                     std::size_t first_line) {
-  check_shape(shape, text.size() / 2 + 1, variable);
-  const std::vector<double> values = numbers_of(text, variable, first_line);
-  if (values.size() != static_cast<std::size_t>(shape.cells()))
-    throw DataError(variable, "it holds " + std::to_string(values.size()) + " numbers where its head says " +
-                                  std::to_string(shape.nx) + " x " + std::to_string(shape.ny));
-  return Eigen::Map<const Field>(values.data(), shape.ny, shape.nx).transpose();
 }
 
 void append_number(std::string& text, double value) {

@@ -207,7 +207,7 @@ std::string md5_of(std::string_view bytes) {
 
 bool recognises_x3p(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
-Map decode_x3p(std::string_view bytes, Order) {
+Map decode_x3p(std::string_view bytes, const Reading&) {
   const ZipArchive archive(bytes, "map");
   std::string main = read_main(archive);
   check_main(archive, main);

@@ -23,7 +23,7 @@
 namespace asperity {
 
 bool recognises_x3p(std::string_view bytes);
-Map decode_x3p(std::string_view bytes, Order order);
+Map decode_x3p(std::string_view bytes, const Reading& reading);
 /// Throws DataError for a map without a size, or of another quantity than a length.
 std::string encode_x3p(const Map& map, Order order);
 

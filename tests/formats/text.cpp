@@ -1,26 +1,71 @@
+#include "formats/format.hpp"
 #include "formats/gwyddion_text.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_table.hpp"
 #include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
-TEST_CASE(
-    "numbers are read with a plus, exponents of three digits, decimal commas and words for missing ones",
-    "[formats][exact]") {
+namespace {
+
+const double gap = std::nan("");
+
+Field field(std::initializer_list<std::initializer_list<double>> rows) {
+  Field out(static_cast<Index>(rows.size()), static_cast<Index>(rows.begin()->size()));
+  Index i = 0;
+  for (const auto& row : rows) {
+    std::ranges::copy(row, out.row(i).begin());
+    ++i;
+  }
+  return out;
+}
+
+Reading reading(Separator separator, DecimalMark decimal = DecimalMark::any) {
+  Reading out;
+  out.separator = separator;
+  out.decimal = decimal;
+  return out;
+}
+
+std::string refusal(const std::string& text, const Reading& told = {}) {
+  try {
+    decode_text_matrix(text, told);
+    return "read";
+  } catch (const DataError& error) {
+    return error.what();
+  }
+}
+
+Reading points(double metres) {
+  Reading out;
+  out.coordinate = metres;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are read as instruments and programs write them", "[formats][exact]") {
   CHECK(number_of("1.8823e-008") == 1.8823e-8);
   CHECK(number_of("+2.5") == 2.5);
-  CHECK(number_of("-1,5E+003", true) == -1500.0);
+  CHECK(number_of("-1,5E+003", Comma::decimal) == -1500.0);
+  CHECK(number_of("-1,234,567.5", Comma::thousands) == -1234567.5);
+  CHECK(number_of("1.5D-06") == 1.5e-6);
+  CHECK(number_of("\u22122.5") == -2.5);
   CHECK(number_of("1e-400") == 0.0);
-  for (const char* word : {"NaN", "bad", "--"}) CHECK(std::isnan(number_of(word).value()));
-  for (const char* word : {"", "1.2.3", "1,5", "0x10", "e5", "1e", "+-1", "n"}) CHECK(!number_of(word));
+  for (const char* word : {"NaN", "-nan", "bad", "--", "---", "N/A"})
+    CHECK(std::isnan(number_of(word).value()));
+  for (const char* word : {"", "1.2.3", "1,5", "0x10", "e5", "1e", "+-1", "n", "-", "d5", "\u2212", "1,234"})
+    CHECK(!number_of(word));
+  for (const char* word : {"1,", ",5", "1.234,5", "1,234,567", "1.5"})
+    CHECK(!number_of(word, Comma::decimal));
+  for (const char* word : {"0,123", "1234,567", "1,23", "1,234e3"}) CHECK(!number_of(word, Comma::thousands));
 }
 
 TEST_CASE("a comma is decimal where another separator stands beside it", "[formats][exact]") {
-  Field expected(2, 2);
-  expected << 1.5, 2, -3.25, 4e-9;
+  const Field expected = field({{1.5, 2}, {-3.25, 4e-9}});
   CHECK(same(matrix_of("1,5\t2\r\n-3,25\t4e-009\r\n", "map"), expected));
   CHECK(same(matrix_of("1,5;2\n-3,25;4e-9", "map"), expected));
   CHECK(same(matrix_of("1.5,2\n-3.25,4e-9\n", "map"), expected));
@@ -29,9 +74,114 @@ TEST_CASE("a comma is decimal where another separator stands beside it", "[forma
 
 TEST_CASE("a matrix is refused with the line that does not fit", "[formats][contract]") {
   CHECK_THROWS_WITH(matrix_of("1 2\n3\n", "map"), "line 2 has 1 numbers, the first one 2");
+  CHECK_THROWS_WITH(matrix_of("1;2;3;\n4;5;6\n", "map"), "line 2 has 3 numbers, the first one 4");
   CHECK_THROWS_WITH(matrix_of("1 2\n3 x\n", "map", 5), "line 6, 'x', is no number");
   CHECK_THROWS_WITH(matrix_of("1 inf", "map"), "line 1, 'inf', is infinite");
   CHECK_THROWS_WITH(matrix_of(" \n\n", "map"), "there are no numbers in it");
+  CHECK_THROWS_WITH(matrix_of("X,Y\n1,2\n", "map"),
+                    ContainsSubstring("line 1, 'X', is no number: let lines"));
+  CHECK_THROWS_WITH(matrix_of("\xff\xfe\x31\0", "map"), ContainsSubstring("UTF-16"));
+}
+
+// Runs of separators counted as one: "1,,3" above "4,5," became two columns of shifted values.
+TEST_CASE("an empty cell is a missing point, wherever it stands", "[formats][exact]") {
+  const Field holes = field({{1, gap, 3}, {4, 5, gap}, {gap, 8, 9}, {7, 8, gap}});
+  CHECK(same(matrix_of("1,,3\n4,5,\n,8,9\n7,8,\n", "map"), holes));
+  CHECK(same(matrix_of("1;;3\n4;5;\n;8;9\n7;8;\n", "map"), holes));
+  CHECK(same(matrix_of("1\t\t3\r\n4\t5\t\r\n\t8\t9\r\n7\t8\t\r\n", "map"), holes));
+  CHECK(same(matrix_of("1, ,3\n4,5, \n,8,9\n7,8,\n", "map"), holes));
+  CHECK(same(matrix_of("1;2\n;\n3;4\n", "map"), field({{1, 2}, {gap, gap}, {3, 4}})));
+  CHECK(same(matrix_of("1,5;;3\n4;5;\n", "map"), field({{1.5, gap, 3}, {4, 5, gap}})));
+}
+
+TEST_CASE("a separator at the end of every line adds no column", "[formats][exact]") {
+  const Field whole = field({{1, 2, 3}, {4, 5, 6}});
+  for (const char* text :
+       {"1;2;3;\n4;5;6;\n", "1,2,3,\n4,5,6,\n", "1\t2\t3\t\n4\t5\t6\t\n", " 1 2 3 \n 4 5 6 \n"})
+    CHECK(same(matrix_of(text, "map"), whole));
+}
+
+TEST_CASE("the ends of lines, a byte-order mark and comments are no numbers", "[formats][exact]") {
+  const Field whole = field({{1, 2}, {4, 3}});
+  for (const char* text : {"\xef\xbb\xbf"
+                           "1 2\r\n4 3\r\n",
+                           "1\t2\r4\t3\r", "% x\n1,2.0\n; y\n\n4,3\n# 5 6\n"})
+    CHECK(same(matrix_of(text, "map"), whole));
+  CHECK(same(matrix_of("3.5", "map"), field({{3.5}})));
+  CHECK(same(matrix_of("1\n2\n3\n", "map"), field({{1}, {2}, {3}})));
+  CHECK(same(matrix_of("1;2;3", "map"), field({{1, 2, 3}})));
+}
+
+// "1.234,5;2.000,5" became four columns, "1,234" one thing or the other by the other lines.
+TEST_CASE("what can be read in two ways is refused until it is told, thousands too", "[formats][contract]") {
+  const std::string both = "1,5\n2,5\n";
+  CHECK_THAT(refusal(both), ContainsSubstring("--separator or --decimal"));
+  CHECK(same(matrix_of(both, "map", 1, reading(Separator::comma)), field({{1, 5}, {2, 5}})));
+  CHECK(
+      same(matrix_of(both, "map", 1, reading(Separator::any, DecimalMark::point)), field({{1, 5}, {2, 5}})));
+  CHECK(same(matrix_of(both, "map", 1, reading(Separator::any, DecimalMark::comma)), field({{1.5}, {2.5}})));
+  for (const char* text : {"1,234", "1,234 5,678\n", "1,234.5\n2,000.5\n", "1\t\t2\n3\t\t4\n"})
+    CHECK_THAT(refusal(text), ContainsSubstring("--separator or --decimal"));
+  for (const char* text : {"1.234,5;2.000,5\n", "1.234.567,8 2\n", "1,5 2.500\n"})
+    CHECK_THAT(refusal(text), ContainsSubstring("is no number"));
+  CHECK(same(matrix_of("1,234.5 2,000\n3.5 1\n", "map"), field({{1234.5, 2000}, {3.5, 1}})));
+  CHECK_THAT(refusal("1.234,5;2.000,5\n"), ContainsSubstring("thousands"));
+  CHECK_THROWS_AS(matrix_of("1,5", "map", 1, reading(Separator::comma, DecimalMark::comma)), ParameterError);
+}
+
+// Lines of x z and x y z became maps of two and three columns.
+TEST_CASE("columns that look like coordinates are refused until it is told what they are",
+          "[formats][contract]") {
+  const char* texts[] = {"0 3\n0.1 2\n0.2 7\n",
+                         "3 1\n2 5\n1 1\n",
+                         "0 0 3\n0 1 4\n1 0 5\n1 1 9\n",
+                         "0 0 3\n1 0 4\n0 1 5\n1 1 9\n2 0 3\n",
+                         "0 5 3\n1.1 2 4\n2 9 5\n2.9 4 9\n",
+                         "1 7 9 2 4\n2 8 8 1 1\n3 2 6 5 3\n",
+                         "0 0 5\n0 1 6\n0 2 7\n",
+                         ";0;1;2\n0;5;3;7\n2;9;1;2\n4;4;4;9\n",
+                         "0;2;1;0\n0;5;3;7\n2;9;1;2\n4;4;4;9\n"};
+  for (const char* text : texts) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(text), ContainsSubstring("--points um"));
+    Reading heights;
+    heights.heights = true;
+    CHECK(refusal(text, heights) == "read");
+  }
+  CHECK(refusal("2 4 6\n3 5 7\n4 6 8\n5 7 9\n") == "read");
+  CHECK(refusal("7 1 9 2\n0 7 3 7\n2 9 1 2\n4 4 4 9\n") == "read");
+  CHECK(refusal("0 0 0\n0 0 0\n0 0 0\n0 0 0\n") == "read");
+  CHECK(refusal("3 1 2\n1 5 7\n2 2 2\n9 1 4\n2 8 6\n") == "read");
+  CHECK(refusal("1 2 3\n4 5 6\n7 8 9\n") == "read");
+}
+
+TEST_CASE(
+    "points of a grid make a map, in whatever order they come, and those that are not there are missing",
+    "[formats][exact]") {
+  const Field expected = field({{1, 2}, {3, gap}, {5, 6}});
+  const char* texts[] = {"0 0 1\n0 3 2\n1 0 3\n2 0 5\n2 3 6\n", "2,3,6\n1,0,3\n0,3,2\n2,0,5\n0,0,1\n",
+                         "0.00 0 1\n1.01 0 3\n2 0 5\n0 3 2\n2 3 6\n1 3 nan\n"};
+  for (const char* text : texts) {
+    CAPTURE(text);
+    const Map map = decode_text_matrix(text, points(1e-6));
+    CHECK(same(map.values, expected));
+    CHECK(relative_error(map.spacing[0], 1e-6) <= 2 * epsilon);
+    CHECK(relative_error(map.spacing[1], 3e-6) <= 2 * epsilon);
+  }
+  const Map profile = decode_text_matrix("2 5\n1 7\n0 9\n", points(1e-3));
+  CHECK(same(profile.values, field({{9}, {7}, {5}})));
+  CHECK(profile.spacing == std::array{1e-3, 1e-3});
+}
+
+TEST_CASE("points that are no grid are refused", "[formats][contract]") {
+  CHECK_THAT(refusal("0 1\n1 2\n2.2 3\n", points(1)),
+             ContainsSubstring("not evenly spaced: 1 lies 0.09 spacings"));
+  CHECK_THAT(refusal("0 0 1\n1 1 2\n2 2 3\n3 3 4\n", points(1)),
+             ContainsSubstring("less than half of a grid of 4 x 4"));
+  CHECK_THAT(refusal("0 1\n1 2\n1 3\n", points(1)), ContainsSubstring("x = 1 is given twice"));
+  CHECK_THAT(refusal("0 1\n1 2\nnan 3\n", points(1)), ContainsSubstring("a coordinate x is missing"));
+  CHECK_THAT(refusal("1 2 3 4\n", points(1)), ContainsSubstring("x z or x y z"));
+  CHECK_THAT(refusal("1 2\n", points(1)), ContainsSubstring("one point is no map"));
 }
 
 TEST_CASE("a text matrix has a line for each x, or as asked for each y, and may state its unit",
@@ -82,4 +232,19 @@ TEST_CASE("what is written as Gwyddion's text is read again the same, missing po
   CHECK(same(again.values, map.values));
   CHECK(relative_error(again.spacing[0], map.spacing[0]) <= 2 * epsilon);
   CHECK(relative_error(again.spacing[1], map.spacing[1]) <= 2 * epsilon);
+}
+
+// A head that states the size, numbers that do not fill a rectangle, or some of them missing.
+TEST_CASE("formats of text with a head have missing points and refuse what is ragged as a bare matrix does",
+          "[formats][contract]") {
+  const std::string gwyddion = "# Width: 3 um\n# Height: 2 um\n", esri = "ncols 3\nnrows 2\ncellsize 1\n";
+  CHECK(same(decode_gwyddion_text(gwyddion + "1\t\t3\n4\t5\t---\n", {}).values,
+             field({{1, gap, 3}, {4, 5, gap}}).transpose()));
+  CHECK_THROWS_WITH(decode_gwyddion_text(gwyddion + "1\t2\t3\n4\t5\n", {}),
+                    "line 4 has 2 numbers, the first one 3");
+  const Format& grid = format_named("esri", "format");
+  CHECK(same(grid.decode(esri + "1,,3\n4,5,\n6", {}).values, field({{4, 1}, {5, gap}, {6, 3}})));
+  CHECK(same(grid.decode(esri + "\t1\t2\t\t3\n4\t5\t6", {}).values, field({{4, 1}, {5, 2}, {6, 3}})));
+  CHECK_THROWS_WITH(grid.decode(esri + "1 2 3\n4 5 6\n7", {}), ContainsSubstring("it holds 7 numbers"));
+  CHECK_THROWS_WITH(grid.decode(esri + "1,234 2 3\n4 5 6", {}), ContainsSubstring("--decimal"));
 }

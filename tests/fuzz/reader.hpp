@@ -1,6 +1,6 @@
 /// The readers of files as fuzzing sees them: bytes of a format, by the name of its folder in tests/corpus.
 ///
-/// A reader makes something of bytes or throws DataError, in time and memory of the order of their number. What a format
+/// NetCDF-4 is read apart, as the tools do. A reader makes something of bytes or throws DataError, in time and memory of the order of their number. What a format
 /// calls a map, and what a dataset is then made of, the readers of datasets understand.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/apart.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
 #include "grid/error.hpp"
@@ -33,14 +34,25 @@ inline void require_map(const Dataset& dataset) {
   }
 }
 
+/// What a user may tell of a file, chosen by its size.
+inline Reading any_reading(std::size_t size) {
+  Reading out(size % 2 == 0 ? Order::yx : Order::xy);
+  out.separator = static_cast<Separator>(size % 11 < 5 ? size % 11 : 0);
+  out.decimal = static_cast<DecimalMark>(out.separator == Separator::comma || size % 7 > 2 ? 0 : size % 7);
+  out.heights = size % 3 == 0;
+  out.coordinate = size % 5 == 0 ? 1e-6 : 0;
+  return out;
+}
+
 /// Returns whether the bytes could be read; throws std::logic_error, or anything else, where the reader is wrong.
 inline bool reads(const std::string& format, std::string_view bytes) {
   try {
     if (format.starts_with("netcdf")) {
+      read_netcdf4_apart(&cli::made_apart);
       decode_netcdf(std::string(bytes));
     } else {
-      const Order order = bytes.size() % 2 == 0 ? Order::yx : Order::xy;
-      require_map(dataset_of_any_size(format_named(format, "format").decode(bytes, order)));
+      const Format& read = format_named(format, "format");
+      require_map(dataset_of_any_size(read.decode(bytes, any_reading(bytes.size()))));
     }
     return true;
   } catch (const DataError&) {

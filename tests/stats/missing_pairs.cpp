@@ -134,7 +134,7 @@ TEST_CASE("over an ensemble with holes Bartlett's errors of the ACF and those of
 TEST_CASE("the PSD of a field with holes adds up to its Sq squared", "[missing][exact]") {
   const Grid g{{24, 30}, 0.5, 0.25, true};
   const Field d = without_form(with_holes(random_field(g.shape, 224), 0.2, 225));
-  const LagField psd = power_spectrum(d, g, {Window::none, Window::none});
+  const LagField psd = power_spectrum(d, g, {DataWindow::none, DataWindow::none});
   double sum = 0;
   for_each_lag(psd, g, [&](Index p, Index q, double weight) { sum += weight * psd(p, q); });
   const double sq = moments(d).sq;
@@ -152,7 +152,7 @@ TEST_CASE("holes here and there, a share g, lay a floor of g Sq^2 dx dy below th
     for (unsigned seed = 0; seed < 300; ++seed) {
       const Field chance = random_field(g.shape, 7000 + seed);
       const Field d = (chance < 2 * share - 1).select(none, wave);
-      const LagField psd = power_spectrum(d, g, {Window::none, Window::none});
+      const LagField psd = power_spectrum(d, g, {DataWindow::none, DataWindow::none});
       peak.add(psd(4, 0));
       for_each_lag(psd, g, [&](Index p, Index q, double) {
         if (q != 0) floor.add(psd(p, q));
@@ -167,7 +167,7 @@ TEST_CASE("holes here and there, a share g, lay a floor of g Sq^2 dx dy below th
 // Rings of white noise: 4 as for a complete field (tests of the spectrum).
 TEST_CASE("rings of the PSD of white noise with holes stray by one standard error", "[missing][statistics]") {
   const Grid g = grid(128, 100);
-  const Windows windows{Window::hann, Window::hann};
+  const DataWindows windows{DataWindow::hann, DataWindow::hann};
   const Field d = without_form(with_holes(white_noise(g.shape, 226), 0.1, 227));
   double squares = 0, rings = 0;
   const LagField psd = power_spectrum(d, g, windows);

@@ -11,7 +11,7 @@ using namespace asperity::test;
 
 namespace {
 
-constexpr Windows plain{Window::none, Window::none}, hann{Window::hann, Window::hann};
+constexpr DataWindows plain{DataWindow::none, DataWindow::none}, hann{DataWindow::hann, DataWindow::hann};
 
 Grid metres(Index nx, Index ny, bool periodic = true) { return {{nx, ny}, 2e-6, 3e-6, periodic}; }
 
@@ -86,7 +86,7 @@ TEST_CASE("the profile PSD is the mean of the profiles' own and adds up to Sq sq
   for (const Shape shape : {Shape{12, 9}, Shape{9, 12}}) {
     const Grid g = metres(shape.nx, shape.ny);
     const Field z = random_field(shape, 93);
-    for (const Window window : {Window::none, Window::hann}) {
+    for (const DataWindow window : {DataWindow::none, DataWindow::hann}) {
       const auto psd = profile_spectrum(z, g, Axis1D::x, window);
       REQUIRE(psd.size() == static_cast<std::size_t>(shape.nx / 2 + 1));
       double total = 0;
@@ -95,7 +95,7 @@ TEST_CASE("the profile PSD is the mean of the profiles' own and adds up to Sq sq
         for (Index j = 0; j < shape.ny; ++j) {
           Complex sum = 0;
           for (Index i = 0; i < shape.nx; ++i)
-            sum += z(i, j) * (window == Window::hann ? hann_at(i, shape.nx) / std::sqrt(1.5) : 1) *
+            sum += z(i, j) * (window == DataWindow::hann ? hann_at(i, shape.nx) / std::sqrt(1.5) : 1) *
                    std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(k) * static_cast<double>(i) /
                                        static_cast<double>(shape.nx));
           direct += std::norm(sum);
@@ -105,11 +105,11 @@ TEST_CASE("the profile PSD is the mean of the profiles' own and adds up to Sq sq
         CHECK(psd[k].wave_number == Approx(2 * std::numbers::pi * static_cast<double>(k) / g.size_x()));
         total += (k == 0 || 2 * static_cast<Index>(k) == shape.nx ? 1 : 2) * psd[k].density / g.size_x();
       }
-      if (window == Window::none) CHECK(relative_error(total, z.square().mean()) <= 40 * epsilon);
+      if (window == DataWindow::none) CHECK(relative_error(total, z.square().mean()) <= 40 * epsilon);
     }
     const Grid turned{{shape.ny, shape.nx}, g.dy, g.dx, true};
-    const auto along_y = profile_spectrum(z, g, Axis1D::y, Window::none),
-               of_turned = profile_spectrum(z.transpose(), turned, Axis1D::x, Window::none);
+    const auto along_y = profile_spectrum(z, g, Axis1D::y, DataWindow::none),
+               of_turned = profile_spectrum(z.transpose(), turned, Axis1D::x, DataWindow::none);
     for (std::size_t k = 0; k < along_y.size(); ++k) CHECK(along_y[k].density == of_turned[k].density);
   }
 }
@@ -132,7 +132,7 @@ TEST_CASE("radial and profile PSD of a Gaussian field are those of its autocorre
           std::pow((ring.density - std::numbers::pi * l * l * std::exp(-q * q / 4)) / ring.standard_error, 2);
       ++rings;
     }
-    for (const SpectrumPoint& row : profile_spectrum(z, g, Axis1D::x, Window::none)) {
+    for (const SpectrumPoint& row : profile_spectrum(z, g, Axis1D::x, DataWindow::none)) {
       const double q = row.wave_number * l;
       if (q == 0 || q > 6) continue;
       const double exact = std::sqrt(std::numbers::pi) * l * std::exp(-q * q / 4);
@@ -152,7 +152,7 @@ TEST_CASE("white noise has the PSD dx dy with either window, and rings stray fro
           "[spectrum][statistics]") {
   const Grid g = metres(128, 100, false);
   const double flat = g.cell_area();
-  for (const Windows windows : {plain, hann}) {
+  for (const DataWindows windows : {plain, hann}) {
     const LagField psd = power_spectrum(white_noise(g.shape, 95), g, windows);
     CHECK(sum_over_plane(psd, g) / static_cast<double>(g.shape.cells()) == Approx(flat).epsilon(0.1));
     double squares = 0, rings = 0;
@@ -171,8 +171,8 @@ TEST_CASE("the PSD does not depend on the number of threads, and only open field
   const Field z = random_field({40, 90}, 96);
   const Grid g = metres(40, 90);
   CHECK((power_spectrum(z, g, hann).half_plane() == power_spectrum(z, g, hann, 3).half_plane()).all());
-  CHECK(default_windows(g).x == Window::none);
-  CHECK(default_windows(metres(4, 4, false)).y == Window::hann);
+  CHECK(default_windows(g).x == DataWindow::none);
+  CHECK(default_windows(metres(4, 4, false)).y == DataWindow::hann);
 }
 
 // The kernel's half width is 2° and the wave fills one wave number: the top is at its angle to half a sector,

@@ -90,6 +90,55 @@ TEST_CASE("a matrix in text has the order, the size and the unit that it is give
   CHECK(lines(back.out) == 3);
 }
 
+// Each of them was read, shifted or cut into columns, without a word.
+TEST_CASE("a text that can be read in two ways is refused until an option tells, by every tool",
+          "[convert][contract]") {
+  write_text("both.csv", "1,5\n3,5\n2,5\n");
+  write_text("xyz.txt", "# units: nm\n0 0 1\n0 2 2\n1 0 3\n1 2 4\n2 0 5\n2 2 6\n");
+  write_text("xz.txt", "0 1\n1 2\n2 4\n");
+  const std::pair<const char*, const char*> cases[] = {
+      {"both.csv", "--separator or --decimal"}, {"xyz.txt", "--points um"}, {"xz.txt", "--points um"}};
+  for (const auto& [file, option] : cases)
+    for (const char* tool :
+         {"asperity-convert ", "asperity-stats --parameters height ", "asperity-acf --max-lag 1x1 "}) {
+      const Outcome run = shell(std::string(tool) + file);
+      CAPTURE(file, tool, run.error);
+      CHECK(run.exit == 4);
+      CHECK(lines(run.error) == 1);
+      CHECK_THAT(run.error, ContainsSubstring(option));
+    }
+  auto converted = [](const std::string& arguments) {
+    const Outcome run = shell("asperity-convert " + arguments + " -o told.nc");
+    INFO(run.error);
+    REQUIRE(run.exit == 0);
+    return heights_in("told.nc");
+  };
+  CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
+  CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
+  CHECK(shape_of(converted("xyz.txt --heights --size 1mm")) == Shape{6, 3});
+  const Field z = converted("xyz.txt --points mm");
+  REQUIRE(shape_of(z) == Shape{3, 2});
+  CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
+  CHECK(relative_error(grid_of(read_dataset("told.nc")).dy, 2e-3) <= 2 * epsilon);
+  CHECK(shape_of(converted("xz.txt --points um")) == Shape{3, 1});
+}
+
+TEST_CASE("what an option tells of a text is refused where the input is none, or says so itself",
+          "[convert][contract]") {
+  REQUIRE(shell(surface + "asperity-convert surface.nc -o map.gsf").exit == 0);
+  write_numbers();
+  for (const char* arguments :
+       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --points um",
+        "numbers.txt --heights", "surface.nc --heights", "numbers.txt --separator comma --decimal comma",
+        "numbers.txt --separator word", "numbers.txt --format text --points s",
+        "numbers.txt --format text --points um --heights"}) {
+    const Outcome run = shell(std::string("asperity-convert ") + arguments + " -o out.nc");
+    CAPTURE(arguments, run.error);
+    CHECK(run.exit == 2);
+    CHECK(lines(run.error) == 1);
+  }
+}
+
 TEST_CASE("every tool of the chain reads a map as it stands, its missing points left out or refused",
           "[convert][contract]") {
   write_numbers();

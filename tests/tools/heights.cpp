@@ -286,7 +286,10 @@ TEST_CASE("heights in a text file are a distribution, and what is none is refuse
   require("asperity-generate --kernel s.nc --no-history -o again.nc --seed " +
           std::to_string(static_cast<long>(attribute("s.nc", "generate_seed"))));
   CHECK((heights("s.nc") == heights("again.nc")).all());
-  shell("seq 1 50 > few.txt; echo 1 2 three > words.txt; yes 3 | head -300 > same.txt");
+  shell(
+      "seq 1 50 > few.txt; echo 1 2 three > words.txt; yes 3 | head -300 > same.txt; seq 1 500 | awk '{ "
+      "print $1, sin($1) }' > xz.txt");
+  refused(draw + " --marginal xz.txt", 4, {"marginal", "--points"});  // once of its coordinates too
   refused(draw + " --marginal few.txt", 4, {"marginal", "50"});
   refused(draw + " --marginal words.txt", 4, {"marginal", "line 1"});
   refused(draw + " --marginal same.txt", 4, {"marginal", "the same"});

@@ -193,7 +193,7 @@ TEST_CASE("a table of columns has its units, any order of columns and other colu
           "[kernel][exact]") {
   write_text(
       "columns.txt",
-      "# by hand\n# acf [um2]\tlag_y [um]\tnoise\tlag_x [um]\n4,0,0,0\n1 2 0 0\n\n2\t0\t0\t5\r\n0.5;2;9;5\n");
+      "# by hand\n# acf [um2]\tlag_y [um]\tnoise\tlag_x [um]\n4;0;0;0\n1;2;0;0\n\n2;0;0;5\r\n0,5;2;9;5\n");
   const Attributes a = solved("--acf columns.txt --lags 2x2");
   const Dataset data = read_dataset("solved.nc");
   CHECK(a.text("kernel_target") == "table");
@@ -240,7 +240,9 @@ TEST_CASE("a text that is no autocorrelation is exit 4 and one line that names a
                              "# lag_x lag_y acf\n0 0 1\n1 0 .5\n2.5 0 .2\n",
                              "# lag_x lag_y acf\n0 0 1\n1e-300 0 .5\n1e300 0 .2\n",
                              "# lag_x lag_y acf\n0 0 1\n0 1 .5\n0 -1 .4\n",
-                             "# lag_x lag_y acf\n0 0\n"};
+                             "# lag_x lag_y acf\n0 0\n",
+                             "# lag_x lag_y acf\n0,0,1\n1,,0.5\n",  // once two numbers on a line
+                             "1,5;0\n0,5 0\n"};
   for (const std::string& text : bad) {
     write_text("bad.txt", text);
     CAPTURE(text);

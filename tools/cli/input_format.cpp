@@ -22,9 +22,15 @@ bool InputFormat::known(std::string_view bytes) const {
          std::ranges::any_of(formats(), [&](const Format& f) { return f.recognises && f.recognises(bytes); });
 }
 
+std::string_view InputFormat::found(std::string_view bytes, const std::string& name) const {
+  if (netcdf(bytes)) return "netcdf";
+  return format == "auto" ? format_of(bytes, name).name : format_named(format, "format").name;
+}
+
 Map InputFormat::map(std::string_view bytes, const std::string& name) const {
-  const Format& found = format == "auto" ? format_of(bytes, name) : format_named(format, "format");
-  return found.decode(bytes, order == "yx" ? Order::yx : Order::xy);
+  Reading told = reading;
+  told.order = order == "yx" ? Order::yx : Order::xy;
+  return format_named(found(bytes, name), "format").decode(bytes, told);
 }
 
 Dataset InputFormat::dataset(std::string_view bytes, const std::string& name) const {

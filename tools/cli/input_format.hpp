@@ -12,6 +12,7 @@ namespace asperity::cli {
 struct InputFormat {
   std::string format = "auto";  ///< by the first bytes, then the name; or "netcdf", or that of a map
   std::string order = "xy";     ///< of a bare matrix
+  Reading reading = {};         ///< what else a user tells; its order is that above
 
   /// "auto", "netcdf" and the names of all formats of maps.
   static std::vector<std::string> names();
@@ -20,6 +21,8 @@ struct InputFormat {
   bool netcdf(std::string_view bytes) const;
   /// Whether they tell by themselves, or by --format, that they are a map and no list of names.
   bool known(std::string_view bytes) const;
+  /// The name of the format that bytes are read in.
+  std::string_view found(std::string_view bytes, const std::string& name) const;
   /// The map that bytes which are no NetCDF hold.
   Map map(std::string_view bytes, const std::string& name) const;
   Dataset dataset(std::string_view bytes, const std::string& name) const;

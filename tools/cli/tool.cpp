@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_errno.h>
 
+#include "cli/apart.hpp"
 #include "cli/config.hpp"
 #include "cli/output_name.hpp"
 #include "cli/progress.hpp"
@@ -137,7 +138,8 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 }
 
 int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
-  gsl_set_error_handler_off();  // which would abort; what has no value is NaN, and shown as a dash
+  read_netcdf4_apart(&made_apart);
+  gsl_set_error_handler_off();  // called for want of memory alone: a line in place of an abort
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
   return fail(usage_error, config_file() + ": " + in_words(e));

@@ -1,4 +1,4 @@
-#include "dataset/apart.hpp"
+#include "cli/apart.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -15,10 +15,8 @@
 
 #include "grid/error.hpp"
 
-namespace asperity {
+namespace asperity::cli {
 namespace {
-
-using Work = std::function<void(const std::function<void(std::string_view)>& sink)>;
 
 // How a child ends that could say so.
 enum Ending { done = 0, refused = 1, out_of_memory = 2, failed = 3 };
@@ -56,7 +54,7 @@ void lower(int resource, rlim_t bound) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-void confine(Limits limits, pid_t parent) {
+void confine(WorkLimits limits, pid_t parent) {
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(failed);
@@ -67,7 +65,7 @@ void confine(Limits limits, pid_t parent) {
 }
 
 // Bytes of the work, or its words where it ends as refused.
-Ending work_into(const SparseFile& out, const Work& work) {
+Ending work_into(const SparseFile& out, const WorkOfBytes& work) {
   try {
     work([&](std::string_view bytes) { out.append(bytes); });
     return done;
@@ -80,7 +78,7 @@ Ending work_into(const SparseFile& out, const Work& work) {
   }
 }
 
-Ending ending_of(const SparseFile& out, const Work& work) noexcept {
+Ending ending_of(const SparseFile& out, const WorkOfBytes& work) noexcept {
   try {
     return work_into(out, work);
   } catch (...) {
@@ -95,7 +93,7 @@ int status_of(pid_t child) {
   return status;
 }
 
-[[noreturn]] void refuse(int status, const SparseFile& out, Limits limits, const std::string& variable) {
+[[noreturn]] void refuse(int status, const SparseFile& out, WorkLimits limits, const std::string& variable) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == refused) throw DataError(variable, out.first(out.size()));
   if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory)
     throw DataError(variable, "reading it takes more memory than its size warrants");
@@ -107,7 +105,7 @@ int status_of(pid_t child) {
 
 }  // namespace
 
-SparseFile made_apart(const Work& work, Limits limits, const std::string& variable) {
+SparseFile made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
   SparseFile out;
   const EndOfChildren heard;
   const pid_t parent = ::getpid(), child = ::fork();
@@ -121,4 +119,4 @@ SparseFile made_apart(const Work& work, Limits limits, const std::string& variab
   return out;
 }
 
-}  // namespace asperity
+}  // namespace asperity::cli

@@ -6,25 +6,21 @@
 /// its parent does, and what it says on standard error is not heard. Of several threads only the one that asks goes
 /// on in it: the work must not need a lock that another one may hold (malloc's are safe).
 ///
+/// While it waits the process hears of the end of its children; before and afterwards as its parent left it. One thread
+/// at a time may ask.
+///
 /// Cost      about a millisecond, and the bytes once in memory.
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <string_view>
+#include <string>
 
-#include "dataset/sparse_file.hpp"
+#include "dataset/netcdf.hpp"
 
-namespace asperity {
-
-struct Limits {
-  unsigned seconds = 1;    ///< of processor time
-  std::size_t memory = 0;  ///< bytes beyond those of the parent; not heeded under the address sanitizer
-};
+namespace asperity::cli {
 
 /// The bytes that the work hands to its sink. Throws DataError(variable, …) with the work's own words where it
 /// threw one, and where it broke a limit or the process.
-SparseFile made_apart(const std::function<void(const std::function<void(std::string_view)>& sink)>& work,
-                      Limits limits, const std::string& variable);
+/// The limit of memory is not heeded under the address sanitizer.
+SparseFile made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
 
-}  // namespace asperity
+}  // namespace asperity::cli

@@ -1,0 +1,253 @@
+#include "formats/text_table.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+
+#include "formats/head.hpp"
+#include "formats/raster.hpp"
+#include "formats/text_numbers.hpp"
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+// One way to read a text.
+struct Dialect {
+  Separator separator;
+  Comma comma;
+};
+
+struct Fault {
+  std::size_t line;
+  const char* at;  // in the text
+  std::string what;
+};
+
+// What is asked of a text beside its dialect.
+struct Asked {
+  std::size_t first_line;      // what the first line is called
+  std::optional<Shape> shape;  // of all numbers, whatever the lines; of a matrix it is not known
+};
+
+struct Table {
+  Dialect dialect;
+  std::vector<double> values;
+  Index lines = 0, columns = 0;  // columns of the first line
+  std::optional<Fault> fault;    // of the first line that cannot be read so
+};
+
+char character_of(Separator separator) {
+  return separator == Separator::tab ? '\t' : separator == Separator::comma ? ',' : ';';
+}
+
+// The next cell of a line, taken off it; behind the last one the line is null.
+std::string_view take_cell(std::string_view& line, Separator separator) {
+  const bool word = separator == Separator::blank;
+  const std::size_t end = word ? line.find_first_of(blanks) : line.find(character_of(separator));
+  const std::string_view cell = trimmed(line.substr(0, end));
+  line = end == line.npos ? std::string_view() : line.substr(end + 1);
+  if (word && line.data() != nullptr)
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  return cell;
+}
+
+// What of a line holds cells; nothing of a comment.
+std::string_view content_of(std::string_view line, Separator separator) {
+  const std::string_view content = trimmed(line);
+  const bool comment = content.starts_with('#') || content.starts_with('%') ||
+                       (content.starts_with(';') && separator != Separator::semicolon);
+  if (comment) return {};
+  return separator == Separator::tab && line.find('\t') != line.npos ? line : content;
+}
+
+std::string fault_of(std::string_view cell, bool first) {
+  const std::string what = "'" + one_line(cell.substr(0, 24)) + "', is no number";
+  const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+  if (cell.find(',') != cell.npos && cell.find('.') != cell.npos)
+    return what + ": marks between thousands are not understood";
+  if (first && std::ranges::any_of(cell.substr(0, 1), letter))
+    return what + ": let lines that hold words begin with #";
+  return what;
+}
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, Dialect dialect, const Asked& asked)
+      : rest_(text),
+        table_{.dialect = dialect, .values = {}, .fault = {}},
+        asked_(asked),
+        line_(asked.first_line) {}
+
+  Table read() {
+    for (; !rest_.empty() && !table_.fault; ++line_) {
+      const std::string_view line = take_line(rest_), content = content_of(line, table_.dialect.separator);
+      if (!content.empty()) add(content);
+    }
+    if (!table_.fault) finish();
+    if (table_.fault) table_.values = {};
+    return std::move(table_);
+  }
+
+ private:
+  void fail(const char* at, const std::string& what) { table_.fault = Fault{line_, at, what}; }
+  std::string here() const { return "line " + std::to_string(line_); }
+
+  void add(std::string_view line) {
+    const std::size_t before = table_.values.size();
+    std::string_view cell, rest = line;
+    while (rest.data() != nullptr && !table_.fault)
+      add_cell(cell = take_cell(rest, table_.dialect.separator));
+    if (table_.fault) return;
+    trailing_ = trailing_ && cell.empty();
+    if (asked_.shape && cell.empty()) table_.values.pop_back();
+    const auto count = static_cast<Index>(table_.values.size() - before);
+    if (table_.lines++ == 0) table_.columns = count;
+    if (!asked_.shape && count != table_.columns)
+      fail(line.data(), here() + " has " + std::to_string(count) + " numbers, the first one " +
+                            std::to_string(table_.columns));
+  }
+
+  void add_cell(std::string_view cell) {
+    const auto value = cell.empty() ? std::optional(Map::unknown) : number_of(cell, table_.dialect.comma);
+    if (!value)
+      fail(cell.data(), here() + ", " + fault_of(cell, table_.values.empty()));
+    else if (std::isinf(*value))
+      fail(cell.data(), here() + ", '" + std::string(cell.substr(0, 24)) + "', is infinite");
+    else
+      table_.values.push_back(*value);
+  }
+
+  void finish() {
+    const std::size_t numbers = table_.values.size();
+    if (table_.lines == 0) return fail(rest_.data(), "there are no numbers in it");
+    if (asked_.shape && numbers != static_cast<std::size_t>(asked_.shape->cells()))
+      return fail(rest_.data(), "it holds " + std::to_string(numbers) + " numbers where its head says " +
+                                    std::to_string(asked_.shape->nx) + " x " +
+                                    std::to_string(asked_.shape->ny));
+    if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
+  }
+
+  void remove_last_column() {
+    const Index columns = table_.columns--;
+    Index kept = 0;
+    for (Index i = 0; i < table_.lines * columns; ++i)
+      if (i % columns != columns - 1)
+        table_.values[static_cast<std::size_t>(kept++)] = table_.values[static_cast<std::size_t>(i)];
+    table_.values.resize(static_cast<std::size_t>(kept));
+  }
+
+  std::string_view rest_;
+  Table table_;
+  Asked asked_;
+  bool trailing_ = true;  // every line so far ended with an empty cell
+  std::size_t line_;
+};
+
+// What a user did not rule out, and the text does not by its characters.
+std::vector<Dialect> dialects_of(std::string_view text, const Reading& reading) {
+  const bool commas = text.find(',') != text.npos;
+  std::vector<Dialect> out;
+  for (Separator s : {Separator::semicolon, Separator::tab, Separator::comma, Separator::blank})
+    for (Comma c : {Comma::none, Comma::decimal, Comma::thousands}) {
+      const bool asked = reading.separator == s, decimal = c == Comma::decimal;
+      if (reading.separator != Separator::any && !asked) continue;
+      if (reading.decimal != DecimalMark::any &&
+          (decimal != (reading.decimal == DecimalMark::comma) || c == Comma::thousands))
+        continue;
+      if (s == Separator::comma && c != Comma::none) continue;
+      if (c == Comma::thousands && !commas) continue;
+      if (decimal && !commas && reading.decimal == DecimalMark::any) continue;
+      if (!asked && s != Separator::blank && text.find(character_of(s)) == text.npos) continue;
+      out.push_back({s, c});
+    }
+  if (out.empty())
+    throw ParameterError("decimal", "a comma cannot separate numbers and mark their decimals at once");
+  return out;
+}
+
+bool same(const Table& a, const Table& b) {
+  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return a.columns == b.columns && std::ranges::equal(a.values, b.values, equal);
+}
+
+// In a table of lines of one length.
+bool has_empty_column(const Table& table) {
+  const auto empty = [&](Index column) {
+    for (Index i = column; i < table.lines * table.columns; i += table.columns)
+      if (!std::isnan(table.values[static_cast<std::size_t>(i)])) return false;
+    return true;
+  };
+  for (Index column = 0; column < table.columns; ++column)
+    if (empty(column)) return true;
+  return false;
+}
+
+// Tabs that only keep columns apart would leave one empty where each of them ends a cell.
+bool tabs_decide(const Table& a, const Table& b) {
+  return a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
+         a.dialect.comma == b.dialect.comma && static_cast<Index>(a.values.size()) == a.lines * a.columns &&
+         !has_empty_column(a);
+}
+
+std::string words_of(const Table& table) {
+  constexpr std::string_view separators[] = {"", "blanks", "tabs", "commas", "semicolons"};
+  constexpr std::string_view commas[] = {"", " and decimal commas", " and commas between thousands"};
+  const std::size_t numbers = table.values.size();
+  return std::to_string(numbers) + (numbers == 1 ? " number, " : " numbers, ") +
+         std::to_string(table.columns) + " a line, with " +
+         std::string(separators[static_cast<std::size_t>(table.dialect.separator)]) + " between them" +
+         std::string(commas[static_cast<std::size_t>(table.dialect.comma)]);
+}
+
+// The fault of that way which gets furthest.
+bool further(const Table& a, const std::optional<Table>& b) {
+  if (!b || a.fault->line != b->fault->line) return !b || a.fault->line > b->fault->line;
+  return a.dialect.separator == b->dialect.separator && a.fault->at > b->fault->at;
+}
+
+std::string_view without_mark(std::string_view text, const std::string& variable) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw DataError(variable, "it is text in UTF-16: save it as UTF-8");
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return text;
+}
+
+Table table_of(std::string_view text, const std::string& variable, const Asked& asked,
+               const Reading& reading) {
+  text = without_mark(text, variable);
+  std::optional<Table> found, refused;
+  for (const Dialect dialect : dialects_of(text, reading)) {
+    Table table = TableReader(text, dialect, asked).read();
+    if (table.fault) {
+      if (further(table, refused)) refused = std::move(table);
+    } else if (!found) {
+      found = std::move(table);
+    } else if (!same(*found, table) && !tabs_decide(*found, table)) {
+      throw DataError(variable, "it can be read as " + words_of(*found) + "; or as " + words_of(table) +
+                                    ": asperity-convert --separator or --decimal tells");
+    }
+  }
+  if (!found) throw DataError(variable, refused->fault->what);
+  return *std::move(found);
+}
+
+}  // namespace
+
+Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line,
+                const Reading& reading) {
+  const Table table = table_of(text, variable, {first_line, {}}, reading);
+  return Eigen::Map<const Field>(table.values.data(), table.lines, table.columns);
+}
+
+Field field_of_lines(std::string_view text, Shape shape, const std::string& variable, std::size_t first_line,
+                     const Reading& reading) {
+  check_shape(shape, text.size() + 1, variable);
+  const Table table = table_of(text, variable, {first_line, shape}, reading);
+  return Eigen::Map<const Field>(table.values.data(), shape.ny, shape.nx).transpose();
+}
+
+}  // namespace asperity
