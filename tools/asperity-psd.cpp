@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     Dataset data = tool.read();
-    const cli::Measured measured = cli::measure(data, options, tool.thread_count());
+    const cli::Measured measured = cli::measure(tool, data, options);
     const Windows windows = what.windows(measured.grid);
     if (what.profiles) {
       cli::print(tool, profiles(measured, windows, tool.thread_count()));

@@ -1,6 +1,7 @@
 // Parameters of a surface with their standard errors.
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,16 @@ namespace {
 
 void append(cli::Rows& out, const cli::Rows& rows) { out.insert(out.end(), rows.begin(), rows.end()); }
 
+// A group that cannot be had takes no other with it, and is refused where nothing else was asked for.
+void append_group(cli::Rows& out, const cli::Rows& rows, const std::string& group,
+                  const std::string& variable, const cli::Tool& tool, const cli::StatsOptions& what) {
+  if (const std::string why = missing(rows); !why.empty()) {
+    if (what.asks_for_nothing_else(group)) throw DataError(variable, why);
+    tool.warn(variable + ": no " + group + " parameters: " + why);
+  }
+  append(out, rows);
+}
+
 // Other formats than NetCDF are read whole.
 bool larger_than_memory(const std::string& path, std::size_t memory) {
   namespace fs = std::filesystem;
@@ -24,29 +35,34 @@ bool larger_than_memory(const std::string& path, std::size_t memory) {
   return looks_like_netcdf(first);
 }
 
+// Of the surface with the fewest independent heights.
+using Fewest = std::optional<EffectiveSize>;
+
 // All but spatial.
-cli::Rows rows_of(cli::Sample& sample, const cli::MeasuredOptions& options, const cli::StatsOptions& what) {
+cli::Rows rows_of(const cli::Tool& tool, cli::Sample& sample, const cli::MeasuredOptions& options,
+                  const cli::StatsOptions& what, Fewest& fewest) {
+  if (!fewest || sample.size().effective(2) < fewest->effective(2)) fewest = sample.size();
   if (!what.profile.empty()) return profile_rows(sample, what, options.long_cutoff);
   cli::Rows out;
   if (what.asks_for("height")) append(out, height_rows(sample));
   if (!what.quantiles.empty()) append(out, quantile_rows(sample, what));
   if (what.asks_for("gaussianity")) append(out, gaussianity_rows(sample));
   if (what.asks_for("material")) append(out, material_rows(sample, what));
-  if (what.asks_for("hybrid")) append(out, hybrid_rows(sample, what));
+  if (what.asks_for("hybrid"))
+    append_group(out, hybrid_rows(sample, what), "hybrid", options.variable, tool, what);
   return out;
 }
 
 cli::Rows rows_of_whole(const cli::Tool& tool, const Dataset& data, const cli::MeasuredOptions& options,
-                        const cli::StatsOptions& what) {
-  cli::WholeSample sample(cli::measure(data, options, tool.thread_count()), options.variable,
-                          tool.thread_count());
-  cli::Rows out = rows_of(sample, options, what);
+                        const cli::StatsOptions& what, Fewest& fewest) {
+  cli::WholeSample sample(cli::measure(tool, data, options), options.variable, tool.thread_count());
+  cli::Rows out = rows_of(tool, sample, options, what, fewest);
   if (what.asks_for("spatial")) append(out, spatial_rows(tool, sample, what));
   return out;
 }
 
 cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const cli::MeasuredOptions& options,
-                         const cli::StatsOptions& what) {
+                         const cli::StatsOptions& what, Fewest& fewest) {
   if (const std::string whole = what.needs_whole_field(tool); !whole.empty())
     throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
                                         " bytes are more than an eighth of it, and " + whole +
@@ -57,7 +73,7 @@ cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const c
   if (sample.correlation_reaches_beyond())
     tool.warn("the correlation is longer than half a strip of " + std::to_string(sample.rows()) +
               " rows: standard errors are too small; see --memory");
-  return rows_of(sample, options, what);
+  return rows_of(tool, sample, options, what, fewest);
 }
 
 }  // namespace
@@ -93,6 +109,7 @@ int main(int argc, char** argv) {
     what.check(tool);
     cli::EnsembleRows ensemble;
     cli::Quantities last;
+    Fewest fewest;
     auto add = [&](cli::Rows rows) {
       ensemble.add(rows);
       last.rows = std::move(rows);
@@ -101,14 +118,15 @@ int main(int argc, char** argv) {
         tool,
         [&](const Dataset& data, const std::string& name) {
           tool.detail(name);
-          add(rows_of_whole(tool, data, options, what));
+          add(rows_of_whole(tool, data, options, what, fewest));
         },
         [&](const std::string& path) {
           const bool bounded = tool.given("--memory") || what.needs_whole_field(tool).empty();
           const bool in_strips = bounded && larger_than_memory(path, what.memory);
-          if (in_strips) add(rows_in_strips(tool, path, options, what));
+          if (in_strips) add(rows_in_strips(tool, path, options, what, fewest));
           return in_strips;
         });
+    if (fewest) warn_of_few(tool, *fewest);
     if (ensemble.surfaces() == 1)
       cli::print(tool, last);
     else

@@ -74,7 +74,7 @@ Prescription carried(const Dataset& data, const Grid& grid) {
   return {.correlation = *rho, .sq = metres ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 
-PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
+PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
   const Grid grid = grid_of(first);
   Prescription asked = o.target.empty() ? carried(first, grid) : from_file(o.target, grid);
   if (!std::isnan(o.rq)) asked.sq = o.rq;
@@ -84,8 +84,9 @@ PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
   asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
   asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", 3);
   const bool gaussian = asked.ssk == 0 && asked.sku == 3;
+  warn_of_few(tool, EffectiveSize(asked.correlation, grid));
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
-  asked.threads = threads;
+  asked.threads = tool.thread_count();
   return PrescriptionTest(asked, grid);
 }
 
@@ -145,7 +146,7 @@ int main(int argc, char** argv) {
     options.check();
     std::optional<PrescriptionTest> test;
     options.surfaces.for_each(tool, [&](const Dataset& data, const std::string& name) {
-      if (!test) test = test_for(options, data, tool.thread_count());
+      if (!test) test = test_for(tool, options, data);
       tool.detail(name);
       test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));
     });

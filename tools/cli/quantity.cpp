@@ -117,7 +117,8 @@ double parse_angle(const std::string& option, const std::string& text) {
   // UDUNITS has no "deg".
   const double angle =
       given.empty() || given == "deg" ? number * std::numbers::pi / 180 : parse_quantity(option, text, "rad");
-  if (!std::isfinite(angle)) refuse(option, text, "is not finite");
+  if (!(std::abs(angle) <= 2 * std::numbers::pi * (1 + 1e-12)))
+    refuse(option, text, "is more than a turn: at most 360 degrees either way");
   return angle;
 }
 

@@ -38,7 +38,7 @@ std::array<double, 2> parse_numbers(const std::string& option, const std::string
 /// "AxB".
 Shape parse_counts(const std::string& option, const std::string& text, Index least);
 
-/// An angle in radians: a bare number and "30deg" count degrees, "0.5rad" carries its unit.
+/// An angle in radians: a bare number and "30deg" count degrees, "0.5rad" carries its unit. No more than a turn.
 double parse_angle(const std::string& option, const std::string& text);
 
 /// Bytes: "512MB", "2GiB".
