@@ -57,4 +57,11 @@ std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, do
   return Crossing{crossing->lag * step, crossing->slope / step};
 }
 
+Shape nearest_lag(const Grid& grid, double angle, double length) {
+  const double along_x = std::cos(angle) / grid.dx, along_y = std::sin(angle) / grid.dy;
+  const Shape lag{std::lround(length * along_x), std::lround(length * along_y)};
+  if (lag != Shape{0, 0}) return lag;
+  return std::abs(along_x) >= std::abs(along_y) ? Shape{1, 0} : Shape{0, 1};
+}
+
 }  // namespace asperity

@@ -42,4 +42,7 @@ std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double lev
 /// The same in a direction, an angle from +x towards +y [rad], of a normalised ρ.
 std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, double angle, double level);
 
+/// Whose error is that of a length: the lag nearest to its end, not lag zero, which has none.
+Shape nearest_lag(const Grid& grid, double angle, double length);
+
 }  // namespace asperity

@@ -43,10 +43,6 @@ double student_quantile(double tail, double degrees) {
   return std::isinf(degrees) ? normal_quantile(tail) : gsl_cdf_tdist_Qinv(tail, std::max(degrees, 1.0));
 }
 
-Shape nearest_lag(const Grid& grid, double angle, double length) {
-  return {std::lround(length * std::cos(angle) / grid.dx), std::lround(length * std::sin(angle) / grid.dy)};
-}
-
 }  // namespace
 
 LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,

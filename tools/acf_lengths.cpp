@@ -45,8 +45,7 @@ class LengthRows {
     std::optional<Interval> interval;
     if (errors) {
       interval = errors->lengths.along(angle, level_.value);
-      const Index p = std::lround(crossing->lag * std::cos(angle) / grid_.dx);
-      const Index q = std::lround(crossing->lag * std::sin(angle) / grid_.dy);
+      const auto [p, q] = nearest_lag(grid_, angle, crossing->lag);
       error = errors->standard_error(p, q, false) / -crossing->slope;
     }
     out_.rows.push_back({prefix_ + "length_" + level_.tag + "_" + name, crossing->lag, "m", error,

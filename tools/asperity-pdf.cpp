@@ -112,6 +112,10 @@ double bandwidth_for(const Options& what, const Moments& m, const EffectiveSize&
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
     throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is not finite or below " +
                                            cli::shortest(least) + " Sq, 1e-5 of the range of heights");
+  if (what.bandwidth * m.sq > m.sz())
+    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is above " +
+                                           cli::shortest(m.sz() / m.sq) +
+                                           " Sq, the range of heights: nothing but the kernel would show");
   return what.bandwidth * m.sq;
 }
 

@@ -77,8 +77,7 @@ double length_error(const LagField& rho, const Grid& grid, const AcfError& error
                     double level) {
   const auto crossing = first_crossing(rho, grid, reach.angle, level);
   if (!crossing) return unknown;
-  const Index p = std::lround(reach.length * std::cos(reach.angle) / grid.dx);
-  const Index q = std::lround(reach.length * std::sin(reach.angle) / grid.dy);
+  const auto [p, q] = nearest_lag(grid, reach.angle, reach.length);
   return error.normalised(p, q) / -crossing->slope;
 }
 

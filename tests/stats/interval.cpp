@@ -115,6 +115,15 @@ TEST_CASE("a correlation that is nowhere lower has no shorter length, in any dir
   }
 }
 
+// Below half a sample the nearest lag was lag zero, and the standard error of a length 0.
+TEST_CASE("a length below half a sample has the error of the first lag in its direction",
+          "[acf-length][contract]") {
+  const Grid g{{9, 9}, 1.0, 2.0, false};
+  CHECK(nearest_lag(g, 0.1, 0.3) == Shape{1, 0});
+  CHECK(nearest_lag(g, std::numbers::pi / 2, 0.3) == Shape{0, 1});
+  CHECK(nearest_lag(g, std::numbers::pi / 4, std::sqrt(8.0)) == Shape{2, 1});
+}
+
 // The exponential is exact as long as (2) is ln ρ's: down to lengths of 1.3 samples.
 TEST_CASE("the length of an exponential of 1.3 samples is exact, wherever it lies between two lags",
           "[acf-length][exact]") {

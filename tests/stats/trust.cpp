@@ -184,6 +184,7 @@ TEST_CASE("angles beyond a turn, repeated words and more bins than points are re
   refused("asperity-acf drawn.nc --lengths --acf-level 0.1,1/e,0.10", 2, "given twice");
   refused("asperity-pdf drawn.nc --bins 7681", 2, "above the number of points, 7680");
   refused("asperity-pdf drawn.nc --estimate kernel --points 2000000000", 2, "--points");
+  refused("asperity-pdf drawn.nc --estimate kernel --bandwidth 1e9", 2, "the range of heights");
 }
 
 // White noise has a length of less than a sample, whatever it is, and a correlation of 30 of 40 samples none that a field
