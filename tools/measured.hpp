@@ -48,10 +48,12 @@ struct MeasuredOptions {
         "--level", level, "FORM",
         "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
         "Field");
-    tool.quantity("--lambda-s", short_cutoff, "m",
-                  "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves", "Field");
-    tool.quantity("--lambda-c", long_cutoff, "m", "Cut-off of the L-filter, which removes longer waves",
-                  "Field");
+    tool.quantity(
+        "--lambda-s", short_cutoff, "m",
+        "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves; below --lambda-c",
+        "Field");
+    tool.quantity("--lambda-c", long_cutoff, "m",
+                  "Cut-off of the L-filter, which removes longer waves; no longer than the field", "Field");
   }
 };
 
@@ -196,7 +198,8 @@ inline void warn_of_few(const Tool& tool, const EffectiveSize& size) {
 /// Warns of a length below a sample, or beyond half the field; whether it is neither.
 inline bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid) {
   const double sample = std::min(grid.dx, grid.dy), half = std::max(grid.size_x(), grid.size_y()) / 2;
-  const std::string found = name + " = " + format_quantity(length, "m");
+  const double place = std::pow(10, std::floor(std::log10(length)) - 3);
+  const std::string found = name + " = " + format_quantity(std::round(length / place) * place, "m");
   if (length < sample)
     tool.warn(
         found + " is below a sample, " + format_quantity(sample, "m") +
