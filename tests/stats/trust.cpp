@@ -114,6 +114,7 @@ TEST_CASE("few independent heights are told in one warning, and so few that erro
   const Outcome page = shell("asperity-report one.nc");
   CHECK_THAT(page.out, ContainsSubstring("is below 5"));
   CHECK(lines(shell("asperity-stats one.nc one.nc few.nc").error) == 1);
+  CHECK_THAT(shell("asperity-validate one.nc").error, ContainsSubstring("N_eff = "));
 }
 
 // All of --parameters was refused, exit status 4, for a surface without slopes in one direction, or too small for them.
