@@ -6,25 +6,29 @@
 namespace asperity {
 namespace {
 
+// (2).
+double interpolated(double from, double to, double fraction) {
+  if (to > from) return interpolated(to, from, 1 - fraction);
+  if (to <= 0) return from + fraction * (to - from);
+  return std::max(from * std::pow(to / from, fraction), from + fraction * (to / 2 - from));
+}
+
 // ρ at the whole lag `along` and the broken one `across`.
 double between_lags(const LagField& rho, bool x, Index along, double across) {
   const double whole = std::floor(across), fraction = across - whole;
   auto at = [&](Index other) { return x ? rho(along, other) : rho(other, along); };
   const double lower = at(static_cast<Index>(whole));
-  if (fraction == 0) return lower;
-  const double upper = at(static_cast<Index>(whole) + 1);
-  if (lower > 0 && upper > 0) return lower * std::pow(upper / lower, fraction);
-  return lower + fraction * (upper - lower);
+  return fraction == 0 ? lower : interpolated(lower, at(static_cast<Index>(whole) + 1), fraction);
 }
 
 }  // namespace
 
 Crossing crossing_between(double above, double below, double level) {
-  const Crossing linear{(above - level) / (above - below), below - above};
-  if (below <= 0) return linear;
-  const double decay = std::log(above / below), share = std::min(1.0, std::pow(2 * below / level, 2));
+  const double end = below > 0 ? below / 2 : below, decay = std::log(above / below);
+  const Crossing straight{(above - level) / (above - end), end - above};
+  if (below <= 0) return straight;
   const Crossing exponential{std::log(above / level) / decay, -level * decay};
-  return {std::lerp(linear.lag, exponential.lag, share), std::lerp(linear.slope, exponential.slope, share)};
+  return exponential.lag >= straight.lag ? exponential : straight;
 }
 
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level) {
@@ -51,6 +55,13 @@ std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, do
   if (!crossing) return std::nullopt;
   const double step = std::hypot(1, lean) / lags_per_metre;
   return Crossing{crossing->lag * step, crossing->slope / step};
+}
+
+Shape nearest_lag(const Grid& grid, double angle, double length) {
+  const double along_x = std::cos(angle) / grid.dx, along_y = std::sin(angle) / grid.dy;
+  const Shape lag{std::lround(length * along_x), std::lround(length * along_y)};
+  if (lag != Shape{0, 0}) return lag;
+  return std::abs(along_x) >= std::abs(along_y) ? Shape{1, 0} : Shape{0, 1};
 }
 
 }  // namespace asperity

@@ -2,12 +2,16 @@
 ///
 /// Between the samples p and p+1 that enclose the level t, ln ρ is taken to be linear,
 ///     λ = p + ln(ρ_p / t) / ln(ρ_p / ρ_{p+1}),                                                     (1)
-/// exact for an exponential. Where ρ_{p+1} ≤ 0 has no logarithm ρ itself is linear, and from there to ρ_{p+1} = t/2 the
-/// two pass into each other by (2ρ_{p+1}/t)², lest the noise of a ρ that is zero move λ by most of a sample.
+/// exact for an exponential. Noise about a ρ that is zero, or has no logarithm, must not move λ by most of a sample: λ is no
+/// less than that of a straight line to ½ρ_{p+1}, or to ρ_{p+1} where that is negative. Between any two values, at the
+/// fraction s of the way from the larger, that is
+///     ρ = max(ρ_p^{1-s} ρ_{p+1}^s, (1-s) ρ_p + ½ s ρ_{p+1}),     linear unless both are positive.      (2)
+/// (2) rises with either value, and so do λ and all that rests on it: a band about ρ has its lengths in order.
 ///
 /// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1 or 1/e, say      ρ' slope per sample
-/// Accuracy  Of the interpolation, where ρ falls to no less than t/2 in a sample: |error| ≤ max|(ln ρ)''| / (8 |(ln ρ)'|) samples, none for an exponential
-///           and 1/(8λ) for a Gaussian ρ. (Were ρ itself taken linear, ln(1/t)/(8λ) and about as much.)
+/// Accuracy  Of the interpolation, where ρ falls to no less than 0.47 of itself in a sample: |error| ≤ max|(ln ρ)''| /
+///           (8 |(ln ρ)'|) samples, none for an exponential and 1/(8λ) for a Gaussian ρ. (Were ρ itself taken linear,
+///           ln(1/t)/(8λ) and about as much.)
 ///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/acf_error.hpp), usually far larger.
 ///
 /// In a direction θ the profile is sampled where the ray crosses the rows of lags, or the columns when it
@@ -37,5 +41,8 @@ std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double lev
 
 /// The same in a direction, an angle from +x towards +y [rad], of a normalised ρ.
 std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, double angle, double level);
+
+/// Whose error is that of a length: the lag nearest to its end, not lag zero, which has none.
+Shape nearest_lag(const Grid& grid, double angle, double length);
 
 }  // namespace asperity

@@ -9,6 +9,8 @@
 namespace asperity {
 namespace {
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 template <class Value>
 LagField lag_field(Index P, Index Q, Value value) {
   return LagField(
@@ -33,9 +35,18 @@ using Choose = LagField (*)(const LagField&, const Pairs&);
 
 LagField all_lags(const LagField& R, const Pairs&) { return R.normalised(); }
 
-double relative_error(const LagField& admitted, const Pairs& pairs) {
-  return std::sqrt(2 / EffectiveSize(admitted, pairs).effective(2));
+constexpr double round_off = 1e-13;  // of R(0,0), that a second difference of R may hold
+
+// What there is of a difference's correlation that its errors rest on; nothing where the field does not change that way.
+LagField counting(const LagField& D, double variance, const Pairs& pairs, Choose choose) {
+  return D(0, 0) > round_off * variance ? choose(D, pairs) : LagField(Field::Zero(1, 1));
 }
+
+double relative_error(const LagField& counted, const Pairs& pairs) {
+  return counted(0, 0) > 0 ? std::sqrt(2 / EffectiveSize(counted, pairs).effective(2)) : unknown;
+}
+
+double squared(double relative, double value) { return value > 0 ? std::pow(relative * value, 2) : 0; }
 
 // Σ w D² over the plane, wherever one of the lags around counts.
 double cross_sum(const LagField& R, const LagField& x, const LagField& y, const Pairs& pairs) {
@@ -52,16 +63,18 @@ double cross_sum(const LagField& R, const LagField& x, const LagField& y, const 
 
 DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, Choose choose) {
   const LagField dx = difference(R, true), dy = difference(R, false);
-  const LagField x = choose(dx, pairs.dx), y = choose(dy, pairs.dy);
+  auto counted = [&](const LagField& D, const Pairs& p) { return counting(D, R(0, 0), p, choose); };
+  const LagField x = counted(dx, pairs.dx), y = counted(dy, pairs.dy);
   DerivativeErrors out{.m20 = relative_error(x, pairs.dx),
                        .m02 = relative_error(y, pairs.dy),
-                       .m40 = relative_error(choose(difference(dx, true), pairs.dxx), pairs.dxx),
-                       .m04 = relative_error(choose(difference(dy, false), pairs.dyy), pairs.dyy)};
+                       .m40 = relative_error(counted(difference(dx, true), pairs.dxx), pairs.dxx),
+                       .m04 = relative_error(counted(difference(dy, false), pairs.dyy), pairs.dyy)};
   const Grid& grid = pairs.heights.grid();
-  const double m20 = dx(0, 0) / (grid.dx * grid.dx), m02 = dy(0, 0) / (grid.dy * grid.dy);
+  const double m20 = x(0, 0) > 0 ? dx(0, 0) / (grid.dx * grid.dx) : 0,
+               m02 = y(0, 0) > 0 ? dy(0, 0) / (grid.dy * grid.dy) : 0;
   const double cross =
       4 / pairs.heights.points() * cross_sum(R, x, y, pairs.heights) / std::pow(grid.dx * grid.dy, 2);
-  out.square_slope = std::sqrt(std::pow(out.m20 * m20, 2) + std::pow(out.m02 * m02, 2) + cross) / (m20 + m02);
+  out.square_slope = std::sqrt(squared(out.m20, m20) + squared(out.m02, m02) + cross) / (m20 + m02);
   return out;
 }
 

@@ -22,7 +22,8 @@
 
 namespace asperity {
 
-/// Relative standard errors of m20, m02, m40, m04 and of Sdq² (that of Sdq is half of it).
+/// Relative standard errors of m20, m02, m40, m04 and of Sdq² (that of Sdq is half of it); NaN of what is zero to round-off,
+/// as slopes along grooves are.
 struct DerivativeErrors {
   double m20 = 0, m02 = 0, m40 = 0, m04 = 0, square_slope = 0;
 };

@@ -20,14 +20,17 @@ struct Candidate {
 
 constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.evidence < b.evidence; };
 
-// The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below, but of lag zero nothing is.
+// The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below. Lag zero comes first, also
+// before lags of a periodic field that are as evident.
 std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   const double least = 3 / std::sqrt(pairs.points());
   std::vector<Candidate> lags;
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
-    const double evidence = std::abs(value) * std::sqrt(pairs.share(p, q));
-    if (evidence > least || (p == 0 && q == 0)) lags.push_back({p, q, value, weight, evidence});
+    const bool zero = p == 0 && q == 0;
+    const double evidence =
+        zero ? std::numeric_limits<double>::infinity() : std::abs(value) * std::sqrt(pairs.share(p, q));
+    if (evidence > least) lags.push_back({p, q, value, weight, evidence});
   });
   std::ranges::make_heap(lags, weaker);
   return lags;

@@ -25,6 +25,12 @@
 /// of a standard error of this quality.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
+/// With few independent heights none of this holds. 95 % intervals (stats/moment_interval.hpp) of 300 fields of 48 × 48 points
+/// of triangular correlation cover, with the known one, 94 to 98 % at N/S_2 = 16, from 87 % (Sku) at 5.2, and 5 % (Sku) at 3.
+/// An estimated N/S_2 does not fall below some 10, however long the correlation: the field's own mean and its half bound what
+/// is seen of it. At 16 in truth (20 estimated, the median) Sq and Sa are covered by 86 %, at 5 (11) by 73 %, at 2 (9) by
+/// 55 %. `least_effective` is where errors are no more to be told.
+///
 /// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].
 /// Accuracy  first order in S_2/N; of the intervals that follow: stats/moment_interval.hpp. An S_k that noise makes
 ///           negative, which no correlation has, counts as zero.
@@ -35,6 +41,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -58,6 +65,9 @@ class EffectiveSize {
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
+  /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an estimate.
+  double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
+  bool tells_errors() const { return effective(2) >= least_effective(); }
   /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`. The weights beyond `powers` are taken
   /// with the last sum, which is larger than theirs.
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;

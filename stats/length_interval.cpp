@@ -15,8 +15,13 @@
 namespace asperity {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double beyond = std::numeric_limits<double>::infinity();
 constexpr int directions = 12;
+
+// Open above; none where even the lower end lies beyond the lags.
+Interval held(double length, double low, double high) {
+  return low < beyond ? Interval::of(length, low, high) : Interval();
+}
 
 // (1).
 LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
@@ -37,10 +42,6 @@ double lost_in_noise(const EffectiveSize& size, const EffectiveSize& admitted) {
 double normal_quantile(double tail) { return gsl_cdf_ugaussian_Qinv(tail); }
 double t_quantile(double tail, double degrees) { return student_quantile(tail, std::max(degrees, 1.0)); }
 
-Shape nearest_lag(const Grid& grid, double angle, double length) {
-  return {std::lround(length * std::cos(angle) / grid.dx), std::lround(length * std::sin(angle) / grid.dy)};
-}
-
 }  // namespace
 
 LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,
@@ -49,7 +50,8 @@ LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,
 
 LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
                                  const std::optional<LagField>& known)
-    : freed_(rho),
+    : rho_(rho),
+      freed_(rho),
       grid_(pairs.grid()),
       error_(known ? *known : admitted, pairs),
       strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
@@ -66,16 +68,17 @@ LagField LengthIntervals::band(double u) const {
 
 Interval LengthIntervals::along(double angle, double level, double confidence) const {
   const double u = normal_quantile((1 - confidence) / 2);
-  auto end = [&](double side) {
-    const auto crossing = first_crossing(band(side * u), grid_, angle, level);
-    return crossing ? crossing->lag : none;
+  auto length = [&](const LagField& rho) {
+    const auto crossing = first_crossing(rho, grid_, angle, level);
+    return crossing ? crossing->lag : beyond;
   };
-  return {end(-1), end(1)};
+  return held(length(rho_), length(band(-u)), length(band(u)));
 }
 
-double LengthIntervals::fastest_of(const LagField& rho, double level) const {
-  const auto reach = central_lobe(rho, grid_, level).fastest;
-  return reach ? reach->length : none;
+double LengthIntervals::length_of(Decay decay, const LagField& rho, double level) const {
+  const CentralLobe lobe = central_lobe(rho, grid_, level);
+  const auto& reach = decay == Decay::fastest ? lobe.fastest : lobe.slowest;
+  return reach ? reach->length : beyond;
 }
 
 std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) const {
@@ -88,7 +91,7 @@ std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) 
   return out;
 }
 
-double LengthIntervals::quantile_of_least(const std::vector<Reached>& reached, double tail) const {
+double LengthIntervals::quantile_of_extreme(const std::vector<Reached>& reached, double tail) const {
   const double wider = t_quantile(tail, degrees_) / normal_quantile(tail);
   if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
@@ -97,16 +100,25 @@ double LengthIntervals::quantile_of_least(const std::vector<Reached>& reached, d
   return wider * GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
 }
 
-double LengthIntervals::longest_fastest(double level, double tail) const {
+double LengthIntervals::strayed(Decay decay, double level, double tail) const {
+  const double side = decay == Decay::fastest ? 1 : -1;
   for (std::vector<Reached> reached = all_around(level);;) {
-    const double end = fastest_of(band(quantile_of_least(reached, tail)), level);
-    if (std::erase_if(reached, [&](const Reached& r) { return r.length > end; }) == 0) return end;
+    const double end = length_of(decay, band(side * quantile_of_extreme(reached, tail)), level);
+    if (std::erase_if(reached, [&](const Reached& r) { return side * (r.length - end) > 0; }) == 0)
+      return end;
   }
 }
 
 Interval LengthIntervals::fastest(double level, double confidence) const {
-  const double tail = 1 - confidence;
-  return {fastest_of(band(-normal_quantile(tail / 2)), level), longest_fastest(level, tail)};
+  const double tail = 1 - confidence, u = normal_quantile(tail / 2);
+  return held(length_of(Decay::fastest, rho_, level), length_of(Decay::fastest, band(-u), level),
+              strayed(Decay::fastest, level, tail));
+}
+
+Interval LengthIntervals::slowest(double level, double confidence) const {
+  const double tail = 1 - confidence, u = normal_quantile(tail / 2);
+  return held(length_of(Decay::slowest, rho_, level), strayed(Decay::slowest, level, tail),
+              length_of(Decay::slowest, band(u), level));
 }
 
 }  // namespace asperity

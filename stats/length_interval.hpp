@@ -6,12 +6,14 @@
 /// and a length is held at the level 1 - 2a where ρ' does not stray from t by more than u errors of that very lag: the
 /// interval goes from where the one side of a band falls to t to where the other does,
 ///     λ(ρ' - u SE) … λ(ρ' + u SE),                                                                     (2)
-/// without an end where that side does not fall so far. SE grows with h, so that λ lies nearer the lower end.
+/// open above where that side does not fall so far. SE grows with h, so that λ lies nearer the lower end. λ rises with ρ
+/// (stats/acf_length.hpp), so that the ends are in order, and about λ(ρ) but where b exceeds the error u SE/(1 - t).
 ///
 /// Sal is the least of the lengths in all directions, and the least of many that stray is low. Its interval is (2) with
 /// Sal for λ, but above u is the quantile of the largest of Gaussians that are correlated as the errors of ρ are
 /// (stats/acf_error.hpp, (4)), in those of 12 directions whose λ(ρ') is within the interval that they make; simulated with
-/// a fixed seed. From below Sal is hardly ever missed: the upper end takes all of 2a.
+/// a fixed seed. From below Sal is hardly ever missed: the upper end takes all of 2a. The slowest decay is the greatest of
+/// the lengths, and its interval the mirror image: its lower end takes all.
 ///
 /// Of a known correlation the errors are √(1 - S_1²/(N S_2)) as large, for S_1²/N is what the field's mean takes from the
 /// squares. An estimated one has lost that, but is cut where noise begins: its errors are taken ⁴√(S_2'/S_2) as large, S_2'
@@ -34,8 +36,8 @@
 #include "grid/field.hpp"
 #include "stats/acf_error.hpp"
 #include "stats/effective_size.hpp"
+#include "stats/interval.hpp"
 #include "stats/lag_field.hpp"
-#include "stats/moment_interval.hpp"
 
 namespace asperity {
 
@@ -44,18 +46,21 @@ class LengthIntervals {
   /// `known` is the correlation that errors rest on, if it is known.
   LengthIntervals(const LagField& estimate, const Pairs& pairs, const std::optional<LagField>& known);
 
-  /// (2) in a direction, an angle from +x towards +y [rad], in metres; NaN for an end that there is not.
+  /// (2) in a direction, an angle from +x towards +y [rad], in metres; of a length that is beyond the lags open above.
   Interval along(double angle, double level, double confidence = 0.95) const;
   /// (2) of Sal.
   Interval fastest(double level, double confidence = 0.95) const;
+  /// (2) of the slowest decay.
+  Interval slowest(double level, double confidence = 0.95) const;
 
  private:
   LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
                   const std::optional<LagField>& known);
   /// ρ' + u SE at all lags.
   LagField band(double u) const;
-  /// Sal of such a field.
-  double fastest_of(const LagField& rho, double level) const;
+  /// Sal of such a field, or its slowest decay; infinite where it lies beyond the lags.
+  enum class Decay { fastest, slowest };
+  double length_of(Decay decay, const LagField& rho, double level) const;
   /// Where ρ' falls to a level in each of 12 directions.
   struct Reached {
     Shape lag;
@@ -63,10 +68,11 @@ class LengthIntervals {
   };
   std::vector<Reached> all_around(double level) const;
   /// The quantile of the largest stray among these.
-  double quantile_of_least(const std::vector<Reached>& reached, double tail) const;
-  double longest_fastest(double level, double tail) const;
+  double quantile_of_extreme(const std::vector<Reached>& reached, double tail) const;
+  /// The end of (2) that strays of many directions make: above of the fastest, below of the slowest decay.
+  double strayed(Decay decay, double level, double tail) const;
 
-  LagField freed_;  ///< ρ'
+  LagField rho_, freed_;  ///< ρ, ρ'
   Grid grid_;
   AcfError error_;
   LagField strays_;  ///< SE

@@ -153,7 +153,7 @@ CoreParameters MaterialRatioCurve::core() const {
 
 double MaterialRatioCurve::material_volume(double ratio) const { return area(0, ratio, height(ratio)); }
 
-double MaterialRatioCurve::void_volume(double ratio) const { return -area(ratio, 1, height(ratio)); }
+double MaterialRatioCurve::void_volume(double ratio) const { return 0 - area(ratio, 1, height(ratio)); }
 
 VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
   check_share(p);

@@ -15,14 +15,18 @@ namespace {
 // The variance of ln S_1 of an estimated correlation is 0.13 at most, down to 41 independent heights.
 constexpr double least_degrees = 15;
 
-// (2), (3).
-Interval of_scale(double value, double degrees, double tail) {
-  if (std::isinf(degrees)) return {value, value};
-  return {value / std::sqrt(chi_squared_share(tail, degrees)),
-          value / std::sqrt(chi_squared_share(1 - tail, degrees))};
+// (2), (3) of an estimate, of which `left` is left by the field's own mean.
+Interval of_scale(double estimate, double left, double degrees, double tail) {
+  const double value = estimate / left;
+  if (std::isinf(degrees)) return Interval::of(estimate, estimate, value);
+  return Interval::of(estimate, value / std::sqrt(chi_squared_share(tail, degrees)),
+                      value / std::sqrt(chi_squared_share(1 - tail, degrees)));
 }
 
-Interval about(double value, double half_width) { return {value - half_width, value + half_width}; }
+// (4), (5): of an estimate that is low by as much as `lost`.
+Interval about_unbiased(double estimate, double lost, double half_width) {
+  return Interval::of(estimate, estimate + lost - half_width, estimate + lost + half_width);
+}
 
 double tail_of(double level) {
   if (!(level > 0 && level < 1))
@@ -74,9 +78,9 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
       patches > 2 ? student_quantile(tail, std::min(patches - 1, std::max(size.degrees(), least_degrees)))
                   : NAN;
   auto degrees = [](double value, double error_of_it) { return 0.5 * std::pow(value / error_of_it, 2); };
-  return {.mean = about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
-          .sa = of_scale(moments.sa / left, degrees(moments.sa, error.sa), tail),
-          .sq = of_scale(moments.sq / left, degrees(moments.sq, error.sq), tail),
+  return {.mean = Interval::about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
+          .sa = of_scale(moments.sa, left, degrees(moments.sa, error.sa), tail),
+          .sq = of_scale(moments.sq, left, degrees(moments.sq, error.sq), tail),
           .ssk = {},
           .sku = {}};
 }
@@ -86,8 +90,8 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
-  out.ssk = about(moments.ssk, u * skewness_error(size));
-  out.sku = about(moments.sku + 6 / size.effective(2), u * kurtosis_error(size));
+  out.ssk = Interval::about(moments.ssk, u * skewness_error(size));
+  out.sku = about_unbiased(moments.sku, 6 / size.effective(2), u * kurtosis_error(size));
   return out;
 }
 
@@ -96,8 +100,8 @@ MomentIntervals confidence_intervals(const Moments& moments, const TranslationEr
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   const MomentErrors error = errors.standard_errors(moments.sq);
   MomentIntervals out = intervals_of_scale(moments, error, size, tail);
-  out.ssk = about(moments.ssk - errors.ssk_bias(), u * error.ssk);
-  out.sku = about(moments.sku - errors.sku_bias(), u * error.sku);
+  out.ssk = about_unbiased(moments.ssk, -errors.ssk_bias(), u * error.ssk);
+  out.sku = about_unbiased(moments.sku, -errors.sku_bias(), u * error.sku);
   return out;
 }
 

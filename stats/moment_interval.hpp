@@ -33,16 +33,13 @@
 #pragma once
 
 #include "stats/effective_size.hpp"
+#include "stats/interval.hpp"
 #include "stats/moments.hpp"
 #include "stats/translation_error.hpp"
 
 namespace asperity {
 
-struct Interval {
-  double low = 0, high = 0;
-};
-
-/// In the unit of the field; NaN where there are too few independent heights for one.
+/// In the unit of the field; none where there are too few independent heights for one.
 struct MomentIntervals {
   Interval mean, sa, sq, ssk, sku;
 };

@@ -45,7 +45,8 @@ void add_mixed_derivatives(Sums& out, const Stencil& stencil) {
 }  // namespace
 
 ProfileSpectralMoments SpectralMoments::along(double angle) const {
-  const double c = std::cos(angle), s = std::sin(angle);
+  auto along_axis = [](double part) { return std::abs(part) < 1e-15 ? 0 : part; };  // cos of a rounded π/2
+  const double c = along_axis(std::cos(angle)), s = along_axis(std::sin(angle));
   return {.m0 = m00,
           .m2 = c * c * m20 + 2 * c * s * m11 + s * s * m02,
           .m4 = c * c * c * c * m40 + 4 * c * c * c * s * m31 + 6 * c * c * s * s * m22 +

@@ -27,6 +27,7 @@ class AngularSpectrum {
   TextureDirection largest() const {
     Index top = 0;
     const double highest = values_.maxCoeff(&top);
+    if (!(highest > 0)) return {std::nan(""), std::nan("")};
     const double before = values_((top + sectors - 1) % sectors), after = values_((top + 1) % sectors);
     const double bend = before - 2 * highest + after, shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
     const double angle = (static_cast<double>(top) + shift) * sector - std::numbers::pi / 2;

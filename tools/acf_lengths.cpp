@@ -1,6 +1,6 @@
 #include "acf_lengths.hpp"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -24,6 +24,12 @@ double share_of(const std::string& word) {
   return value;
 }
 
+AcfLevel level_of(const std::string& word) {
+  if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
+  const double value = share_of(word), percent = std::round(1e12 * value) / 1e10;
+  return {value, shortest(percent), shortest(percent) + " %"};
+}
+
 /// What is measured at one level, of the estimate or of the target.
 class LengthRows {
  public:
@@ -36,16 +42,15 @@ class LengthRows {
     const auto crossing = first_crossing(rho_, grid_, angle, level_.value);
     if (!crossing) return std::nullopt;
     double error = unknown;
-    std::optional<std::array<double, 2>> interval;
+    std::optional<Interval> interval;
     if (errors) {
-      const auto [low, high] = errors->lengths.along(angle, level_.value);
-      interval = {low, high};
-      const Index p = std::lround(crossing->lag * std::cos(angle) / grid_.dx);
-      const Index q = std::lround(crossing->lag * std::sin(angle) / grid_.dy);
+      interval = errors->lengths.along(angle, level_.value);
+      const auto [p, q] = nearest_lag(grid_, angle, crossing->lag);
       error = errors->standard_error(p, q, false) / -crossing->slope;
     }
     out_.rows.push_back({prefix_ + "length_" + level_.tag + "_" + name, crossing->lag, "m", error,
-                         "where the ACF has fallen to " + level_.text, interval});
+                         "where the ACF has fallen to " + level_.text, interval,
+                         errors ? untold(errors->size) : ""});
     return Crossing{crossing->lag, error};
   }
   /// Of the first two: length and error each.
@@ -88,24 +93,27 @@ AcfEstimate AcfEstimate::of(const Measured& measured, const AcfParameters& param
   const Pairs pairs = Pairs::of(measured.heights, measured.grid, parameters.threads);
   const LagField acf = estimate_autocorrelation(measured.heights, pairs, parameters);
   const LagField known = measured.drawn ? *measured.drawn : significant_lags(acf, pairs);
-  return {acf.normalised(),  AcfError(known, pairs),
-          acf(0, 0),         pairs,
-          parameters.biased, LengthIntervals(acf, pairs, measured.drawn)};
+  return {acf.normalised(),
+          AcfError(known, pairs),
+          acf(0, 0),
+          pairs,
+          parameters.biased,
+          LengthIntervals(acf, pairs, measured.drawn),
+          measured.drawn ? EffectiveSize(*measured.drawn, pairs) : EffectiveSize::of_estimate(acf, pairs)};
 }
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
+  if (!size.tells_errors()) return unknown;
   return (biased ? pairs.share(p, q) : 1) * (absolute ? error.absolute(p, q) : error.normalised(p, q));
 }
 
 std::vector<AcfLevel> acf_levels(const std::string& list) {
   std::vector<AcfLevel> out;
   for (const std::string& word : split(list, ',')) {
-    if (word == "1/e") {
-      out.push_back({1 / std::numbers::e, "e", "1/e"});
-      continue;
-    }
-    const double value = share_of(word), percent = std::round(1e12 * value) / 1e10;
-    out.push_back({value, shortest(percent), shortest(percent) + " %"});
+    const AcfLevel level = level_of(word);
+    if (std::ranges::find(out, level.tag, &AcfLevel::tag) != out.end())
+      throw UsageError("acf-level", "value \"" + word + "\" is given twice");
+    out.push_back(level);
   }
   return out;
 }
@@ -121,6 +129,9 @@ Quantities lengths_of(const Tool& tool, const Measured& measured, const AcfEstim
     if (measured.target)
       add_lengths({out, "target_", level, *measured.target, measured.grid}, direction, nullptr);
   }
+  warn_of_few(tool, estimate.size);
+  for (const Quantities::Row& row : out.rows)
+    if (row.name.starts_with("length_") && !warn_of_length(tool, row.name, row.value, measured.grid)) break;
   return out;
 }
 

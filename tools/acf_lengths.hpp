@@ -7,6 +7,7 @@
 #include "cli/table.hpp"
 #include "measured.hpp"
 #include "stats/acf_error.hpp"
+#include "stats/effective_size.hpp"
 #include "stats/length_interval.hpp"
 
 namespace asperity::cli {
@@ -19,9 +20,10 @@ struct AcfEstimate {
   Pairs pairs;
   bool biased;
   LengthIntervals lengths;
+  EffectiveSize size;
 
   static AcfEstimate of(const Measured& measured, const AcfParameters& parameters);
-  /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`.
+  /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`; NaN of too few independent heights.
   double standard_error(Index p, Index q, bool absolute) const;
 };
 
@@ -38,7 +40,8 @@ struct LengthsRequest {
 };
 
 /// Along x and y, in the direction asked for, their ratio, and the ellipse of the contour; of the target too
-/// where the dataset carries one. Warns of levels that the lags do not reach.
+/// where the dataset carries one. Warns of levels that the lags do not reach, of lengths below a sample or beyond half
+/// the field, and of few independent heights.
 Quantities lengths_of(const Tool& tool, const Measured& measured, const AcfEstimate& estimate,
                       const LengthsRequest& request);
 

@@ -36,9 +36,9 @@ void add_profile(cli::Table& table, const cli::Measured& measured, const Result&
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
     const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
-    std::vector<cli::Cell> row{
-        x ? "x" : "y", static_cast<double>(lag) * spacing, value,
-        error,         value - cli::half_width_95 * error, value + cli::half_width_95 * error};
+    const Interval ends = Interval::about(value, cli::half_width_95 * error);
+    std::vector<cli::Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, value, error, ends.low,
+                               ends.high};
     if (measured.target) row.push_back(scale * (*measured.target)(p, q));
     if (result.structure) row.push_back((*result.structure)(p, q));
     table.rows.push_back(std::move(row));
@@ -166,7 +166,7 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     if (!what.lengths && !prints_profiles(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
-    const cli::Measured measured = cli::measure(data, options, tool.thread_count());
+    const cli::Measured measured = cli::measure(tool, data, options);
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(measured.grid);
     Result result{AcfEstimate::of(
         measured, {.max_lag = max_lag, .biased = what.biased, .threads = tool.thread_count()})};
@@ -177,6 +177,7 @@ int main(int argc, char** argv) {
     if (what.lengths) {
       cli::print(tool, lengths());
     } else if (prints_profiles(tool, what)) {
+      warn_of_few(tool, result.estimate.size);
       cli::print(tool, profiles(measured, result, what.absolute));
     } else {
       const cli::Inventory before(data);

@@ -11,6 +11,8 @@ using namespace asperity;
 
 namespace {
 
+constexpr int most_points = 1 << 20;  // as many as a side of a field may have
+
 struct Options {
   std::string estimate = "histogram";
   int bins = 0, points = 0;
@@ -38,12 +40,21 @@ struct Options {
     belongs("bins", estimate == "histogram", "histogram");
     belongs("bandwidth", estimate == "kernel", "kernel");
     belongs("points", estimate != "histogram", "kernel or quantiles");
+    if (points > most_points)
+      throw cli::UsageError("points",
+                            "value " + std::to_string(points) + " is above " + std::to_string(most_points));
   }
 };
 
-double in_errors(double deviation, double error) { return error > 0 ? deviation / error : deviation; }
+// Not a number where no error is told.
+double in_errors(double deviation, double error) {
+  return error > 0 || std::isnan(error) ? deviation / error : deviation;
+}
 
-cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured, double points) {
+double told(double error, const EffectiveSize& size) { return size.tells_errors() ? error : NAN; }
+
+cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured,
+                         const EffectiveSize& size) {
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"count", "1"},
@@ -55,15 +66,17 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
                   {"gaussian_density", density}},
                  {}};
   for (const Bin& bin : bins) {
-    const double per_height = 1 / (points * bin.width());
-    out.rows.push_back({bin.centre(), bin.count, bin.count_error, bin.expected,
-                        in_errors(bin.count - bin.expected, bin.misfit_error), bin.count * per_height,
-                        bin.count_error * per_height, bin.expected * per_height});
+    const double per_height = 1 / (size.points() * bin.width());
+    const double error = told(bin.count_error, size);
+    out.rows.push_back({bin.centre(), bin.count, error, bin.expected,
+                        in_errors(bin.count - bin.expected, told(bin.misfit_error, size)),
+                        bin.count * per_height, error * per_height, bin.expected * per_height});
   }
   return out;
 }
 
-cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::Measured& measured) {
+cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::Measured& measured,
+                            const EffectiveSize& size) {
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"density", density},
@@ -72,12 +85,13 @@ cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::M
                   {"misfit", "1"}},
                  {}};
   for (const DensityPoint& p : curve)
-    out.rows.push_back({p.height, p.density, p.density_error, p.gaussian,
-                        in_errors(p.density - p.gaussian, p.misfit_error)});
+    out.rows.push_back({p.height, p.density, told(p.density_error, size), p.gaussian,
+                        in_errors(p.density - p.gaussian, told(p.misfit_error, size))});
   return out;
 }
 
-cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cli::Measured& measured) {
+cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cli::Measured& measured,
+                              const EffectiveSize& size) {
   const std::string& unit = measured.units;
   cli::Table out{{{"share", "1"},
                   {"normal_quantile", "1"},
@@ -87,8 +101,8 @@ cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cl
                   {"misfit", "1"}},
                  {}};
   for (const QuantilePoint& p : points)
-    out.rows.push_back({p.share, p.normal, p.height, p.height_error, p.gaussian,
-                        in_errors(p.height - p.gaussian, p.misfit_error)});
+    out.rows.push_back({p.share, p.normal, p.height, told(p.height_error, size), p.gaussian,
+                        in_errors(p.height - p.gaussian, told(p.misfit_error, size))});
   return out;
 }
 
@@ -98,6 +112,10 @@ double bandwidth_for(const Options& what, const Moments& m, const EffectiveSize&
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
     throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is not finite or below " +
                                            cli::shortest(least) + " Sq, 1e-5 of the range of heights");
+  if (what.bandwidth * m.sq > m.sz())
+    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is above " +
+                                           cli::shortest(m.sz() / m.sq) +
+                                           " Sq, the range of heights: nothing but the kernel would show");
   return what.bandwidth * m.sq;
 }
 
@@ -106,14 +124,17 @@ cli::Table table_of(const cli::Measured& measured, const Moments& m, const Effec
   if (what.estimate == "kernel") {
     const double h = bandwidth_for(what, m, size);
     return table_of_density(kernel_density(measured.heights, m, size, h, what.points ? what.points : 256),
-                            measured);
+                            measured, size);
   }
   if (what.estimate == "quantiles")
     return table_of_quantiles(
         quantile_plot(MaterialRatioCurve(measured.heights, threads), m, size, what.points ? what.points : 99),
-        measured);
+        measured, size);
+  if (what.bins > size.points())
+    throw cli::UsageError("bins", "value " + std::to_string(what.bins) + " is above the number of points, " +
+                                      cli::shortest(size.points()));
   const int bins = what.bins ? what.bins : scott_bins(m, size.points());
-  return table_of_bins(histogram(measured.heights, m, size, bins), measured, size.points());
+  return table_of_bins(histogram(measured.heights, m, size, bins), measured, size);
 }
 
 }  // namespace
@@ -147,9 +168,10 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    const cli::Measured measured = cli::measure(tool.read(), options, tool.thread_count());
+    const cli::Measured measured = cli::measure(tool, tool.read(), options);
     const Moments m = moments(measured.heights, options.variable);
     const EffectiveSize size = cli::effective_size(measured, tool.thread_count());
+    warn_of_few(tool, size);
     cli::print(tool, table_of(measured, m, size, what, tool.thread_count()));
     return cli::done;
   });

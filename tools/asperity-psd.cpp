@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
-    const cli::Measured measured = cli::measure(data, options, tool.thread_count());
+    const cli::Measured measured = cli::measure(tool, data, options);
     const DataWindows windows = what.windows(measured.grid);
     if (what.profiles) {
       cli::print(tool, profiles(measured, windows, tool.thread_count()));

@@ -19,24 +19,27 @@ struct Options {
   std::string title, output = "-";
 };
 
-report::Group group_of(const std::string& title, const std::function<cli::Rows()>& rows) try {
-  return {title, rows(), ""};
+report::Group group_of(const std::string& title, const std::function<cli::Rows()>& compute) try {
+  const cli::Rows rows = compute();
+  return {title, rows, missing(rows)};
 } catch (const DataError& error) {
   return {title, {}, error.what()};
 }
 
 // A field that is broken is refused; of a sound one, whatever has a value.
-std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data, const Options& o) {
+std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data, const Options& o,
+                                     std::string& why_untold) {
   const bool absent = !data.has(o.measured.variable) && !tool.given("--variable");
   if (absent) return {};
   field_of(data, o.measured.variable, Missing::not_a_number);
   std::optional<cli::WholeSample> sample;
   try {
-    sample.emplace(cli::measure(data, o.measured, tool.thread_count()), o.measured.variable,
-                   tool.thread_count());
+    sample.emplace(cli::measure(tool, data, o.measured), o.measured.variable, tool.thread_count());
   } catch (const DataError& error) {
     return {{"Height parameters", {}, error.what()}};
   }
+  warn_of_few(tool, sample->size());
+  why_untold = cli::untold(sample->size());
   return {group_of("Height parameters", [&] { return height_rows(*sample); }),
           group_of("Spatial parameters", [&] { return spatial_rows(tool, *sample, o.what); }),
           group_of("Hybrid parameters", [&] { return hybrid_rows(*sample, o.what); })};
@@ -60,14 +63,15 @@ int report_on(const cli::Tool& tool, const Options& o) {
   cli::check_page_name(o.output);
   const plot::Cases dataset{{tool.read(), ""}};
   const Dataset& data = dataset[0].data;
-  const std::vector<report::Group> groups = groups_of(tool, data, o);
+  std::string untold;
+  const std::vector<report::Group> groups = groups_of(tool, data, o, untold);
   const bool any =
       !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
   if (!any)
     throw DataError("heights",
                     "the dataset has none, and neither pressure, von_mises nor a kernel to report on");
   cli::write_all(o.output, report::page({dataset, title_of(tool, o.title), o.measured.variable,
-                                         reference_of(tool, o.measured), groups}));
+                                         reference_of(tool, o.measured), groups, untold}));
   return cli::done;
 }
 

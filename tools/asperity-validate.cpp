@@ -76,7 +76,7 @@ Prescription carried(const Dataset& data, const Grid& grid) {
   return {.correlation = *rho, .sq = metres ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 
-PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
+PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
   const Grid grid = grid_of(first);
   Prescription asked = o.target.empty() ? carried(first, grid) : from_file(o.target, grid);
   if (!std::isnan(o.rq)) asked.sq = o.rq;
@@ -86,8 +86,9 @@ PrescriptionTest test_for(const Options& o, const Dataset& first, int threads) {
   asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
   asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", gamma_kurtosis(asked.ssk));
   const bool gaussian = asked.ssk == 0 && asked.sku == 3;
+  warn_of_few(tool, EffectiveSize(asked.correlation, grid));
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
-  asked.threads = threads;
+  asked.threads = tool.thread_count();
   return PrescriptionTest(asked, grid);
 }
 
@@ -149,7 +150,7 @@ int main(int argc, char** argv) {
     cli::EnsembleGrid grids(cli::EnsembleGrid::Sizes::alike);
     options.surfaces.for_each(tool, [&](const Dataset& data, const std::string& name) {
       grids.add(tool, grid_of(data), name);
-      if (!test) test = test_for(options, data, tool.thread_count());
+      if (!test) test = test_for(tool, options, data);
       tool.detail(name);
       test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));
     });

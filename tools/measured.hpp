@@ -5,13 +5,16 @@
 /// the field. Missing points (dataset/layout.hpp) are left out of everything.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "acf/table.hpp"
+#include "cli/table.hpp"
 #include "cli/tool.hpp"
 #include "dataset/layout.hpp"
 #include "grid/error.hpp"
@@ -46,10 +49,12 @@ struct MeasuredOptions {
         "--level", level, "FORM",
         "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
         "Field");
-    tool.quantity("--lambda-s", short_cutoff, "m",
-                  "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves", "Field");
-    tool.quantity("--lambda-c", long_cutoff, "m", "Cut-off of the L-filter, which removes longer waves",
-                  "Field");
+    tool.quantity(
+        "--lambda-s", short_cutoff, "m",
+        "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves; below --lambda-c",
+        "Field");
+    tool.quantity("--lambda-c", long_cutoff, "m",
+                  "Cut-off of the L-filter, which removes longer waves; no longer than the field", "Field");
   }
 };
 
@@ -90,8 +95,35 @@ inline int form_degree(const std::string& level) {
   return degree;
 }
 
+/// λs < λc, and both within the longer side of the field, beyond which a filter separates nothing.
+inline void check_cutoffs(const MeasuredOptions& options, const Grid& grid) {
+  auto metres = [](double length) { return format_quantity(length, "m"); };
+  if (options.short_cutoff >= options.long_cutoff)
+    throw UsageError("lambda-s", metres(options.short_cutoff) + " is not below --lambda-c, " +
+                                     metres(options.long_cutoff) + ": no wave passes between them");
+  const double side = std::max(grid.size_x(), grid.size_y());
+  for (const auto& [option, cutoff] :
+       {std::pair{"lambda-s", options.short_cutoff}, {"lambda-c", options.long_cutoff}})
+    if (cutoff > side * (1 + 1e-12))
+      throw UsageError(option, metres(cutoff) + " is longer than the field, " + metres(side) +
+                                   ": it has no such waves to separate; leave the filter out");
+}
+
+/// A side of more than one point that is shorter than the cut-off.
+inline void warn_of_short_sides(const Tool& tool, const MeasuredOptions& options, const Grid& grid) {
+  const double cutoff = std::isnan(options.long_cutoff) ? options.short_cutoff : options.long_cutoff;
+  auto warn = [&](const char* axis, double side, Index points) {
+    if (points > 1 && cutoff > side * (1 + 1e-12))
+      tool.warn("the cut-off, " + format_quantity(cutoff, "m") + ", is longer than the field in " + axis +
+                ", " + format_quantity(side, "m") + ": in that direction no more than the mean is taken off");
+  };
+  warn("x", grid.size_x(), grid.shape.nx);
+  warn("y", grid.size_y(), grid.shape.ny);
+}
+
 /// The S-filter, then the L-filter; the correlation that the heights were drawn with is not theirs any more.
 inline void filter(Measured& measured, const MeasuredOptions& options, int threads) {
+  check_cutoffs(options, measured.grid);
   auto mean_surface = [&](const char* option, double cutoff) {
     try {
       return gaussian_mean_surface(measured.heights, measured.grid, cutoff, threads);
@@ -123,15 +155,60 @@ inline Measured without_heights(const Dataset& data, const MeasuredOptions& opti
   return out;
 }
 
-inline Measured measure(const Dataset& data, const MeasuredOptions& options, int threads = 1) {
+/// Throws DataError for heights that are what rounding left of values of some size, and no roughness.
+inline void refuse_round_off(double largest, double size, const MeasuredOptions& options) {
+  constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
+  if (!(largest > 0)) throw DataError(options.variable, "every value is the same");
+  if (largest <= round_off * size)
+    throw DataError(options.variable, "zero to round-off above its form (--level " + options.level +
+                                          "): no more than " + shortest(largest) +
+                                          " is left of values up to " + shortest(size));
+}
+
+inline Measured measure(const Tool& tool, const Dataset& data, const MeasuredOptions& options) {
+  auto largest = [](const Field& z) { return z.abs().maxCoeff<Eigen::PropagateNumbers>(); };
   Measured out = without_heights(data, options);
   out.heights = field_of(data, options.variable, Missing::not_a_number);
   out.level = mean(out.heights);
+  const double size = largest(out.heights);
   out.heights = without_form(out.heights, form_degree(options.level));
-  filter(out, options, threads);
-  if (!(out.heights.abs().maxCoeff<Eigen::PropagateNumbers>() > 0))
-    throw DataError(options.variable, "every value is the same");
+  filter(out, options, tool.thread_count());
+  warn_of_short_sides(tool, options, out.grid);
+  refuse_round_off(largest(out.heights), size, options);
   return out;
+}
+
+inline std::string rounded(double independent) { return shortest(std::round(10 * independent) / 10); }
+
+/// Why no error is told of a field worth so few independent heights; "" where one can be.
+inline std::string untold(const EffectiveSize& size) {
+  if (size.tells_errors()) return "";
+  return "not told: N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
+}
+
+/// Of fields of which errors are rough or cannot be told.
+inline void warn_of_few(const Tool& tool, const EffectiveSize& size) {
+  const double least = size.least_effective();
+  if (size.effective(2) >= 2 * least) return;
+  tool.warn("the surface is worth N_eff = " + rounded(size.effective(2)) +
+            " independent points: standard errors and intervals " +
+            (size.tells_errors() ? "are rough, and cannot be told below " : "cannot be told below ") +
+            shortest(least) + "; measure a larger field, or filter waviness out (--lambda-c)");
+}
+
+/// Warns of a length below a sample, or beyond half the field; whether it is neither.
+inline bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid) {
+  const double sample = std::min(grid.dx, grid.dy), half = std::max(grid.size_x(), grid.size_y()) / 2;
+  const double place = std::pow(10, std::floor(std::log10(length)) - 3);
+  const std::string found = name + " = " + format_quantity(std::round(length / place) * place, "m");
+  if (length < sample)
+    tool.warn(
+        found + " is below a sample, " + format_quantity(sample, "m") +
+        ": neighbours are hardly correlated, and the length is the interpolation's; sample more finely");
+  if (length > half)
+    tool.warn(found + " is beyond half the field, " + format_quantity(half, "m") +
+              ": no correlation as long can be told from it; measure a larger field");
+  return length >= sample && length <= half;
 }
 
 inline EffectiveSize effective_size(const Measured& measured, int threads) {

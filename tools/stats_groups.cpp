@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include "cli/memory.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN(),
                  unlimited = std::numeric_limits<double>::infinity();
+constexpr double least_profiles = 5;  // independent ones, with which errors can be told
 constexpr std::array group_names{"height", "gaussianity", "material", "hybrid", "spatial", "all"};
 
 std::vector<double> shares(const std::string& option, const std::string& list) {
@@ -36,13 +38,39 @@ std::vector<double> shares(const std::string& option, const std::string& list) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || !(value >= 0 && value <= 1))
       throw UsageError(option, "value \"" + word + "\" is not a number from 0 to 1");
+    if (std::ranges::find(out, value) != out.end())
+      throw UsageError(option, "value \"" + word + "\" is given twice");
     out.push_back(value);
   }
   return out;
 }
 
-std::array<double, 2> ends(const Interval& interval, double shift = 0) {
-  return {interval.low + shift, interval.high + shift};
+// What a surface has, or why it has none.
+template <class Value>
+struct Had {
+  Value value;
+  std::string why;
+};
+
+template <class Compute, class Value = std::invoke_result_t<Compute>>
+Had<Value> had(Compute compute, Value none) try {
+  return {compute(), ""};
+} catch (const DataError& error) {
+  return {none, error.what()};
+}
+
+// Of rows without a value.
+void explain(Rows& rows, std::size_t first, const std::string& why) {
+  for (std::size_t i = first; i < rows.size(); ++i)
+    if (!std::isfinite(rows[i].value)) rows[i].why = why;
+}
+
+// Errors that too few independent points cannot tell.
+Rows told(Rows rows, const std::string& untold) {
+  if (untold.empty()) return rows;
+  for (Quantities::Row& row : rows)
+    if (!std::isnan(row.standard_error)) row.standard_error = unknown, row.why = untold;
+  return rows;
 }
 
 // How the level in a direction strays: SE[ρ]/|dρ/dr|.
@@ -50,8 +78,7 @@ double length_error(const LagField& rho, const Grid& grid, const AcfError& error
                     double level) {
   const auto crossing = first_crossing(rho, grid, reach.angle, level);
   if (!crossing) return unknown;
-  const Index p = std::lround(reach.length * std::cos(reach.angle) / grid.dx);
-  const Index q = std::lround(reach.length * std::sin(reach.angle) / grid.dy);
+  const auto [p, q] = nearest_lag(grid, reach.angle, reach.length);
   return error.normalised(p, q) / -crossing->slope;
 }
 
@@ -67,14 +94,13 @@ void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Gri
   if (lobe.fastest) {
     out.push_back({"Sal", lobe.fastest->length, "m", length(*lobe.fastest),
                    "autocorrelation length, of the fastest decay to " + level,
-                   ends(intervals.fastest(options.acf_level))});
+                   intervals.fastest(options.acf_level)});
     out.push_back(
         {"Sal_direction", lobe.fastest->angle, "rad", unknown, "of that decay, from +x towards +y"});
   }
   if (lobe.slowest) {
     out.push_back({"slowest_decay", lobe.slowest->length, "m", length(*lobe.slowest),
-                   "length of the slowest decay to " + level,
-                   ends(intervals.along(lobe.slowest->angle, options.acf_level))});
+                   "length of the slowest decay to " + level, intervals.slowest(options.acf_level)});
     out.push_back({"slowest_direction", lobe.slowest->angle, "rad", unknown, "of that decay, the lay"});
   }
   if (const auto ratio = lobe.aspect_ratio())
@@ -96,13 +122,15 @@ void add_profile(Rows& out, const std::string& name, const ProfileSpectralMoment
 }
 
 void add_summits(Rows& out, const std::string& prefix, const Summits& s, const std::string& which) {
+  const double any = s.density > 0 ? 1 : unknown;
   out.push_back({prefix + "density", s.density, "m-2", unknown, "summits per area, " + which});
   out.push_back(
-      {prefix + "height", s.mean_height, "m", unknown, "their mean height above the mean, " + which});
-  out.push_back({prefix + "deviation", s.height_deviation, "m", unknown,
+      {prefix + "height", any * s.mean_height, "m", unknown, "their mean height above the mean, " + which});
+  out.push_back({prefix + "deviation", any * s.height_deviation, "m", unknown,
                  "standard deviation of their heights, " + which});
-  out.push_back({prefix + "curvature", s.mean_curvature, "m-1", unknown, "their mean curvature, " + which});
-  out.push_back({prefix + "radius", s.mean_curvature > 0 ? s.radius() : unknown, "m", unknown,
+  out.push_back(
+      {prefix + "curvature", any * s.mean_curvature, "m-1", unknown, "their mean curvature, " + which});
+  out.push_back({prefix + "radius", s.mean_curvature > 0 ? any * s.radius() : unknown, "m", unknown,
                  "1 / mean curvature, " + which});
 }
 
@@ -183,13 +211,20 @@ std::string StatsOptions::needs_whole_field(const Tool& tool) const {
 
 bool StatsOptions::asks_for(const std::string& group) const {
   bool asked = false;
-  for (const std::string& word : split(groups, ',')) {
+  const std::vector<std::string> words = split(groups, ',');
+  for (const std::string& word : words) {
     if (std::ranges::find(group_names, word) == group_names.end())
       throw UsageError("parameters",
                        "value \"" + word + "\" is not height, gaussianity, material, hybrid, spatial or all");
+    if (std::ranges::count(words, word) > 1)
+      throw UsageError("parameters", "value \"" + word + "\" is given twice");
     asked = asked || word == group || word == "all";
   }
   return asked;
+}
+
+bool StatsOptions::asks_for_nothing_else(const std::string& group) const {
+  return groups == group && quantiles.empty();
 }
 
 // ---- groups ----
@@ -219,11 +254,11 @@ Rows height_rows(Sample& sample) {
   const std::string& unit = sample.units();
   Rows out{
       {"mean", level, unit, error.mean, "mean, subtracted from the heights below",
-       ends(interval.mean, level - m.mean)},
-      {"Sa", m.sa, unit, error.sa, "arithmetic mean height", ends(interval.sa)},
-      {"Sq", m.sq, unit, error.sq, "root mean square height", ends(interval.sq)},
-      {"Ssk", m.ssk, "1", error.ssk, "skewness, 0 for a Gaussian", ends(interval.ssk)},
-      {"Sku", m.sku, "1", error.sku, "kurtosis, 3 for a Gaussian", ends(interval.sku)},
+       Interval::about(level, (interval.mean.high - interval.mean.low) / 2)},
+      {"Sa", m.sa, unit, error.sa, "arithmetic mean height", interval.sa},
+      {"Sq", m.sq, unit, error.sq, "root mean square height", interval.sq},
+      {"Ssk", m.ssk, "1", error.ssk, "skewness, 0 for a Gaussian", interval.ssk},
+      {"Sku", m.sku, "1", error.sku, "kurtosis, 3 for a Gaussian", interval.sku},
       {"Sp", m.sp, unit, unknown, "highest peak of the whole field"},
       {"Sv", m.sv, unit, unknown, "deepest valley of the whole field"},
       {"Sz", m.sz(), unit, unknown, "maximum height Sp + Sv"},
@@ -236,7 +271,7 @@ Rows height_rows(Sample& sample) {
   if (!sample.pairs().complete())
     out.push_back({"N_missing", static_cast<double>(sample.grid().shape.cells()) - size.points(), "1",
                    unknown, "missing points, left out of everything"});
-  return out;
+  return told(std::move(out), untold(size));
 }
 
 Rows quantile_rows(Sample& sample, const StatsOptions& options) {
@@ -246,17 +281,20 @@ Rows quantile_rows(Sample& sample, const StatsOptions& options) {
     out.push_back({"quantile_" + shortest(asked[i]), heights[i], sample.units(),
                    material_height_error(1 - asked[i], sample.moments(), sample.size()),
                    "height below which this share of the surface lies"});
-  return out;
+  return told(std::move(out), untold(sample.size()));
 }
 
 Rows gaussianity_rows(Sample& sample) {
   constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
   const auto fits = sample.goodness_of_fit();
+  const bool told = sample.size().tells_errors();
   Rows out;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const std::string symbol = symbols[i], test(fits[i].test);
     out.push_back({symbol, fits[i].statistic, "1", unknown, test + ", statistic"});
-    out.push_back({symbol + "_p", fits[i].p, "1", unknown, test + ", p of a Gaussian field so correlated"});
+    out.push_back({symbol + "_p", told ? fits[i].p : unknown, "1", unknown,
+                   test + ", p of a Gaussian field so correlated"});
+    explain(out, out.size() - 1, untold(sample.size()));
     out.push_back({symbol + "_naive_p", fits[i].naive_p, "1", unknown,
                    test + ", p if heights were independent, for comparison"});
   }
@@ -270,7 +308,7 @@ Rows material_rows(Sample& sample, const StatsOptions& options) {
   const CoreParameters core = curve.core();
   const std::string &unit = sample.units(), from = " at " + shortest(p), to = " at " + shortest(q);
   auto error = [&](double ratio) { return material_height_error(ratio, sample.moments(), sample.size()); };
-  return {
+  Rows out{
       {"Sk", core.sk, unit, unknown, "core height"},
       {"Spk", core.spk, unit, unknown, "reduced peak height"},
       {"Svk", core.svk, unit, unknown, "reduced dale height"},
@@ -283,19 +321,25 @@ Rows material_rows(Sample& sample, const StatsOptions& options) {
       {"Vvc", volume.vvc, unit, unknown, "core void volume per area"},
       {"Vvv", volume.vvv, unit, unknown, "dale void volume per area"},
   };
+  return told(std::move(out), untold(sample.size()));
 }
 
 Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
   const bool filtered = !std::isnan(section), heights = sample.units() == "m";
   const ProfileAverages averages =
       sample.profiles(options.profile == "x" ? Axis1D::x : Axis1D::y, filtered ? section : unlimited);
+  const bool few = averages.independent < least_profiles;
+  const std::string why =
+      "not told: profiles_eff = " + rounded(averages.independent) + " is below " + shortest(least_profiles);
   Rows out;
   for (int k = 0; k < profile_parameters_count; ++k) {
     if (k == profile_dq && !heights) continue;
     const auto [name, meaning] = profile_names[static_cast<std::size_t>(k)];
     const std::string symbol = (filtered ? "R" : "P") + std::string(name),
                       unit = profile_unit(k, sample.units());
-    out.push_back({symbol, averages.mean[k], unit, averages.standard_error[k], meaning});
+    const double error = averages.standard_error[k];
+    out.push_back({symbol, averages.mean[k], unit, few ? unknown : error, meaning, {}, few ? why : ""});
+    explain(out, out.size() - 1, "no profile has one");
     out.push_back({symbol + "_spread", averages.spread[k], unit, unknown,
                    "standard deviation of " + symbol + " over the profiles"});
   }
@@ -315,37 +359,82 @@ Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& opt
   if (!lobe.slowest)
     tool.warn("the ACF stays above " + shortest(options.acf_level) +
               " up to half the field in some direction: Str has no value");
+  if (lobe.fastest) warn_of_length(tool, "Sal", lobe.fastest->length, grid);
   Rows out;
   add_lobe(out, lobe, rho, grid, error, {sample.acf(), sample.pairs(), sample.measured().drawn}, options);
   const TextureDirection texture = texture_direction(
       power_spectrum(sample.heights(), grid, default_windows(grid), sample.threads()), grid);
+  const std::size_t first = out.size();
   out.push_back({"Std", texture.angle, "rad", unknown,
                  "texture direction: most power runs this way, the lay across it"});
   out.push_back({"Std_contrast", texture.contrast, "1", unknown,
                  "power in that direction over its mean, 1 for no texture"});
-  return out;
+  explain(out, first, "no value: the field has too few wave numbers in all directions");
+  return told(std::move(out), untold(sample.size()));
 }
 
-Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
-  if (sample.units() != "m")
+// Of heights alone; each of them NaN where the surface has none.
+struct Hybrid {
+  Had<SlopeParameters> slopes;
+  Had<SpectralMoments> moments;
+  Had<CountedSummits> summits;
+  Had<DerivativeErrors> errors;
+
+  explicit Hybrid(Sample& sample)
+      : slopes(had([&] { return of_heights(sample).slopes(); }, SlopeParameters{unknown, unknown})),
+        moments(had([&] { return of_heights(sample).spectral_moments(); },
+                    SpectralMoments{unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown,
+                                    unknown})),
+        summits(had([&] { return of_heights(sample).summits(); },
+                    CountedSummits{{unknown, unknown, unknown, unknown}, unknown})),
+        errors(had([&] { return of_heights(sample).derivative_errors(); },
+                   DerivativeErrors{unknown, unknown, unknown, unknown, unknown})) {}
+
+ private:
+  static Sample& of_heights(Sample& sample) {
+    if (sample.units() == "m") return sample;
     throw DataError(sample.variable(),
                     "slopes and areas are those of heights in m, not of " + sample.units());
-  const SlopeParameters slopes = sample.slopes();
-  const SpectralMoments m = sample.spectral_moments();
-  const DerivativeErrors error = sample.derivative_errors();
-  Rows out{{"Sdq", slopes.sdq, "1", 0.5 * slopes.sdq * error.square_slope, "root mean square slope"},
-           {"Sdr", slopes.sdr, "1", slopes.sdr * error.square_slope,
-            "area beyond the plan area, as a share of it; four triangles a cell"},
-           {"m0", m.m00, "m2", m.m00 * std::sqrt(2 / sample.size().effective(2)),
-            "spectral moment of order 0, Sq squared"}};
-  add_profile(out, "x", m.along(0), error.m20, error.m40, "along x");
-  add_profile(out, "y", m.along(std::numbers::pi / 2), error.m02, error.m04, "along y");
+  }
+};
+
+Rows hybrid_rows(Sample& sample, const StatsOptions& options) {
+  const Hybrid of(sample);
+  const SlopeParameters& slopes = of.slopes.value;
+  const SpectralMoments& m = of.moments.value;
+  // √(2/ν) of ν independent ones.
+  auto error = [least = sample.size().least_effective()](double relative) {
+    return 2 >= least * relative * relative ? relative : unknown;
+  };
+  const DerivativeErrors& e = of.errors.value;
+  const double square_slope = error(e.square_slope);
+  Rows out{{"Sdq", slopes.sdq, "1", 0.5 * slopes.sdq * square_slope, "root mean square slope"},
+           {"Sdr", slopes.sdr, "1", slopes.sdr * square_slope,
+            "area beyond the plan area, as a share of it; four triangles a cell"}};
+  explain(out, 0, of.slopes.why);
+  const std::size_t first = out.size();
+  out.push_back({"m0", m.m00, "m2", m.m00 * error(std::sqrt(2 / sample.size().effective(2))),
+                 "spectral moment of order 0, Sq squared"});
+  add_profile(out, "x", m.along(0), error(e.m20), error(e.m40), "along x");
+  add_profile(out, "y", m.along(std::numbers::pi / 2), error(e.m02), error(e.m04), "along y");
   if (!options.direction.empty())
     add_profile(out, "direction", m.along(parse_angle("direction", options.direction)), unknown, unknown,
                 "at " + options.direction);
-  add_summits(out, "summit_", sample.summits(), "counted");
+  explain(out, first, of.moments.why.empty() ? "no value: there is no slope along it" : of.moments.why);
+  const std::size_t counted = out.size();
+  add_summits(out, "summit_", of.summits.value, "counted");
+  explain(out, counted, of.summits.why.empty() ? "no value: there is no summit" : of.summits.why);
+  const std::size_t expected = out.size();
   add_summits(out, "nayak_", expected_summits(m.isotropic()), "expected of a Gaussian surface");
+  explain(
+      out, expected,
+      of.moments.why.empty() ? "no value: no Gaussian surface has such spectral moments" : of.moments.why);
   return out;
+}
+
+std::string missing(const Rows& rows) {
+  const auto valued = std::ranges::find_if(rows, [](const auto& row) { return std::isfinite(row.value); });
+  return rows.empty() || valued != rows.end() ? "" : rows.front().why;
 }
 
 }  // namespace asperity::cli

@@ -21,8 +21,11 @@ struct StatsOptions {
   void check(const Tool& tool) const;
   /// What needs the whole field in memory, as it stands on the command line; "" when nothing does.
   std::string needs_whole_field(const Tool& tool) const;
-  /// Whether --parameters names the group, or all; throws ParameterError("parameters", …) for unknown words.
+  /// Whether --parameters names the group, or all; throws ParameterError("parameters", …) for words that are
+  /// unknown or repeated.
   bool asks_for(const std::string& group) const;
+  /// Whether --parameters names this group alone, and no --quantiles stand beside.
+  bool asks_for_nothing_else(const std::string& group) const;
 };
 
 using Rows = std::vector<Quantities::Row>;
@@ -35,7 +38,10 @@ Rows material_rows(Sample& sample, const StatsOptions& options);
 Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& options);
 /// Named P…, or R… where long waves were filtered out by a cut-off, `section`; NaN: none was.
 Rows profile_rows(Sample& sample, const StatsOptions& options, double section);
-/// Throws DataError when the field is no length.
+/// Without values, and the reason in their place, where the field is no length or too small.
 Rows hybrid_rows(Sample& sample, const StatsOptions& options);
+
+/// Why none of the rows has a value; "" when one has.
+std::string missing(const Rows& rows);
 
 }  // namespace asperity::cli

@@ -94,6 +94,7 @@ StripSample::StripSample(const FieldFile& file, const MeasuredOptions& options, 
   const bool complete = points_ == static_cast<double>(grid().shape.cells());
   if (!measured().drawn || !complete) correlation_.emplace(grid(), rows_, request_.threads);
   measure();
+  refuse_round_off(std::max(moments_.sp, moments_.sv), largest_, options);
   find_correlation();
 }
 
@@ -119,7 +120,10 @@ void StripSample::for_each_strip(Index behind, Visit visit) const {
 
 void StripSample::measure_level() {
   MeanSum sum;
-  for_each_strip(0, [&](const Field& strip, Index, Index) { sum.add(strip); });
+  for_each_strip(0, [&](const Field& strip, Index, Index) {
+    sum.add(strip);
+    largest_ = std::max(largest_, strip.abs().maxCoeff<Eigen::PropagateNumbers>());
+  });
   mean_ = sum.mean();
   points_ = sum.count();
   measured_.level = mean_.value();

@@ -137,7 +137,7 @@ class StripSample : public Sample {
   Index rows_;
   Mean mean_;
   std::optional<FormFit> form_;
-  double points_ = 0;
+  double points_ = 0, largest_ = 0;  ///< that are there; the size of the largest
   Moments moments_;
   SlopeSums slope_sums_;
   SpectralMomentSums spectral_sums_;

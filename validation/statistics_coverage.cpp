@@ -129,7 +129,9 @@ Lengths lengths_of(const LagField& rho, const Grid& grid) {
 struct Held {
   int inside = 0, below = 0, above = 0;
 
-  void add(const Interval& i, double truth) { ++(truth < i.low ? above : truth > i.high ? below : inside); }
+  void add(const Interval& i, double truth) {
+    ++(!(i.low <= truth) ? above : truth > i.high ? below : inside);
+  }
 };
 
 template <class Draw>

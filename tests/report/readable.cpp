@@ -20,11 +20,12 @@ std::string text(const Measurement& m) {
 }  // namespace
 
 TEST_CASE("a value ends where the second digit of its error ends", "[readable][exact]") {
-  CHECK(text(readable({"Sq", 3.86749e-7, "m", 9.454e-9, "", {{3.69902e-7, 4.07151e-7}}})) ==
-        "386.7|9.5|369.9|407.2|nm");
-  CHECK(text(readable({"Ssk", -0.019974, "1", 0.057935, "", {{-0.1318, 0.0918}}})) ==
+  CHECK(text(readable({"Sq", 3.86749e-7, "m", 9.454e-9, "",
+                       Interval::of(3.86749e-7, 3.69902e-7, 4.07151e-7)})) == "386.7|9.5|369.9|407.2|nm");
+  CHECK(text(readable({"Ssk", -0.019974, "1", 0.057935, "", Interval::of(-0.019974, -0.1318, 0.0918)})) ==
         "−0.020|0.058|−0.132|0.092|");
-  CHECK(text(readable({"s", 12345, "Pa-1", 678, "", {{11000, 14000}}})) == "12350|680|11000|14000|Pa-1");
+  CHECK(text(readable({"s", 12345, "Pa-1", 678, "", Interval::of(12345, 11000, 14000)})) ==
+        "12350|680|11000|14000|Pa-1");
 }
 
 TEST_CASE("what has no error has four digits, and a whole number all of its own", "[readable][exact]") {

@@ -1,5 +1,7 @@
 #include "cli/quantity.hpp"
 
+#include <numbers>
+
 #include "support.hpp"
 
 using namespace asperity;
@@ -49,6 +51,16 @@ TEST_CASE("counts are two whole numbers within bounds", "[quantity][contract]") 
   for (const char* text : {"128", "0x5", "-3x5", "5x", "x5", "5x5x5", "1.5x2", "99999999x1", "5 x 5"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse_counts("shape", text, 1), ParameterError);
+  }
+}
+
+// 725deg was taken as 5deg's like: an angle that somebody mistyped, or gave in another unit.
+TEST_CASE("an angle is a turn at most, either way", "[quantity][contract]") {
+  CHECK(parse_angle("angle", "-360") == -2 * std::numbers::pi);
+  CHECK(relative_error(parse_angle("angle", "6.28rad"), 6.28) <= epsilon);
+  for (const char* text : {"361", "-360.1deg", "6.3rad", "inf", "1e300"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(parse_angle("angle", text), ParameterError);
   }
 }
 

@@ -48,6 +48,7 @@ std::size_t width(const std::string& text) {
 }  // namespace
 
 std::string shortest(double value) {
+  if (std::isnan(value)) return "nan";  // whatever its sign
   char digits[32] = {};
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
@@ -95,9 +96,9 @@ std::string Table::json() const {
   return object.dump(2) + "\n";
 }
 
-std::array<double, 2> Quantities::Row::interval_95() const {
-  return interval.value_or(
-      std::array{value - half_width_95 * standard_error, value + half_width_95 * standard_error});
+Interval Quantities::Row::interval_95() const {
+  if (!std::isfinite(standard_error)) return {};
+  return interval.value_or(Interval::about(value, half_width_95 * standard_error));
 }
 
 Table Quantities::table() const {
@@ -110,8 +111,10 @@ Table Quantities::table() const {
              {"meaning", ""}},
             {}};
   for (const Row& row : rows) {
-    const auto [low, high] = row.interval_95();
-    out.rows.push_back({row.name, row.value, row.standard_error, low, high, row.unit, row.meaning});
+    const Interval ends = row.interval_95();
+    const double error = std::isfinite(row.standard_error) ? row.standard_error : NAN;
+    const std::string note = row.note(), meaning = note.empty() ? row.meaning : row.meaning + "; " + note;
+    out.rows.push_back({row.name, row.value, error, ends.low, ends.high, row.unit, meaning});
   }
   return out;
 }
@@ -120,12 +123,11 @@ std::string Quantities::json() const {
   Json object = Json::object();
   for (const Row& row : rows) {
     Json entry{{"value", json_of(row.value)}, {"unit", row.unit}};
-    if (std::isfinite(row.standard_error)) {
-      const auto [low, high] = row.interval_95();
-      entry["standard_error"] = row.standard_error;
-      entry["interval_95"] = {json_of(low), json_of(high)};
-    }
+    const Interval ends = row.interval_95();
+    if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
+    if (ends.known()) entry["interval_95"] = {json_of(ends.low), json_of(ends.high)};
     entry["meaning"] = row.meaning;
+    if (const std::string note = row.note(); !note.empty()) entry["note"] = note;
     object[row.name] = std::move(entry);
   }
   return object.dump(2) + "\n";

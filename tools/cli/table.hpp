@@ -1,13 +1,15 @@
 /// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
 ///
-/// Numbers are printed in the shortest form that reads back to the same double, in the C locale.
+/// Numbers are printed in the shortest form that reads back to the same double, in the C locale; nan is what is not known,
+/// and an infinite end of an interval is open.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "stats/interval.hpp"
 
 namespace asperity::cli {
 
@@ -38,7 +40,7 @@ struct Table {
 };
 
 /// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …, "standard_error": …,
-/// "interval_95": [low, high]}}.
+/// "interval_95": [low, high], "note": …}}.
 struct Quantities {
   struct Row {
     std::string name;
@@ -47,9 +49,12 @@ struct Quantities {
     double standard_error;  ///< not finite: none is known
     std::string meaning;
     /// Of 95 % confidence; absent: 1.96 standard errors about the value.
-    std::optional<std::array<double, 2>> interval = {};
+    std::optional<Interval> interval = {};
+    std::string why = {};  ///< the value or its error is missing, in words
 
-    std::array<double, 2> interval_95() const;
+    Interval interval_95() const;
+    /// Why something is missing; "" where nothing is, or no more than an error that no theory gives.
+    std::string note() const { return why.empty() ? interval_95().why : why; }
   };
   std::vector<Row> rows;
 

@@ -24,6 +24,7 @@ struct Curve {
 struct Profiles {
   Curve target[2], found[2];  ///< along x, along y
   bool estimated = false;     ///< found in the heights, not the kernel's own
+  bool with_errors = true;    ///< that can be told
   bool in_metres = true;
 };
 
@@ -79,16 +80,17 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const Pairs pairs = Pairs::of(z, grid);
   const LagField rho = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)}).normalised();
   const AcfError error(significant_lags(rho, pairs), pairs);
+  profiles.with_errors = EffectiveSize::of_estimate(rho, pairs).tells_errors();
   const double most = lag_worth_showing(profiles, rho, grid);
   for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {
     profiles.found[0].lag.push_back(static_cast<double>(p) * grid.dx);
     profiles.found[0].rho.push_back(rho(p, 0));
-    profiles.found[0].error.push_back(error.normalised(p, 0));
+    if (profiles.with_errors) profiles.found[0].error.push_back(error.normalised(p, 0));
   }
   for (Index q = 0; q <= rho.max_q() && static_cast<double>(q) * grid.dy <= most; ++q) {
     profiles.found[1].lag.push_back(static_cast<double>(q) * grid.dy);
     profiles.found[1].rho.push_back(rho(0, q));
-    profiles.found[1].error.push_back(error.normalised(0, q));
+    if (profiles.with_errors) profiles.found[1].error.push_back(error.normalised(0, q));
   }
   profiles.estimated = true;
 }
@@ -174,7 +176,9 @@ Script acf(const Cases& cases, const Request& request) {
   }
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
-  const char* title = all[0].estimated ? "surface ± 2 standard errors" : "kernel";
+  const char* title = !all[0].estimated    ? "kernel"
+                      : all[0].with_errors ? "surface ± 2 standard errors"
+                                           : "surface, of too few independent heights for errors";
   Sheet sheet = side_by_side(request, cases.size());
   sheet.legend = legend(all[0]);
   Figure figure(request, sheet, title);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,8 @@ Distribution distribution_of(const Case& c, const std::string& variable) {
   const EffectiveSize size = EffectiveSize::of_estimate(acf, pairs);
   Distribution out{moments(z), {}, size.points()};
   out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
+  if (!size.tells_errors())
+    for (Bin& bin : out.bins) bin.count_error = 0;
   return out;
 }
 
@@ -96,7 +99,9 @@ Script pdf(const Cases& cases, const Request& request) {
   const Scales scales = scales_of(all, quantity);
   using enum LegendEntry::Key;
   Sheet sheet = side_by_side(request, cases.size());
-  sheet.legend = {{box, "#b9d3e8", "histogram ± 2 SE"}, {line, "#d55e00", "Gaussian"}};
+  const bool with_errors = std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.count_error > 0; });
+  sheet.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"},
+                  {line, "#d55e00", "Gaussian"}};
   Figure figure(request, sheet, default_title(all, quantity));
   for (std::size_t c = 0; c < cases.size(); ++c) {
     figure.panel(c, cases[c].label);

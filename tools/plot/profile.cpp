@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dataset/layout.hpp"
+#include "grid/error.hpp"
 #include "plot/kinds.hpp"
 #include "plot/source.hpp"
 
@@ -26,6 +27,9 @@ Trace trace_of(const Case& c, const std::string& variable, const Section& sectio
     out.position.push_back(section.along_x ? patch.x_at(k) : patch.y_at(k));
     out.value.push_back(section.along_x ? patch.values(k, section.index) : patch.values(section.index, k));
   }
+  if (out.position.size() < 2)
+    throw DataError(variable, std::string("a profile along ") + (section.along_x ? "x" : "y") +
+                                  " needs two points, and there is one");
   return out;
 }
 

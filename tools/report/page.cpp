@@ -125,7 +125,12 @@ std::string parameters_of_surface(const Content& c) {
                                  : element("p", "Not computed: " + escaped(group.omitted) + ".", "soft");
   }
   if (out.empty()) return "";
-  return element("p",
+  const std::string untold =
+      c.untold.empty()
+          ? ""
+          : element("p", "Warning: standard errors and intervals are " + escaped(c.untold) + ".", "warning");
+  return untold +
+         element("p",
                  "Measured above " + escaped(c.reference) +
                      ". Standard errors and 95\u00A0% intervals allow for the correlation of neighbouring "
                      "points; where a quantity has none, none is known.",

@@ -23,6 +23,7 @@ struct Content {
   std::string title, variable;
   std::string reference;      ///< of heights, in words
   std::vector<Group> groups;  ///< none: the dataset has no such field
+  std::string untold;         ///< why no error of theirs is told; "" where they are
 };
 
 std::string page(const Content& content);

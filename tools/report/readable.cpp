@@ -101,9 +101,9 @@ Measurement readable(const cli::Quantities::Row& row) {
   if (!known) return {digits_of(row.value / unit.factor), "", "", "", unit.name};
   const double error = row.standard_error / unit.factor;
   const int places = 1 - static_cast<int>(std::floor(std::log10(error)));
-  const auto [low, high] = row.interval_95();
+  const Interval ends = row.interval_95();
   return {rounded(row.value / unit.factor, places), rounded(error, places),
-          rounded(low / unit.factor, places), rounded(high / unit.factor, places), unit.name};
+          rounded(ends.low / unit.factor, places), rounded(ends.high / unit.factor, places), unit.name};
 }
 
 }  // namespace asperity::report

@@ -33,13 +33,14 @@ std::string interval(double low, double high, const Measurement& m) {
 
 std::string row_of(const cli::Quantities::Row& row) {
   const Measurement m = readable(row);
-  const auto [low, high] = row.interval_95();
+  const auto ends = row.interval_95();
   const bool known = !m.error.empty();
+  const std::string note = row.note();
   std::string out = fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", escaped(row.name),
-                                escaped(row.meaning));
+                                escaped(note.empty() ? row.meaning : row.meaning + "; " + note));
   out += cell(data_element(row.value, m.value), "number");
   out += cell(known ? data_element(row.standard_error, m.error) : "", "number error");
-  out += cell(known ? interval(low, high, m) : "", "number interval");
+  out += cell(known ? interval(ends.low, ends.high, m) : "", "number interval");
   return element("tr", out + cell(escaped(m.unit), "unit"));
 }
 

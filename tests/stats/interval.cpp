@@ -1,0 +1,184 @@
+// Intervals that hold their estimates, over surfaces of many kinds.
+#include "stats/interval.hpp"
+
+#include "fields.hpp"
+#include "stats/acf.hpp"
+#include "stats/acf_length.hpp"
+#include "stats/acf_lobe.hpp"
+#include "stats/derivative_error.hpp"
+#include "stats/length_interval.hpp"
+#include "stats/moment_interval.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+struct Surface {
+  std::string name;
+  Grid grid;
+  Field z;
+};
+
+Field exponential_acf_field(Shape shape, double length, unsigned seed) {
+  Field z = white_noise(shape, seed);
+  const double a = std::exp(-1 / length), b = std::sqrt(1 - a * a);
+  for (Index j = 1; j < shape.ny; ++j) z.col(j) = a * z.col(j - 1) + b * z.col(j);
+  for (Index i = 1; i < shape.nx; ++i) z.row(i) = a * z.row(i - 1) + b * z.row(i);
+  return z;
+}
+
+Field with_holes(Field z) {
+  for (Index k = 0; k < z.size(); k += 7) z(k) = std::nan("");
+  return z;
+}
+
+std::vector<Surface> surfaces() {
+  const Shape s{24, 20};
+  std::vector<Surface> out;
+  auto add = [&](const std::string& name, Field z) {
+    for (const bool periodic : {false, true})
+      out.push_back({name + (periodic ? ", periodic" : ""), grid(z.rows(), z.cols(), periodic), z});
+  };
+  for (unsigned seed = 0; seed < 4; ++seed) add("white noise", white_noise(s, seed));
+  for (const double length : {0.7, 2.0, 6.0, 50.0})
+    add("exponential " + std::to_string(length), exponential_acf_field(s, length, 5));
+  for (const double length : {1.5, 4.0, 12.0})
+    add("Gaussian " + std::to_string(length), gaussian_acf_field(s, length, 6));
+  for (const Shape window : {Shape{12, 1}, {1, 10}, {5, 5}, {40, 40}})
+    add("lay or patches", moving_average(s, window, 7));
+  add("sine", sine(s, 1, 3));
+  add("sine and noise", sine(s, 1, 3) + 0.01 * white_noise(s, 8));
+  Field spike = Field::Zero(s.nx, s.ny);
+  spike(3, 5) = 1;
+  add("spike", spike);
+  add("bimodal", (white_noise(s, 9) > 0).select(Field::Ones(s.nx, s.ny), 0.0));
+  add("plane",
+      Field::NullaryExpr(s.nx, s.ny, [](Index i, Index j) { return static_cast<double>(i - 2 * j); }));
+  add("step", Field::NullaryExpr(s.nx, s.ny, [](Index i, Index) { return i < 12 ? 0.0 : 1.0; }));
+  add("logarithms of a normal", exponential_acf_field(s, 2, 10).exp());
+  add("with holes", with_holes(exponential_acf_field(s, 2, 11)));
+  for (const Shape small : {Shape{8, 8}, {1, 60}, {60, 1}, {2, 2}, {3, 3}})
+    add("small", white_noise(small, 12));
+  return out;
+}
+
+bool holds(const Interval& i, double estimate) {
+  return i.known() ? i.low <= estimate && estimate <= i.high && i.why.empty() : std::isnan(i.high);
+}
+
+}  // namespace
+
+TEST_CASE("an interval is in order about its estimate, or there is none and it says why",
+          "[interval][contract]") {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const Interval sound = Interval::of(2, 1, 4), open = Interval::of(2, 1, inf), at = Interval::about(3, 0);
+  CHECK((sound.known() && sound.low == 1 && sound.high == 4));
+  CHECK((open.known() && open.high == inf));
+  CHECK((at.low == 3 && at.high == 3));
+  for (const Interval& none : {Interval::of(2, 3, 4), Interval::of(5, 3, 4), Interval::of(3.5, 4, 3)}) {
+    CHECK((std::isnan(none.low) && std::isnan(none.high)));
+    CHECK_FALSE(none.why.empty());
+  }
+  for (const Interval& unknown : {Interval::about(2, -nan), Interval::of(nan, 1, 2), Interval::of(2, nan, 3)})
+    CHECK((!unknown.known() && unknown.why.empty()));
+}
+
+// Between a straight line where ρ ≤ 0 and ln ρ where it was above half the level, a higher ρ had a shorter length by up to
+// an eighth of a sample; and the correlation between two lags leapt where one of them fell through zero. Intervals of
+// noise were therefore reversed, as [2.624, 2.600] µm.
+TEST_CASE("a correlation that is nowhere lower has no shorter length, in any direction",
+          "[acf-length][law]") {
+  double former = 0;
+  for (double below = -0.5; below < 0.2; below += 1e-3) {
+    const double lag = crossing_between(1, below, 0.2).lag;
+    CHECK(former <= lag);
+    former = lag;
+  }
+  former = 0;
+  for (double above = 0.2001; above <= 1; above += 1e-3) {
+    const double lag = crossing_between(above, 0.04, 0.2).lag;
+    CHECK(former <= lag);
+    former = lag;
+  }
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> uniform;
+  for (int k = 0; k < 200; ++k) {
+    Field lower = Field::NullaryExpr(5, 9, [&](Index, Index) { return 0.8 * uniform(generator) - 0.4; });
+    Field higher = lower.unaryExpr([&](double rho) { return rho + 0.3 * uniform(generator); });
+    lower(0, 4) = higher(0, 4) = 1;
+    for (double angle = 0; angle < 3.1; angle += 0.3) {
+      const auto near = first_crossing(LagField(lower), grid(9, 9), angle, 0.2),
+                 far = first_crossing(LagField(higher), grid(9, 9), angle, 0.2);
+      CHECK((!far || (near && near->lag <= far->lag * (1 + 10 * epsilon))));
+    }
+  }
+}
+
+// Below half a sample the nearest lag was lag zero, and the standard error of a length 0.
+TEST_CASE("a length below half a sample has the error of the first lag in its direction",
+          "[acf-length][contract]") {
+  const Grid g{{9, 9}, 1.0, 2.0, false};
+  CHECK(nearest_lag(g, 0.1, 0.3) == Shape{1, 0});
+  CHECK(nearest_lag(g, std::numbers::pi / 2, 0.3) == Shape{0, 1});
+  CHECK(nearest_lag(g, std::numbers::pi / 4, std::sqrt(8.0)) == Shape{2, 1});
+}
+
+// The exponential is exact as long as (2) is ln ρ's: down to lengths of 1.3 samples.
+TEST_CASE("the length of an exponential of 1.3 samples is exact, wherever it lies between two lags",
+          "[acf-length][exact]") {
+  const double decay = 1 / 1.33;
+  for (double level = 0.02; level < 0.98; level += 0.01) {
+    const double exact = -std::log(level) / decay, lag = std::floor(exact);
+    const double within = crossing_between(std::exp(-decay * lag), std::exp(-decay * (lag + 1)), level).lag;
+    CHECK(std::abs(lag + within - exact) <= 1e-12);
+  }
+}
+
+// Kurtosis is low by 6 S_2/N and Sq by S_1/(2N), which was put back past the estimate where few heights are independent;
+// lengths were reversed, or all to one side, where ρ is noise; and that of the slowest decay was that of a ray, not of the
+// lobe.
+TEST_CASE("intervals of every surface hold what was measured, or there is none", "[interval][law]") {
+  for (const Surface& s : surfaces()) {
+    CAPTURE(s.name, s.grid.shape.nx, s.grid.shape.ny);
+    const Pairs pairs = Pairs::of(s.z, s.grid);
+    const LagField acf = estimate_autocorrelation(s.z, pairs, {.max_lag = default_max_lag(s.grid)});
+    const Moments m = moments(s.z);
+    const MomentIntervals i = confidence_intervals(m, EffectiveSize::of_estimate(acf, pairs));
+    CHECK(holds(i.mean, m.mean));
+    CHECK(holds(i.sa, m.sa));
+    CHECK(holds(i.sq, m.sq));
+    CHECK(holds(i.ssk, m.ssk));
+    CHECK(holds(i.sku, m.sku));
+    const LagField rho = acf.normalised();
+    const LengthIntervals lengths(acf, pairs, std::nullopt);
+    for (const double level : {0.1, 0.2, 1 / std::numbers::e})
+      for (const double angle : {0.0, 0.5, std::numbers::pi / 2, 2.4})
+        if (const auto at = first_crossing(rho, s.grid, angle, level))
+          CHECK(holds(lengths.along(angle, level), at->lag));
+    const CentralLobe lobe = central_lobe(rho, s.grid);
+    if (lobe.fastest) CHECK(holds(lengths.fastest(0.2), lobe.fastest->length));
+    if (lobe.slowest) CHECK(holds(lengths.slowest(0.2), lobe.slowest->length));
+  }
+}
+
+// R(0,0) of their differences along the grooves is zero, or what rounding leaves of it, and was refused.
+TEST_CASE("grooves have errors of slopes across them and none along them", "[derivative-error][law]") {
+  for (const bool periodic : {false, true}) {
+    const Field z = moving_average({40, 1}, {3, 1}, 4).replicate(1, 30) + 1e-3;
+    const Grid g = grid(40, 30, periodic);
+    const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
+    const DerivativeErrors e = derivative_errors_of_estimate(acf, DifferencePairs(g));
+    CHECK((e.m20 > 0 && e.m40 > 0 && e.square_slope > 0));
+    CHECK((std::isnan(e.m02) && std::isnan(e.m04)));
+  }
+}
+
+// Lags of a whole number of periods are as evident as lag zero, which came after them and was then left out: "R(0,0) is
+// not positive".
+TEST_CASE("lag zero of a periodic wave is admitted before lags of whole periods", "[effective-size][law]") {
+  const Grid g = grid(64, 64, true);
+  const LagField acf = estimate_autocorrelation(sine(g.shape, 1, 4), g, {.max_lag = default_max_lag(g)});
+  CHECK(significant_lags(acf, g)(0, 0) == 1);
+  CHECK(EffectiveSize::of_estimate(acf, g).effective(2) <= 10);
+}
