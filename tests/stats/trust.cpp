@@ -44,7 +44,8 @@ void check_quantities(const std::string& command) {
   CAPTURE(command, run.error);
   REQUIRE((run.exit == 0 && text.exit == 0));
   CHECK(text.out.find("-nan") == std::string::npos);
-  for (const auto& [name, row] : Json::parse(run.out).items()) {
+  const Json rows = Json::parse(run.out);
+  for (const auto& [name, row] : rows.items()) {
     CAPTURE(name, row.dump());
     if (row.contains("interval_95")) {
       const Json &low = row["interval_95"][0], &high = row["interval_95"][1];
