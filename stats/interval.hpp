@@ -6,6 +6,7 @@
 /// which nothing is known to end it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -27,6 +28,12 @@ class Interval {
   }
   static Interval about(double estimate, double half_width) {
     return of(estimate, estimate - half_width, estimate + half_width);
+  }
+
+  /// Of a ratio, in its logarithm: `half_width` is relative, and no ratio exceeds `most`.
+  static Interval of_ratio(double estimate, double half_width,
+                           double most = std::numeric_limits<double>::infinity()) {
+    return of(estimate, estimate * std::exp(-half_width), std::min(most, estimate * std::exp(half_width)));
   }
 
   bool known() const { return !std::isnan(low); }

@@ -219,7 +219,10 @@ double PrescriptionTest::largest_score_p(double score) const {
 
 std::vector<Claim> PrescriptionTest::claims() const {
   if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
-  if (prescription_.spread && surfaces_ < 2) throw ParameterError("errors", "a single surface has no spread");
+  if (prescription_.spread && surfaces_ < 2)
+    throw ParameterError("errors",
+                         "a single surface has no spread, which errors rest on where heights are not to be "
+                         "Gaussian: name several");
   std::vector<Claim> out;
   if (std::isfinite(prescription_.sq)) out.push_back(height_claim());
   const Eigen::ArrayXd mean = ensemble_.mean();

@@ -56,10 +56,10 @@ class LengthRows {
   /// Of the first two: length and error each.
   void add_ratio(const std::optional<Crossing>& x, const std::optional<Crossing>& y) {
     if (!x || !y) return;
-    const double ratio = x->lag / y->lag;
-    out_.rows.push_back({prefix_ + "gamma_" + level_.tag, ratio, "1",
-                         ratio * std::hypot(x->slope / x->lag, y->slope / y->lag),
-                         "ellipticity, length in x over length in y"});
+    const double ratio = x->lag / y->lag, relative = std::hypot(x->slope / x->lag, y->slope / y->lag);
+    out_.rows.push_back({prefix_ + "gamma_" + level_.tag, ratio, "1", ratio * relative,
+                         "ellipticity, length in x over length in y",
+                         Interval::of_ratio(ratio, half_width_95 * relative)});
   }
   void add_ellipse() {
     const auto ellipse = central_lobe(rho_, grid_, level_.value).ellipse;
@@ -125,7 +125,7 @@ Quantities lengths_of(const Tool& tool, const Measured& measured, const AcfEstim
   Quantities out;
   for (const AcfLevel& level : acf_levels(request.levels)) {
     if (!add_lengths({out, "", level, estimate.rho, measured.grid}, direction, &estimate))
-      tool.warn("the ACF stays above " + level.text + " up to the longest lag; see --max-lag");
+      tool.warn("no lag has an ACF of " + level.text + " or less in some direction; see --max-lag");
     if (measured.target)
       add_lengths({out, "target_", level, *measured.target, measured.grid}, direction, nullptr);
   }

@@ -76,6 +76,7 @@ AcfTable from_dataset(Dataset data) {
   AcfTable out;
   const Field table = table_of(data, name, Missing::not_a_number);
   out.half_plane = known_lags(table);
+  out.left_out = name == "acf" && out.half_plane.size() < table.size();
   target_of_table(out.half_plane);
   const Variable& variable = data.at(name);
   const Index middle = out.half_plane.cols() / 2;

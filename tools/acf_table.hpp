@@ -20,6 +20,7 @@ namespace asperity::cli {
 
 struct AcfTable {
   Field half_plane;             ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
+  bool left_out = false;        ///< lags at its ends that hold no numbers, as without pairs
   Spacing spacing;              ///< of the lags [m], where it is known
   double rms = NAN;             ///< [m], where it is known
   HeightsWithAcf heights = {};  ///< whose autocorrelation it is

@@ -55,9 +55,24 @@ void warn(const cli::Tool& tool, const std::vector<std::string>& doubts, const s
   for (const std::string& doubt : doubts) tool.warn(of + doubt);
 }
 
-int told_exit(const cli::Tool& tool, const cli::ContactOptions& options, const Grid& grid,
-              const Contact& contact, const std::string& of) {
-  warn(tool, doubts(grid, options.bodies, contact), of);
+// The doubts of a sweep: those of its first few loads whole, of the others their number.
+class SweepDoubts {
+ public:
+  void add(const cli::Tool& tool, const std::vector<std::string>& doubts, const std::string& of) {
+    constexpr int few = 3;
+    if (!doubts.empty() && ++loads_ <= few) return warn(tool, doubts, of);
+    more_ += !doubts.empty();
+  }
+  void tell(const cli::Tool& tool) const {
+    if (more_ > 0) tool.warn(fmt::format("{} more load{} in doubt like these", more_, more_ == 1 ? "" : "s"));
+  }
+
+ private:
+  int loads_ = 0, more_ = 0;
+};
+
+int told_exit(const cli::Tool& tool, const cli::ContactOptions& options, const Contact& contact,
+              const std::string& of) {
   if (!contact.converged) tool.warn(of + "not converged: " + contact.reason);
   const bool stiff = !options.contact.stiffness || !std::isnan(contact.stiffness);
   if (contact.converged && !stiff)
@@ -76,7 +91,8 @@ int press(cli::Tool& tool, const cli::ContactOptions& options) {
   before.tell(tool, scene.data, "pressure");
   tool.write(scene.data);
   warn(tool, doubts(scene.grid, options.bodies));
-  return told_exit(tool, options, scene.grid, contact, "");
+  warn(tool, doubts(scene.grid, options.bodies, contact));
+  return told_exit(tool, options, contact, "");
 }
 
 int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account) {
@@ -85,13 +101,16 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
   const cli::Inventory before(scene.data);
   cli::Table table = cli::load_table();
+  SweepDoubts in_doubt;
   int code = cli::done, number = 0;
   warn(tool, doubts(scene.grid, options.bodies));
   press_in_turn(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
     ++number;
     account.next();
     table.rows.push_back(cli::load_row(c));
-    code = std::max(code, told_exit(tool, options, scene.grid, c, cli::format_quantity(c.load, "N") + ": "));
+    const std::string of = cli::format_quantity(c.load, "N") + ": ";
+    in_doubt.add(tool, doubts(scene.grid, options.bodies, c), of);
+    code = std::max(code, told_exit(tool, options, c, of));
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
     cli::record(one, options, c);
@@ -99,6 +118,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
     tool.write(one.data, cli::numbered("each", options.each, number));
   });
   cli::print(tool, table);
+  in_doubt.tell(tool);
   return code;
 }
 

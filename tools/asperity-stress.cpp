@@ -46,6 +46,7 @@ int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
   const cli::StressScene scene = cli::read_scene(tool, options);
   const cli::Table table = cli::stress_table(scene, selection, points, tool.thread_count());
   cli::print(tool, table);
+  cli::warn_of_points(tool, scene, points);
   cli::warn_of_yield(tool, scene.data.attributes, largest_in(table, "von_mises"));
   return cli::done;
 }

@@ -101,7 +101,7 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
   const bool x = surface.nx > 1 && along_x > told_share, y = surface.ny > 1 && along_y > told_share;
   if (x || y)
     tool.warn(fmt::format(
-        "the correlation is longer than the surface along {}: heights correlate by {:.2g} there on "
+        "the correlation reaches across the surface along {}: heights correlate by {:.2g} there on "
         "average, which one surface does not average out",
         axes(x, y), x ? along_x : along_y));
 }

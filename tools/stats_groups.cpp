@@ -104,8 +104,8 @@ void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Gri
     out.push_back({"slowest_direction", lobe.slowest->angle, "rad", unknown, "of that decay, the lay"});
   }
   if (const auto ratio = lobe.aspect_ratio())
-    out.push_back(
-        {"Str", *ratio, "1", *ratio * relative, "texture aspect ratio, fastest over slowest decay"});
+    out.push_back({"Str", *ratio, "1", *ratio * relative, "texture aspect ratio, fastest over slowest decay",
+                   Interval::of_ratio(*ratio, half_width_95 * relative, 1)});
   if (lobe.ellipse) {
     out.push_back({"gamma", lobe.ellipse->gamma(), "1", unknown,
                    "ellipticity of the ACF's contour at " + level + ", long axis over short"});
@@ -357,8 +357,8 @@ Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& opt
       sample.pairs());
   const CentralLobe lobe = central_lobe(rho, grid, options.acf_level);
   if (!lobe.slowest)
-    tool.warn("the ACF stays above " + shortest(options.acf_level) +
-              " up to half the field in some direction: Str has no value");
+    tool.warn("no lag within half the field has an ACF of " + shortest(options.acf_level) +
+              " or less in some direction: Str has no value");
   if (lobe.fastest) warn_of_length(tool, "Sal", lobe.fastest->length, grid);
   Rows out;
   add_lobe(out, lobe, rho, grid, error, {sample.acf(), sample.pairs(), sample.measured().drawn}, options);

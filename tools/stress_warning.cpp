@@ -1,5 +1,6 @@
 #include "stress_warning.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
@@ -8,6 +9,8 @@
 
 namespace asperity::cli {
 namespace {
+
+constexpr double round_off = 1e-12;  // of a pressure that is balanced to it
 
 // A maximum in the outermost cells has no parabola and stays at their centres.
 bool at_end(double place, double first, double last) { return place == first || place == last; }
@@ -24,11 +27,26 @@ void warn_of_yield(const Tool& tool, const Attributes& contact, double von_mises
       von_mises * 1e-6, yield * 1e-6));
 }
 
+void warn_of_points(const Tool& tool, const StressScene& scene,
+                    const std::vector<std::array<double, 3>>& points) {
+  const double accurate = accurate_depth(scene.grid);
+  const auto shallow = std::ranges::count_if(points, [&](const auto& p) { return p[2] < accurate; });
+  if (shallow == 0) return;
+  tool.warn(fmt::format(
+      "{} of {} points lie less than {:.4g} um deep, which is stress_accurate_depth: their stress is that of "
+      "single cells, off by up to {:.0f} % of the largest pressure below a cell's centre, and without a "
+      "bound "
+      "at the surface towards its edges and corners",
+      shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.poisson, scene.friction)));
+}
+
 void warn_of_place(const Tool& tool, const StressScene& scene, const StressMaximum& maximum) {
   if (maximum.von_mises == 0) return;
   const Grid& grid = scene.grid;
   const double accurate = accurate_depth(grid);
-  if (maximum.depth < accurate)
+  const bool uniform = grid.periodic && scene.pressure.maxCoeff() - scene.pressure.minCoeff() <=
+                                            round_off * scene.pressure.maxCoeff();  // at any depth
+  if (maximum.depth < accurate && !uniform)
     tool.warn(fmt::format(
         "the largest von Mises stress lies {:.4g} um deep, less than the {:.4g} um of "
         "stress_accurate_depth: it rests on single cells and may be off by {:.0f} % of the largest "

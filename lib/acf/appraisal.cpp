@@ -10,9 +10,12 @@
 namespace asperity {
 namespace {
 
-// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation.
-Shape extent(Shape lags, const Field& kernel) {
-  return {std::max(2 * lags.nx, kernel.rows() + 1), std::max(2 * lags.ny, kernel.cols() + 1)};
+// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, and all of a target that
+// is a table.
+Shape extent(const Target& target, Shape lags, const Field& kernel) {
+  const Shape known = target.known.value_or(Shape{1, 1});
+  return {std::max({2 * lags.nx, kernel.rows() + 1, known.nx}),
+          std::max({2 * lags.ny, kernel.cols() + 1, known.ny})};
 }
 
 // The autocorrelation of a zero-phase kernel, by its real spectrum.
@@ -94,7 +97,7 @@ std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation for
   kernel.formulation = formulation;
   kernel.lags = lags;
   kernel.values = std::move(values);
-  kernel.acf_target = half_plane_of(target, extent(lags, kernel.values));
+  kernel.acf_target = half_plane_of(target, extent(target, lags, kernel.values));
   const Index rows = kernel.acf_target.rows(), columns = kernel.acf_target.cols();
   kernel.acf_achieved =
       formulation == Formulation::patir

@@ -257,6 +257,8 @@ void Search::widen() {
        torus = torus * 3 / 2)
     change = widen(torus);
   if (best_ && best_->report.answer == "nearest" && solved()) best_->report.answer = "wider";
+  if (best_ && lost_more_than(change))
+    reason_ = "a kernel that is wider still takes more than --memory allows, or 2^24 points";
   trim();
 }
 

@@ -29,7 +29,9 @@ void check(const Field& table) {
     refuse("R(0,0) is " + number(variance) + ": must be positive and finite");
   for (Index p = 0; p < table.rows(); ++p)
     for (Index q = -middle; q <= middle; ++q)
-      if (!(std::abs(table(p, middle + q)) <= variance * (1 + oriented_beyond)))
+      if (std::isnan(table(p, middle + q)))
+        refuse("there is no number " + at(p, q) + ", within lags that have one: take fewer lags");
+      else if (!(std::abs(table(p, middle + q)) <= variance * (1 + oriented_beyond)))
         refuse("R/R(0,0) is " + number(table(p, middle + q) / variance) + " " + at(p, q) +
                ": it cannot exceed 1");
   for (Index q = 1; q <= middle; ++q)

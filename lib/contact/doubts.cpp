@@ -84,8 +84,8 @@ std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies, const Co
   std::vector<std::string> out;
   const Index cells = (contact.pressure > 0).count();
   if (cells < cells_to_be_trusted)
-    out.push_back(
-        fmt::format("the contact has {} cells, fewer than {}: refine the grid", cells, cells_to_be_trusted));
+    out.push_back(fmt::format("the contact has {} cell{}, fewer than {}: refine the grid", cells,
+                              cells == 1 ? "" : "s", cells_to_be_trusted));
   const Touched touched(contact.pressure);
   if (!grid.periodic && (touched.along_x || touched.along_y))
     out.push_back(at_the_edge(grid, bodies, contact, touched));

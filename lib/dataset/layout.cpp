@@ -209,6 +209,22 @@ Grid grid_of(const Dataset& dataset) {
   return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic};
 }
 
+namespace {
+
+// A part of a period does not continue itself.
+std::string end_periods(Dataset& dataset) {
+  std::string words;
+  for (const char* name : {"x", "y"}) {
+    Variable* axis = dataset.find(name);
+    if (axis == nullptr || axis->attributes.number("periodic", 0) == 0) continue;
+    axis->attributes.set("periodic", 0);
+    words = "; a part of a periodic surface is not periodic";
+  }
+  return words;
+}
+
+}  // namespace
+
 std::vector<std::string> settle_lengths(Dataset& dataset) {
   std::vector<std::string> out;
   for (const char* name : {"x", "y"}) {
@@ -224,6 +240,7 @@ std::vector<std::string> settle_lengths(Dataset& dataset) {
     out.push_back(line.str());
     axis->attributes.set("length", settled);
   }
+  if (!out.empty()) out.back() += end_periods(dataset);
   return out;
 }
 

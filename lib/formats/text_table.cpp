@@ -216,6 +216,21 @@ std::string_view without_mark(std::string_view text, const std::string& variable
   return text;
 }
 
+// The text with semicolons for the commas that have a blank beside them, where others have none: those may mark decimals,
+// as in "1,5, 2,5". Nothing where all are alike.
+std::string commas_apart(std::string_view text) {
+  std::string out(text);
+  const auto blank = [&](std::size_t i) { return i < text.size() && text[i] == ' '; };
+  bool apart = false, close = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != ',') continue;
+    const bool beside = blank(i + 1) || (i > 0 && blank(i - 1));
+    if (beside) out[i] = ';';
+    (beside ? apart : close) = true;
+  }
+  return apart && close ? out : std::string();
+}
+
 Table table_of(std::string_view text, const std::string& variable, const Asked& asked,
                const Reading& reading) {
   text = without_mark(text, variable);
@@ -232,6 +247,14 @@ Table table_of(std::string_view text, const std::string& variable, const Asked& 
     }
   }
   if (!found) throw DataError(variable, refused->fault->what);
+  const bool told = reading.separator != Separator::any || reading.decimal != DecimalMark::any;
+  if (found->dialect.separator != Separator::comma || told) return *std::move(found);
+  const std::string apart = commas_apart(text);
+  if (!apart.empty() && !TableReader(apart, {Separator::semicolon, Comma::decimal}, asked).read().fault)
+    throw DataError(variable,
+                    "it can be read as " + words_of(*found) +
+                        "; or with a comma and a blank between them and decimal commas: "
+                        "asperity-convert --separator comma is the first, semicolons make it the other");
   return *std::move(found);
 }
 

@@ -1,5 +1,7 @@
 // asperity-stats on several surfaces, and its tests of Gaussianity.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <nlohmann/json.hpp>
 
@@ -67,6 +69,19 @@ TEST_CASE("of several surfaces asperity-stats gives mean, spread and standard er
   CHECK(relative_error(value_in(all, "Sq", "expected_spread"), error) <= 0.1);
   CHECK(std::abs(spread / error - 1) <= 1.07);
   CHECK(value_in(all, "Sq", "surfaces") == 8);
+}
+
+// Directions on either side of 90°, which is -90°, averaged to -22°.
+TEST_CASE("the mean of directions over an ensemble is that of axes, the same after half a turn",
+          "[ensemble][statistics]") {
+  REQUIRE(shell("asperity-generate -q --shape 64x64 --size 1mm --rq 0.4um --length 120um,12um --angle 90deg "
+                "--seed 1 "
+                "--count 6 -o lay_%d.nc")
+              .exit == 0);
+  const Json mean = json_of("asperity-stats --parameters spatial lay_*.nc");
+  const double angle = value_in(mean, "gamma_direction", "mean");
+  CHECK(std::abs(std::remainder(angle - std::numbers::pi / 2, std::numbers::pi)) <= 0.05);
+  CHECK(value_in(mean, "gamma_direction", "spread") <= 0.05);
 }
 
 TEST_CASE("a pattern, a list on standard input and names are one ensemble, a single file a single surface",

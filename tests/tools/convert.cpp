@@ -96,8 +96,11 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   write_text("both.csv", "1,5\n3,5\n2,5\n");
   write_text("xyz.txt", "# units: nm\n0 0 1\n0 2 2\n1 0 3\n1 2 4\n2 0 5\n2 2 6\n");
   write_text("xz.txt", "0 1\n1 2\n2 4\n");
-  const std::pair<const char*, const char*> cases[] = {
-      {"both.csv", "--separator or --decimal"}, {"xyz.txt", "--points um"}, {"xz.txt", "--points um"}};
+  write_text("spaced.csv", "1,5, 2,5, 3,5\n4,5, 5,5, 6,5\n");  // six numbers a line, or three
+  const std::pair<const char*, const char*> cases[] = {{"both.csv", "--separator or --decimal"},
+                                                       {"spaced.csv", "--separator comma"},
+                                                       {"xyz.txt", "--points um"},
+                                                       {"xz.txt", "--points um"}};
   for (const auto& [file, option] : cases)
     for (const char* tool :
          {"asperity-convert ", "asperity-stats --parameters height ", "asperity-acf --max-lag 1x1 "}) {
@@ -114,6 +117,7 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
     return heights_in("told.nc");
   };
   CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
+  CHECK(shape_of(converted("spaced.csv --separator comma --size 1mm")) == Shape{2, 6});
   CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
   CHECK(shape_of(converted("xyz.txt --heights --size 1mm")) == Shape{6, 3});
   const Field z = converted("xyz.txt --points mm");

@@ -26,9 +26,9 @@ struct Scene {
 
 Scene run(const std::string& name, const std::string& start) {
   const Outcome out =
-      shell(start + bodies + " --report " + name + "-c.json | asperity-stress --depths 0:0.8mm:32 --maximum " +
-            "--report " + name + "-s.json -o " + name + ".nc && cat " + name + "-c.json && echo , && cat " +
-            name + "-s.json");
+      shell(start + bodies + " --report " + name +
+            "-c.json | asperity-stress --depths 0:0.8mm:32 --maximum " + "--report " + name + "-s.json -o " +
+            name + ".nc && cat " + name + "-c.json && echo , && cat " + name + "-s.json");
   INFO(out.error);
   REQUIRE(out.exit == 0);
   const json both = json::parse("[" + out.out + "]");

@@ -79,7 +79,7 @@ TEST_CASE("the default of --memory is told in words that are the same on every m
 TEST_CASE("a lay longer than the surface is warned of with what heights share along it",
           "[prospect][exact]") {
   CHECK_THAT(warned(square + "--length 1mm,40um"),
-             ContainsSubstring("longer than the surface along x: heights correlate by 0.53 there"));
+             ContainsSubstring("reaches across the surface along x: heights correlate by 0.53 there"));
   CHECK_THAT(warned(square + "--length 1mm"), ContainsSubstring("along x and y"));
   CHECK_THAT(warned(square + "-q --length 40um,1mm"), ContainsSubstring("along y"));
   CHECK(warned(square + "--length 0.8mm,40um").empty());

@@ -15,7 +15,8 @@ const std::string press =
     "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 5kN --yield 1.2GPa ";
 // Nothing to warn of: no limit pressure, and the largest stress lies deep.
 const std::string smooth =
-    "asperity-contact --smooth --shape 64x48 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 --load 5kN ";
+    "asperity-contact --smooth --shape 64x48 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 --load "
+    "5kN ";
 const std::string wiped = "\r\033[K";
 
 void require(const std::string& line) {

@@ -182,6 +182,21 @@ TEST_CASE("a maximum above stress_accurate_depth is a warning with both depths, 
                         ContainsSubstring("93.75 um of stress_accurate_depth") && ContainsSubstring("25 %"));
 }
 
+// At a corner of cells the shear stress of their pressures grows without end towards the surface: 15 GPa under 3 GPa.
+TEST_CASE("points above stress_accurate_depth are counted in a warning, deeper ones are not",
+          "[stress][contract]") {
+  REQUIRE(shell(smooth + "-o elastic.nc; printf '0 0 0\\n0 0 1um\\n0 0 0.4mm\\n' > axis").exit == 0);
+  const std::string error = errors_of("asperity-stress elastic.nc --points axis -q");
+  CHECK(lines(error) == 1);
+  CHECK_THAT(error,
+             ContainsSubstring("2 of 3 points lie less than 93.75 um deep") && ContainsSubstring("9 %"));
+  // A uniform pressure has the same stress at every depth, exactly.
+  CHECK(errors_of("asperity-contact --smooth --shape 16x16 --size 1mm --boundary periodic --young 208GPa "
+                  "--poisson 0.3 "
+                  "--load 5N | asperity-stress --maximum -q -o b.nc")
+            .empty());
+}
+
 // A pressure that rises as sin² towards the edge and would fall beyond it.
 TEST_CASE("a maximum at the edge of a free domain is a warning, at the edge of a period it is none",
           "[stress][contract]") {

@@ -73,7 +73,7 @@ void check_table_name(const std::string& name, bool json, const std::string& opt
   if (!extension.empty() && !is_text_name(extension))
     refuse(option, name,
            json ? "names another format, and JSON is text: end it in .json"
-                : "names another format, and a table is text: end it in .tsv or .txt");
+                : "names another format: end a table in .tsv or .txt, a dataset in .nc");
 }
 
 void check_page_name(const std::string& name) {

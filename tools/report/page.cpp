@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/lineage.hpp"
 #include "cli/record.hpp"
 #include "dataset/layout.hpp"
 #include "report/facts.hpp"
@@ -43,7 +44,9 @@ std::vector<std::string> parts(const Content& c) {
     out.push_back(c.groups.empty() ? "a kernel and its autocorrelation"
                                    : "the kernel of its autocorrelation");
   if (data.has("pressure")) out.push_back("a contact");
-  if (data.find("z") && data.length("z") > 0)
+  const auto stress = std::ranges::find(cli::results(), "stress", &cli::Result::name);
+  if (std::ranges::any_of(data.variables,
+                          [&](const Variable& v) { return cli::lists(stress->variables, v.name); }))
     out.push_back(out.empty() ? "stress below a surface" : "the stress below it");
   return out;
 }
