@@ -1,5 +1,6 @@
 #include "kernel_prospect.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -60,15 +61,25 @@ void tell_heights(const Tool& tool, const Wanted& wanted) {
     tool.note(words);
 }
 
+// The lags that a search may come to: those at the tolerance, where a correlation falls so slowly that these are far
+// beyond the first, as of self-affine surfaces.
+Shape most_lags(const KernelRequest& request) {
+  constexpr double slow = 2.5;  // times as many; 1.7 of exponentials, 3.4 of self-affine surfaces
+  const Shape first = first_lags(request);
+  if (request.lags != Shape{} || !request.target.reach) return first;
+  const Shape far = request.target.reach(std::min(request.acf_tolerance, 0.5));
+  return static_cast<double>(far.cells()) > slow * static_cast<double>(first.cells()) ? far : first;
+}
+
 void tell_cost(const Tool& tool, const KernelRequest& request) {
-  const Shape lags = first_lags(request);
-  check_memory(request, lags, kernel_cost(lags));
+  check_memory(request, first_lags(request), kernel_cost(first_lags(request)));
+  const Shape lags = most_lags(request);
   const KernelCost most = wider_kernel_cost(lags);
   if (most.dataset > told_dataset)
-    tool.warn(
-        fmt::format("a kernel of {} lags may take {:.2g}GB of memory and {:.2g}GB of the dataset; shorter "
-                    "lengths, wider samples or a larger --acf-tolerance take less",
-                    text(lags), most.memory / 1e9, most.dataset / 1e9));
+    tool.warn(fmt::format(
+        "a kernel of {} lags may take minutes, {:.2g}GB of memory and {:.2g}GB of the dataset; shorter "
+        "lengths, wider samples or a larger --acf-tolerance take less",
+        text(lags), most.memory / 1e9, most.dataset / 1e9));
 }
 
 }  // namespace

@@ -65,6 +65,17 @@ TEST_CASE("a kernel or a drawing that the memory does not hold is refused before
       {"--memory", "does not hold one strip"});
 }
 
+// It falls from 5e-3 to 1e-3 over nearly as many lags again, all of which are tried in turn, for minutes.
+TEST_CASE("a correlation that falls slowly is told what it may take before it is solved for",
+          "[prospect][contract]") {
+  const Outcome slow = shell("asperity-kernel -q --target self-affine --length 77px --memory 190MB -o s.nc");
+  CAPTURE(slow.error);
+  CHECK(slow.exit == 2);
+  CHECK_THAT(slow.error, Catch::Matchers::StartsWith(
+                             "asperity-kernel: warning: a kernel of 651x651 lags may take minutes"));
+  CHECK(shell("asperity-kernel -q --length 77px -o s.nc").error.empty());
+}
+
 TEST_CASE("the default of --memory is told in words that are the same on every machine",
           "[prospect][contract]") {
   for (const char* tool : {"kernel", "generate", "stats", "stress"}) {
