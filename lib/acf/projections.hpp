@@ -13,8 +13,8 @@
 /// whole torus; what it has beyond its ends on the torus is lost, so that its error is to be measured on it. A larger
 /// torus loses less.
 ///
-/// Accuracy  an exponential cut where it has fallen to e⁻²·³ is met to round-off after 10, 20, 100, 300 steps of
-///           7², 13², 31², 63² lags; a Gaussian, on the edge of what is feasible, to 7e-6 after 100.
+/// Accuracy  an exponential cut where it has fallen to e⁻²·³ is met to round-off after 30 steps of 7² and 13² lags, 100 of
+///           31²; a Gaussian cut at 1 %, on the edge of what is feasible, to 1e-5 after 100.
 /// Cost      one transform there and back on the torus and four passes over its spectrum a step, 300 at the most.
 ///           Memory: 5 vectors of 4 n·m, 8 oriented, for f = 4.
 ///

@@ -52,7 +52,7 @@ class HalfSpaceInfluence : public LayerInfluence {
         blocks_(blocks_of(torus.ny / 2 + 1)),
         rows_(size(grid.shape.nx * width)),
         work_(size(std::max(along_x_.size(), along_y_.size()))),
-        along_y_pairs_(size(along_y_.size())) {
+        along_y_pairs_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
     for (Traction t : stress::tractions)
       if (acting[t]) symbols_[t].resize(size(along_x_.size()));
   }
