@@ -74,12 +74,16 @@ Shape most_lags(const KernelRequest& request) {
 void tell_cost(const Tool& tool, const KernelRequest& request) {
   check_memory(request, first_lags(request), kernel_cost(first_lags(request)));
   const Shape lags = most_lags(request);
-  const KernelCost most = wider_kernel_cost(lags);
+  constexpr Index widest = 13;  // torus of a table of long waves, the fourth that is tried
+  const KernelCost most = request.target.known ? wider_kernel_cost(lags, widest) : wider_kernel_cost(lags);
   if (most.dataset > told_dataset)
     tool.warn(fmt::format(
-        "a kernel of {} lags may take minutes, {:.2g}GB of memory and {:.2g}GB of the dataset; shorter "
-        "lengths, wider samples or a larger --acf-tolerance take less",
-        text(lags), most.memory / 1e9, most.dataset / 1e9));
+        "a kernel of {} lags may take minutes, {:.2g}GB of memory and {:.2g}GB of the dataset; {} "
+        "take less",
+        text(lags), most.memory / 1e9, most.dataset / 1e9,
+        request.target.known ? "fewer lags of the table (asperity-acf --max-lag) or a larger "
+                               "--acf-tolerance"
+                             : "shorter lengths, wider samples or a larger --acf-tolerance"));
 }
 
 }  // namespace

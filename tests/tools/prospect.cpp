@@ -74,6 +74,12 @@ TEST_CASE("a correlation that falls slowly is told what it may take before it is
   CHECK_THAT(slow.error, Catch::Matchers::StartsWith(
                              "asperity-kernel: warning: a kernel of 651x651 lags may take minutes"));
   CHECK(shell("asperity-kernel -q --length 77px -o s.nc").error.empty());
+  REQUIRE(shell("asperity-kernel -q --length 20px --lags 100x100 -o table.nc").exit ==
+          0);  // whose table has 200 x 200
+  const Outcome table = shell("asperity-kernel -q --acf table.nc -o s.nc");
+  CHECK(table.exit == 0);
+  CHECK_THAT(table.error,
+             ContainsSubstring("200x200 lags may take minutes") && ContainsSubstring("--max-lag"));
 }
 
 TEST_CASE("the default of --memory is told in words that are the same on every machine",
