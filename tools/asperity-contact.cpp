@@ -1,6 +1,7 @@
 /// Presses two bodies together and writes pressure, gap, displacement and the state of every cell, or a table of
 /// what many loads do.
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -51,24 +52,33 @@ class Account {
   std::size_t loads_, load_ = 0;
 };
 
-void warn(const cli::Tool& tool, const std::vector<std::string>& doubts, const std::string& of = "") {
-  for (const std::string& doubt : doubts) tool.warn(of + doubt);
+void warn(const cli::Tool& tool, const std::vector<Doubt>& doubts) {
+  for (const Doubt& doubt : doubts) tool.warn(doubt.words);
 }
 
-// The doubts of a sweep: those of its first few loads whole, of the others their number.
+// The doubts of a sweep: each kind whole at its first load, of the others how many they are and where they end.
 class SweepDoubts {
  public:
-  void add(const cli::Tool& tool, const std::vector<std::string>& doubts, const std::string& of) {
-    constexpr int few = 3;
-    if (!doubts.empty() && ++loads_ <= few) return warn(tool, doubts, of);
-    more_ += !doubts.empty();
+  void add(const cli::Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {
+    for (const Doubt& doubt : doubts) {
+      Seen& seen = seen_[doubt.about];
+      if (seen.loads++ == 0) tool.warn(load + ": " + doubt.words);
+      seen.last = load;
+    }
   }
   void tell(const cli::Tool& tool) const {
-    if (more_ > 0) tool.warn(fmt::format("{} more load{} in doubt like these", more_, more_ == 1 ? "" : "s"));
+    for (const auto& [about, seen] : seen_)
+      if (const int more = seen.loads - 1; more > 0)
+        tool.warn(fmt::format("the contact {} under {} more load{}, to {}", about, more, more == 1 ? "" : "s",
+                              seen.last));
   }
 
  private:
-  int loads_ = 0, more_ = 0;
+  struct Seen {
+    int loads = 0;
+    std::string last;
+  };
+  std::map<std::string_view, Seen> seen_;
 };
 
 int told_exit(const cli::Tool& tool, const cli::ContactOptions& options, const Contact& contact,
@@ -108,9 +118,9 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
     ++number;
     account.next();
     table.rows.push_back(cli::load_row(c));
-    const std::string of = cli::format_quantity(c.load, "N") + ": ";
-    in_doubt.add(tool, doubts(scene.grid, options.bodies, c), of);
-    code = std::max(code, told_exit(tool, options, c, of));
+    const std::string load = cli::format_quantity(c.load, "N");
+    in_doubt.add(tool, doubts(scene.grid, options.bodies, c), load);
+    code = std::max(code, told_exit(tool, options, c, load + ": "));
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
     cli::record(one, options, c);

@@ -83,9 +83,10 @@ struct KernelRequest {
   Infeasible infeasible = Infeasible::automatic;
   double rms = 1;            ///< σ [m], 1e-100 … 1e100
   double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
-  double acf_tolerance =
-      1e-3;  ///< on the error over all lags where `lags` is left open, else on the change, 1e-8 … 0.5
-  double memory = std::numeric_limits<double>::infinity();   ///< bound of acf/kernel_cost.hpp [byte]
+  /// On the error over all lags where `lags` is left open, else on the change; 1e-8 … 0.5.
+  double acf_tolerance = 1e-3;
+  /// Bound of acf/kernel_cost.hpp [byte].
+  double memory = std::numeric_limits<double>::infinity();
   std::function<void(const KernelProgress&)> progress = {};  ///< told of every step
 
   void check() const;
@@ -112,9 +113,9 @@ struct Kernel {
   Shape lags;
   double rms = 1;
   Field values;  ///< the whole kernel as (1) applies it [m]
-  Field
-      acf_target;  ///< R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more for a wider kernel [m²];
-                   ///< not a number beyond the lags of a table
+  /// R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more of a wider kernel or a table [m²]; not a number beyond
+  /// the lags of a table.
+  Field acf_target;
   Field acf_achieved;  ///< the same lags; the first and last of them lie beyond the support of R
   KernelReport report;
 

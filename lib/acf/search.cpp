@@ -25,11 +25,13 @@ constexpr double smooth_spectrum = 1e-12, nearly_smooth = -1e-4;
 
 // Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
 long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
-// The largest torus of projections: a step takes a second.
-constexpr double largest_torus = 1 << 24;
-constexpr Index least_torus = 4;  // over the lags
 // Products of least squares that were asked for.
 long large_budget(Index unknowns) { return std::clamp<long>(100'000'000 / unknowns, 500, 20000); }
+
+// The torus of projections, over the lags, and its most points: a step then takes a second.
+constexpr Index least_torus = 4;
+constexpr double most_points = 1 << 24;
+Index wider(Index torus) { return torus * 3 / 2; }
 
 // Half the tolerance inside, so that the residual recomputed by other sums stays below the whole.
 NewtonOptions options_for(const KernelRequest& request, Formulation formulation, Index unknowns) {
@@ -247,19 +249,26 @@ void Search::descend(long budget) {
 void Search::widen() {
   if (hopeless_) return;
   check_memory(request_, lags_, wider_kernel_cost(lags_));
-  const auto cells = static_cast<double>(lags_.cells());
-  auto fits = [&](Index torus) {
-    return static_cast<double>(torus * torus) * cells <= largest_torus &&
-           wider_kernel_cost(lags_, torus).memory <= request_.memory;
-  };
-  double change = widen(least_torus);
-  for (Index torus = least_torus * 3 / 2; best_ && lost_more_than(change) && fits(torus);
-       torus = torus * 3 / 2)
-    change = widen(torus);
+  Index torus = least_torus;
+  for (double change = widen(torus); best_ && lost_more_than(change); change = widen(torus)) {
+    torus = wider(torus);
+    const std::string limit = beyond_limits(torus);
+    if (limit.empty()) continue;
+    reason_ = limit;
+    break;
+  }
   if (best_ && best_->report.answer == "nearest" && solved()) best_->report.answer = "wider";
-  if (best_ && lost_more_than(change))
-    reason_ = "a kernel that is wider still takes more than --memory allows, or 2^24 points";
   trim();
+}
+
+// Why no torus of this size is tried, or nothing.
+std::string Search::beyond_limits(Index torus) const {
+  const double memory = wider_kernel_cost(lags_, torus).memory;
+  if (memory > request_.memory)
+    return "a kernel wide enough takes some " + number(memory / 1e6) + "MB, more than --memory";
+  if (static_cast<double>(torus * torus) * static_cast<double>(lags_.cells()) > most_points)
+    return "a kernel wide enough takes more than 2^24 points";
+  return {};
 }
 
 // Whether the ends of the kernel, and not the target, keep it from what is asked for.

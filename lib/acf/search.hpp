@@ -58,6 +58,7 @@ class Search {
   void descend(long budget);
   void widen();
   double widen(Index torus);
+  std::string beyond_limits(Index torus) const;
   bool lost_more_than(double change) const;
   void trim();
   double enough() const;

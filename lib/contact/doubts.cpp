@@ -69,32 +69,35 @@ Reach reach(const char* axis, double side, double first, double second) {
 
 }  // namespace
 
-std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies) {
+std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies) {
   const auto& [one, other] = bodies.radius;
   const Reach x = reach("x", grid.size_x(), one.x, other.x), y = reach("y", grid.size_y(), one.y, other.y);
   const Reach& far = x.share() < y.share() ? y : x;
   if (far.share() <= 1) return {};
-  return {fmt::format(
-      "the domain ends at {} = {:.3g} m, beyond a body's radius of {:.3g} m: the gap there is that of a "
-      "paraboloid, not of the body",
-      far.axis, far.half, far.radius)};
+  return {
+      {"lies on a domain beyond the body",
+       fmt::format(
+           "the domain ends at {} = {:.3g} m, beyond a body's radius of {:.3g} m: the gap there is that of a "
+           "paraboloid, not of the body",
+           far.axis, far.half, far.radius)}};
 }
 
-std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {
-  std::vector<std::string> out;
+std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {
+  std::vector<Doubt> out;
   const Index cells = (contact.pressure > 0).count();
   if (cells < cells_to_be_trusted)
-    out.push_back(fmt::format("the contact has {} cell{}, fewer than {}: refine the grid", cells,
-                              cells == 1 ? "" : "s", cells_to_be_trusted));
+    out.push_back({"has few cells", fmt::format("the contact has {} cell{}, fewer than {}: refine the grid",
+                                                cells, cells == 1 ? "" : "s", cells_to_be_trusted)});
   const Touched touched(contact.pressure);
   if (!grid.periodic && (touched.along_x || touched.along_y))
-    out.push_back(at_the_edge(grid, bodies, contact, touched));
+    out.push_back({"touches the edge of the domain", at_the_edge(grid, bodies, contact, touched)});
   const double modulus = bodies.composite_modulus();
   if (contact.max_pressure > modulus)
-    out.push_back(fmt::format(
-        "the greatest pressure, {:.3g} Pa, is above the composite modulus, {:.3g} Pa, where strains are no "
-        "longer small: give a yield stress, filter the heights, or press less",
-        contact.max_pressure, modulus));
+    out.push_back({"presses above the composite modulus",
+                   fmt::format("the greatest pressure, {:.3g} Pa, is above the composite modulus, {:.3g} Pa, "
+                               "where strains are no "
+                               "longer small: give a yield stress, filter the heights, or press less",
+                               contact.max_pressure, modulus)});
   return out;
 }
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact/bodies.hpp"
@@ -22,9 +23,14 @@
 
 namespace asperity {
 
+struct Doubt {
+  std::string_view about;  ///< what such contacts have in common: "has few cells"
+  std::string words;       ///< a sentence with the figures of this one, and what to do
+};
+
 /// (4), of bodies on their domain under any load.
-std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies);
+std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies);
 /// (1) to (3), of one contact of them.
-std::vector<std::string> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact);
+std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact);
 
 }  // namespace asperity

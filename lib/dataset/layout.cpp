@@ -33,7 +33,7 @@ double factor_to_metres(const Variable& variable) {
 
 struct AxisExtent {
   double spacing;
-  bool periodic;
+  bool periodic, cut;  ///< cut: its length is that of more points, or of fewer
 };
 
 bool single_precision(const Values& values) { return std::holds_alternative<std::vector<float>>(values); }
@@ -78,7 +78,8 @@ AxisExtent extent_of(const Variable& axis) {
   for (std::size_t i = 1; i < values.size(); ++i)
     if (!(std::abs(values[i] - values[i - 1] - step) <= 1e-3 * std::abs(step)))
       throw DataError(axis.name, "its points are not evenly spaced");
-  return {length / n * factor, axis.attributes.number("periodic", 0) != 0};
+  const bool cut = !agrees(axis.attributes.number("length", length), axis, values);
+  return {length / n * factor, axis.attributes.number("periodic", 0) != 0, cut};
 }
 
 void set_actual_range(Variable& variable, const double* first, std::size_t n) {
@@ -206,24 +207,9 @@ Grid grid_of(const Dataset& dataset) {
   const AxisExtent x = extent_of(dataset.at("x")), y = extent_of(dataset.at("y"));
   if (x.periodic != y.periodic)
     throw DataError("y", "periodic in one direction alone is not a surface that these tools know");
-  return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic};
+  const bool whole = !x.cut && !y.cut;  // a part of a period does not continue itself
+  return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic && whole};
 }
-
-namespace {
-
-// A part of a period does not continue itself.
-std::string end_periods(Dataset& dataset) {
-  std::string words;
-  for (const char* name : {"x", "y"}) {
-    Variable* axis = dataset.find(name);
-    if (axis == nullptr || axis->attributes.number("periodic", 0) == 0) continue;
-    axis->attributes.set("periodic", 0);
-    words = "; a part of a periodic surface is not periodic";
-  }
-  return words;
-}
-
-}  // namespace
 
 std::vector<std::string> settle_lengths(Dataset& dataset) {
   std::vector<std::string> out;
@@ -240,7 +226,13 @@ std::vector<std::string> settle_lengths(Dataset& dataset) {
     out.push_back(line.str());
     axis->attributes.set("length", settled);
   }
-  if (!out.empty()) out.back() += end_periods(dataset);
+  const auto periodic = [&](const char* name) {
+    const Variable* axis = dataset.find(name);
+    return axis != nullptr && axis->attributes.number("periodic", 0) != 0;
+  };
+  if (out.empty() || !periodic("x") || !periodic("y")) return out;
+  for (const char* name : {"x", "y"}) dataset.find(name)->attributes.set("periodic", 0);
+  out.back() += "; a part of a periodic surface is not periodic";
   return out;
 }
 

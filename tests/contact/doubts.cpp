@@ -14,9 +14,9 @@ std::string told(const Grid& grid, const Bodies& bodies, ContactParameters param
   Field gap = undeformed_gap(grid, bodies);
   if (heights.size() > 0) gap -= heights;
   std::string out;
-  for (const std::string& doubt :
+  for (const Doubt& doubt :
        doubts(grid, bodies, solve_contact(grid, gap, bodies.composite_modulus(), parameters)))
-    out += doubt + "\n";
+    out += doubt.words + "\n";
   return out;
 }
 
@@ -72,8 +72,8 @@ TEST_CASE("a pressure above the composite modulus is told with both", "[doubts][
 
 TEST_CASE("a domain beyond a body's radius is told with both", "[doubts][contract]") {
   const Grid grid{{32, 64}, 1e-4, 1e-4};  // 3.2 mm x 6.4 mm
-  const std::vector<std::string> found = doubts(grid, {.radius = {Radii(50e-3), Radii(-3e-3, -3.1e-3)}});
+  const std::vector<Doubt> found = doubts(grid, {.radius = {Radii(50e-3), Radii(-3e-3, -3.1e-3)}});
   REQUIRE(found.size() == 1);
-  CHECK_THAT(found[0], ContainsSubstring("y = 0.0032 m, beyond a body's radius of 0.0031 m"));
+  CHECK_THAT(found[0].words, ContainsSubstring("y = 0.0032 m, beyond a body's radius of 0.0031 m"));
   CHECK(doubts(grid, {.radius = {Radii(1e-3), Radii(1e-3)}}).size() == 1);
 }

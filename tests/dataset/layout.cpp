@@ -286,6 +286,7 @@ TEST_CASE("a length that disagrees with the points is not taken, and a line says
   Dataset period;
   set_grid(period, {{96, 8}, 3e-3 / 96, 1e-3, true});
   period.find("x")->attributes.set("length", 6e-3);
+  CHECK_FALSE(grid_of(period).periodic);
   CHECK_THAT(settle_lengths(period).at(0), ContainsSubstring("a part of a periodic surface is not periodic"));
   CHECK_FALSE(grid_of(period).periodic);
   Dataset single;  // of one point the length is all there is
