@@ -137,4 +137,24 @@ double periodic_variance(const Field& kernel, Shape surface) {
   return wrapped.square().sum() / kernel.square().sum();
 }
 
+double periodic_change(const Field& half_plane, Shape surface) {
+  const auto [nx, ny] = surface;
+  const Index middle = half_plane.cols() / 2;
+  auto within = [](Index lag, Index period) { return ((lag % period) + period) % period; };
+  Field sum = Field::Zero(nx, ny);  // over the periods, of the whole plane
+  for (Index p = 0; p < half_plane.rows(); ++p)
+    for (Index q = -middle; q <= middle; ++q) {
+      sum(within(p, nx), within(q, ny)) += half_plane(p, middle + q);
+      if (p > 0) sum(within(-p, nx), within(-q, ny)) += half_plane(p, middle + q);
+    }
+  double largest = 0;
+  for (Index p = 0; p <= nx / 2; ++p)
+    for (Index q = -(ny / 2); q <= ny / 2; ++q) {
+      const bool reached = p < half_plane.rows() && std::abs(q) <= middle;
+      const double alone = reached ? half_plane(p, middle + q) : 0.0;
+      largest = std::max(largest, std::abs(sum(p % nx, within(q, ny)) - alone));
+    }
+  return largest / half_plane(0, middle);
+}
+
 }  // namespace asperity

@@ -95,4 +95,8 @@ class Synthesis {
 /// (2) over R(0,0): 1 where the kernel fits the surface.
 double periodic_variance(const Field& kernel, Shape surface);
 
+/// What the periods add to an autocorrelation, given as a half plane to its reach: the largest change at lags up to half a
+/// period, over R(0,0). 0 where it reaches no farther than that.
+double periodic_change(const Field& half_plane, Shape surface);
+
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "surface/synthesis.hpp"
 
+#include "acf/kernel.hpp"
 #include "grid/error.hpp"
 #include "support.hpp"
 
@@ -203,4 +204,30 @@ TEST_CASE("the variance of a periodic surface is the kernel's autocorrelation su
     CHECK(std::abs(periodic_variance(kernel, surface) - sum / kernel.square().sum()) <= 35 * epsilon);
   }
   CHECK(periodic_variance(kernel, {13, 9}) == 1);
+}
+
+// A kernel of 7 × 5 reaches to lags 6 and 4: periods of 14 and 10 points leave them alone. Both sums have 35 products a lag
+// at most, each rounded, below (Σ|kernel|)² in all.
+TEST_CASE("periods change an autocorrelation by what it has beyond half of them", "[synthesis][exact]") {
+  const Field kernel = random_field({7, 5}, 6), alone = autocorrelation(kernel, 7, 9);
+  for (const Shape surface :
+       {Shape{1, 1}, Shape{1, 40}, Shape{3, 2}, Shape{6, 4}, Shape{7, 5}, Shape{9, 8}}) {
+    Field wrapped = Field::Zero(surface.nx, surface.ny);
+    for (Index k = 0; k < 7; ++k)
+      for (Index l = 0; l < 5; ++l) wrapped(k % surface.nx, l % surface.ny) += kernel(k, l);
+    double largest = 0;
+    for (Index p = 0; p <= surface.nx / 2; ++p)
+      for (Index q = -(surface.ny / 2); q <= surface.ny / 2; ++q) {
+        double sum = 0;
+        for (Index i = 0; i < surface.nx; ++i)
+          for (Index j = 0; j < surface.ny; ++j)
+            sum += wrapped(i, j) * wrapped((i + p) % surface.nx, (j + q + surface.ny) % surface.ny);
+        const double reached = p < 7 && std::abs(q) <= 4 ? alone(p, 4 + q) : 0.0;
+        largest = std::max(largest, std::abs(sum - reached));
+      }
+    CAPTURE(surface.nx, surface.ny);
+    const double scale = std::pow(kernel.abs().sum(), 2) / alone(0, 4);
+    CHECK(std::abs(periodic_change(alone, surface) - largest / alone(0, 4)) <= 70 * epsilon * scale);
+  }
+  CHECK(periodic_change(alone, {14, 10}) == 0);
 }
