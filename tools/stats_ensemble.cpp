@@ -2,36 +2,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace asperity::cli {
+
+namespace {
+
+bool is_direction(const std::string& unit) { return unit == "rad"; }
+
+// A direction by the wave that has it, of two periods a turn.
+Eigen::ArrayXd summed(const Quantities::Row& row) {
+  if (!is_direction(row.unit)) return Eigen::ArrayXd::Constant(1, row.value);
+  return Eigen::Array2d(std::cos(2 * row.value), std::sin(2 * row.value));
+}
+
+struct Centre {
+  double mean, spread;
+};
+
+Centre centre_of(const std::string& unit, const Ensemble& values) {
+  const Eigen::ArrayXd mean = values.mean();
+  if (!is_direction(unit)) return {mean(0), values.spread()(0)};
+  const double n = values.count()(0), length = std::min(std::hypot(mean(0), mean(1)), 1.0);
+  return {std::atan2(mean(1), mean(0)) / 2, n > 1 ? std::sqrt(-2 * std::log(length) * n / (n - 1)) / 2 : NAN};
+}
+
+}  // namespace
 
 EnsembleRows::Quantity& EnsembleRows::quantity(const Quantities::Row& row) {
   const auto known = std::ranges::find(quantities_, row.name, &Quantity::name);
   return known != quantities_.end() ? *known : quantities_.emplace_back(Quantity{row.name, row.unit});
 }
 
-namespace {
-
-// An angle is that of an axis, the same after half a turn: as near to the mean of those before as can be.
-double nearest_turn(const Quantities::Row& row, const Ensemble& before) {
-  if (row.unit != "rad" || before.quantities() == 0 || before.count()(0) == 0) return row.value;
-  return before.mean()(0) + std::remainder(row.value - before.mean()(0), std::numbers::pi);
-}
-
-// From -90° on, as those of one surface.
-double mean_of(const std::string& unit, const Ensemble& values) {
-  const double mean = values.mean()(0);
-  return unit == "rad" ? std::remainder(mean, std::numbers::pi) : mean;
-}
-
-}  // namespace
-
 void EnsembleRows::add(const Rows& rows) {
   ++surfaces_;
   for (const Quantities::Row& row : rows) {
     Quantity& q = quantity(row);
-    q.values.add(Eigen::ArrayXd::Constant(1, nearest_turn(row, q.values)));
+    q.values.add(summed(row));
     q.squared_errors.add(Eigen::ArrayXd::Constant(1, row.standard_error * row.standard_error));
   }
 }
@@ -45,9 +51,12 @@ Table EnsembleRows::table() const {
              {"expected_spread", "SI"},
              {"surfaces", "1"}},
             {}};
-  for (const Quantity& q : quantities_)
-    out.rows.push_back({q.name, q.unit, mean_of(q.unit, q.values), q.values.standard_error()(0),
-                        q.values.spread()(0), std::sqrt(q.squared_errors.mean()(0)), q.values.count()(0)});
+  for (const Quantity& q : quantities_) {
+    const auto [mean, spread] = centre_of(q.unit, q.values);
+    const double count = q.values.count()(0);
+    out.rows.push_back({q.name, q.unit, mean, spread / std::sqrt(count), spread,
+                        std::sqrt(q.squared_errors.mean()(0)), count});
+  }
   return out;
 }
 
