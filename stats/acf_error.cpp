@@ -47,17 +47,17 @@ double AcfError::normalised(Index p, Index q) const {
 }
 
 // c of a ρ that ends at P is zero beyond 2P.
-LagField AcfError::convolution(Shape max_lag, bool tapered) const {
+LagField AcfError::convolution(Shape max_lag) const {
   const Shape reach = rho_.reach();
   Field plane = Field::Zero(2 * reach.nx + 1, 2 * reach.ny + 1);
   for (const auto& [p, q, rho] : support_)
-    plane(reach.nx + p, reach.ny + q) = rho * (tapered ? std::sqrt(weight(0, 0, p, q)) : 1);
+    plane(reach.nx + p, reach.ny + q) = rho * std::sqrt(weight(0, 0, p, q));
   const Shape lags{std::min(max_lag.nx, 2 * reach.nx), std::min(max_lag.ny, 2 * reach.ny)};
   return LagField(lag_sums(plane, {{plane.rows(), plane.cols()}, 1, 1, false}, lags));
 }
 
 LagField AcfError::normalised(Shape max_lag) const {
-  const LagField c = convolution({2 * max_lag.nx, 2 * max_lag.ny}, true);
+  const LagField c = convolution({2 * max_lag.nx, 2 * max_lag.ny});
   const double square = c(0, 0);
   auto error = [&](Index p, Index column) {
     const Index q = column - max_lag.ny;
@@ -73,7 +73,7 @@ Eigen::MatrixXd AcfError::correlation(const std::vector<Shape>& lags) const {
   Shape farthest{0, 0};
   for (const auto& [p, q] : lags)
     farthest = {std::max(farthest.nx, std::abs(p)), std::max(farthest.ny, std::abs(q))};
-  const LagField c = convolution({2 * farthest.nx, 2 * farthest.ny}, false);
+  const LagField c = convolution({2 * farthest.nx, 2 * farthest.ny});
   const double square = c(0, 0);
   Eigen::VectorXd rho(n), beside(n);
   for (Index a = 0; const auto& [p, q] : lags) rho(a) = rho_(p, q), beside(a++) = c(p, q);

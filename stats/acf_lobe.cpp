@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "stats/acf_length.hpp"
 
 namespace asperity {
@@ -99,7 +100,7 @@ std::optional<LobeEllipse> fitted_ellipse(const std::vector<Eigen::Vector2d>& po
 
 CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
   if (!(level > 0 && level < 1))
-    throw ParameterError("acf-level", "value " + std::to_string(level) + " is outside 0 to 1");
+    throw ParameterError("acf-level", "value " + shortest(level) + " is outside 0 to 1");
   const Contour contour = contour_of_lobe(rho, grid, level);
   CentralLobe out;
   if (contour.points.empty()) return out;

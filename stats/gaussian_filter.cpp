@@ -7,6 +7,7 @@
 #include <string>
 
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "stats/form.hpp"
 #include "stats/missing.hpp"
 #include "transform/convolution.hpp"
@@ -92,8 +93,8 @@ Field of_period(const Field& z, const Grid& grid, double cutoff, int threads) {
 void check(double cutoff, const Grid& grid) {
   const double least = 2 * std::max(grid.dx, grid.dy);
   if (!(cutoff >= least && std::isfinite(cutoff)))
-    throw ParameterError("cut-off", std::to_string(cutoff) + " m: not finite or below two samples, " +
-                                        std::to_string(least) + " m");
+    throw ParameterError("cut-off",
+                         shortest(cutoff) + " m: not finite or below two samples, " + shortest(least) + " m");
 }
 
 }  // namespace

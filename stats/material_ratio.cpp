@@ -11,6 +11,7 @@
 
 #include "grid/error.hpp"
 #include "grid/parallel.hpp"
+#include "grid/words.hpp"
 #include "marginal/hermite.hpp"
 #include "stats/missing.hpp"
 
@@ -37,7 +38,7 @@ std::vector<double> sorted_descending(const Field& z, int threads) {
 
 void check_share(double ratio) {
   if (!(ratio >= 0 && ratio <= 1))
-    throw ParameterError("material-ratio", "value " + std::to_string(ratio) + " is outside 0 to 1");
+    throw ParameterError("material-ratio", "value " + shortest(ratio) + " is outside 0 to 1");
 }
 
 // A straight piece of the curve: rank and height at either end.
@@ -159,8 +160,7 @@ VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
   check_share(p);
   check_share(q);
   if (p > q)
-    throw ParameterError("material-ratio",
-                         "value " + std::to_string(p) + " is above the second, " + std::to_string(q));
+    throw ParameterError("material-ratio", "value " + shortest(p) + " is above the second, " + shortest(q));
   const double peak = material_volume(p), dale = void_volume(q);
   return {.vmp = peak, .vmc = material_volume(q) - peak, .vvc = void_volume(p) - dale, .vvv = dale};
 }

@@ -7,6 +7,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "stats/quantiles.hpp"
 
 namespace asperity {
@@ -30,7 +31,7 @@ Interval about_unbiased(double estimate, double lost, double half_width) {
 
 double tail_of(double level) {
   if (!(level > 0 && level < 1))
-    throw ParameterError("confidence", "value " + std::to_string(level) + " is not between 0 and 1");
+    throw ParameterError("confidence", "value " + shortest(level) + " is not between 0 and 1");
   return (1 - level) / 2;
 }
 

@@ -55,6 +55,15 @@ double overlap(const Grid& grid, Index p, Index q) {
   return overlap(p, grid.shape.nx, grid.periodic) * overlap(q, grid.shape.ny, grid.periodic);
 }
 
+LagField tapered(const LagField& rho, const Pairs& pairs) {
+  const auto [nx, ny] = pairs.grid().shape;
+  const LagField inside = pairs.grid().periodic ? rho : rho.within({nx - 1, ny - 1});
+  return LagField(Field::NullaryExpr(inside.max_p() + 1, 2 * inside.max_q() + 1, [&](Index p, Index column) {
+    const Index q = column - inside.max_q();
+    return inside(p, q) * std::sqrt(pairs.share(p, q));
+  }));
+}
+
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit) {
   const Grid& grid = pairs.grid();

@@ -6,6 +6,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "marginal/prescribed.hpp"
 #include "stats/acf.hpp"
 #include "stats/acf_error.hpp"
@@ -31,11 +32,14 @@ double normal_score(double below, double above) {
   return std::clamp(score, -most_score, most_score);
 }
 
-// Of the gamma law of mean 0, variance 1 and this skewness, by Wilson and Hilferty's cube root; below 1e-6 it is z.
+// Of the gamma law of mean 0, variance 1 and this skewness, by Wilson and Hilferty's cube root; below 1e-6 it is z. The cube
+// root holds from one degree on (below 2/9 the least value of all would score high), which a skewness of √8 stands for. With
+// five patches or more Sq's is below; Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has
+// a skewness of 1.6 at the most.
 double gamma_score(double z, double skewness) {
   if (std::abs(skewness) < 1e-6) return z;
   if (skewness < 0) return -gamma_score(-z, -skewness);
-  const double degrees = 8 / (skewness * skewness), variance = 2 / (9 * degrees);
+  const double degrees = std::max(1.0, 8 / (skewness * skewness)), variance = 2 / (9 * degrees);
   return (std::cbrt(std::max(0.0, 1 + z * std::sqrt(2 / degrees))) - 1 + variance) / std::sqrt(variance);
 }
 
@@ -66,8 +70,8 @@ Shape longest_lag(const LagField& rho, const Grid& grid) {
 
 void Prescription::check() const {
   if (!(sku >= 1 + ssk * ssk))
-    throw ParameterError(
-        "kurtosis", "value " + std::to_string(sku) + " is below 1 + skewness², which no distribution has");
+    throw ParameterError("kurtosis",
+                         "value " + shortest(sku) + " is below 1 + skewness², which no distribution has");
   if (!spread && (ssk != 0 || sku != 3))
     throw ParameterError("errors",
                          "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
@@ -78,8 +82,7 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   prescription_.check();
   prescription_.correlation = prescription.correlation.normalised();
   const LagField& rho = prescription_.correlation;
-  const CorrelationPowers powers(rho, grid), of_square(LagField(rho.half_plane().square()), grid);
-  choose_lags(powers);
+  choose_lags(CorrelationPowers(tapered(rho, grid), grid));
   if (prescription_.ssk != 0 || prescription_.sku != 3) {
     const PrescribedHeights heights{prescription_.ssk, prescription_.sku, Infeasible::nearest};
     const Translation g = heights.translation();
@@ -88,8 +91,11 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   complete_ = theory_of(grid);
   total_.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()));
   const double cells = static_cast<double>(grid.shape.cells());
-  variance_skewness_ = 8 * powers.third(0, 0) / (cells * cells) / std::pow(2 * complete_.sums[2], 1.5);
-  sku_skewness_ = 1728 * of_square.third(0, 0) / (cells * cells) / std::pow(24 * complete_.sums[4], 1.5);
+  const LagField square(rho.half_plane().square());
+  variance_skewness_ =
+      8 * mean_of_triples(rho, grid) / (cells * cells) / std::pow(2 * complete_.sums[2], 1.5);
+  sku_skewness_ =
+      1728 * mean_of_triples(square, grid) / (cells * cells) / std::pow(24 * complete_.sums[4], 1.5);
 }
 
 void PrescriptionTest::Theory::operator+=(const Theory& other) {
@@ -106,6 +112,11 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
   for (std::size_t k = 1; k <= 4; ++k) out.sums[k] = size.sum(static_cast<int>(k)) / size.points();
   if (!(out.sums[1] < 0.5))
     throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
+  if (!prescription_.spread && !size.tells_errors())
+    throw DataError("acf_target", "it reaches too far for the field, worth N_eff = " +
+                                      shortest(std::round(10 * size.effective(2)) / 10) +
+                                      " independent points: theory has errors from " +
+                                      shortest(size.least_effective()) + " on; take a larger field");
   out.sku_bias = -6 * out.sums[2];
   if (translated_) {
     const TranslationErrors errors(translated_->heights, EffectiveSize(translated_->below, pairs));

@@ -10,7 +10,9 @@
 /// shape, whatever its height. Each is a mean of quadratic or quartic forms of a Gaussian, hence skewed: z, the
 /// deviation in standard errors, is freed of it by the gamma law of the same three cumulants (Imhof; Wilson and
 /// Hilferty), and of the far tails, heavier than these tell, by Student's t of M N/(10 S_2) degrees, as was measured.
-/// With c = ρ*ρ and t = ρ*ρ*ρ, the third cumulant of e(h) and the covariance of e(h) with e(g) are
+/// The third cumulants of Sq² and, to first order, Sku are 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, C the correlations of the N points with
+/// each other and D their squares (stats/correlation_powers.hpp). With c = ρ*ρ and t = ρ*ρ*ρ of a ρ that is tapered so that they
+/// are sums over the pairs and triples of the field (stats/pairs.hpp), those of e(h) and the covariance of e(h) with e(g) are
 ///     (8/N²) [(3t(h) + t(3h))/4 - (3/2)ρ(h)(t(0) + t(2h)) + 3ρ(h)²t(h) - ρ(h)³t(0)],               (5)
 ///     (1/N) [c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0)].                              (6)
 /// The many lags are one claim: the p-value of the largest |score| is that of the largest of Gaussians correlated as
@@ -23,6 +25,8 @@
 /// of the same means stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation,
 /// Johnson's of the two that are prescribed (stats/translation_error.hpp).
 ///
+/// Theory holds from N/S_2 = 5 on; a surface that is worth less is refused.
+///
 /// Points that are missing, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs
 /// that a surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; the
 /// third cumulants and (6) are taken as of complete surfaces. A lag counts for the surfaces that have more than a tenth
@@ -32,7 +36,8 @@
 ///           errors of neighbouring lags are nearly the same.
 /// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a stated 1 %,
 ///           3.4, 4.3 and 4.3 % at 5 %; with a third of the points missing 0.75 and 0.65 %, 2.9 and 3.2 %
-///           (validation/statistics_coverage). Errors from the spread, of 1000 ensembles of twelve surfaces, 0.3 and 0.6 %,
+///           (validation/statistics_coverage). Rows of 26 and 64 patches are refused in less than the stated 5 %: where patches
+///           are few, Student's law is wide. Errors from the spread, of 1000 ensembles of twelve surfaces, 0.3 and 0.6 %,
 ///           2.9 and 4.2 %, with holes 1.0 and 4.3 %; of thirty 0.9 and 3.2 %.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
@@ -79,6 +84,7 @@ struct Claim {
 
 class PrescriptionTest {
  public:
+  /// Throws DataError("acf_target", …) where a surface is worth too little for theory.
   PrescriptionTest(const Prescription& prescription, const Grid& grid);
 
   /// Throws DataError("heights", …) when the grid is not the first one's.

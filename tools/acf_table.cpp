@@ -10,6 +10,7 @@
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
 #include "formats/text_table.hpp"
+#include "grid/words.hpp"
 #include "plain_text.hpp"
 
 namespace asperity::cli {
@@ -138,8 +139,7 @@ Text parse(std::string_view bytes) {
   Text text{columns_in(bytes), matrix_of(bytes, "acf")};
   const auto named = static_cast<Index>(text.columns.size()), columns = text.rows.cols();
   if (named > 0 && columns != named)
-    refuse("its lines have " + std::to_string(columns) + " numbers, its header " + std::to_string(named) +
-           " names");
+    refuse("its lines have " + counted(columns, "number") + ", its header " + counted(named, "name"));
   if (text.rows.isNaN().any()) refuse("a number is missing in it");
   return text;
 }

@@ -7,6 +7,7 @@
 #include "cli/stream.hpp"
 #include "cli/tool.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/kinds.hpp"
 
@@ -47,7 +48,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
             "What is drawn: heights, pressure, gap, noise, stress_zz, ... (default: the kind's own)", group);
   tool.text("--section", o.request.section, "AXIS=PLACE",
             "Where a section or profile runs, y=0 or x=0.2mm: the nearest row of cells; y=max: through the "
-            "largest von Mises stress (default: y=0; a profile's: both)",
+            "largest von Mises stress (default: y=0, or x=0 of a single row; a profile's: both)",
             group);
   tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
   tool.input_format("--input-format");
@@ -112,7 +113,7 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.depth = rising("depth-range", o.depth);
   request.titled = tool.given("--title");
   request.scale_by_hertz = o.scale_by == "p0";
-  if (!plot::is_utf8(request.title)) throw cli::UsageError("title", "it is not UTF-8");
+  if (!is_utf8(request.title)) throw cli::UsageError("title", "it is not UTF-8");
   if (tool.given("--columns") && request.kind == "profile")
     throw cli::UsageError("columns", "profiles of several inputs are drawn into one panel");
   if (tool.given("--above") && !(request.above > 0 && std::isfinite(request.above)))
@@ -125,15 +126,16 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
 std::vector<std::string> labels_of(const Options& o) {
   std::vector<std::string> out;
   if (o.labels.empty()) {
-    for (const std::string& name : o.inputs) out.push_back(std::filesystem::path(name).stem());
+    for (const std::string& name : o.inputs)
+      out.push_back(utf8_of(std::filesystem::path(name).stem().string()));
   } else {
     std::istringstream list(o.labels);
     for (std::string label; std::getline(list, label, ',');) out.push_back(label);
   }
   if (out.size() != o.inputs.size())
-    throw cli::UsageError(
-        "labels", std::to_string(out.size()) + " of them for " + std::to_string(o.inputs.size()) + " inputs");
-  if (!std::ranges::all_of(out, plot::is_utf8)) throw cli::UsageError("labels", "they are not UTF-8");
+    throw cli::UsageError("labels", std::to_string(out.size()) + " of them for " +
+                                        counted(static_cast<std::int64_t>(o.inputs.size()), "input"));
+  if (!std::ranges::all_of(out, is_utf8)) throw cli::UsageError("labels", "they are not UTF-8");
   return out;
 }
 

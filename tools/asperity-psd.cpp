@@ -4,6 +4,7 @@
 #include "cli/lineage.hpp"
 #include "cli/output_name.hpp"
 #include "cli/table.hpp"
+#include "grid_words.hpp"
 #include "measured.hpp"
 #include "stats/spectrum.hpp"
 
@@ -37,6 +38,10 @@ cli::Table radial(const cli::Measured& measured, const LagField& psd, const Data
   cli::Table out{{{"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}, {"count", "1"}}, {}};
   for (const SpectrumPoint& ring : radial_spectrum(psd, measured.grid, inflation))
     out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
+  if (out.rows.empty())
+    throw DataError("heights", "no ring of wave numbers fits a field of " + cli::described(measured.grid) +
+                                   ": its longest wave along one side is too short for the other side's "
+                                   "spacing; --profiles and --dataset have the spectrum");
   return out;
 }
 

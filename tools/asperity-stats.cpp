@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ensemble_input.hpp"
+#include "grid/words.hpp"
 #include "stats_ensemble.hpp"
 #include "stats_groups.hpp"
 
@@ -84,10 +85,10 @@ cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const c
   Dataset head = file.dataset();
   for (const std::string& line : settle_lengths(head)) tool.warn(path + ": " + line);
   cli::StripSample sample(file, options, {what.asks_for("hybrid"), what.memory, tool.thread_count()});
-  tool.note("read in strips of " + std::to_string(sample.rows()) + " rows");
+  tool.note("read in strips of " + counted(sample.rows(), "row"));
   if (sample.correlation_reaches_beyond())
-    tool.warn("the correlation is longer than half a strip of " + std::to_string(sample.rows()) +
-              " rows: standard errors are too small; see --memory");
+    tool.warn("the correlation is longer than half a strip of " + counted(sample.rows(), "row") +
+              ": standard errors are too small; see --memory");
   return rows_of(sample, options, what, cautions);
 }
 

@@ -8,6 +8,7 @@
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
 #include "grid/stopwatch.hpp"
+#include "grid/words.hpp"
 #include "stress_record.hpp"
 #include "stress_warning.hpp"
 #include "stress_writer.hpp"
@@ -17,8 +18,8 @@ using namespace asperity;
 namespace {
 
 std::string told(const StressMaximum& m) {
-  return fmt::format("largest von Mises stress {:.6g} MPa, {:.6g} um deep, from {} layers",
-                     m.von_mises * 1e-6, m.depth * 1e6, m.layers);
+  return fmt::format("largest von Mises stress {:.6g} MPa, {:.6g} um deep, from {}", m.von_mises * 1e-6,
+                     m.depth * 1e6, counted(m.layers, "layer"));
 }
 
 StressMaximum search(const cli::Tool& tool, const StressSolver& solver) {

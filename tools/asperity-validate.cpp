@@ -6,6 +6,7 @@
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
 #include "ensemble_input.hpp"
+#include "grid/words.hpp"
 #include "marginal/prescribed.hpp"
 #include "measured.hpp"
 #include "stats/prescription.hpp"
@@ -139,7 +140,8 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "Gaussian surfaces are refused at most at the stated rate: of 2000 single ones of N_eff = 300 and more "
       "0.6 to 0.75 % at 1 %, 3.4 to 4.3 % at 5 %. The means are freed of the bias that each field's own mean "
-      "and Sq bring. --errors spread takes Student's t: of a dozen surfaces 0.3 to 1 % and 2.9 to 4.3 %. "
+      "and Sq bring. A surface worth fewer than 5 independent points is refused unless errors come from the "
+      "spread. --errors spread takes Student's t: of a dozen surfaces 0.3 to 1 % and 2.9 to 4.3 %. "
       "Surfaces "
       "drawn with --exact-rq have no spread of Sq, which then always agrees. Lags of up to a quarter of the "
       "field are compared.");
@@ -155,7 +157,7 @@ int main(int argc, char** argv) {
       test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));
     });
     const std::vector<Claim> claims = test->claims();
-    tool.note(std::to_string(test->surfaces()) + " surfaces, " + std::to_string(test->lags()) + " lags");
+    tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag"));
     cli::print(tool, table_of_claims(claims, options.significance));
     return joint_p(claims) <= options.significance ? not_as_prescribed : int{cli::done};
   });

@@ -12,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/table.hpp"
+#include "grid/words.hpp"
 #include "marginal/predistortion.hpp"
 
 namespace asperity::cli {
@@ -191,8 +192,7 @@ Exit tell(const Tool& tool, const Solved& s, bool aside) {
   auto say = [&](const std::string& text) { aside ? tool.detail("kernel: " + text) : tool.note(text); };
   const KernelReport& report = s.report;
   tool.detail("kernel: " + report.answer + ", " + report.reason + ", residual " + shortest(report.residual) +
-              ", " + std::to_string(report.jacobian_products) + " products, " + shortest(report.seconds) +
-              " s");
+              ", " + counted(report.jacobian_products, "product") + ", " + shortest(report.seconds) + " s");
   if (s.chosen) say(achieved(s));
   if (!report.converged) {
     tool.warn("kernel: " + shortcoming(s.data.attributes));

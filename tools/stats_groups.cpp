@@ -326,6 +326,10 @@ Rows material_rows(Sample& sample, const StatsOptions& options) {
 
 Rows profile_rows(Sample& sample, const StatsOptions& options, double section) {
   const bool filtered = !std::isnan(section), heights = sample.units() == "m";
+  const Shape shape = sample.grid().shape;
+  if ((options.profile == "x" ? shape.nx : shape.ny) < 2)
+    throw DataError(sample.variable(),
+                    "a profile along " + options.profile + " needs two points, and there is one");
   const ProfileAverages averages =
       sample.profiles(options.profile == "x" ? Axis1D::x : Axis1D::y, filtered ? section : unlimited);
   const bool few = averages.independent < least_profiles;

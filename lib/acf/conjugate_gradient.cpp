@@ -7,6 +7,7 @@
 #include <gsl/gsl_poly.h>
 
 #include "grid/stopwatch.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -102,12 +103,12 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
   tell();
   while (!(descent.largest() <= options.tolerance)) {
     if (result.steps == options.max_iterations) {
-      result.reason = "not solved in " + std::to_string(result.steps) + " iterations";
+      result.reason = "not solved in " + counted(result.steps, "iteration");
       break;
     }
     ++result.steps;
     if (!descent.step()) {
-      result.reason = "no further descent after " + std::to_string(result.steps) + " iterations";
+      result.reason = "no further descent after " + counted(result.steps, "iteration");
       break;
     }
     tell();

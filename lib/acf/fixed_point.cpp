@@ -7,6 +7,7 @@
 
 #include "acf/kinsol.hpp"
 #include "grid/stopwatch.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -50,8 +51,7 @@ class FixedPoint {
     }
     if (largest <= options_.tolerance) return end("solved");
     if (!(largest <= 1e6 * least_ && largest < infinity)) return end("the iteration diverges");
-    if (steps_ == options_.max_iterations)
-      return end("not solved in " + std::to_string(steps_) + " iterations");
+    if (steps_ == options_.max_iterations) return end("not solved in " + counted(steps_, "iteration"));
     ++steps_;
     system_.linearize(u);
     system_.precondition(g);

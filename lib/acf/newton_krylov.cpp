@@ -7,6 +7,7 @@
 
 #include "acf/kinsol.hpp"
 #include "grid/stopwatch.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -47,10 +48,9 @@ class Callbacks {
   }
   int linearize(std::span<const double> u) {
     iterate_.assign(u.begin(), u.end());
-    if (steps_ == options_.max_steps)
-      return stop("not solved in " + std::to_string(steps_) + " Newton steps");
+    if (steps_ == options_.max_steps) return stop("not solved in " + counted(steps_, "Newton step"));
     if (products_ >= options_.max_products)
-      return stop("not solved with " + std::to_string(products_) + " Jacobian products");
+      return stop("not solved with " + counted(products_, "Jacobian product"));
     ++steps_;
     const Timer timer(system_seconds_);
     system_.linearize(u);

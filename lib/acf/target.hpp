@@ -42,6 +42,7 @@
 
 #include "grid/error.hpp"
 #include "grid/field.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 
@@ -80,10 +81,10 @@ struct ExponentialTarget {
 
   void check() const {
     if (!(level > 0 && level < 1))
-      throw ParameterError("level", std::to_string(level) + " does not lie between 0 and 1");
+      throw ParameterError("level", shortest(level) + " does not lie between 0 and 1");
     for (double length : {length_x, length_y})
       if (!(length > 0 && std::isfinite(length)))
-        throw ParameterError("length", std::to_string(length) + " samples: must be positive and finite");
+        throw ParameterError("length", shortest(length) + " samples: must be positive and finite");
   }
   double operator()(double p, double q) const {
     const double x = p / length_x, y = q / length_y;

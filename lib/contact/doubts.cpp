@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "contact/hertz.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -86,8 +87,8 @@ std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact&
   std::vector<Doubt> out;
   const Index cells = (contact.pressure > 0).count();
   if (cells < cells_to_be_trusted)
-    out.push_back({"has few cells", fmt::format("the contact has {} cell{}, fewer than {}: refine the grid",
-                                                cells, cells == 1 ? "" : "s", cells_to_be_trusted)});
+    out.push_back({"has few cells", fmt::format("the contact has {}, fewer than {}: refine the grid",
+                                                counted(cells, "cell"), cells_to_be_trusted)});
   const Touched touched(contact.pressure);
   if (!grid.periodic && (touched.along_x || touched.along_y))
     out.push_back({"touches the edge of the domain", at_the_edge(grid, bodies, contact, touched)});

@@ -13,6 +13,7 @@
 #include "contact/windowed.hpp"
 #include "grid/error.hpp"
 #include "grid/stopwatch.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -106,8 +107,8 @@ std::string describe(ContactStop stop, double epsilon, const ContactParameters& 
     case ContactStop::convolution_limit:
       break;
   }
-  return fmt::format("the limit of {} convolutions is reached at a residual of {:.1e}",
-                     parameters.max_convolutions, epsilon);
+  return fmt::format("the limit of {} is reached at a residual of {:.1e}",
+                     counted(parameters.max_convolutions, "convolution"), epsilon);
 }
 
 // Squares of pressures beyond 1e154 are infinite: then no residual says anything.

@@ -9,6 +9,7 @@
 #include "dataset/units.hpp"
 #include "grid/error.hpp"
 #include "grid/large_pages.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -59,7 +60,7 @@ double settled_length(const Variable& axis, const std::vector<double>& points) {
   const Values* told = axis.attributes.find("length");
   const double length = axis.attributes.number("length", NAN), of_points = length_of_points(points);
   if (!std::isfinite(length)) return of_points;
-  if (!(length > 0)) throw DataError(axis.name, "its length " + std::to_string(length) + " is not positive");
+  if (!(length > 0)) throw DataError(axis.name, "its length " + shortest(length) + " is not positive");
   if (std::isnan(of_points)) return length;
   const bool coarser = single_precision(*told) && !single_precision(axis.values);
   return coarser || !agrees(length, axis, points) ? of_points : length;

@@ -6,8 +6,12 @@
 
 #include <udunits2.h>
 
+#include "grid/words.hpp"
+
 namespace asperity {
 namespace {
+
+constexpr std::size_t longest_unit = 64;  // in a message
 
 struct FreeUnit {
   void operator()(ut_unit* u) const { ut_free(u); }
@@ -38,8 +42,8 @@ const ut_system* units() {
 }
 
 Unit parse(const std::string& name) {
-  Unit unit(ut_parse(units(), name.c_str(), UT_UTF8));
-  if (!unit) throw std::invalid_argument("'" + name + "' is no known unit");
+  Unit unit(ut_parse(units(), utf8_of(name).c_str(), UT_UTF8));
+  if (!unit) throw std::invalid_argument("'" + one_line(name, longest_unit) + "' is no known unit");
   return unit;
 }
 
@@ -54,7 +58,9 @@ double unit_factor(const std::string& from, const std::string& to) {
   const Silence silence;
   const Unit source = parse(from), target = parse(to);
   const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(source.get(), target.get()));
-  if (!converter) throw std::invalid_argument("'" + from + "' does not measure what '" + to + "' measures");
+  if (!converter)
+    throw std::invalid_argument("'" + one_line(from, longest_unit) + "' does not measure what '" + to +
+                                "' measures");
   return cv_convert_double(converter.get(), 1.0) - cv_convert_double(converter.get(), 0.0);
 }
 

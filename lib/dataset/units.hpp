@@ -8,7 +8,8 @@
 
 namespace asperity {
 
-/// The factor f with 1 `from` = f `to`: unit_factor("nm", "m") = 1e-9, unit_factor("µm", "m") = 1e-6. Throws
+/// The factor f with 1 `from` = f `to`: unit_factor("nm", "m") = 1e-9, unit_factor("µm", "m") = 1e-6, in UTF-8
+/// or Latin-1. Throws
 /// std::invalid_argument saying which unit is unknown, or that the two measure different things.
 double unit_factor(const std::string& from, const std::string& to);
 

@@ -6,6 +6,7 @@
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

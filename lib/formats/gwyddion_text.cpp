@@ -6,6 +6,7 @@
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -60,7 +61,7 @@ Head take_head(std::string_view& text) {
 
 double metres(const Length& length) {
   const double size = length.number * metres_per(length.unit, "map");
-  if (!(size > 0)) throw DataError("map", "its size " + std::to_string(length.number) + " is not positive");
+  if (!(size > 0)) throw DataError("map", "its size " + shortest(length.number) + " is not positive");
   return size;
 }
 

@@ -28,8 +28,4 @@ class Head {
   std::string_view lines_, separators_;
 };
 
-/// Text for a head, a message or a dataset: blanks for what would end the line or speak to a terminal, and ? for bytes that
-/// are no UTF-8.
-std::string one_line(std::string_view text);
-
 }  // namespace asperity

@@ -5,8 +5,8 @@
 
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "formats/head.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -49,7 +49,7 @@ void set_with_missing(Dataset& dataset, std::string_view name, const Field& valu
 }  // namespace
 
 double metres_per(std::string_view unit, const std::string& variable) {
-  const std::string name = one_line(unit.substr(0, longest_unit));
+  const std::string name = one_line(unit, longest_unit);
   try {
     const double factor = unit.size() <= longest_unit ? unit_factor(name, "m") : 0;
     if (factor > 0 && std::isfinite(factor)) return factor;
@@ -60,7 +60,7 @@ double metres_per(std::string_view unit, const std::string& variable) {
 }
 
 void set_units(Map& map, std::string_view unit) {
-  map.units = one_line(unit.substr(0, longest_unit));
+  map.units = one_line(unit, longest_unit);
   double factor = 1;
   try {
     factor = metres_per(unit, "map");

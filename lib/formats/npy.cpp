@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -54,7 +54,7 @@ class Literals {
   }
 
   [[noreturn]] void refuse() const {
-    throw DataError("map", "its head is not understood at '" + one_line(text_.substr(0, 24)) + "'");
+    throw DataError("map", "its head is not understood at '" + one_line(text_, 24) + "'");
   }
 
  private:
@@ -79,8 +79,8 @@ std::vector<Index> take_shape(Literals& text) {
     break;
   }
   if (out.size() != 2)
-    throw DataError("map",
-                    "its array has " + std::to_string(out.size()) + " dimensions, where a map has two");
+    throw DataError("map", "its array has " + counted(static_cast<std::int64_t>(out.size()), "dimension") +
+                               ", where a map has two");
   return out;
 }
 
@@ -97,7 +97,7 @@ Described description_of(Literals text) {
     else if (key == "shape")
       out.shape = take_shape(text);
     else
-      throw DataError("map", "its head has the key '" + one_line(key.substr(0, 24)) + "'");
+      throw DataError("map", "its head has the key '" + one_line(key, 24) + "'");
     if (!text.take(",")) {
       text.expect("}");
       break;
@@ -126,8 +126,7 @@ NumberType type_of(std::string_view descr) {
     if (descr.substr(1) == kind.name && std::string_view("<>|").find(descr[0]) != descr.npos &&
         (descr[0] != '|' || size_of(kind.type) == 1))
       return kind.type;
-  throw DataError("map",
-                  "its numbers are of type '" + one_line(descr.substr(0, 24)) + "', which is not read");
+  throw DataError("map", "its numbers are of type '" + one_line(descr, 24) + "', which is not read");
 }
 
 // IEEE 754's binary16: a sign, five bits of exponent, ten of fraction.

@@ -10,6 +10,7 @@
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -39,7 +40,7 @@ constexpr Type types[] = {
 
 [[noreturn]] void refuse(const std::string& what) { throw DataError("map", what); }
 
-std::string quoted(std::string_view text) { return "'" + one_line(text.substr(0, 24)) + "'"; }
+std::string quoted(std::string_view text) { return "'" + one_line(text, 24) + "'"; }
 
 // A field that has two spellings, with a blank and without.
 std::string_view field(const Head& head, std::string_view name) {
@@ -105,7 +106,7 @@ Axes axes_of(const Head& head) {
   const Words words = words_of(head.text("sizes"));
   const Index dimension = head.count("dimension");
   if (static_cast<Index>(words.size()) != dimension)
-    refuse("it has " + std::to_string(words.size()) + " sizes for a dimension of " +
+    refuse("it has " + counted(static_cast<std::int64_t>(words.size()), "size") + " for a dimension of " +
            std::to_string(dimension));
   std::vector<Index> sizes;
   std::vector<std::size_t> axes;
@@ -115,7 +116,9 @@ Axes axes_of(const Head& head) {
   }
   for (std::size_t axis = sizes.size(); axis-- > 0 && axes.size() > 2;)
     if (sizes[axis] == 1) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(axis));
-  if (axes.size() != 2) refuse("it has " + std::to_string(axes.size()) + " dimensions, where a map has two");
+  if (axes.size() != 2)
+    refuse("it has " + counted(static_cast<std::int64_t>(axes.size()), "dimension") +
+           ", where a map has two");
   return {axes[0], axes[1], {sizes[axes[0]], sizes[axes[1]]}};
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -68,7 +69,7 @@ T whole(double value) {
                beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);
   if (!(rounded >= least && rounded < beyond))
     throw DataError("values",
-                    std::to_string(value) + " does not fit into " + std::to_string(8 * sizeof(T)) + " bits");
+                    shortest(value) + " does not fit into " + std::to_string(8 * sizeof(T)) + " bits");
   return static_cast<T>(rounded);
 }
 
@@ -77,7 +78,7 @@ T converted(double value) {
   if constexpr (std::is_integral_v<T>) return whole<T>(value);
   if constexpr (std::is_same_v<T, float>)
     if (std::abs(value) > std::numeric_limits<float>::max())
-      throw DataError("values", std::to_string(value) + " does not fit into single precision");
+      throw DataError("values", shortest(value) + " does not fit into single precision");
   return static_cast<T>(value);
 }
 

@@ -8,6 +8,7 @@
 
 #include "formats/text_numbers.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -127,7 +128,7 @@ bool has_coordinates(const Field& lines) {
 Map map_of_points(const Field& lines, double metres) {
   const Index columns = lines.cols(), points = lines.rows();
   if (columns != 2 && columns != 3)
-    refuse("lines of points are x z or x y z, and these hold " + std::to_string(columns) + " numbers");
+    refuse("lines of points are x z or x y z, and these hold " + counted(columns, "number"));
   const Column xs = lines.col(0), ys = columns == 3 ? Column(lines.col(1)) : Column::Zero(points);
   const Axis x = grid_axis(xs, "x"), y = grid_axis(ys, "y");
   const std::string shape = std::to_string(x.count) + " x " + std::to_string(y.count);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -65,7 +65,7 @@ std::string_view content_of(std::string_view line, Separator separator) {
 }
 
 std::string fault_of(std::string_view cell, bool first) {
-  const std::string what = "'" + one_line(cell.substr(0, 24)) + "', is no number";
+  const std::string what = "'" + one_line(cell, 24) + "', is no number";
   const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
   if (cell.find(',') != cell.npos && cell.find('.') != cell.npos)
     return what + ": marks between thousands are not understood";
@@ -107,8 +107,8 @@ class TableReader {
     const auto count = static_cast<Index>(table_.values.size() - before);
     if (table_.lines++ == 0) table_.columns = count;
     if (!asked_.shape && count != table_.columns)
-      fail(line.data(), here() + " has " + std::to_string(count) + " numbers, the first one " +
-                            std::to_string(table_.columns));
+      fail(line.data(),
+           here() + " has " + counted(count, "number") + ", the first one " + std::to_string(table_.columns));
   }
 
   void add_cell(std::string_view cell) {
@@ -116,7 +116,7 @@ class TableReader {
     if (!value)
       fail(cell.data(), here() + ", " + fault_of(cell, table_.values.empty()));
     else if (std::isinf(*value))
-      fail(cell.data(), here() + ", '" + std::string(cell.substr(0, 24)) + "', is infinite");
+      fail(cell.data(), here() + ", '" + one_line(cell, 24) + "', is infinite");
     else
       table_.values.push_back(*value);
   }
@@ -125,8 +125,8 @@ class TableReader {
     const std::size_t numbers = table_.values.size();
     if (table_.lines == 0) return fail(rest_.data(), "there are no numbers in it");
     if (asked_.shape && numbers != static_cast<std::size_t>(asked_.shape->cells()))
-      return fail(rest_.data(), "it holds " + std::to_string(numbers) + " numbers where its head says " +
-                                    std::to_string(asked_.shape->nx) + " x " +
+      return fail(rest_.data(), "it holds " + counted(static_cast<std::int64_t>(numbers), "number") +
+                                    " where its head says " + std::to_string(asked_.shape->nx) + " x " +
                                     std::to_string(asked_.shape->ny));
     if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
   }
@@ -197,10 +197,9 @@ std::string words_of(const Table& table) {
   constexpr std::string_view separators[] = {"", "blanks", "tabs", "commas", "semicolons"};
   constexpr std::string_view commas[] = {"", " and decimal commas", " and commas between thousands"};
   const std::size_t numbers = table.values.size();
-  return std::to_string(numbers) + (numbers == 1 ? " number, " : " numbers, ") +
-         std::to_string(table.columns) + " a line, with " +
-         std::string(separators[static_cast<std::size_t>(table.dialect.separator)]) + " between them" +
-         std::string(commas[static_cast<std::size_t>(table.dialect.comma)]);
+  return counted(static_cast<std::int64_t>(numbers), "number") + ", " + std::to_string(table.columns) +
+         " a line, with " + std::string(separators[static_cast<std::size_t>(table.dialect.separator)]) +
+         " between them" + std::string(commas[static_cast<std::size_t>(table.dialect.comma)]);
 }
 
 // The fault of that way which gets furthest.

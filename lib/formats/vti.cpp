@@ -12,6 +12,7 @@
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -94,13 +95,16 @@ struct Array {
   std::size_t bytes() const { return tuples * size_of(type); }
 };
 
+// Of XML 1.0, which has no control characters, and none of ]]> but at the end of a section.
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : one_line(text)) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')
       out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
     else if (c == '"')
       out += "&quot;";
     else

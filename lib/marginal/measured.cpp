@@ -7,6 +7,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 
 namespace asperity {
 namespace {
@@ -33,8 +34,8 @@ void standardise(MeasuredHeights& g) {
 
 MeasuredHeights MeasuredHeights::of(std::vector<double> sample) {
   if (sample.size() < least_sample)
-    throw DataError("marginal", std::to_string(sample.size()) + " heights tell no distribution: at least " +
-                                    std::to_string(least_sample));
+    throw DataError("marginal", counted(static_cast<std::int64_t>(sample.size()), "height") +
+                                    " tell no distribution: at least " + std::to_string(least_sample));
   if (!std::ranges::all_of(sample, [](double z) { return std::isfinite(z); }))
     throw DataError("marginal", "a height is not finite");
   std::ranges::sort(sample);

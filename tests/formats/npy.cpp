@@ -93,7 +93,7 @@ TEST_CASE("a .npy that lies about itself is refused with what is wrong", "[forma
   refused(std::string("\x93NUMPY\x01\0\xff\xff{", 11), "no end");
   refused(npy(dictionary("<f8"), std::string(16, '\0'), 4), "version 4");
   refused(npy(dictionary("<f8"), "12345678"), "cut short");
-  refused(npy(dictionary("<f8", "(2,)"), std::string(16, '\0')), "has 1 dimensions");
+  refused(npy(dictionary("<f8", "(2,)"), std::string(16, '\0')), "has 1 dimension");
   refused(npy(dictionary("<f8", "(1, 1, 2)"), std::string(16, '\0')), "has 3 dimensions");
   refused(npy(dictionary("<f8", "()"), std::string(16, '\0')), "has 0 dimensions");
   refused(npy(dictionary("<f8", "(4611686018427387904, 8)"), std::string(16, '\0')), "cut short");

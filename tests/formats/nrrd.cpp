@@ -170,7 +170,7 @@ TEST_CASE("an NRRD that lies about itself, or names other files, is refused with
   refused(nrrd("type: uint8\nencoding: bzip2\n", one), "encoding is 'bzip2'");
   refused(nrrd(bytes, "\1"), "cut short");
   refused(nrrd(bytes, one, "dimension: 3\nsizes: 2 1\n"), "2 sizes for a dimension of 3");
-  refused(nrrd(bytes, one, "dimension: 1\nsizes: 2\n"), "1 dimensions");
+  refused(nrrd(bytes, one, "dimension: 1\nsizes: 2\n"), "1 dimension");
   refused(nrrd(bytes, one, "dimension: 3\nsizes: 2 2 2\n"), "3 dimensions");
   refused(nrrd(bytes, one, "dimension: 2\nsizes: 2 -1\n"), "holds no point");
   refused(nrrd(bytes, one, "dimension: 2\nsizes: 4611686018427387904 4611686018427387904\n"), "cut short");

@@ -73,7 +73,7 @@ TEST_CASE("a comma is decimal where another separator stands beside it", "[forma
 }
 
 TEST_CASE("a matrix is refused with the line that does not fit", "[formats][contract]") {
-  CHECK_THROWS_WITH(matrix_of("1 2\n3\n", "map"), "line 2 has 1 numbers, the first one 2");
+  CHECK_THROWS_WITH(matrix_of("1 2\n3\n", "map"), "line 2 has 1 number, the first one 2");
   CHECK_THROWS_WITH(matrix_of("1;2;3;\n4;5;6\n", "map"), "line 2 has 3 numbers, the first one 4");
   CHECK_THROWS_WITH(matrix_of("1 2\n3 x\n", "map", 5), "line 6, 'x', is no number");
   CHECK_THROWS_WITH(matrix_of("1 inf", "map"), "line 1, 'inf', is infinite");

@@ -79,13 +79,9 @@ TEST_CASE("heights are coloured evenly about their mean, pressures from zero", "
   CHECK(one_sided({2, 2}).range.width() > 0);
 }
 
+// In single quotes, doubled inside, gnuplot misread a text that begins or ends with one.
 TEST_CASE("a quoted text ends where its quote ends, whatever it holds", "[gnuplot][contract]") {
-  CHECK(quoted("it's `date` \"x\" \\") == "'it''s `date` \"x\" \\'");
-  CHECK(quoted("a\nset output 'x'") == "'a set output ''x'''");
-}
-
-TEST_CASE("UTF-8 is told from what is not", "[gnuplot][exact]") {
-  for (const char* good : {"", "plain", "17×4", "µm", "😀"}) CHECK(is_utf8(good));
-  for (const char* bad : {"\xff", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82"})
-    CHECK_FALSE(is_utf8(bad));
+  CHECK(quoted("it's `date` \"x\" \\") == R"("it\047s \140date\140 \042x\042 \134")");
+  CHECK(quoted("a\nset output 'x'") == R"("a set output \047x\047")");
+  CHECK(quoted("17 37.58 u") == R"("17 37\056\065\070 u")");
 }

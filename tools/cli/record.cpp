@@ -1,14 +1,17 @@
 #include "cli/record.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
+#include <string_view>
 
 #include <gsl/gsl_version.h>
 #include <nlohmann/json.hpp>
 
 #include "acf/nonlinear_system.hpp"
 #include "dataset/netcdf.hpp"
+#include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity::cli {
@@ -18,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 // One number or a list, whole numbers as such; JSON has no word for what is not finite.
 Json json_of(const Values& values) {
-  if (const auto* text = std::get_if<std::string>(&values)) return *text;
+  if (const auto* text = std::get_if<std::string>(&values)) return utf8_of(*text);
   return std::visit(
       [](const auto& list) {
         Json out = Json::array();
@@ -48,10 +51,23 @@ std::string quoted(const std::string& argument) {
   return out + "'";
 }
 
-std::string timestamp() {
+std::optional<std::time_t> source_date() {
+  constexpr std::time_t latest = 253402300799;
   const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t now =
-      epoch ? static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10)) : std::time(nullptr);
+  if (epoch == nullptr) return std::nullopt;
+  const std::string_view text = epoch;
+  std::time_t out = -1;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || rest != text.data() + text.size() || out < 0 || out > latest)
+    throw ParameterError("SOURCE_DATE_EPOCH",
+                         "\"" + one_line(text, 64) +
+                             "\" is no whole number of seconds from 0, the year 1970, to " +
+                             std::to_string(latest) + ", the end of 9999; correct it or unset it");
+  return out;
+}
+
+std::string timestamp() {
+  const std::time_t now = source_date().value_or(std::time(nullptr));
   std::tm utc{};
   gmtime_r(&now, &utc);
   char text[32] = {};
@@ -63,7 +79,7 @@ double on_record(double seconds) { return std::getenv("SOURCE_DATE_EPOCH") ? 0 :
 std::string report_of(const Dataset& dataset, const std::string& prefix) {
   Json object = Json::object();
   for (const Attribute& attribute : dataset.attributes)
-    if (attribute.name.starts_with(prefix)) object[attribute.name] = json_of(attribute.values);
+    if (attribute.name.starts_with(prefix)) object[utf8_of(attribute.name)] = json_of(attribute.values);
   return object.dump(2) + "\n";
 }
 

@@ -1,6 +1,8 @@
 /// What a run leaves on record: who computed it, when, with which command, and what it achieved.
 #pragma once
 
+#include <ctime>
+#include <optional>
 #include <string>
 
 #include "dataset/dataset.hpp"
@@ -16,6 +18,9 @@ std::string version();
 
 /// An argument as a shell would need it.
 std::string quoted(const std::string& argument);
+/// The seconds since 1970 that SOURCE_DATE_EPOCH asks for, where it is set. Throws ParameterError("SOURCE_DATE_EPOCH", …)
+/// unless they are a whole number from 0 on within the year 9999.
+std::optional<std::time_t> source_date();
 /// The time of the run in UTC, as ISO 8601, or the one that SOURCE_DATE_EPOCH asks for.
 std::string timestamp();
 /// What a run says of the seconds that it took: 0 where SOURCE_DATE_EPOCH asks for a dataset that does not depend on

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string text_of(const Cell& cell) {
-  if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+  if (const auto* words = std::get_if<std::string>(&cell)) return one_line(*words);
   return shortest(std::get<double>(cell));
 }
 
@@ -29,12 +29,12 @@ std::string short_text_of(const Cell& cell) {
 }
 
 std::string heading(const Column& column) {
-  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+  return one_line(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
 }
 
 // JSON has no infinities: what is not finite is null.
 Json json_of(const Cell& cell) {
-  if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+  if (const auto* words = std::get_if<std::string>(&cell)) return utf8_of(*words);
   const double number = std::get<double>(cell);
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
@@ -46,12 +46,6 @@ std::size_t width(const std::string& text) {
 }
 
 }  // namespace
-
-std::string shortest(double value) {
-  if (std::isnan(value)) return "nan";  // whatever its sign
-  char digits[32] = {};
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
 
 std::string Table::tsv() const {
   std::string out = "# ";
@@ -91,7 +85,7 @@ std::string Table::json() const {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     Json values = Json::array();
     for (const auto& row : rows) values.push_back(json_of(row[c]));
-    object[columns[c].name] = {{"unit", columns[c].unit}, {"values", std::move(values)}};
+    object[utf8_of(columns[c].name)] = {{"unit", utf8_of(columns[c].unit)}, {"values", std::move(values)}};
   }
   return object.dump(2) + "\n";
 }
@@ -122,13 +116,13 @@ Table Quantities::table() const {
 std::string Quantities::json() const {
   Json object = Json::object();
   for (const Row& row : rows) {
-    Json entry{{"value", json_of(row.value)}, {"unit", row.unit}};
+    Json entry{{"value", json_of(row.value)}, {"unit", utf8_of(row.unit)}};
     const Interval ends = row.interval_95();
     if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
     if (ends.known()) entry["interval_95"] = {json_of(ends.low), json_of(ends.high)};
-    entry["meaning"] = row.meaning;
-    if (const std::string note = row.note(); !note.empty()) entry["note"] = note;
-    object[row.name] = std::move(entry);
+    entry["meaning"] = utf8_of(row.meaning);
+    if (const std::string note = row.note(); !note.empty()) entry["note"] = utf8_of(note);
+    object[utf8_of(row.name)] = std::move(entry);
   }
   return object.dump(2) + "\n";
 }

@@ -1,7 +1,8 @@
 /// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
 ///
 /// Numbers are printed in the shortest form that reads back to the same double, in the C locale; nan is what is not known,
-/// and an infinite end of an interval is open.
+/// and an infinite end of an interval is open. Words from files are fit for a line (grid/words.hpp); in JSON they are whole,
+/// escaped, and UTF-8.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "grid/words.hpp"
 #include "stats/interval.hpp"
 
 namespace asperity::cli {
@@ -18,8 +20,7 @@ class Tool;
 /// Of a 95 % interval of a Gaussian quantity, in standard errors.
 constexpr double half_width_95 = 1.959963984540054;
 
-/// The shortest text that reads back as the same number.
-std::string shortest(double value);
+using asperity::shortest;
 
 using Cell = std::variant<std::string, double>;
 

@@ -18,6 +18,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "grid/parallel.hpp"
+#include "grid/words.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -96,26 +97,26 @@ std::string Tool::config_file() const {
 // Where the value of an option came from, as its user would look for it.
 std::string Tool::origin(const std::string& key) const {
   const CLI::Option* option = app_.get_option_no_throw("--" + key);
+  if (option == nullptr && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
   if (option == nullptr || option->count() == 0 || names(arguments_, *option)) return "--" + key;
   if (names(environment_, *option)) return environment_name(key);
   return config_file().empty() ? "--" + key : config_file() + ": " + key;
 }
 
-// A line on standard error, in place of one of progress.
+// A line on standard error, in place of one of progress, whatever the texts of files in it.
 void Tool::say(const std::string& line) {
   Progress::wipe();
-  std::cerr << line << '\n';
+  std::cerr << one_line(line) << '\n';
 }
 
 int Tool::fail(Exit code, const std::string& message) const {
-  std::string line = name_ + ": " + message;
-  std::ranges::replace(line, '\n', ' ');
-  say(line);
+  say(name_ + ": " + message);
   return code;
 }
 
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
+  source_date();  // refused before the work, not after
   if (dump_config_) throw Answer{app_.config_to_str()};
   if (writes_dataset_ && !writes_any_ && !writes_table_ && output_is_terminal())
     return fail(usage_error,

@@ -1,5 +1,6 @@
 #include "plot/gnuplot.hpp"
 
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -8,6 +9,8 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+
+#include "grid/words.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it, but not in a header
 
@@ -90,20 +93,6 @@ void blank_date(std::string& bytes) {
   if (end != bytes.npos) bytes.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
 }
 
-// How many continuation bytes follow this first byte of a character; -1 where none begins.
-int continuation_bytes(unsigned char first) {
-  if (first < 0x80) return 0;
-  if (first >= 0xC2 && first < 0xE0) return 1;
-  if (first >= 0xE0 && first < 0xF0) return 2;
-  return first >= 0xF0 && first < 0xF5 ? 3 : -1;
-}
-
-// Overlong forms, surrogates and what lies beyond U+10FFFF show in the first two bytes.
-bool is_code_point(unsigned char first, unsigned char second) {
-  return !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&
-         !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
-}
-
 }  // namespace
 
 Layer points(const std::vector<std::vector<double>>& columns, std::string_view style) {
@@ -137,26 +126,16 @@ void Script::draw(std::string_view verb, const std::vector<Layer>& layers) {
   text_ += '\n';
 }
 
+// After \056 gnuplot takes a further digit for one more of the number.
 std::string quoted(std::string_view text) {
-  std::string out = "'";
-  for (char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-    out += c == '\'' ? "''" : std::string(1, control ? ' ' : c);
+  std::string out = "\"";
+  bool as_number = false;
+  for (const char c : one_line(text)) {
+    const auto code = static_cast<unsigned char>(c);
+    as_number = std::isdigit(code) != 0 ? as_number : code < 0x80 && c != ' ' && std::isalpha(code) == 0;
+    out += as_number ? fmt::format("\\{:03o}", code) : std::string(1, c);
   }
-  return out + "'";
-}
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto first = static_cast<unsigned char>(text[i]);
-    const int more = continuation_bytes(first);
-    if (more < 0 || i + static_cast<std::size_t>(more) >= text.size()) return false;
-    if (more > 0 && !is_code_point(first, static_cast<unsigned char>(text[i + 1]))) return false;
-    for (int k = 1; k <= more; ++k)
-      if ((static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]) & 0xC0) != 0x80) return false;
-    i += static_cast<std::size_t>(more) + 1;
-  }
-  return true;
+  return out + "\"";
 }
 
 Picture run_gnuplot(const Script& script) {

@@ -33,8 +33,12 @@ Trace trace_of(const Case& c, const std::string& variable, const Section& sectio
   return out;
 }
 
-std::vector<std::string> sections(const Request& request) {
+// Unless one is asked for, along both sides, or along the one that has more than a point.
+std::vector<std::string> sections(const Request& request, const Dataset& data) {
   if (!request.section.empty()) return {request.section};
+  const Shape shape = grid_of(data).shape;
+  if (shape.ny < 2) return {"y=0"};
+  if (shape.nx < 2) return {"x=0"};
   return {"y=0", "x=0"};
 }
 
@@ -67,7 +71,7 @@ Script profile(const Cases& cases, const Request& request) {
   const std::string variable = request.variable.empty() ? "heights" : request.variable;
   std::vector<Row> rows;
   Range values{unlimited, -unlimited};
-  for (const std::string& text : sections(request)) {
+  for (const std::string& text : sections(request, cases[0].data)) {
     Row row{section_of(cases[0].data, text), {}};
     for (const Case& c : cases) {
       row.traces.push_back(trace_of(c, variable, section_of(c.data, text), request));

@@ -44,7 +44,8 @@ bool is_section(const Variable& variable) {
 }
 
 Section section_on(const Dataset& data, const Variable& variable, const std::string& asked) {
-  if (!is_section(variable)) return section_of(data, asked.empty() ? "y=0" : asked);
+  const std::string widest = data.length("x") < 2 ? "x=0" : "y=0";
+  if (!is_section(variable)) return section_of(data, asked.empty() ? widest : asked);
   if (!asked.empty()) throw ParameterError("section", "the dataset holds one section alone, which is drawn");
   const bool along_x = variable.dimensions[1] == "x";
   return {along_x, numbers(data.at(along_x ? "section_y" : "section_x").values).at(0), 0};
@@ -97,7 +98,8 @@ Cut cut_of(const Case& c, const std::string& variable, const Request& request) {
   std::vector<double> along;
   for (Index i = 0; i < (section.along_x ? grid.shape.nx : grid.shape.ny); ++i)
     along.push_back(section.along_x ? grid.x(i) : grid.y(i));
-  if (along.size() < 2) throw DataError("x", "a section needs two points or more");
+  if (along.size() < 2)
+    throw DataError(section.along_x ? "x" : "y", "a section along it needs two points, and there is one");
   const Range position = clipped(section.along_x ? request.x : request.y, {along.front(), along.back()},
                                  section.along_x ? "x-range" : "y-range"),
               depth = clipped(request.depth, {depths.front(), depths.back()}, "depth-range");

@@ -8,7 +8,6 @@
 #include "cli/quantity.hpp"
 #include "dataset/layout.hpp"
 #include "grid/error.hpp"
-#include "plot/gnuplot.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -54,7 +53,7 @@ Quantity quantity_of(const Variable& variable) {
   if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, false};
   if (name == "von_mises") return {"von Mises", unit, false};
   if (name.starts_with("stress_")) return {"stress σ" + name.substr(7), unit, true};
-  return {words.empty() || !is_utf8(words) ? name : words, unit,
+  return {words.empty() ? name : words, unit,
           range_of(Eigen::Map<const Field>(numbers(variable.values).data(), 1,
                                            static_cast<Index>(count(variable.values))))
                   .low < 0};

@@ -1,23 +1,14 @@
 #include "report/html.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "plot/gnuplot.hpp"
+#include "grid/words.hpp"
 
 namespace asperity::report {
 namespace {
 
-// The bytes of the character that begins the text; 0 where none does.
-std::size_t length_of_first(std::string_view text) {
-  for (std::size_t n = 1; n <= std::min<std::size_t>(4, text.size()); ++n)
-    if (plot::is_utf8(text.substr(0, n))) return n;
-  return 0;
-}
-
-std::string escaped_character(std::string_view character) {
-  switch (character[0]) {
+std::string escaped(char c) {
+  switch (c) {
     case '&':
       return "&amp;";
     case '<':
@@ -29,7 +20,7 @@ std::string escaped_character(std::string_view character) {
     case '\'':
       return "&#39;";
     default:
-      return std::string(character);
+      return {c};
   }
 }
 
@@ -42,11 +33,7 @@ bool shown(char c) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  while (!text.empty()) {
-    const std::size_t length = length_of_first(text);
-    out += length > 0 && shown(text[0]) ? escaped_character(text.substr(0, length)) : "\uFFFD";
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
+  for (const char c : utf8_of(text)) out += shown(c) ? escaped(c) : "\uFFFD";
   return out;
 }
 

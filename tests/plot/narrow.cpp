@@ -1,0 +1,58 @@
+// Figures of surfaces of one row or one point.
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// Heights, and stresses at three depths.
+void write_scene(Shape shape) {
+  const Grid grid{shape, 1e-6, 1e-6};
+  Dataset data;
+  set_grid(data, grid);
+  set_field(data, "heights", 1e-6 * random_field(shape, 1), {"m", "height"});
+  set_depths(data, {0, 1e-6, 3e-6});
+  set_volume(data, "von_mises", std::vector<double>(static_cast<std::size_t>(3 * shape.cells()), 1e6),
+             {"Pa", "von Mises stress"});
+  write_dataset(data, "scene.nc");
+}
+
+}  // namespace
+
+// Profiles along both sides were drawn or none, and a section stood at y = 0 whatever the surface.
+TEST_CASE("a row of points is drawn along the row, whichever way it runs", "[plot][contract]") {
+  for (const Shape shape : {Shape{1, 60}, Shape{60, 1}}) {
+    write_scene(shape);
+    const std::string along = shape.nx > 1 ? "x" : "y", across = shape.nx > 1 ? "y" : "x";
+    for (const char* kind : {"profile", "section", "von-mises"}) {
+      const Outcome run =
+          shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind + " && cat a.svg");
+      CAPTURE(shape.nx, kind, run.error);
+      CHECK(run.exit == 0);
+      CHECK(run.out.find("<text>" + along + " [") != run.out.npos);
+      CHECK(run.out.find("<text>" + across + " [") == run.out.npos);
+    }
+    for (const char* kind : {"profile", "section"}) {
+      const Outcome no =
+          shell("asperity-plot scene.nc -o a.svg --section " + along + "=0 --kind " + std::string(kind));
+      CAPTURE(shape.nx, kind, no.error);
+      CHECK((no.exit == 4 && lines(no.error) == 1));
+      CHECK(no.error.find("needs two points, and there is one") != no.error.npos);
+    }
+  }
+}
+
+TEST_CASE("of a single point maps are drawn, and profiles and sections refused by name", "[plot][contract]") {
+  write_scene({1, 1});
+  CHECK(shell("asperity-plot scene.nc --kind map -o a.svg").exit == 0);
+  for (const char* kind : {"profile", "section"}) {
+    const Outcome no = shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind);
+    CAPTURE(no.error);
+    CHECK((no.exit == 4 && lines(no.error) == 1));
+    CHECK(no.error.find("needs two points, and there is one") != no.error.npos);
+  }
+}
