@@ -45,7 +45,13 @@ double rms_of(double variance, const std::string& unit) {
 std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
   const Variable* axis = data.find(name);
   if (axis == nullptr) return std::nullopt;
-  const auto metres = lags_of(*axis);
+  const auto metres = [&] {
+    try {
+      return lags_of(*axis);
+    } catch (const DataError& e) {
+      refuse("its lags " + name + ": " + e.what());
+    }
+  }();
   const std::vector<double> lags = metres ? *metres : numbers(axis->values);
   const auto n = static_cast<Index>(lags.size());
   const double step = n > 1 ? (lags.back() - lags.front()) / static_cast<double>(n - 1) : 1;

@@ -100,14 +100,19 @@ void set_range(Variable& variable) {
           }
       },
       variable.values);
-  if (!(low <= high)) return variable.attributes.erase("actual_range");
   Values range = alone(low, variable.values);
-  std::visit(
-      [&](auto& list) {
-        list.push_back(static_cast<typename std::decay_t<decltype(list)>::value_type>(high));
-      },
-      range);
+  const Values end = alone(high, variable.values);
+  if (!(low <= high) || count(range) + count(end) < 2) return variable.attributes.erase("actual_range");
+  std::visit([&](auto& list) { list.push_back(std::get<std::decay_t<decltype(list)>>(end)[0]); }, range);
   variable.attributes.set_values("actual_range", range);
+}
+
+// The Users Guide has them in the unpacked values, CF in the packed whole ones.
+void refuse_floating_bounds(const Variable& variable) {
+  for (const char* attribute : {"valid_range", "valid_min", "valid_max"})
+    if (const Values* values = variable.attributes.find(attribute); values && is_floating(*values))
+      refuse(variable, attribute,
+             "of floating numbers beside packed whole ones: CF has it in the packed ones and of their type");
 }
 
 }  // namespace
@@ -183,17 +188,10 @@ void Conventions::take_range(const Variable& variable) {
     refuse(variable, "valid_range", "a list of " + std::to_string(range.size()) + " numbers, not of two");
   range[0] = std::max(number_in(variable, "valid_min").value_or(range[0]), range[0]);
   range[1] = std::min(number_in(variable, "valid_max").value_or(range[1]), range[1]);
-  for (const char* attribute : {"valid_range", "valid_min", "valid_max"})
-    if (const Values* values = variable.attributes.find(attribute);
-        values && doubles_ && is_floating(*values) && !is_floating(own_))
-      refuse(variable, attribute,
-             "of floating numbers beside packed whole ones, so that it may be in either: CF has it in the "
-             "packed "
-             "ones and of their type");
+  if (doubles_ && !is_floating(own_)) refuse_floating_bounds(variable);
   if (!(range[0] <= range[1]))
     refuse(variable, "valid range", text_of(range[0]) + " to " + text_of(range[1]) + ", which holds nothing");
-  const bool single =
-      std::holds_alternative<std::vector<float>>(own_);  // 0.1 of a double is no 0.1 of theirs
+  const bool single = std::holds_alternative<std::vector<float>>(own_);  // their 0.1 is none of doubles
   least_ = single ? static_cast<double>(static_cast<float>(range[0])) : range[0];
   greatest_ = single ? static_cast<double>(static_cast<float>(range[1])) : range[1];
 }
@@ -224,7 +222,7 @@ bool Conventions::missing(double packed) const {
 
 Values Conventions::unpacked(Values packed) const {
   if (plain_) return packed;
-  packed = own_type(packed);
+  if (packed.index() != own_.index()) packed = own_type(packed);
   if (!doubles_ && !mark_) return packed;
   return std::visit(
       [&]<class List>(List& list) -> Values {
@@ -247,9 +245,11 @@ Variable Conventions::unpacked(Variable packed) const {
     if (const Values* values = packed.attributes.find(attribute);
         values && values->index() == packed.values.index())
       packed.attributes.set_values(attribute, own_type(*values));
+  const bool named = !packed.attributes.find("_FillValue") && packed.attributes.find("missing_value");
   packed.values = unpacked(std::move(packed.values));
   for (const char* attribute : told) packed.attributes.erase(attribute);
-  if (mark_) packed.attributes.set_values("_FillValue", alone(*mark_, packed.values));
+  if (mark_)
+    packed.attributes.set_values(named ? "missing_value" : "_FillValue", alone(*mark_, packed.values));
   if (packed.attributes.find("actual_range")) set_range(packed);
   return packed;
 }

@@ -12,9 +12,9 @@
 ///     _Unsigned       "true" of signed whole numbers: they and these attributes are meant without sign
 ///
 /// Marks and ranges are those of the packed numbers, as CF has it. Afterwards a variable holds plain values, of double
-/// precision where they were packed and else of its own type, and one mark at most, `_FillValue`; what told the rest is
-/// gone, and actual_range is that of the points that are there. A variable that no tool uses goes through a pipe like that: the
-/// same values and the same missing points.
+/// precision where they were packed and else of its own type, and one mark at most, `_FillValue` or one missing_value; what
+/// told the rest is gone, and actual_range is that of the points that are there. A variable that no tool uses goes through a
+/// pipe like that: the same values and the same missing points.
 ///
 /// Refused, by the variable's name: a scale that is not one finite number or is 0, an offset, a mark or a bound that is
 /// text or no number, a range that holds nothing, and one of floating numbers beside packed whole ones, which some

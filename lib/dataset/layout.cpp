@@ -167,10 +167,11 @@ void refuse_missing_points(const Variable& variable, const Field& values) {
   if (!values.hasNaN()) return;
   const std::vector<double> all = numbers(variable.values);
   const auto missing = std::ranges::count(all, mark_of(variable));
-  const bool told = variable.attributes.find("_FillValue") || variable.attributes.find("missing_value");
+  const char* why = variable.attributes.find("_FillValue")      ? "_FillValue"
+                    : variable.attributes.find("missing_value") ? "missing_value"
+                                                                : "never written";
   if (missing > 0)
-    throw DataError(variable.name, std::to_string(missing) + " of its points are missing (" +
-                                       (told ? "_FillValue" : "never written") +
+    throw DataError(variable.name, std::to_string(missing) + " of its points are missing (" + why +
                                        ") and none is made up for them");
 }
 

@@ -41,8 +41,8 @@ TEST_CASE("a second map behind the first is refused, in every format that says i
     if (format.name == "esri") continue;
     CHECK_THAT(words, ContainsSubstring(format.name == "x3p" ? "bytes of it are not of its archive"
                                                              : "bytes follow"));
-    CHECK_THAT(words, ContainsSubstring(std::to_string(one.size())) ||
-                          ContainsSubstring(std::to_string(one.size() + 4)));
+    const std::size_t trailer = format.name == "sdf-ascii" ? 3 : 0;  // a line of its own after the numbers
+    CHECK_THAT(words, ContainsSubstring(std::to_string(one.size() + trailer) + " bytes"));
   }
 }
 

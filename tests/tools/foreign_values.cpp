@@ -141,9 +141,11 @@ TEST_CASE("a surface whose x descends is turned around, which a note and the his
   INFO(other.error);
   REQUIRE((one.exit == 0 && other.exit == 0));
   const std::string line = "x turned around with all that lay on it: it descended";
-  CHECK(other.error == "asperity-stress: " + line + "\n");
-  CHECK(one.error.empty());
-  CHECK(shell(find + "--quiet down.nc -o down-stress.nc").error.empty());
+  const std::string said = "asperity-stress: down.nc: " + line + "\n";
+  const std::size_t at = other.error.find(said);
+  CHECK((at != other.error.npos && other.error.find(said, at + 1) == other.error.npos));
+  CHECK(one.error.find(line) == one.error.npos);
+  CHECK(shell(find + "--quiet down.nc -o down-stress.nc").error.find(line) == std::string::npos);
   const Dataset a = read_dataset("up-stress.nc"), b = read_dataset("down-stress.nc");
   CHECK(a.attributes.number("stress_max_x", 0) == b.attributes.number("stress_max_x", 1));
   CHECK(a.at("heights").values == b.at("heights").values);
