@@ -9,6 +9,7 @@
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
+#include "dataset/variable_units.hpp"
 #include "formats/text_table.hpp"
 #include "grid/words.hpp"
 #include "plain_text.hpp"
@@ -45,16 +46,22 @@ double rms_of(double variance, const std::string& unit) {
 std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
   const Variable* axis = data.find(name);
   if (axis == nullptr) return std::nullopt;
-  const std::vector<double> lags = numbers(axis->values);
+  const auto metres = [&] {
+    try {
+      return lags_of(*axis);
+    } catch (const DataError& e) {
+      refuse("its lags " + name + ": " + e.what());
+    }
+  }();
+  const std::vector<double> lags = metres ? *metres : numbers(axis->values);
   const auto n = static_cast<Index>(lags.size());
   const double step = n > 1 ? (lags.back() - lags.front()) / static_cast<double>(n - 1) : 1;
   for (Index i = 0; i < n; ++i)
     if (!(step > 0 && std::abs(lags[static_cast<std::size_t>(i)] - static_cast<double>(i - origin) * step) <=
                           1e-3 * step))
       refuse("the lags " + name + " are not evenly spaced " + (origin > 0 ? "around 0" : "from 0"));
-  const std::string unit = axis->attributes.text("units");
-  if (n < 2 || counts_samples(unit)) return std::nullopt;
-  return step * factor(unit, "m");
+  if (n < 2 || !metres) return std::nullopt;
+  return step;
 }
 
 // From the lags or from the grid, which must agree; a profile takes the step that is known for both.
@@ -83,7 +90,7 @@ AcfTable from_dataset(Dataset data) {
   const Index middle = out.half_plane.cols() / 2;
   out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
                                 step_of(data, variable.dimensions[1], table.cols() / 2));
-  out.rms = rms_of(out.half_plane(0, middle), variable.attributes.text("units"));
+  out.rms = rms_of(out.half_plane(0, middle), unit_of(variable));
   if (name == "acf") {
     if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
     out.heights = measured_with_acf(data);

@@ -58,7 +58,7 @@ std::vector<std::string> targets() {
 
 Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
   Dataset data = decode_netcdf(bytes);
-  for (const std::string& line : settle_lengths(data)) tool.warn(line);
+  tool.settle(data);
   return data;
 }
 

@@ -156,7 +156,7 @@ Dataset read_kernel(cli::Tool& tool, Options& o, cli::Inventory& before) {
     throw cli::UsageError(heights,
                           "is for the solution of the kernel, by asperity-kernel, or for --method filter");
   Dataset data = decode_netcdf(bytes);
-  for (const std::string& line : settle_lengths(data)) tool.warn(line);
+  tool.settle(data);
   adopt_grid(tool, o, data);
   before = cli::Inventory(data);
   cli::drop_surface(data);

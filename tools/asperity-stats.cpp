@@ -83,7 +83,7 @@ cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const c
   const FieldFile file(path, options.variable);
   grids.add(tool, file.grid(), path);
   Dataset head = file.dataset();
-  for (const std::string& line : settle_lengths(head)) tool.warn(path + ": " + line);
+  tool.settle(head, path);
   cli::StripSample sample(file, options, {what.asks_for("hybrid"), what.memory, tool.thread_count()});
   tool.note("read in strips of " + counted(sample.rows(), "row"));
   if (sample.correlation_reaches_beyond())

@@ -72,9 +72,9 @@ Prescription carried(const Dataset& data, const Grid& grid) {
   const std::optional<LagField> rho = cli::carried_correlation(data, "acf_target", grid);
   if (!rho)
     throw DataError("acf_target", "the first surface carries none for its grid; --target names another file");
-  const bool metres = data.at("acf_target").attributes.text("units") == "m2";
-  const Field table = known_lags(table_of(data, "acf_target", Missing::not_a_number));
-  return {.correlation = *rho, .sq = metres ? std::sqrt(table(0, table.cols() / 2)) : NAN};
+  const bool height = cli::has_height(data.at("acf_target"));
+  const Field table = known_lags(table_of(data, "acf_target", height ? "m2" : "1", Missing::not_a_number));
+  return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 
 PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {

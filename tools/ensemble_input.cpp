@@ -55,7 +55,7 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
   if (!tool.format().known(*bytes)) return listed(*bytes);
   Dataset dataset = tool.format().dataset(*bytes, "-");
   bytes.reset();
-  for (const std::string& line : settle_lengths(dataset)) tool.warn(line);
+  tool.settle(dataset);
   visit(dataset, "-");
   return {};
 }

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "dataset/layout.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 #include "kernel_options.hpp"
 
@@ -45,14 +46,19 @@ inline void set_kernel(Dataset& data, const KernelTables& tables) {
   data.attributes.set("kernel_rms", tables.rms());
 }
 
-/// From the lags p and q in metres; of a single lag, from the other's.
+/// Whether a table is in m2, or another square of a length, and not a pure number. Throws DataError for any other unit.
+inline bool has_height(const Variable& acf) {
+  const std::string unit = unit_of(acf);
+  return !unit.empty() && unit != "1" && factor_to("m2", acf) > 0;
+}
+
+/// From the lags p and q; of a single lag, from the other's.
 inline Spacing lag_spacing(const Dataset& data) {
-  if (data.at("p").attributes.text("units") != "m") return std::nullopt;
   auto step = [&](const char* name) {
-    const std::vector<double> lags = numbers(data.at(name).values);
-    if (lags.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-    if (!(lags[1] > lags[0])) throw DataError(name, "its lags do not grow");
-    return lags[1] - lags[0];
+    const auto lags = lags_of(data.at(name));
+    if (!lags || lags->size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    if (!((*lags)[1] > (*lags)[0])) throw DataError(name, "its lags do not grow");
+    return (*lags)[1] - (*lags)[0];
   };
   const double dx = step("p"), dy = step("q");
   if (std::isnan(dx) && std::isnan(dy)) return std::nullopt;
@@ -61,16 +67,18 @@ inline Spacing lag_spacing(const Dataset& data) {
 
 /// Throws DataError when a table is missing or makes no sense.
 inline KernelTables kernel_of(const Dataset& data) {
-  KernelTables tables{table_of(data, "kernel"),
-                      table_of(data, "acf_target", Missing::not_a_number),
-                      table_of(data, "acf_achieved"),
-                      false,
+  const bool height = has_height(data.at("acf_target")),
+             translated = data.attributes.find("kernel_heights") != nullptr;
+  const char* const variance = height ? "m2" : "1";
+  KernelTables tables{table_of(data, "kernel", height && !translated ? "m" : "1"),
+                      table_of(data, "acf_target", variance, Missing::not_a_number),
+                      table_of(data, "acf_achieved", variance),
+                      height,
                       {},
-                      data.attributes.find("kernel_heights") != nullptr};
+                      translated};
   if (tables.kernel.size() == 0) throw DataError("kernel", "it has no coefficients");
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
-  tables.has_height = data.at("acf_target").attributes.text("units") == "m2";
   tables.spacing = lag_spacing(data);
   return tables;
 }

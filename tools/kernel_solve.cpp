@@ -66,7 +66,7 @@ void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
   out.data = std::move(table.dataset);
   out.before = Inventory(out.data);
   drop_surface(out.data, "kernel");
-  for (const std::string& line : settle_lengths(out.data)) tool.warn(line);
+  tool.settle(out.data);
   out.data.attributes.set("kernel_target", "table");
 }
 

@@ -17,6 +17,7 @@
 #include "cli/table.hpp"
 #include "cli/tool.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 #include "marginal_dataset.hpp"
 #include "stats/acf.hpp"
@@ -78,9 +79,8 @@ inline std::optional<LagField> carried_correlation(const Dataset& data, const st
   if (!data.has(name)) return std::nullopt;
   auto fits = [&](std::string_view lag, double spacing) {
     const Variable* axis = data.find(lag);
-    if (axis == nullptr || axis->attributes.text("units") != "m") return true;
-    const std::vector<double> lags = numbers(axis->values);
-    return lags.size() < 2 || std::abs(lags[1] - lags[0] - spacing) <= 1e-6 * spacing;
+    const auto lags = axis ? lags_of(*axis) : std::nullopt;
+    return !lags || lags->size() < 2 || std::abs((*lags)[1] - (*lags)[0] - spacing) <= 1e-6 * spacing;
   };
   if (!fits("p", grid.dx) || !fits("q", grid.dy)) return std::nullopt;
   return LagField(known_lags(table_of(data, name, Missing::not_a_number))).normalised();
@@ -138,9 +138,8 @@ inline void filter(Measured& measured, const MeasuredOptions& options, int threa
 /// All that does not ask for the heights themselves.
 inline Measured without_heights(const Dataset& data, const MeasuredOptions& options) {
   Measured out{.grid = grid_of(data), .heights = {}};
-  const std::string units = data.at(options.variable).attributes.text("units");
   const bool heights = options.variable == "heights";
-  out.units = heights ? "m" : units.empty() ? "1" : units;
+  out.units = si_unit_of(data.at(options.variable));
   if (heights) out.target = carried_correlation(data, "acf_target", out.grid);
   const bool as_drawn = std::isnan(options.short_cutoff) && std::isnan(options.long_cutoff);
   if (heights && as_drawn && options.correlation != "estimate") {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "cli/series.hpp"
 #include "dataset/layout.hpp"
+#include "grid/error.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -40,6 +43,16 @@ double least_value(const StressOptions& o, const Dataset& data, const Field& pre
   return o.above * data.attributes.number("contact_hertz_pressure", pressure.abs().maxCoeff());
 }
 
+// A contact presses and does not pull.
+void refuse_tension(const Field& pressure) {
+  Index i = 0, j = 0;
+  if (const double least = pressure.minCoeff(&i, &j); least < 0)
+    throw DataError("pressure",
+                    fmt::format("at point ({}, {}) it is {}, and a contact presses only: turn the sign "
+                                "where compression is meant, or cut what pulls off at 0",
+                                i, j, format_quantity(least, "Pa")));
+}
+
 }  // namespace
 
 double place_of(const Plane& plane, const Grid& grid) {
@@ -54,7 +67,8 @@ StressScene read_scene(const Tool& tool, const StressOptions& options) {
   scene.plane = plane_on(scene.grid, options.section);
   scene.friction = options.sliding();
   scene.poisson = options.poisson_of(scene.data);
-  scene.pressure = field_of(scene.data, "pressure");
+  scene.pressure = field_of(scene.data, "pressure", "Pa");
+  refuse_tension(scene.pressure);
   scene.least = least_value(options, scene.data, scene.pressure);
   return scene;
 }

@@ -1,8 +1,11 @@
 #include "dataset/axis_order.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 #include <utility>
+
+#include "dataset/layout.hpp"
 
 namespace asperity {
 namespace {
@@ -64,22 +67,23 @@ void forget_axes(Dataset& dataset) {
     if (Variable* coordinate = dataset.find(name)) coordinate->attributes.erase("axis");
 }
 
-// Of every variable that lies on z.
-void reverse_layers(Dataset& dataset) {
-  const Index layers = dataset.length("z");
+// Of every variable that lies on the dimension, along it.
+void reverse_along(Dataset& dataset, std::string_view dimension) {
+  const Index points = dataset.length(dimension);
   for (Variable& variable : dataset.variables) {
-    const auto axis = std::ranges::find(variable.dimensions, "z");
-    if (axis == variable.dimensions.end()) continue;
     Index piece = 1;
-    for (auto inner = axis + 1; inner != variable.dimensions.end(); ++inner) piece *= dataset.length(*inner);
-    std::visit(
-        [&](auto& values) {
-          const Index slab = layers * piece;
-          for (auto at = values.begin(); slab > 0 && values.end() - at >= slab; at += slab)
-            for (Index k = 0; k < layers / 2; ++k)
-              std::swap_ranges(at + k * piece, at + (k + 1) * piece, at + (layers - 1 - k) * piece);
-        },
-        variable.values);
+    for (std::size_t d = variable.dimensions.size(); d-- > 0;
+         piece *= dataset.length(variable.dimensions[d])) {
+      if (variable.dimensions[d] != dimension) continue;
+      std::visit(
+          [&](auto& values) {
+            const Index slab = points * piece;
+            for (auto at = values.begin(); slab > 0 && values.end() - at >= slab; at += slab)
+              for (Index k = 0; k < points / 2; ++k)
+                std::swap_ranges(at + k * piece, at + (k + 1) * piece, at + (points - 1 - k) * piece);
+          },
+          variable.values);
+    }
   }
 }
 
@@ -112,9 +116,35 @@ void turn(Variable& z, std::string_view positive, std::string_view words) {
   }
 }
 
-bool descends(const Variable& z) {
-  const std::vector<double> values = numbers(z.values);
+bool descends(const Variable& axis) {
+  const std::vector<double> values = numbers(axis.values);
   return values.size() > 1 && values.back() < values.front();
+}
+
+// A depth that is not said to be one may be a height, and stays.
+bool is_own_axis(const Variable& v) {
+  constexpr std::string_view lateral[] = {
+      "x", "y", "p", "q", "k", "l", "lag_x", "lag_y", "wave_number_x", "wave_number_y"};
+  if (v.dimensions != Names{v.name} || std::holds_alternative<std::string>(v.values)) return false;
+  return std::ranges::find(lateral, v.name) != std::end(lateral) ||
+         (v.name == "z" && v.attributes.text("positive") == "down");
+}
+
+// Rows of pictures often run downwards: each value keeps its coordinate.
+void let_ascend(Dataset& dataset) {
+  Names turned;
+  for (const Variable& v : dataset.variables)
+    if (is_own_axis(v) && descends(v)) turned.push_back(v.name);
+  std::string line;
+  for (const std::string& name : turned) {
+    reverse_along(dataset, name);
+    line += (line.empty() ? "" : ", ") + name;
+  }
+  if (line.empty()) return;
+  line += " turned around with all that lay on " + std::string(turned.size() > 1 ? "them: they" : "it: it") +
+          " descended";
+  dataset.notes.push_back(line);
+  add_history(dataset, line);
 }
 
 }  // namespace
@@ -123,8 +153,9 @@ Dataset in_own_order(Dataset dataset) {
   if (swap_axes(dataset, "y", "x")) name_axes(dataset);
   if (Variable* z = vertical(dataset, "up")) {
     turn(*z, "down", "depth below the surface");
-    if (descends(*z)) reverse_layers(dataset);
+    if (descends(*z)) reverse_along(dataset, "z");
   }
+  let_ascend(dataset);
   return dataset;
 }
 
@@ -132,7 +163,7 @@ Dataset in_viewers_order(Dataset dataset) {
   if (swap_axes(dataset, "x", "y")) forget_axes(dataset);
   if (Variable* z = vertical(dataset, "down")) {
     turn(*z, "up", "height above the surface");
-    if (descends(*z)) reverse_layers(dataset);
+    if (descends(*z)) reverse_along(dataset, "z");
   }
   return dataset;
 }

@@ -5,13 +5,15 @@
 ///     volume            name(z, x, y)                  name(z, y, x)
 ///     z                 depth, positive = "down"       height -depth, positive = "up", the deepest layer first
 ///     x, y              axis = "X", "Y"                without, for VTK takes these for longitude and latitude
+///     coordinates       ascending                      of rasters often descending
 ///
 /// VTK and ParaView make NetCDF's last dimension their first axis, and place a z that is positive upwards where it is:
 /// the right column shows x, y and z as they lie. Components of stress remain those of the left column, z
 /// downwards: their own axes do not turn with the coordinate.
 ///
 /// Accuracy  exact: there and back is equal to the last bit. A depth of 0 is a height of 0, not of -0.
-/// Cost      one pass over what is in the other order, in blocks that stay in the cache; nothing over the rest.
+/// Cost      one pass over what is in the other order, in blocks that stay in the cache, and one over what lies on a
+///           coordinate that descends; nothing over the rest.
 #pragma once
 
 #include "dataset/dataset.hpp"
@@ -19,7 +21,8 @@
 namespace asperity {
 
 /// Of any dataset: every variable whose last dimensions are (y, x) comes to lie on (x, y), a z that is positive
-/// upwards becomes a depth, and its layers run downwards.
+/// upwards becomes a depth, and its layers run downwards. Where x, y, a depth, a lag or a wave number descends, it and all
+/// that lies on it are turned around, each value at its coordinate; a line in front of `history` and one of the notes say so.
 Dataset in_own_order(Dataset dataset);
 /// Of a dataset in Asperity's order.
 Dataset in_viewers_order(Dataset dataset);

@@ -1,10 +1,12 @@
 #include "dataset/classic_head.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "dataset/rest.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -38,9 +40,14 @@ class Reader {
     if (a != 0 && b > all_ / a) refuse_cut_short();
     return a * b;
   }
-  void require(std::uint64_t first, std::uint64_t bytes) const {
+  void require(std::uint64_t first, std::uint64_t bytes) {
     if (first > all_ || bytes > all_ - first) refuse_cut_short();
+    end_ = std::max(end_, first + bytes);
   }
+  /// Records whose number is not told reach to the end.
+  void require_all() { end_ = all_; }
+  /// The end of what was read and required so far, padded to four bytes.
+  std::uint64_t end() const { return std::min((std::max(end_, all_ - rest_.size()) + 3) / 4 * 4, all_); }
   /// n things of `size` bytes, padded to four.
   void skip_padded(std::uint64_t n, std::uint64_t size) {
     if (n > rest_.size() / size) refuse_cut_short();
@@ -80,7 +87,7 @@ class Reader {
   }
 
   std::string_view rest_;
-  std::size_t all_;
+  std::uint64_t all_, end_ = 0;
   bool wide_counts_ = false, wide_offsets_ = false;
 };
 
@@ -137,8 +144,9 @@ Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) 
 }
 
 // Records follow each other, each of all variables that have them, padded unless there is one such variable.
-void check_records(const Reader& reader, const std::vector<Extent>& extents, std::uint64_t records) {
-  if (records == 0 || records == reader.unknown_records() || extents.empty()) return;
+void check_records(Reader& reader, const std::vector<Extent>& extents, std::uint64_t records) {
+  if (records == 0 || extents.empty()) return;
+  if (records == reader.unknown_records()) return reader.require_all();
   std::uint64_t record = 0;
   for (const Extent& e : extents) record += (e.bytes + 3) / 4 * 4;
   if (extents.size() == 1) record = extents[0].bytes;
@@ -166,6 +174,7 @@ void check_classic_head(std::string_view bytes) {
   const std::vector<std::uint64_t> lengths = take_dimensions(reader);
   check_attributes(reader);
   check_variables(reader, lengths, records);
+  refuse_rest(bytes.substr(reader.end()), "dataset");
 }
 
 }  // namespace asperity

@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// Throws DataError("dataset", …) for the bytes of a classic file whose head claims more than they hold, or is none.
+/// Throws DataError("dataset", …) for the bytes of a classic file whose head claims more than they hold, or less, or is none.
 void check_classic_head(std::string_view bytes);
 
 }  // namespace asperity

@@ -70,6 +70,8 @@ class Dataset {
   std::vector<Dimension> dimensions;
   std::vector<Variable> variables;
   Attributes attributes;  ///< global
+  /// What a reader settled that its user may want to know, a line each; of no file.
+  std::vector<std::string> notes;
 
   bool has(std::string_view variable) const { return find(variable) != nullptr; }
   const Variable* find(std::string_view variable) const;

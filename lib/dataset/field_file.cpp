@@ -14,9 +14,11 @@ using Names = std::vector<std::string>;
 }  // namespace
 
 FieldFile::FieldFile(const std::string& path, std::string_view variable)
-    : file_(path, {"x", "y"}), grid_(grid_of(file_.dataset())), variable_(variable) {
-  const Names& dimensions = dataset().at(variable_).dimensions;
-  if (dimensions != Names{"x", "y"} && dimensions != Names{"y", "x"})
+    : file_(path, {"x", "y"}),
+      dataset_(in_own_order(file_.dataset())),
+      grid_(grid_of(dataset_)),
+      variable_(variable) {
+  if (dataset().at(variable_).dimensions != Names{"x", "y"})
     throw DataError(variable_, "it does not lie on (x, y)");
 }
 
@@ -24,14 +26,20 @@ Field FieldFile::rows(Index first, Index count) const { return part(Axis::x, fir
 
 Field FieldFile::columns(Index first, Index count) const { return part(Axis::y, first, count); }
 
-// The rows, or columns, are a dataset of their own, read as any other.
+// The rows, or columns, are a dataset of their own with its coordinates, read as any other.
 Field FieldFile::part(Axis along, Index first, Index count) const {
   const std::string axis = along == Axis::x ? "x" : "y";
+  const Dataset& in_file = file_.dataset();
+  const std::vector<double> points = numbers(in_file.at(axis).values);
+  const bool descends = points.back() < points.front();
+  if (descends) first = in_file.length(axis) - first - count;
   Dataset strip;
-  strip.dimensions = dataset().dimensions;
+  strip.dimensions = in_file.dimensions;
   std::ranges::find(strip.dimensions, axis, &Dimension::name)->length = count;
+  strip.variables = {in_file.at("x"), in_file.at("y")};
+  strip.find(axis)->values = file_.rows(axis, first, count);
   for (const std::string& name : {variable_, std::string("mask")})
-    if (const Variable* present = dataset().find(name)) {
+    if (const Variable* present = in_file.find(name)) {
       Variable part = *present;
       part.values = part.dimensions.front() == axis ? file_.rows(name, first, count)
                                                     : file_.columns(name, first, count);

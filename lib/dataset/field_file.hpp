@@ -18,8 +18,8 @@ class FieldFile {
   /// A regular file; throws DataError as decode_netcdf does, and for a variable that field_of would refuse.
   FieldFile(const std::string& path, std::string_view variable);
 
-  /// Without the values of fields.
-  const Dataset& dataset() const { return file_.dataset(); }
+  /// In Asperity's order, without the values of fields.
+  const Dataset& dataset() const { return dataset_; }
   const Grid& grid() const { return grid_; }
   /// `count` rows from `first` on in SI, missing points NaN. Throws DataError when one is infinite.
   Field rows(Index first, Index count) const;
@@ -31,6 +31,7 @@ class FieldFile {
   Field part(Axis along, Index first, Index count) const;
 
   NetcdfFile file_;
+  Dataset dataset_;
   Grid grid_;
   std::string variable_;
 };

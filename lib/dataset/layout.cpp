@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
+#include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 #include "grid/large_pages.hpp"
 #include "grid/words.hpp"
@@ -15,22 +18,6 @@ namespace asperity {
 namespace {
 
 using Names = std::vector<std::string>;
-
-// The unit of a variable or coordinate: contact.engineering says `unit`, CF says `units`.
-std::string unit_of(const Variable& variable) {
-  const std::string unit = variable.attributes.text("units");
-  return unit.empty() ? variable.attributes.text("unit") : unit;
-}
-
-double factor_to_metres(const Variable& variable) {
-  const std::string unit = unit_of(variable);
-  if (unit.empty()) throw DataError(variable.name, "it has no unit");
-  try {
-    return unit_factor(unit, "m");
-  } catch (const std::invalid_argument& e) {
-    throw DataError(variable.name, e.what());
-  }
-}
 
 struct AxisExtent {
   double spacing;
@@ -70,8 +57,13 @@ double settled_length(const Variable& axis, const std::vector<double>& points) {
 AxisExtent extent_of(const Variable& axis) {
   const auto n = static_cast<double>(count(axis.values));
   if (n < 1) throw DataError(axis.name, "it has no points");
-  const double factor = factor_to_metres(axis);
-  const std::vector<double> values = numbers(axis.values);
+  for (const char* name : {"length", "periodic"})
+    if (!axis.attributes.text(name).empty())
+      throw DataError(axis.name, std::string("its ") + name + " is text where a number belongs");
+  const double factor = factor_to("m", axis);
+  const std::vector<double> values = present_numbers(axis);
+  if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
+    throw DataError(axis.name, "a point of it is missing or infinite");
   const double length = settled_length(axis, values);
   const double step = values.size() > 1 ? (values.back() - values.front()) / (n - 1) : length;
   if (!std::isfinite(step) || step == 0)
@@ -129,16 +121,21 @@ void put_coordinate(Dataset& dataset, Variable axis) {
 
 std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()}; }
 
-// The variable's two dimensions as a field.
+// The variable's two dimensions as a field, NaN where its mark stands.
 Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
+  if (std::holds_alternative<std::string>(variable.values))
+    throw DataError(variable.name, "it holds text, not numbers");
   const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
   Field out(rows, columns);
   prefer_large_pages(out.data(), static_cast<std::size_t>(out.size()) * sizeof(double));
+  const double mark = mark_of(variable);
   std::visit(
-      [&]<class List>(const List& values) {
-        using Element = Eigen::Array<typename List::value_type, Eigen::Dynamic, 1>;
-        const Eigen::Map<const Element> in(values.data(), static_cast<Index>(values.size()));
-        out.reshaped<Eigen::RowMajor>() = in.template cast<double>() * factor;
+      [&](const auto& values) {
+        double* to = out.data();
+        for (const auto value : values) {
+          const auto number = static_cast<double>(value);
+          *to++ = number == mark ? std::numeric_limits<double>::quiet_NaN() : number * factor;
+        }
       },
       variable.values);
   return out;
@@ -166,38 +163,43 @@ void refuse_masked_points(const Dataset& dataset, std::string_view name) {
                     std::to_string(hidden) + " of its points are masked and none is made up for them");
 }
 
-void refuse_missing_points(const Variable& variable) {
-  for (const char* attribute : {"_FillValue", "missing_value"}) {
-    const double mark = variable.attributes.number(attribute, NAN);
-    if (std::isnan(mark)) continue;
-    const std::vector<double> values = numbers(variable.values);
-    const auto missing = std::ranges::count(values, mark);
-    if (missing > 0)
-      throw DataError(variable.name, std::to_string(missing) + " of its points are missing (" + attribute +
-                                         ") and none is made up for them");
-  }
+// Marks have become NaN: only where there is one are they counted.
+void refuse_missing_points(const Variable& variable, const Field& values) {
+  if (!values.hasNaN()) return;
+  const std::vector<double> all = numbers(variable.values);
+  const auto missing = std::ranges::count(all, mark_of(variable));
+  const char* why = variable.attributes.find("_FillValue")      ? "_FillValue"
+                    : variable.attributes.find("missing_value") ? "missing_value"
+                                                                : "never written";
+  if (missing > 0)
+    throw DataError(variable.name, std::to_string(missing) + " of its points are missing (" + why +
+                                       ") and none is made up for them");
 }
 
-// NaN wherever the mask or an attribute says that there is no value.
-void leave_out_missing(const Dataset& dataset, const Variable& variable, Field& values) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (const Variable* mask = dataset.find("mask")) {
-    if (mask->dimensions != variable.dimensions) throw DataError("mask", "it does not lie on (x, y)");
-    values = (matrix(dataset, *mask, 1.0) != 0).select(none, values);
-  }
-  for (const char* attribute : {"_FillValue", "missing_value"})
-    if (const double mark = variable.attributes.number(attribute, NAN); !std::isnan(mark))
-      values = (matrix(dataset, variable, 1.0) == mark).select(none, values);
+// NaN wherever the mask says that there is no value.
+void leave_out_masked(const Dataset& dataset, const Variable& variable, Field& values) {
+  const Variable* mask = dataset.find("mask");
+  if (!mask) return;
+  if (mask->dimensions != variable.dimensions) throw DataError("mask", "it does not lie on (x, y)");
+  values = (matrix(dataset, *mask, 1.0) != 0).select(std::numeric_limits<double>::quiet_NaN(), values);
 }
 
 Field field_times(const Dataset& dataset, const Variable& variable, double factor, Missing missing) {
   if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
+  Field out = matrix(dataset, variable, factor);
   if (missing == Missing::refused) {
     refuse_masked_points(dataset, variable.name);
-    refuse_missing_points(variable);
+    refuse_missing_points(variable, out);
+  } else {
+    leave_out_masked(dataset, variable, out);
   }
+  refuse_not_finite(variable.name, out, missing);
+  return out;
+}
+
+Field table_times(const Dataset& dataset, const Variable& variable, double factor, Missing missing) {
+  if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
   Field out = matrix(dataset, variable, factor);
-  if (missing == Missing::not_a_number) leave_out_missing(dataset, variable, out);
   refuse_not_finite(variable.name, out, missing);
   return out;
 }
@@ -254,13 +256,16 @@ void set_grid(Dataset& dataset, const Grid& grid) {
 }
 
 Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {
+  return field_of(dataset, name, si_unit_of(dataset.at(name)), missing);
+}
+
+Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
   const Variable& variable = dataset.at(name);
-  return field_times(dataset, variable, name == "heights" ? factor_to_metres(variable) : 1.0, missing);
+  return field_times(dataset, variable, factor_to(unit, variable), missing);
 }
 
 Field heights_of(const Dataset& dataset, std::string_view name, Missing missing) {
-  const Variable& variable = dataset.at(name);
-  return field_times(dataset, variable, factor_to_metres(variable), missing);
+  return field_of(dataset, name, "m", missing);
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
@@ -307,9 +312,15 @@ void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::i
 
 std::vector<double> depths_of(const Dataset& dataset) {
   const Variable& z = dataset.at("z");
-  const double factor = factor_to_metres(z);
-  std::vector<double> depths = numbers(z.values);
-  for (double& d : depths) d *= factor;
+  const double factor = factor_to("m", z);
+  std::vector<double> depths = present_numbers(z);
+  for (double& d : depths) {
+    d *= factor;
+    if (!(d >= 0))
+      throw DataError("z", std::to_string(d) +
+                               " m is no depth below the surface; of heights the attribute "
+                               "positive says up");
+  }
   return depths;
 }
 
@@ -340,11 +351,12 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
 }
 
 Field table_of(const Dataset& dataset, std::string_view name, Missing missing) {
+  return table_times(dataset, dataset.at(name), 1.0, missing);
+}
+
+Field table_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
   const Variable& variable = dataset.at(name);
-  if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
-  Field out = matrix(dataset, variable, 1.0);
-  refuse_not_finite(variable.name, out, missing);
-  return out;
+  return table_times(dataset, variable, factor_to(unit, variable), missing);
 }
 
 void add_history(Dataset& dataset, std::string_view line) {

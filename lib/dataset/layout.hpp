@@ -3,12 +3,13 @@
 ///
 /// The grid is the coordinate variables x and y with the attributes length (the size of the domain),
 /// periodic, unit and units, as contact.engineering reads them; depth is the coordinate z, positive
-/// downwards. A field is name(x, y), a volume name(z, x, y). All numbers are SI; a reader's other units of
-/// length are converted.
+/// downwards. A field is name(x, y), a volume name(z, x, y).
 ///
-/// Missing points: a variable `mask(x, y)`, non-zero where the height is missing, the value that the attribute
-/// _FillValue or missing_value names, or NaN. No reader here invents a value for them: they are refused, unless the
-/// caller can leave them out.
+/// Units: what is written is SI; what is read is converted (dataset/variable_units.hpp).
+///
+/// Missing points: a variable `mask(x, y)`, non-zero where the height is missing, the mark of a plain variable
+/// (dataset/conventions.hpp), or NaN. No reader here invents a value for them: they are refused, unless the caller can leave
+/// them out.
 #pragma once
 
 #include <string>
@@ -33,10 +34,13 @@ void set_grid(Dataset& dataset, const Grid& grid);
 /// What becomes of missing points: DataError, or NaN.
 enum class Missing { refused, not_a_number };
 
-/// name(x, y) in SI. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not
+/// name(x, y) in its si_unit_of. Throws DataError when it is missing, does not lie on (x, y), holds a number that is not
 /// finite, or some of its points are missing and may not be.
 Field field_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
-/// The same of a variable that must be a length, whatever its name, in metres.
+/// The same in a unit that it must measure, whatever its name: "m", "Pa", "1".
+Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit,
+               Missing missing = Missing::refused);
+/// In metres.
 Field heights_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 
 struct Meaning {
@@ -61,7 +65,7 @@ void set_scalar(Dataset& dataset, std::string_view name, double value, Meaning m
 void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
                std::string_view long_name, std::string_view flag_meanings);
 
-/// The depths [m] of a dataset with z; throws DataError when there are none.
+/// The depths [m] of a dataset with z; throws DataError when there are none, or one lies above the surface.
 std::vector<double> depths_of(const Dataset& dataset);
 /// Likewise of a former z.
 void set_depths(Dataset& dataset, const std::vector<double>& depths);
@@ -80,10 +84,11 @@ struct Axis {
 /// A field over lags or kernel indices: writes name(row, column) and the coordinates row(row) and column(column).
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
                Meaning meaning);
-/// A variable of any two dimensions as a field; throws DataError when it is missing, or holds a number that is not finite
-/// and may not be missing.
+/// A variable of any two dimensions as a field, as it stands or in a unit that it must measure; throws DataError when it is
+/// missing, or holds a number that is not finite and may not be missing.
 Field table_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
-
+Field table_of(const Dataset& dataset, std::string_view name, std::string_view unit,
+               Missing missing = Missing::refused);
 /// Puts `line` in front of the global attribute `history`.
 void add_history(Dataset& dataset, std::string_view line);
 

@@ -9,8 +9,10 @@
 
 #include "dataset/axis_order.hpp"
 #include "dataset/classic_head.hpp"
+#include "dataset/conventions.hpp"
 #include "dataset/mapped_file.hpp"
 #include "dataset/netcdf_types.hpp"
+#include "dataset/rest.hpp"
 
 namespace asperity {
 
@@ -173,6 +175,26 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
+// Where the superblock of an HDF5 file says that it ends (HDF5 File Format Specification 3.0, II.A); of one that is not
+// understood, all of it: the library refuses it.
+std::size_t end_of_hdf5(std::string_view bytes) {
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;
+  };
+  const unsigned version = byte(8), width = byte(version < 2 ? 13 : 9);
+  const std::size_t base = version == 0 ? 24 : version == 1 ? 28 : 12, at = base + 2 * width;
+  if (version > 3 || (width != 4 && width != 8) || at + width > bytes.size()) return bytes.size();
+  std::uint64_t end = 0;
+  for (std::size_t i = width; i-- > 0;) end = end << 8 | byte(at + i);
+  return std::min<std::uint64_t>(end, bytes.size());
+}
+
+// What the library would take on trust, or not look at.
+void check_extent(std::string_view bytes) {
+  if (bytes.starts_with("CDF")) return check_classic_head(bytes);
+  if (is_netcdf4(bytes)) refuse_rest(bytes.substr(end_of_hdf5(bytes)), "dataset");
+}
+
 int open_in_memory(std::string_view bytes, Handle& file) {
   const int status =
       nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
@@ -218,16 +240,16 @@ bool looks_like_netcdf(std::string_view bytes) {
 Dataset decode_netcdf(std::string_view bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
+  check_extent(bytes);
   const DoneApart done_apart = apart;
   if (is_netcdf4(bytes) && done_apart != nullptr)
     return decode_netcdf(MappedFile(classic_from(bytes, done_apart).name()).bytes());
-  if (!is_netcdf4(bytes)) check_classic_head(bytes);
-  return in_own_order(decode_here(bytes));
+  return in_own_order(with_plain_values(decode_here(bytes)));
 }
 
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {
   const MappedFile mapped(path);
-  if (mapped.bytes().starts_with("CDF")) check_classic_head(mapped.bytes());
+  check_extent(mapped.bytes());
   if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
     classic_.emplace(classic_from(mapped.bytes(), done_apart));
   Handle file;
@@ -235,6 +257,8 @@ NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& 
         path + " cannot be read");
   file.open = true;
   dataset_ = read_dataset(file.id, classic_ ? classic_->size() : mapped.bytes().size(), deferred);
+  for (const Variable& variable : dataset_.variables) conventions_.emplace_back(variable);
+  dataset_ = with_plain_values(std::move(dataset_));
   id_ = file.id;
   file.open = false;
 }
@@ -265,7 +289,7 @@ Values NetcdfFile::part(std::string_view variable, std::size_t along, Index firs
   }
   Values out = allocate(type, elements, name);
   check(nc_get_vara(id_, id, start.data(), counts.data(), data(out)), name + " cannot be read");
-  return out;
+  return conventions_.at(static_cast<std::size_t>(id)).unpacked(std::move(out));
 }
 
 std::string netcdf_version() {

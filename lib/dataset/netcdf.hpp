@@ -21,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dataset/conventions.hpp"
 #include "dataset/dataset.hpp"
 #include "dataset/sparse_file.hpp"
 
@@ -45,11 +46,12 @@ void read_netcdf4_apart(DoneApart apart);
 /// Whether bytes begin as a NetCDF file does.
 bool looks_like_netcdf(std::string_view bytes);
 
-/// In Asperity's order of axes (dataset/axis_order.hpp). Throws DataError ("dataset") when the bytes are no NetCDF,
-/// are cut short, or hold a type that CDF-5 cannot.
+/// In Asperity's order of axes (dataset/axis_order.hpp), its values plain (dataset/conventions.hpp). Throws DataError
+/// ("dataset") when the bytes are no NetCDF, are cut short, more than one dataset, or hold a type that CDF-5 cannot.
 Dataset decode_netcdf(std::string_view bytes);
 
-/// A file on disk as it is, of which some variables are read by parts; of NetCDF-4 read apart they all are in memory.
+/// A file on disk, its axes as they are and its values plain, of which some variables are read by parts; of NetCDF-4 read
+/// apart they all are in memory.
 class NetcdfFile {
  public:
   /// Reads all but the values of variables that lie on all of `deferred`; throws DataError as decode_netcdf does.
@@ -70,6 +72,7 @@ class NetcdfFile {
   std::optional<SparseFile> classic_;  ///< what a NetCDF-4 file held
   int id_ = -1;
   Dataset dataset_;
+  std::vector<Conventions> conventions_;  ///< of its variables as the file has them
 };
 
 std::string encode_netcdf(const Dataset& dataset);

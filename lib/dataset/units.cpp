@@ -1,8 +1,10 @@
 #include "dataset/units.hpp"
 
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include <udunits2.h>
 
@@ -50,18 +52,34 @@ Unit parse(const std::string& name) {
 struct FreeConverter {
   void operator()(cv_converter* c) const { cv_free(c); }
 };
+using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+
+// None where the two measure different things, or one the inverse of the other, for which UDUNITS has a converter.
+Converter converter_of(const Unit& from, const Unit& to) {
+  if (!from || !to) return nullptr;
+  Converter out(ut_get_converter(from.get(), to.get()));
+  return out && std::isfinite(cv_convert_double(out.get(), 0.0)) ? std::move(out) : nullptr;
+}
 
 }  // namespace
 
 double unit_factor(const std::string& from, const std::string& to) {
   const std::lock_guard lock(library);
   const Silence silence;
-  const Unit source = parse(from), target = parse(to);
-  const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(source.get(), target.get()));
-  if (!converter)
-    throw std::invalid_argument("'" + one_line(from, longest_unit) + "' does not measure what '" + to +
-                                "' measures");
-  return cv_convert_double(converter.get(), 1.0) - cv_convert_double(converter.get(), 0.0);
+  const Converter converter = converter_of(parse(from), parse(to));
+  const std::string own = "'" + one_line(from, longest_unit) + "'";
+  if (!converter) throw std::invalid_argument(own + " does not measure what '" + to + "' measures");
+  if (cv_convert_double(converter.get(), 0.0) != 0)
+    throw std::invalid_argument(own + " counts from another zero than '" + to +
+                                "': no factor makes one the other");
+  return cv_convert_double(converter.get(), 1.0);
+}
+
+bool measures(const std::string& unit, const std::string& other) {
+  const std::lock_guard lock(library);
+  const Silence silence;
+  const auto known = [](const std::string& name) { return Unit(ut_parse(units(), utf8_of(name).c_str(), UT_UTF8)); };
+  return converter_of(known(unit), known(other)) != nullptr;
 }
 
 }  // namespace asperity

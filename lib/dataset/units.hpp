@@ -8,9 +8,12 @@
 
 namespace asperity {
 
-/// The factor f with 1 `from` = f `to`: unit_factor("nm", "m") = 1e-9, unit_factor("µm", "m") = 1e-6, in UTF-8
-/// or Latin-1. Throws
-/// std::invalid_argument saying which unit is unknown, or that the two measure different things.
+/// The factor f with 1 `from` = f `to`: unit_factor("nm", "m") = 1e-9, unit_factor("µm", "m") = 1e-6, in UTF-8 or Latin-1.
+/// Throws std::invalid_argument saying which unit is unknown, that the two measure different things, or that one counts from
+/// another zero (a unit with an offset, or a logarithmic one).
 double unit_factor(const std::string& from, const std::string& to);
+
+/// Whether both are known and measure the same thing.
+bool measures(const std::string& unit, const std::string& other);
 
 }  // namespace asperity

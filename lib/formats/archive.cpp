@@ -7,6 +7,7 @@
 
 #include <zip.h>
 
+#include "dataset/rest.hpp"
 #include "formats/gzip.hpp"
 #include "grid/error.hpp"
 
@@ -30,6 +31,27 @@ Source source_of(std::string_view bytes) {
   zip_error_fini(&error);
   if (!out) throw std::bad_alloc();
   return out;
+}
+
+// The record that ends an archive is looked for from behind, and says how long the list before it is and where it begins:
+// nothing may stand around them (APPNOTE.TXT 4.3.16). In 64 bits another record says so.
+void refuse_more(std::string_view bytes, const std::string& variable) {
+  constexpr std::size_t record = 22, locator = 20;
+  const std::size_t at = bytes.rfind(std::string_view("PK\5\6", 4));
+  if (at == bytes.npos || bytes.size() - at < record) return;
+  const auto number = [&](std::size_t place, std::size_t width) {
+    std::size_t out = 0;
+    for (std::size_t i = width; i-- > 0;) out = out << 8 | static_cast<unsigned char>(bytes[at + place + i]);
+    return out;
+  };
+  refuse_rest(bytes.substr(std::min(at + record + number(20, 2), bytes.size())), variable);
+  const std::size_t listed = number(12, 4) + number(16, 4);
+  const bool wide = at >= locator && bytes.substr(at - locator, 4) == std::string_view("PK\6\7", 4);
+  if (listed < at && !wide)
+    throw DataError(variable,
+                    std::to_string(at - listed) +
+                        " bytes of it are not of its archive, perhaps those of another one: give each "
+                        "in a file of its own");
 }
 
 // The archive takes a share in the source.
@@ -116,6 +138,7 @@ void ZipArchive::Close::operator()(zip* archive) const { zip_discard(archive); }
 ZipArchive::ZipArchive(std::string_view bytes, std::string variable) : variable_(std::move(variable)) {
   const Source source = source_of(bytes);
   archive_.reset(open(source.get(), ZIP_RDONLY));
+  refuse_more(bytes, variable_);
   if (!archive_) throw DataError(variable_, "it is no zip archive, or is cut short");
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "dataset/rest.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 #include "grid/error.hpp"
@@ -84,6 +85,8 @@ bool recognises_gwyddion_text(std::string_view bytes) {
 
 Map decode_gwyddion_text(std::string_view bytes, const Reading& reading) {
   const Head head = take_head(bytes);
+  if (const std::size_t line = bytes.find("\n#"); line != bytes.npos)
+    refuse_rest(bytes.substr(line + 1), "map");  // another head
   if (head.lengths.size() < 2) throw DataError("map", "its head does not state a width and a height");
   Map map{.values = matrix_of(bytes, "map", head.lines + 1, reading).transpose(),
           .title = std::string(head.channel)};

@@ -4,6 +4,7 @@
 #include <limits>
 #include <zlib.h>
 
+#include "dataset/rest.hpp"
 #include "grid/error.hpp"
 
 namespace asperity {
@@ -36,6 +37,8 @@ class Inflater {
     char next;
     return take(&next, 1) == 0 && state_ == Z_STREAM_END;
   }
+  // What stands behind the stream.
+  std::string_view rest() const { return {rest_.data() - stream_.avail_in, rest_.size() + stream_.avail_in}; }
 
  private:
   // zlib counts in 32 bits.
@@ -71,6 +74,7 @@ std::string inflated(std::string_view bytes, std::size_t size, const std::string
     }
   }
   if (!inflater.ends()) throw DataError(variable, "its gzip is damaged, or holds more than it should");
+  refuse_rest(inflater.rest(), variable);
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 #include "grid/words.hpp"
 
@@ -101,15 +102,11 @@ Dataset dataset_of(const Map& map) {
 
 Map map_of(const Dataset& dataset, std::string_view variable) {
   const Grid grid = asperity::grid_of(dataset);
-  const Attributes& attributes = dataset.at(variable).attributes;
-  std::string units = attributes.text("units");
-  if (units.empty()) units = attributes.text("unit");
-  Map out{.values = field_of(dataset, variable, Missing::not_a_number),
+  const Variable& field = dataset.at(variable);
+  return {.values = field_of(dataset, variable, Missing::not_a_number),
           .spacing = {grid.dx, grid.dy},
-          .units = units,
-          .title = attributes.text("long_name")};
-  if (variable == "heights") out.units = "m";
-  return out;
+          .units = unit_of(field).empty() ? "" : si_unit_of(field),
+          .title = field.attributes.text("long_name")};
 }
 
 }  // namespace asperity

@@ -122,19 +122,45 @@ Axes axes_of(const Head& head) {
   return {axes[0], axes[1], {sizes[axes[0]], sizes[axes[1]]}};
 }
 
-// Of a space direction: its components have the space's units.
-double length_of(std::string_view direction, const Words& units) {
-  if (direction == "none") return Map::unknown;
-  double length = 0;
-  for (std::size_t i = 0; !direction.empty(); ++i) {
+// The components of a space direction; none of "none".
+std::vector<double> components_of(std::string_view direction) {
+  std::vector<double> out;
+  while (!direction.empty() && direction != "none") {
     const std::size_t end = find_end(direction, ",", 0);
     const auto component = number_of(trimmed(direction.substr(0, end)));
     if (!component) refuse("its space directions have " + quoted(direction) + ", which is no number");
-    if (word(units, i).empty()) return Map::unknown;
-    length = std::hypot(length, *component * metres_per(word(units, i), "map"));
+    out.push_back(*component);
     direction.remove_prefix(std::min(end + 1, direction.size()));
   }
+  return out;
+}
+
+// They have the space's units.
+double length_of(const std::vector<double>& direction, const Words& units) {
+  double length = direction.empty() ? Map::unknown : 0;
+  for (std::size_t i = 0; i < direction.size(); ++i) {
+    if (word(units, i).empty()) return Map::unknown;
+    length = std::hypot(length, direction[i] * metres_per(word(units, i), "map"));
+  }
   return length;
+}
+
+// An axis that runs against its space's is turned around. One may be turned within the plane, where a map has axes of its
+// own, but not mirrored.
+void orient(Field& values, const Head& head, const Axes& axes) {
+  const Words directions = words_of(field(head, "space directions"));
+  const std::vector<double> x = components_of(word(directions, axes.x)),
+                            y = components_of(word(directions, axes.y));
+  const auto flat = [](const std::vector<double>& d) {
+    return d.size() == 2 || (d.size() == 3 && d[2] == 0);
+  };
+  if (!flat(x) || !flat(y)) return;
+  if (x[1] != 0 || y[0] != 0) {
+    if (x[0] * y[1] < x[1] * y[0]) refuse("its space directions mirror it: write the map along x and y");
+    return;
+  }
+  if (x[0] < 0) values = values.colwise().reverse().eval();
+  if (y[1] < 0) values = values.rowwise().reverse().eval();
 }
 
 // In the axis's own unit.
@@ -152,7 +178,7 @@ double spacing_of(const Head& head, std::size_t axis, Index points) {
   const Words directions = words_of(field(head, "space directions")), units = words_of(field(head, "units"));
   double out = Map::unknown;
   if (!directions.empty())
-    out = length_of(word(directions, axis), words_of(field(head, "space units")));
+    out = length_of(components_of(word(directions, axis)), words_of(field(head, "space units")));
   else if (!word(units, axis).empty())
     out = step_of(head, axis, points) * metres_per(word(units, axis), "map");
   if (!std::isnan(out) && !(out > 0 && std::isfinite(out))) refuse("its spacing is not positive");
@@ -215,6 +241,7 @@ Map decode_nrrd(std::string_view bytes, const Reading& reading) {
   const Axes axes = axes_of(head);
   Map map{.values = values_of(head, bytes, axes.shape, lines, reading),
           .title = std::string(head.text("content"))};
+  orient(map.values, head, axes);
   map.spacing = {spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
   if (const auto units = unquoted(field(head, "sample units")); !units.empty()) set_units(map, units);
   return map;

@@ -4,7 +4,8 @@
 ///     type: double               signed or unsigned integers of 8 to 64 bits, float, double, by all their names
 ///     dimension: 2               or more, if no more than two axes are longer than 1
 ///     sizes: 5 3                 points along x, the fastest axis, and y, from the least on
-///     spacings: 1e-06 2e-06      or axis mins and axis maxs (with centers), or space directions, whose lengths are taken
+///     spacings: 1e-06 2e-06      or axis mins and axis maxs (with centers), or space directions, whose lengths are taken:
+///                            an axis against its space is turned around, a mirrored map refused
 ///     units: "m" "m"             of each axis (space units with space directions); where none is stated the size is unknown
 ///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem); nothing is assumed where there is none
 ///     content: heights           the title

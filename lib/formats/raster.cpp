@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "dataset/rest.hpp"
 #include "grid/error.hpp"
 #include "grid/words.hpp"
 
@@ -117,6 +118,7 @@ void check_shape(Shape shape, std::size_t cells, const std::string& variable) {
 
 Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable) {
   check_shape(shape, bytes.size() / size_of(raster.type), variable);
+  refuse_rest(bytes.substr(static_cast<std::size_t>(shape.cells()) * size_of(raster.type)), variable);
   Field out(shape.nx, shape.ny);
   with_type(raster.type, [&](auto number) {
     using T = decltype(number);

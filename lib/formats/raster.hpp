@@ -30,8 +30,8 @@ struct Raster {
   Order order = Order::yx;  ///< which index is the slower one
 };
 
-/// The first cells of `bytes` as a field. Throws DataError(variable, …) before any memory is taken when there are fewer
-/// bytes than the shape needs, or the shape is empty or impossible.
+/// The cells that `bytes` are, as a field. Throws DataError(variable, …) before any memory is taken when there are fewer bytes
+/// than the shape needs, or more (dataset/rest.hpp), or the shape is empty or impossible.
 Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable);
 /// Values are rounded to whole numbers for an integer type; those that a type cannot hold throw DataError.
 std::string bytes_of(const Field& field, const Raster& raster);

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "dataset/rest.hpp"
+#include "formats/format.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
@@ -66,6 +68,17 @@ std::string_view take_head(std::string_view& text, std::size_t& lines) {
   throw DataError("map", "its head has no end, a line that begins with *");
 }
 
+// The maker's text may follow the numbers, and no second map.
+void check_trailer(std::string_view rest) {
+  bool another = !is_text(rest);
+  for (std::string_view lines = rest; !lines.empty() && !another;) {
+    std::string_view line = trimmed(take_line(lines));
+    line.remove_prefix(std::min(line.find_first_not_of('*'), line.size()));
+    another = recognises(line, 'a') || recognises(line, 'b');
+  }
+  if (another) refuse_rest(rest, "map");
+}
+
 Map decode_text(std::string_view bytes, const Reading& reading) {
   std::size_t lines = 0;
   const Head head(take_head(bytes, lines), "=");
@@ -77,7 +90,10 @@ Map decode_text(std::string_view bytes, const Reading& reading) {
                     head.count("DataType"),
                     head.count("CheckType")};
   check(d);
-  return heights_of(field_of_lines(bytes.substr(0, bytes.find('*')), d.shape, "map", lines + 1, reading), d);
+  const std::size_t end = std::min(bytes.find('*'), bytes.size());
+  Field values = field_of_lines(bytes.substr(0, end), d.shape, "map", lines + 1, reading);
+  check_trailer(bytes.substr(std::min(end + 1, bytes.size())));
+  return heights_of(std::move(values), d);
 }
 
 // Takes numbers off the bytes one after the other.
@@ -151,7 +167,9 @@ Map decode_binary(std::string_view bytes) {
       version == "ISO-2.0" ? take_binary_head<std::uint32_t>(bytes) : take_binary_head<std::uint16_t>(bytes);
   const NumberType type = types[d.type];
   skip_olympus(bytes, d, type);
-  Field values = field_from(bytes, d.shape, {type, std::endian::little, Order::yx}, "map");
+  const std::size_t numbers = static_cast<std::size_t>(d.shape.cells()) * size_of(type);
+  check_trailer(bytes.substr(numbers));
+  Field values = field_from(bytes.substr(0, numbers), d.shape, {type, std::endian::little, Order::yx}, "map");
   const Missing missing = missing_of(d.type, version.starts_with("BCR"));
   values = (values == missing.least || values == missing.greatest).select(Map::unknown, values);
   return heights_of(std::move(values), d);

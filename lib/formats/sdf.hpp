@@ -9,7 +9,7 @@
 ///     DataType = 7               0 to 2 unsigned, 4 to 6 signed integers of 8, 16, 32 bits, 3 floats, 7 doubles
 ///     CheckType = 0
 ///     *
-/// and the numbers, line by line from the least y, which end with another * or the file; what follows is passed over. Names
+/// and the numbers, line by line from the least y, which end with another * or the file; text that follows is passed over, and a second map is refused. Names
 /// stand in any order in text, and are left out in binary, where all is least significant byte first (the standard knows
 /// no other) and the numbers follow the 81 bytes (85) at once; two fields of four bytes that Olympus puts between are known.
 /// Yscale means nothing, and the spacing is unknown, where there is a single line.

@@ -1,5 +1,6 @@
 #include "formats/text_matrix.hpp"
 
+#include "dataset/rest.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_points.hpp"
 #include "formats/text_table.hpp"
@@ -8,13 +9,20 @@
 namespace asperity {
 namespace {
 
-// Of the last line "# units: …".
+// Of the last line "# units: …", behind which no second matrix may stand.
 std::string_view units_in(std::string_view text) {
   constexpr std::string_view states_units = "# units:";
-  std::string_view units;
-  while (!text.empty())
-    if (const std::string_view line = take_line(text); line.starts_with(states_units))
+  std::string_view units, second;
+  for (bool numbers = false; !text.empty();) {
+    const std::string_view all = text, line = take_line(text);
+    if (line.starts_with(states_units)) {
       units = trimmed(line.substr(states_units.size()));
+      if (numbers && second.empty()) second = all;
+    } else if (!line.empty() && line.front() != '#') {
+      numbers = true;
+      if (!second.empty()) refuse_rest(second, "map");
+    }
+  }
   return units;
 }
 

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/variable_units.hpp"
 #include "formats/map.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
@@ -28,22 +30,24 @@ bool has_volumes(const Dataset& dataset) { return std::ranges::any_of(dataset.va
 
 bool is_flags(const Variable& v) { return std::holds_alternative<std::vector<std::int8_t>>(v.values); }
 
+Points ascending(Points points, const std::string& name) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!(points[i] > points[i - 1])) throw DataError(name, "its points do not ascend");
+  return points;
+}
+
 Points coordinate_of(const Dataset& dataset, const std::string& name) {
   const Variable& axis = dataset.at(name);
-  std::string unit = axis.attributes.text("units");
-  if (unit.empty()) unit = axis.attributes.text("unit");
-  const double factor = metres_per(unit, name);
-  Points out = numbers(axis.values);
+  const double factor = factor_to("m", axis);
+  Points out = present_numbers(axis);
   for (double& point : out) point *= factor;
-  for (std::size_t i = 1; i < out.size(); ++i)
-    if (!(out[i] > out[i - 1])) throw DataError(name, "its points do not ascend");
-  return out;
+  return ascending(std::move(out), name);
 }
 
 // Upwards, the deepest first.
 Points heights_of_layers(const Dataset& dataset) {
   if (!has_volumes(dataset)) return {0.0};
-  Points out = coordinate_of(dataset, "z");
+  Points out = ascending(depths_of(dataset), "z");
   std::ranges::reverse(out);
   for (double& z : out) z = 0 - z;
   return out;
@@ -62,17 +66,15 @@ bool evenly_spaced(const Points& points) {
   return true;
 }
 
-std::string unit_of(const Variable& v) {
-  return v.name == "heights" ? "m" : v.attributes.text("units");  // into which field_of converts
-}
+// Into that of a field field_of converts; a volume keeps its own.
+std::string unit_shown(const Variable& v) { return is_field(v) && !is_flags(v) ? si_unit_of(v) : unit_of(v); }
 
 // Layer k of a variable; a field is its own only one.
 Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
   if (is_field(variable) && !is_flags(variable))
     return field_of(dataset, variable.name, Missing::not_a_number);
   const Shape shape{dataset.length("x"), dataset.length("y")};
-  const double missing =
-      is_flags(variable) ? Map::unknown : variable.attributes.number("_FillValue", Map::unknown);
+  const double missing = is_flags(variable) ? Map::unknown : mark_of(variable);
   return std::visit(
       [&](const auto& values) -> Field {
         using Matrix = Eigen::Array<typename std::decay_t<decltype(values)>::value_type, Eigen::Dynamic,
@@ -181,7 +183,8 @@ struct Block {
            std::to_string(z.size() - 1);
   }
   void declare(Document& document, const std::vector<Array>& arrays) const {
-    for (const Array& a : arrays) document.declare(a.variable->name, a.type, a.tuples, unit_of(*a.variable));
+    for (const Array& a : arrays)
+      document.declare(a.variable->name, a.type, a.tuples, unit_shown(*a.variable));
   }
   void append(Document& document, const std::vector<Array>& arrays) const {
     for (const Array& a : arrays) {

@@ -131,6 +131,14 @@ TEST_CASE("points that are not evenly spaced, or have no unit, are refused", "[l
   CHECK_THROWS_AS(grid_of(data), DataError);
 }
 
+TEST_CASE("a length or a period that is text is refused", "[layout][contract]") {
+  for (const char* name : {"length", "periodic"}) {
+    Dataset data = with_heights(random_field(grid.shape, 7));
+    data.find("y")->attributes.set(name, "1");
+    CHECK_THROWS_WITH(grid_of(data), ContainsSubstring("is text where a number belongs"));
+  }
+}
+
 TEST_CASE("history has the newest line first", "[layout][contract]") {
   Dataset data;
   add_history(data, "first");

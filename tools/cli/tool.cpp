@@ -5,6 +5,7 @@
 #include <iostream>
 #include <random>
 #include <system_error>
+#include <utility>
 
 #include <gsl/gsl_errno.h>
 
@@ -170,8 +171,14 @@ Dataset Tool::read() const { return read(input_); }
 
 Dataset Tool::read(const std::string& name) const {
   Dataset data = format_.dataset(read_all(name), name);
-  for (const std::string& line : settle_lengths(data)) warn((name == "-" ? "" : name + ": ") + line);
+  settle(data, name);
   return data;
+}
+
+void Tool::settle(Dataset& dataset, const std::string& name) const {
+  const std::string of = name == "-" ? "" : name + ": ";
+  for (const std::string& line : settle_lengths(dataset)) warn(of + line);
+  for (const std::string& line : std::exchange(dataset.notes, {})) note(of + line);
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

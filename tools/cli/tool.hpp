@@ -118,6 +118,9 @@ class Tool {
   Dataset read() const;                         ///< the dataset named by INPUT
   Dataset read(const std::string& name) const;  ///< of any name; "-" is stdin
   const InputFormat& format() const { return format_; }
+  /// Settles lengths (dataset/layout.hpp) and says that, and what else was settled when the dataset was read; `name` is the
+  /// file's, where it stands among others.
+  void settle(Dataset& dataset, const std::string& name = "-") const;
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
   // The parts of write(), for a tool that writes its dataset piece by piece.

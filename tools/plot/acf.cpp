@@ -5,7 +5,7 @@
 #include <span>
 
 #include "dataset/layout.hpp"
-#include "dataset/units.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 #include "plot/kinds.hpp"
 #include "plot/source.hpp"
@@ -31,16 +31,11 @@ struct Profiles {
 // The lags of a dimension in metres, or in samples where that is all that is known.
 std::vector<double> lags_of(const Dataset& data, const char* name, bool& in_metres) {
   const Variable& axis = data.at(name);
+  if (const auto metres = asperity::lags_of(axis)) return *metres;
   std::vector<double> lags = numbers(axis.values);
-  const std::string unit = axis.attributes.text("units");
-  double factor = 1;
-  if (!unit.empty() && unit != "1")
-    factor = unit_factor(unit, "m");
-  else if (data.has("x"))
-    factor = name[0] == 'p' ? grid_of(data).dx : grid_of(data).dy;
-  else
-    in_metres = false;
-  for (double& lag : lags) lag *= factor;
+  in_metres = in_metres && data.has("x");
+  if (data.has("x"))
+    for (double& lag : lags) lag *= name[0] == 'p' ? grid_of(data).dx : grid_of(data).dy;
   return lags;
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 #include "plot/kinds.hpp"
 #include "plot/source.hpp"
@@ -29,11 +31,12 @@ Place place_in(const std::vector<double>& points, double at) {
   return {k, std::clamp((at - points[k]) / (points[k + 1] - points[k]), 0.0, 1.0)};
 }
 
-// What is marked as missing is not a number here.
+// In SI; what is missing is not a number here.
 std::vector<double> present_values(const Variable& variable) {
-  std::vector<double> values = numbers(variable.values);
-  const double mark = variable.attributes.number("_FillValue", std::nan(""));
-  std::ranges::replace(values, mark, std::nan(""));
+  std::vector<double> values = present_numbers(variable);
+  const double factor = factor_to(si_unit_of(variable), variable);
+  if (factor != 1)
+    for (double& v : values) v *= factor;
   return values;
 }
 
@@ -48,7 +51,7 @@ Section section_on(const Dataset& data, const Variable& variable, const std::str
   if (!is_section(variable)) return section_of(data, asked.empty() ? widest : asked);
   if (!asked.empty()) throw ParameterError("section", "the dataset holds one section alone, which is drawn");
   const bool along_x = variable.dimensions[1] == "x";
-  return {along_x, numbers(data.at(along_x ? "section_y" : "section_x").values).at(0), 0};
+  return {along_x, present_values(data.at(along_x ? "section_y" : "section_x")).at(0), 0};
 }
 
 // The section's values, row k the k-th depth.

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "cli/quantity.hpp"
+#include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
 
 namespace asperity::plot {
@@ -29,39 +31,25 @@ Span cells_within(Range range, Index n, Position position, const char* option) {
   return {first, last - first + 1};
 }
 
-// The field as it stands in the dataset, masked points not numbers.
-Field raw_field(const Dataset& data, const Variable& variable) {
-  if (variable.dimensions != std::vector<std::string>{"x", "y"})
-    throw DataError(variable.name, "it does not lie on (x, y)");
-  const std::vector<double> values = numbers(variable.values);
-  Field out = Eigen::Map<const Field>(values.data(), data.length("x"), data.length("y"));
-  const Variable* mask = data.find("mask");
-  if (!mask || mask->dimensions != variable.dimensions) return out;
-  const std::vector<double> hidden = numbers(mask->values);
-  for (Index k = 0; k < out.size(); ++k)
-    if (hidden[static_cast<std::size_t>(k)] != 0) out.data()[k] = std::numeric_limits<double>::quiet_NaN();
-  return out;
-}
-
 }  // namespace
 
 Quantity quantity_of(const Variable& variable) {
   const std::string& name = variable.name;
-  const std::string unit = variable.attributes.text("units"), words = variable.attributes.text("long_name");
+  const std::string unit = si_unit_of(variable), words = variable.attributes.text("long_name");
   if (name == "heights") return {"height", unit, true};
   if (name == "noise") return {"noise", unit, true};
   if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, false};
   if (name == "von_mises") return {"von Mises", unit, false};
   if (name.starts_with("stress_")) return {"stress σ" + name.substr(7), unit, true};
   return {words.empty() ? name : words, unit,
-          range_of(Eigen::Map<const Field>(numbers(variable.values).data(), 1,
+          range_of(Eigen::Map<const Field>(present_numbers(variable).data(), 1,
                                            static_cast<Index>(count(variable.values))))
                   .low < 0};
 }
 
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request) {
   const Grid grid = grid_of(data);
-  const Field all = raw_field(data, data.at(variable));
+  const Field all = field_of(data, variable, Missing::not_a_number);
   const Span i = cells_within(
       request.x, grid.shape.nx, [&](Index k) { return grid.x(k); }, "x-range");
   const Span j = cells_within(

@@ -1,0 +1,71 @@
+#include "dataset/variable_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "dataset/conventions.hpp"
+#include "dataset/units.hpp"
+#include "grid/error.hpp"
+
+namespace asperity {
+namespace {
+
+// What tools know by its name must measure this.
+std::string_view needed_unit(std::string_view name) {
+  if (name == "pressure" || name == "von_mises") return "Pa";
+  constexpr std::string_view lengths[] = {"heights", "heights_residual", "gap", "displacement",
+                                          "displacement_plastic"};
+  return std::ranges::find(lengths, name) == std::end(lengths) ? "" : "m";
+}
+
+}  // namespace
+
+std::string unit_of(const Variable& variable) {
+  const std::string unit = variable.attributes.text("units");
+  return unit.empty() ? variable.attributes.text("unit") : unit;
+}
+
+std::string si_unit_of(const Variable& variable) {
+  const std::string_view needed = needed_unit(variable.name);
+  const std::string own = unit_of(variable);
+  if (!needed.empty()) return std::string(needed);
+  for (const char* unit : {"m", "Pa"})
+    if (measures(own, unit)) return unit;
+  return own.empty() ? "1" : own;
+}
+
+double factor_to(std::string_view unit, const Variable& variable) {
+  const std::string own = unit_of(variable), needed(unit);
+  if (own == needed || (own.empty() && needed == "1")) return 1;
+  if (own.empty())
+    throw DataError(variable.name,
+                    "it has no unit, where " + needed +
+                        " or another of the same quantity is needed: give it the attribute units");
+  try {
+    const double factor = unit_factor(own, needed);
+    if (factor > 0 && std::isfinite(factor)) return factor;
+  } catch (const std::invalid_argument& e) {
+    throw DataError(variable.name, std::string(e.what()) + ": correct its attribute units");
+  }
+  throw DataError(variable.name,
+                  "'" + own + "' is no multiple of '" + needed + "': correct its attribute units");
+}
+
+std::optional<std::vector<double>> lags_of(const Variable& axis) {
+  const std::string unit = unit_of(axis);
+  const bool samples = unit.empty() || unit == "1" || unit == "px";
+  const double factor = samples ? 1 : factor_to("m", axis);
+  std::vector<double> lags = present_numbers(axis);
+  for (double& lag : lags) lag *= factor;
+  if (!samples) return lags;
+  for (std::size_t i = 1; i < lags.size(); ++i)
+    if (!(std::abs(lags[i] - lags[i - 1] - 1) <= 1e-3))
+      throw DataError(axis.name,
+                      "its lags have no unit and are not those of samples, one each: give it the "
+                      "attribute units");
+  return std::nullopt;
+}
+
+}  // namespace asperity
