@@ -13,8 +13,8 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-FieldFile::FieldFile(const std::string& path, std::string_view variable)
-    : file_(path, {"x", "y"}), grid_(grid_of(file_.dataset())), variable_(variable) {
+FieldFile::FieldFile(const std::string& path, std::string_view variable, const MemoryBound& memory)
+    : file_(path, {"x", "y"}, memory), grid_(grid_of(file_.dataset())), variable_(variable) {
   const Names& dimensions = dataset().at(variable_).dimensions;
   if (dimensions != Names{"x", "y"} && dimensions != Names{"y", "x"})
     throw DataError(variable_, "it does not lie on (x, y)");

@@ -1,6 +1,7 @@
 #include "cli/tool.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -14,6 +15,7 @@
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
+#include "cli/table.hpp"
 #include "cli/usage.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
@@ -167,10 +169,19 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
 
 Dataset Tool::read() const { return read(input_); }
 
-Dataset Tool::read(const std::string& name) const {
-  Dataset data = format_.dataset(read_all(name), name);
+Dataset Tool::read(const std::string& name, std::size_t held) const {
+  const MemoryBound bound = memory_bound(held);
+  Dataset data = format_.dataset(read_all(name, bound), name, bound);
   for (const std::string& line : settle_lengths(data)) warn((name == "-" ? "" : name + ": ") + line);
   return data;
+}
+
+void Tool::require_memory(double bytes, const std::string& option, const std::string& what) const {
+  if (!(bytes > static_cast<double>(memory_bound().bytes))) return;
+  const auto megabytes = [](double size) { return shortest(std::ceil(size / 1e6)) + "MB"; };
+  throw UsageError(option, what + " takes some " + megabytes(bytes) + ", more than the " +
+                               megabytes(static_cast<double>(memory_bound().bytes)) +
+                               " that --memory allows");
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }
