@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -48,13 +49,17 @@ void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSize
 
 int scott_bins(const Moments& moments, double points) {
   const double width = std::cbrt(24 / std::numbers::inv_sqrtpi / points) * moments.sq;
-  return static_cast<int>(std::ceil(moments.sz() / width));
+  return static_cast<int>(std::clamp(std::ceil(moments.sz() / width), 1.0, std::min(points, 1e6)));
 }
 
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins) {
   if (bins < 1) throw ParameterError("bins", "value " + std::to_string(bins) + " is below 1");
   const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
                width = (z.maxCoeff<Eigen::PropagateNumbers>() - lowest) / bins;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  if (!(width >= epsilon * z.isNaN().select(0, z).abs().maxCoeff()))
+    throw DataError("heights", "their range is too narrow for " + std::to_string(bins) +
+                                   " bins: doubles do not tell their edges apart");
   std::vector<Bin> out(static_cast<std::size_t>(bins));
   for (std::size_t b = 0; b < out.size(); ++b) {
     out[b].lower = lowest + static_cast<double>(b) * width;

@@ -42,10 +42,11 @@ struct Bin {
   double width() const { return upper - lower; }
 };
 
-/// (1), at least 1.
+/// (1), at least 1 and at most a million, nor more than points.
 int scott_bins(const Moments& moments, double points);
 
-/// `bins` of them, missing points left out; throws ParameterError("bins", …) below 1.
+/// `bins` of them, missing points left out; throws ParameterError("bins", …) below 1, DataError("heights", …) where doubles do
+/// not tell so many apart.
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins);
 
 }  // namespace asperity

@@ -142,8 +142,10 @@ std::vector<HeadedColumn> columns_in(std::string_view bytes) {
   return out;
 }
 
-Text parse(std::string_view bytes) {
-  Text text{columns_in(bytes), matrix_of(bytes, "acf")};
+Text parse(std::string_view bytes, const MemoryBound& memory) {
+  Reading reading;
+  reading.memory = memory;
+  Text text{columns_in(bytes), matrix_of(bytes, "acf", 1, reading)};
   const auto named = static_cast<Index>(text.columns.size()), columns = text.rows.cols();
   if (named > 0 && columns != named)
     refuse("its lines have " + counted(columns, "number") + ", its header " + counted(named, "name"));
@@ -184,10 +186,11 @@ AcfTable from_columns(const Text& text) {
 
 }  // namespace
 
-AcfTable read_acf_table(const std::string& name) {
-  const Bytes bytes = read_all(name);
-  if (looks_like_netcdf(bytes)) return from_dataset(decode_netcdf(bytes));
-  const Text text = parse(bytes);
+AcfTable read_acf_table(const std::string& name, const MemoryBound& memory) {
+  const Bytes bytes = read_all(name, memory);
+  const MemoryBound left = memory.beside(bytes.size());
+  if (looks_like_netcdf(bytes)) return from_dataset(decode_netcdf(bytes, left));
+  const Text text = parse(bytes, left);
   return text.columns.empty() ? from_matrix(text) : from_columns(text);
 }
 

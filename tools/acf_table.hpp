@@ -13,6 +13,7 @@
 #include <string>
 
 #include "dataset/dataset.hpp"
+#include "grid/memory_bound.hpp"
 #include "kernel_dataset.hpp"
 #include "marginal_dataset.hpp"
 
@@ -28,6 +29,6 @@ struct AcfTable {
 };
 
 /// "-" is standard input. Throws DataError("acf", …).
-AcfTable read_acf_table(const std::string& name);
+AcfTable read_acf_table(const std::string& name, const MemoryBound& memory);
 
 }  // namespace asperity::cli

@@ -57,15 +57,16 @@ std::vector<std::string> targets() {
 }
 
 Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
-  Dataset data = decode_netcdf(bytes);
+  Dataset data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
   tool.settle(data);
   return data;
 }
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              std::string_view bytes) {
-  return options.map.applied(format.netcdf(bytes) ? map_of(decoded(tool, bytes), options.variable)
-                                                  : format.map(bytes, tool.input_name()));
+  return options.map.applied(format.netcdf(bytes)
+                                 ? map_of(decoded(tool, bytes), options.variable)
+                                 : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
 // What does not lie below the surface.
@@ -113,7 +114,7 @@ std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const
 
 int convert(cli::Tool& tool, const Options& options) {
   const std::string target = options.target(tool.output_name());
-  std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name());
+  std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name(), tool.memory_bound());
   cli::InputFormat format = tool.format();
   format.reading = options.map.reading(*bytes, format.found(*bytes, tool.input_name()));
   if (target == "netcdf") {

@@ -7,7 +7,6 @@
 #include "acf/kernel_cost.hpp"
 #include "acf/table.hpp"
 #include "acf/wording.hpp"
-#include "cli/memory.hpp"
 #include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
@@ -53,7 +52,7 @@ void declare(cli::Tool& tool, Options& o) {
       "A kernel from asperity-kernel in place of these; - is standard input, which is read when no option "
       "names a target. --shape and --size come from its grid or that of --acf, where there is one",
       "Autocorrelation");
-  tool.integer("--count", o.count, 1,
+  tool.integer("--count", o.count, {1, 1'000'000, "a file each: go on with --first"},
                "Surfaces to draw from one kernel; --output is then a pattern, s_%04d.nc", ensemble);
   tool.integer("--first", o.first, 0,
                "Number of the first: --first 17 draws the surface 17 of --seed and --stream", ensemble);
@@ -61,8 +60,7 @@ void declare(cli::Tool& tool, Options& o) {
   tool.report();
   tool.seed();
   tool.threads();
-  cli::declare_memory(
-      tool, o.acf.memory,
+  tool.memory(
       "Largest memory of the drawing, and of the solution of its kernel before, beside the program's own 20 "
       "MB. A surface that does not fit is drawn in strips, each written as it is made; into a pipe or with "
       "--exact-rq it is then drawn twice, for its range stands in front of it. The surface does not depend "
@@ -100,7 +98,7 @@ void adopt_grid(const cli::Tool& tool, Options& o, const Dataset& data) {
 Synthesis synthesis_of(const cli::Tool& tool, const Options& o, Field kernel, Pointwise translation = {}) {
   return {std::move(kernel),
           o.shape,
-          {o.periodic, Summation::cheapest, tool.thread_count(), o.acf.memory, std::move(translation)}};
+          {o.periodic, Summation::cheapest, tool.thread_count(), tool.memory(), std::move(translation)}};
 }
 
 // Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
@@ -147,7 +145,7 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code, cli::Inventory& bef
 }
 
 Dataset read_kernel(cli::Tool& tool, Options& o, cli::Inventory& before) {
-  const cli::Bytes read = cli::read_all(tool.given("--kernel") ? o.kernel : "-");
+  const cli::Bytes read = cli::read_all(tool.given("--kernel") ? o.kernel : "-", tool.memory_bound());
   const std::string_view bytes = read;
   if (bytes.empty() && !tool.given("--kernel"))
     throw cli::UsageError("length", "is required, or --kernel, or a kernel on standard input");
@@ -155,7 +153,7 @@ Dataset read_kernel(cli::Tool& tool, Options& o, cli::Inventory& before) {
   if (!heights.empty() && !o.acf.filters())
     throw cli::UsageError(heights,
                           "is for the solution of the kernel, by asperity-kernel, or for --method filter");
-  Dataset data = decode_netcdf(bytes);
+  Dataset data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
   tool.settle(data);
   adopt_grid(tool, o, data);
   before = cli::Inventory(data);
@@ -269,8 +267,8 @@ int main(int argc, char** argv) {
       auto advanced = [&](double share) {
         progress.count(k + share, options.count, options.count > 1 ? "surfaces" : "");
       };
-      const cli::Drawing drawing{synthesis,          noise,   tables.rms(), options.exact_rq, options.noise,
-                                 options.acf.memory, advanced};
+      const cli::Drawing drawing{synthesis,     noise,         tables.rms(), options.exact_rq,
+                                 options.noise, tool.memory(), advanced};
       drawing.write(
           tool, base,
           options.count > 1 ? cli::numbered("output", tool.output_name(), number) : tool.output_name());

@@ -1,5 +1,4 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
-#include "cli/memory.hpp"
 #include "cli/stream.hpp"
 #include "kernel_prospect.hpp"
 
@@ -20,9 +19,9 @@ int main(int argc, char** argv) {
   tool.quantities("--spacing", spacing, "m", "Between samples in x and y; or --shape and --size", sampling);
   tool.counts("--shape", shape, 1, "Samples in x and y on --size", sampling);
   tool.quantities("--size", size, "m", "Size of the surface in x and y", sampling);
-  cli::declare_memory(tool, options.memory,
-                      "Largest memory of the solution, beside the program's own 20 MB; what may take more is "
-                      "refused");
+  tool.memory(
+      "Largest memory of the solution, beside the program's own 20 MB; what may take more is "
+      "refused");
   tool.output();
   tool.report();
   tool.example("asperity-kernel --length 17px,4px --report kernel.json -o kernel.nc");

@@ -25,11 +25,12 @@ struct Options {
         "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the "
         "data of a Q-Q plot",
         group);
-    tool.integer("--bins", bins, 0, "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)",
-                 group);
+    const cli::Bounds rows(0, most_points, "as many rows as the longest table has");
+    tool.integer("--bins", bins, rows,
+                 "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)", group);
     tool.number("--bandwidth", bandwidth,
                 "Standard deviation of the kernel, in Sq; absent: Silverman's rule, 1.06 / N^(1/5)", group);
-    tool.integer("--points", points, 0, "Of the kernel's curve, or quantiles; 0: 256 and 99", group);
+    tool.integer("--points", points, rows, "Of the kernel's curve, or quantiles; 0: 256 and 99", group);
   }
 
   void check(const cli::Tool& tool) const {
@@ -40,9 +41,6 @@ struct Options {
     belongs("bins", estimate == "histogram", "histogram");
     belongs("bandwidth", estimate == "kernel", "kernel");
     belongs("points", estimate != "histogram", "kernel or quantiles");
-    if (points > most_points)
-      throw cli::UsageError("points",
-                            "value " + std::to_string(points) + " is above " + std::to_string(most_points));
   }
 };
 

@@ -58,7 +58,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
                "(default: all side by side)",
                group)
       ->default_str("");
-  tool.counts("--pixels", o.request.pixels, 200,
+  tool.counts("--pixels", o.request.pixels, {200, 10'000, "of which a picture takes 400 MB"},
               "Size; letters grow with the width. A PDF has this shape and is 8, 11.5, 15 cm wide for one, "
               "two, three columns (default: as suits)",
               group);
@@ -147,7 +147,11 @@ plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
     throw cli::UsageError("input", "pipe a dataset in or name a file");
   const std::vector<std::string> labels = labels_of(o);
   plot::Cases out;
-  for (std::size_t i = 0; i < labels.size(); ++i) out.push_back({tool.read(o.inputs[i]), labels[i]});
+  std::size_t held = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    out.push_back({tool.read(o.inputs[i], held), labels[i]});
+    held += out.back().data.size_in_memory();
+  }
   return out;
 }
 

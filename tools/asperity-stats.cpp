@@ -80,11 +80,11 @@ cli::Rows rows_in_strips(const cli::Tool& tool, const std::string& path, const c
     throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
                                         " bytes are more than an eighth of it, and " + whole +
                                         " needs the whole field");
-  const FieldFile file(path, options.variable);
+  const FieldFile file(path, options.variable, tool.memory_bound());
   grids.add(tool, file.grid(), path);
   Dataset head = file.dataset();
   tool.settle(head, path);
-  cli::StripSample sample(file, options, {what.asks_for("hybrid"), what.memory, tool.thread_count()});
+  cli::StripSample sample(file, options, {what.asks_for("hybrid"), tool.memory(), tool.thread_count()});
   tool.note("read in strips of " + counted(sample.rows(), "row"));
   if (sample.correlation_reaches_beyond())
     tool.warn("the correlation is longer than half a strip of " + counted(sample.rows(), "row") +
@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
         },
         [&](const std::string& path) {
           const bool bounded = tool.given("--memory") || what.needs_whole_field(tool).empty();
-          const bool in_strips = bounded && larger_than_memory(path, what.memory);
+          const bool in_strips = bounded && larger_than_memory(path, tool.memory());
           if (in_strips) add(rows_in_strips(tool, path, options, what, cautions, grids));
           return in_strips;
         });

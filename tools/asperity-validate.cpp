@@ -59,8 +59,8 @@ void require_spacing(double lag, double grid) {
 }
 
 // From --target.
-Prescription from_file(const std::string& name, const Grid& grid) {
-  const cli::AcfTable table = cli::read_acf_table(name);
+Prescription from_file(const cli::Tool& tool, const std::string& name, const Grid& grid) {
+  const cli::AcfTable table = cli::read_acf_table(name, tool.memory_bound());
   if (table.spacing) {
     require_spacing((*table.spacing)[0], grid.dx);
     require_spacing((*table.spacing)[1], grid.dy);
@@ -79,7 +79,7 @@ Prescription carried(const Dataset& data, const Grid& grid) {
 
 PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
   const Grid grid = grid_of(first);
-  Prescription asked = o.target.empty() ? carried(first, grid) : from_file(o.target, grid);
+  Prescription asked = o.target.empty() ? carried(first, grid) : from_file(tool, o.target, grid);
   if (!std::isnan(o.rq)) asked.sq = o.rq;
   auto expected = [&](double given, const char* attribute, double gaussian) {
     return std::isnan(given) ? first.attributes.number(attribute, gaussian) : given;

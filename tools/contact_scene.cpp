@@ -32,8 +32,8 @@ bool periodic(const ContactOptions& o, const Grid& grid) {
   return out;
 }
 
-Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid) try {
-  const Dataset data = tool.read(name);
+Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held) try {
+  const Dataset data = tool.read(name, held);
   const Grid own = grid_of(data);
   if (!same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
@@ -46,11 +46,13 @@ Field counter_heights(const Tool& tool, const std::string& name, const Grid& gri
 }  // namespace
 
 ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
+  constexpr double bytes_a_cell = 120;
   ContactScene scene;
-  if (o.smooth)
-    set_grid(scene.data, scene.grid = smooth_grid(o));
-  else
-    scene.grid = grid_of(scene.data = tool.read(o.input));
+  scene.grid = o.smooth ? smooth_grid(o) : grid_of(scene.data = tool.read(o.input));
+  const Shape shape = scene.grid.shape;
+  tool.require_memory(bytes_a_cell * static_cast<double>(shape.cells()), o.smooth ? "shape" : "memory",
+                      fmt::format("a contact of {}x{} cells", shape.nx, shape.ny));
+  if (o.smooth) set_grid(scene.data, scene.grid);
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
   for (const char* axis : {"x", "y"})
@@ -58,7 +60,7 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
 
   scene.gap = undeformed_gap(scene.grid, o.bodies);
   if (!o.smooth) scene.gap -= heights_of(scene.data, o.variable);
-  if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given);
+  if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
   return scene;
 }
 

@@ -51,9 +51,9 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
   if (stdin_is_terminal())
     throw CLI::ValidationError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
   if (taken("/proc/self/fd/0")) return {};  // when it is a file
-  std::optional<Bytes> bytes = read_all("-");
+  std::optional<Bytes> bytes = read_all("-", tool.memory_bound());
   if (!tool.format().known(*bytes)) return listed(*bytes);
-  Dataset dataset = tool.format().dataset(*bytes, "-");
+  Dataset dataset = tool.format().dataset(*bytes, "-", tool.memory_bound());
   bytes.reset();
   tool.settle(dataset);
   visit(dataset, "-");

@@ -28,7 +28,6 @@ struct KernelOptions {
 
   Shape lags;  ///< 0x0: chosen
   double acf_tolerance = 1e-3, tolerance = 1e-10;
-  std::size_t memory = 0;  ///< set by declare_memory()
   std::string formulation, method = "newton-krylov", infeasible = "auto";
 
   /// A tool that draws may filter noise that is not Gaussian itself.

@@ -45,7 +45,7 @@ void take_model(Wanted& out, const Tool& tool, const KernelOptions& options) {
 
 void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
   options.refuse_model(tool);
-  AcfTable table = read_acf_table(options.acf);
+  AcfTable table = read_acf_table(options.acf, tool.memory_bound());
   for (std::size_t axis : {0u, 1u})
     if (out.spacing && table.spacing && std::abs((*out.spacing)[axis] / (*table.spacing)[axis] - 1) > 1e-6)
       throw UsageError(
@@ -149,7 +149,7 @@ Wanted wanted_kernel(const Tool& tool, const KernelOptions& options, const Spaci
   request.infeasible = infeasible_named(options.infeasible);
   request.tolerance = options.tolerance;
   request.acf_tolerance = options.acf_tolerance;
-  request.memory = static_cast<double>(options.memory);
+  request.memory = static_cast<double>(tool.memory());
   if (!options.formulation.empty()) request.formulation = formulation_named(options.formulation);
   if (!tool.given("--acf"))
     take_model(out, tool, options);

@@ -38,10 +38,12 @@ std::optional<HeightMoments> moments_in(std::string_view bytes) {
 }
 
 // The heights of a dataset or a map that are there, of a text too.
-std::vector<double> heights_in(std::string_view bytes, const std::string& name) try {
+std::vector<double> heights_in(std::string_view bytes, const std::string& name,
+                               const MemoryBound& memory) try {
   const InputFormat any;
-  const Field field = any.netcdf(bytes) ? field_of(decode_netcdf(bytes), "heights", Missing::not_a_number)
-                                        : any.map(bytes, name).values;
+  const Field field = any.netcdf(bytes)
+                          ? field_of(any.dataset(bytes, name, memory), "heights", Missing::not_a_number)
+                          : any.map(bytes, name, memory).values;
   std::vector<double> out(field.data(), field.data() + field.size());
   std::erase_if(out, [](double z) { return std::isnan(z); });
   return out;
@@ -117,9 +119,9 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
   }
   if (marginal == "-" && stdin_is_terminal())
     throw UsageError("marginal", "no input: pipe heights in or name a file");
-  const Bytes bytes = read_all(marginal);
+  const Bytes bytes = read_all(marginal, tool.memory_bound());
   if (const auto found = moments_in(bytes)) return johnson(tool, {found->skewness, found->kurtosis, answer});
-  return Marginal::of(MeasuredHeights::of(heights_in(bytes, marginal)));
+  return Marginal::of(MeasuredHeights::of(heights_in(bytes, marginal, tool.memory_bound())));
 }
 
 void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {

@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "cli/memory.hpp"
 #include "cli/quantity.hpp"
 #include "cli/series.hpp"
 #include "stats/acf_error.hpp"
@@ -178,8 +177,7 @@ void StatsOptions::declare(Tool& tool) {
                     "Parameters");
   tool.number("--acf-level", acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
               "Parameters");
-  declare_memory(
-      tool, memory,
+  tool.memory(
       "Largest memory for the field. A file of more than an eighth of it is read in strips, above any "
       "--level, for all but spatial and the filters, which need the whole field and are refused if the bound "
       "was given. The order of the heights takes 25 MB more. Errors then rest on the correlation within the "

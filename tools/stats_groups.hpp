@@ -13,8 +13,7 @@ struct StatsOptions {
   std::string groups = "height", quantiles, direction;
   std::array<double, 2> material_ratios{0.1, 0.8};
   double acf_level = 0.2;
-  std::size_t memory = 0;  ///< set by declare()
-  std::string profile;     ///< x or y: profile parameters in place of the areal ones
+  std::string profile;  ///< x or y: profile parameters in place of the areal ones
 
   void declare(Tool& tool);
   /// Throws ParameterError for an option of a group that is not asked for.

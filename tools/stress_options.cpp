@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/memory.hpp"
 #include "cli/output_name.hpp"
 #include "grid/poisson.hpp"
 #include "stress_quantity.hpp"
@@ -39,15 +38,14 @@ void StressOptions::declare(Tool& tool) {
               "Deep layers from wider cells, within 2e-6 of the largest pressure; or every one in full",
               content);
   tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
-  tool.integer("--body", body, 1, "Which body's ratio to take from the dataset, 1 or 2", which);
+  tool.integer("--body", body, {1, 2}, "Which body's ratio to take from the dataset, 1 or 2", which);
   CLI::Option* slides =
       tool.number("--friction", friction,
                   "Coefficient of friction: a traction of so much of the pressure acts too", load);
   tool.text("--friction-angle", friction_angle, "ANGLE",
             "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
       ->needs(slides);
-  declare_memory(
-      tool, memory,
+  tool.memory(
       "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
       "for each variable. Into files layers go as they are made");
   tool.output();

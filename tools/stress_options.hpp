@@ -22,7 +22,6 @@ struct StressOptions {
   std::string friction_angle = "0deg";
   int body = 1;
   std::string resolution = "adapted";
-  std::size_t memory = 0;  ///< set by declare()
 
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.

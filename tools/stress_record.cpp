@@ -40,7 +40,8 @@ void record_maximum(Attributes& a, const StressMaximum& m) {
   a.set("stress_max_depth", m.depth);
 }
 
-std::vector<std::array<double, 3>> parse_points(std::string_view text) {
+std::vector<std::array<double, 3>> parse_points(std::string_view text, const MemoryBound& memory) {
+  constexpr double bytes_a_row = 1000;  // of the table, with all components
   std::vector<std::array<double, 3>> points;
   std::istringstream lines{std::string(text)};
   int number = 0;
@@ -56,6 +57,7 @@ std::vector<std::array<double, 3>> parse_points(std::string_view text) {
       throw DataError("points", fmt::format("line {}: '{}' is not x, y and a depth, 0 or more, to {:g} m",
                                             number, line, farthest));
     points.push_back({values[0], values[1], values[2]});
+    memory.require(bytes_a_row * static_cast<double>(points.size()), "points");
   }
   return points;
 }

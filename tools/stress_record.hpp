@@ -16,7 +16,8 @@ void record_maximum(Attributes& a, const StressMaximum& maximum);
 Table stress_table(const StressScene& scene, const StressSelection& selection,
                    const std::vector<std::array<double, 3>>& points, int threads);
 
-/// Three lengths a line, in metres or with units; # begins a comment. Throws DataError("points", …).
-std::vector<std::array<double, 3>> parse_points(std::string_view text);
+/// Three lengths a line, in metres or with units; # begins a comment. Throws DataError("points", …), also for a table of so
+/// many points that takes more memory than is allowed.
+std::vector<std::array<double, 3>> parse_points(std::string_view text, const MemoryBound& memory);
 
 }  // namespace asperity::cli

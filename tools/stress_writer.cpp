@@ -37,7 +37,7 @@ StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSel
       rows_(scene.plane ? 1 : scene.grid.shape.nx),
       columns_(scene.plane && scene.plane->along_x ? scene.grid.shape.nx : scene.grid.shape.ny),
       threads_(static_cast<std::size_t>(tool.thread_count())),
-      memory_(options.memory),
+      memory_(tool.memory()),
       depths_(depths_of_interest(scene, outputs_)),
       ranges_(outputs_.size(), {infinity, -infinity}),
       progress_(tool),

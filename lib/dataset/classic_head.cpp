@@ -18,6 +18,8 @@ enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attribut
 
 // NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, into which it copies longer ones all the same.
 constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
+// NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf looks for each name among all before it.
+constexpr std::uint64_t longest_list = 8192;
 
 // Reads from the front of the bytes, and never beyond them.
 class Reader {
@@ -65,6 +67,9 @@ class Reader {
     const std::uint64_t n = count();
     if (found != tag && (found != absent || n != 0)) refuse("its head is no NetCDF's");
     if (n > rest_.size() / (4 * least)) refuse_cut_short();
+    if (n > longest_list)
+      refuse("its head lists " + std::to_string(n) + " things of a kind, more than the " +
+             std::to_string(longest_list) + " that are read");
     return n;
   }
 

@@ -26,6 +26,10 @@ std::size_t count(const Values& values) {
   return std::visit([](const auto& v) { return v.size(); }, values);
 }
 
+std::size_t size_in_memory(const Values& values) {
+  return std::visit([](const auto& v) { return v.size() * sizeof(v[0]); }, values);
+}
+
 std::vector<double> numbers(const Values& values) {
   return std::visit([](const auto& v) { return std::vector<double>(v.begin(), v.end()); }, values);
 }
@@ -86,6 +90,12 @@ Variable& Dataset::put(Variable variable) {
 
 void Dataset::erase(std::string_view variable) {
   std::erase_if(variables, [&](const Variable& v) { return v.name == variable; });
+}
+
+std::size_t Dataset::size_in_memory() const {
+  std::size_t out = 0;
+  for (const Variable& v : variables) out += asperity::size_in_memory(v.values);
+  return out;
 }
 
 Index Dataset::length(std::string_view dimension) const {

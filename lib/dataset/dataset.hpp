@@ -24,6 +24,8 @@ using Values = std::variant<std::string, std::vector<std::int8_t>, std::vector<s
 
 /// Number of elements.
 std::size_t count(const Values& values);
+/// Their bytes.
+std::size_t size_in_memory(const Values& values);
 
 struct Attribute {
   std::string name;
@@ -81,6 +83,9 @@ class Dataset {
   /// Adds the variable, or replaces the one of that name where it stands.
   Variable& put(Variable variable);
   void erase(std::string_view variable);
+
+  /// The bytes of all values.
+  std::size_t size_in_memory() const;
 
   /// The length of a dimension, or -1.
   Index length(std::string_view dimension) const;

@@ -13,8 +13,8 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-FieldFile::FieldFile(const std::string& path, std::string_view variable)
-    : file_(path, {"x", "y"}),
+FieldFile::FieldFile(const std::string& path, std::string_view variable, const MemoryBound& memory)
+    : file_(path, {"x", "y"}, memory),
       dataset_(in_own_order(file_.dataset())),
       grid_(grid_of(dataset_)),
       variable_(variable) {

@@ -16,7 +16,7 @@ namespace asperity {
 class FieldFile {
  public:
   /// A regular file; throws DataError as decode_netcdf does, and for a variable that field_of would refuse.
-  FieldFile(const std::string& path, std::string_view variable);
+  FieldFile(const std::string& path, std::string_view variable, const MemoryBound& memory = {});
 
   /// In Asperity's order, without the values of fields.
   const Dataset& dataset() const { return dataset_; }

@@ -151,8 +151,29 @@ bool lies_on(const Variable& variable, const std::vector<std::string>& dimension
   });
 }
 
-// Of a file of `bytes`; the values of variables that lie on all of the deferred dimensions are not read.
-Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>& deferred) {
+// The values so many times, and the largest variable as doubles.
+void refuse_if_large(const std::vector<Header>& headers, const std::vector<std::string>& deferred, int times,
+                     const MemoryBound& memory) {
+  double values = 0, most = 0;
+  for (const Header& h : headers) {
+    if (lies_on(h.variable, deferred)) continue;
+    values += static_cast<double>(h.bytes);
+    most = std::max(most, static_cast<double>(h.elements));
+  }
+  memory.require(times * values + sizeof(double) * most, "dataset");
+}
+
+// How a file is read: the values of variables that lie on all of the deferred dimensions are not; all others are held
+// so many times.
+struct Extent {
+  std::size_t bytes;  // of the file
+  std::vector<std::string> deferred = {};
+  MemoryBound memory = {};
+  int times = 1;
+};
+
+Dataset read_dataset(int file, const Extent& extent) {
+  const auto& [bytes, deferred, memory, times] = extent;
   refuse_groups(file);
   int dimensions = 0, variables = 0, attributes = 0;
   check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
@@ -163,6 +184,7 @@ Dataset read_dataset(int file, std::size_t bytes, const std::vector<std::string>
   headers.reserve(static_cast<std::size_t>(variables));
   for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
   classic(file) ? refuse_if_cut_short(headers, bytes) : refuse_if_thin(headers, bytes);
+  refuse_if_large(headers, deferred, times, memory);
   for (int v = 0; v < variables; ++v) {
     Header& header = headers[static_cast<std::size_t>(v)];
     const bool stays = lies_on(header.variable, deferred);
@@ -204,7 +226,7 @@ int open_in_memory(std::string_view bytes, Handle& file) {
 
 // In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the head does
 // not: then there is more to read of zeros.
-Dataset decode_here(std::string_view bytes) {
+Dataset decode_here(std::string_view bytes, const MemoryBound& memory, int times = 1) {
   constexpr std::size_t piece = 1 << 14;
   std::string with_room;
   Handle file;
@@ -215,17 +237,20 @@ Dataset decode_here(std::string_view bytes) {
   }
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
-  return read_dataset(file.id, bytes.size(), {});
+  return read_dataset(file.id, {.bytes = bytes.size(), .memory = memory, .times = times});
 }
 
 std::atomic<DoneApart> apart = nullptr;
 
-// The same dataset in a classic format, made where the HDF5 library does no harm.
-SparseFile classic_from(std::string_view netcdf4, DoneApart done_apart) {
+// The same dataset in a classic format, made where the HDF5 library does no harm: it is there twice, here as there.
+SparseFile classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
-                          .memory = library + 2 * most_made_of(netcdf4.size())};
-  return done_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4), sink); }, limits, "dataset");
+                          .memory = library + std::min(2 * most_made_of(netcdf4.size()), memory.left())};
+  SparseFile out = done_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4, memory, 2), sink); },
+                              limits, "dataset");
+  memory.require(static_cast<double>(out.size()), "dataset");
+  return out;
 }
 
 }  // namespace
@@ -237,26 +262,30 @@ bool looks_like_netcdf(std::string_view bytes) {
          is_netcdf4(bytes);
 }
 
-Dataset decode_netcdf(std::string_view bytes) {
+Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
   check_extent(bytes);
   const DoneApart done_apart = apart;
-  if (is_netcdf4(bytes) && done_apart != nullptr)
-    return decode_netcdf(MappedFile(classic_from(bytes, done_apart).name()).bytes());
-  return in_own_order(with_plain_values(decode_here(bytes)));
+  if (is_netcdf4(bytes) && done_apart != nullptr) {
+    const SparseFile classic = classic_from(bytes, done_apart, memory);
+    return decode_netcdf(MappedFile(classic.name()).bytes(), memory.beside(classic.size()));
+  }
+  return in_own_order(with_plain_values(decode_here(bytes, memory)));
 }
 
-NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred) {
+NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred,
+                       const MemoryBound& memory) {
   const MappedFile mapped(path);
   check_extent(mapped.bytes());
   if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
-    classic_.emplace(classic_from(mapped.bytes(), done_apart));
+    classic_.emplace(classic_from(mapped.bytes(), done_apart, memory));
   Handle file;
   check(nc_open(classic_ ? classic_->name().c_str() : path.c_str(), NC_NOWRITE, &file.id),
         path + " cannot be read");
   file.open = true;
-  dataset_ = read_dataset(file.id, classic_ ? classic_->size() : mapped.bytes().size(), deferred);
+  const MemoryBound left = memory.beside(classic_ ? classic_->size() : 0);
+  dataset_ = read_dataset(file.id, {classic_ ? classic_->size() : mapped.bytes().size(), deferred, left});
   for (const Variable& variable : dataset_.variables) conventions_.emplace_back(variable);
   dataset_ = with_plain_values(std::move(dataset_));
   id_ = file.id;

@@ -8,7 +8,11 @@
 /// read in the process that asks, unless that has said how to read it apart (read_netcdf4_apart), as Asperity's tools
 /// do. Then it is handed back in a classic format, held whole, and refused when that takes more than 2 s of
 /// processor time and 1 s for each 5 MB of it, or more memory than 64 MiB and twice what deflating can make of its
-/// bytes (1032 times as many).
+/// bytes (1032 times as many), or than 64 MiB and what is allowed.
+///
+/// Memory    of reading, the values, those of NetCDF-4 twice, and the largest variable once more as doubles; the file's
+///           bytes come on top where they are not on disk. It is known from the head, and refused beyond what is allowed
+///           before it is taken.
 ///
 /// R. Rew, G. Davis, NetCDF: an interface for scientific data access, IEEE CG&A 10 (1990) 76-82.
 #pragma once
@@ -24,6 +28,7 @@
 #include "dataset/conventions.hpp"
 #include "dataset/dataset.hpp"
 #include "dataset/sparse_file.hpp"
+#include "grid/memory_bound.hpp"
 
 namespace asperity {
 
@@ -47,15 +52,17 @@ void read_netcdf4_apart(DoneApart apart);
 bool looks_like_netcdf(std::string_view bytes);
 
 /// In Asperity's order of axes (dataset/axis_order.hpp), its values plain (dataset/conventions.hpp). Throws DataError
-/// ("dataset") when the bytes are no NetCDF, are cut short, more than one dataset, or hold a type that CDF-5 cannot.
-Dataset decode_netcdf(std::string_view bytes);
+/// ("dataset") when the bytes are no NetCDF, are cut short, more than one dataset, hold a type that CDF-5 cannot, or take more
+/// memory than is allowed.
+Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory = {});
 
 /// A file on disk, its axes as they are and its values plain, of which some variables are read by parts; of NetCDF-4 read
 /// apart they all are in memory.
 class NetcdfFile {
  public:
   /// Reads all but the values of variables that lie on all of `deferred`; throws DataError as decode_netcdf does.
-  NetcdfFile(const std::string& path, const std::vector<std::string>& deferred);
+  NetcdfFile(const std::string& path, const std::vector<std::string>& deferred,
+             const MemoryBound& memory = {});
   ~NetcdfFile();
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;

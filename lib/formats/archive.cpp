@@ -172,8 +172,10 @@ std::string ZipArchive::read(const std::string& name) const {
   const std::string quoted = "'" + name.substr(0, 64) + "' in the archive ";
   const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(archive_.get(), found.index, 0));
   if (!file) throw DataError(variable_, quoted + "cannot be read: " + zip_strerror(archive_.get()));
+  constexpr std::size_t piece = 1 << 16;
   std::string out;
-  for (std::size_t piece = 1 << 16;; piece = std::max(piece, out.size())) {
+  out.reserve(found.size + 1);  // address space alone, until it is filled
+  while (true) {
     const std::size_t before = out.size(), room = std::min(piece, found.size - before + 1);
     out.resize(before + room);
     const zip_int64_t got = zip_fread(file.get(), out.data() + before, room);

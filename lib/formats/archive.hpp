@@ -5,7 +5,7 @@
 /// Names are looked up in the archive and nowhere else.
 /// Writing stores entries as they are, all dated 1980-01-01: the same entries make the same bytes.
 ///
-/// Memory    of reading, what is inflated; of writing, the entries once more.
+/// Memory    of reading, what has been inflated; of writing, the entries once more.
 #pragma once
 
 #include <memory>

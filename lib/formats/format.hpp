@@ -18,7 +18,7 @@ struct Format {
   std::string_view title;                      ///< in words
   bool (*recognises)(std::string_view bytes);  ///< by the first bytes; null where they do not tell
   /// Throws DataError("map" or what the format calls it, …) for bytes that are not what they claim to be, in time and memory
-  /// of the order of their number.
+  /// of the order of their number, and, before it is taken, for a map that takes more than `reading` allows.
   Map (*decode)(std::string_view bytes, const Reading& reading);
   /// Throws DataError for a map that the format cannot hold.
   std::string (*encode)(const Map& map, Order order);

@@ -46,14 +46,15 @@ std::string head_of(const Map& map) {
 
 bool recognises_gsf(std::string_view bytes) { return bytes.starts_with(magic); }
 
-Map decode_gsf(std::string_view bytes, const Reading&) {
+Map decode_gsf(std::string_view bytes, const Reading& reading) {
   if (!recognises_gsf(bytes)) throw DataError("map", "it does not begin as a Gwyddion Simple Field");
   const std::size_t end = bytes.find('\0');
   if (end == bytes.npos) throw DataError("map", "its head has no end");
   const Head head(bytes.substr(magic.size(), end - magic.size()), "=");
   const Shape shape{head.count("XRes"), head.count("YRes")};
   const std::string_view numbers = bytes.substr(std::min(4 * (end / 4 + 1), bytes.size()));
-  Map map{.values = field_from(numbers, shape, floats, "map"), .title = std::string(head.text("Title"))};
+  Map map{.values = field_from(numbers, shape, floats, "map", reading.memory),
+          .title = std::string(head.text("Title"))};
   map.spacing = {spacing_of(head, "XReal", shape.nx), spacing_of(head, "YReal", shape.ny)};
   if (const std::string_view units = head.text("ZUnits"); !units.empty()) set_units(map, units);
   return map;

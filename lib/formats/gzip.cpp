@@ -63,9 +63,10 @@ std::string inflated(std::string_view bytes, std::size_t size, const std::string
                                   std::to_string(size));
   Inflater inflater(bytes);
   std::string out;
+  out.reserve(size);  // address space alone, until it is filled
   while (out.size() < size) {
     const std::size_t before = out.size();
-    out.resize(std::min(size, std::max(2 * before, piece)));
+    out.resize(std::min(size, before + piece));
     std::size_t filled = before;
     while (filled < out.size()) {
       const std::size_t got = inflater.take(out.data() + filled, std::min(out.size() - filled, piece));

@@ -37,8 +37,7 @@ void set_mask(Dataset& dataset, const Field& values) {
 
 // The range is that of the points that are there.
 void set_with_missing(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
-  const Field filled = values.isNaN().select(fill, values);
-  set_field(dataset, name, filled, meaning);
+  set_field(dataset, name, values.isNaN().select(fill, values), meaning);
   Attributes& attributes = dataset.find(name)->attributes;
   attributes.set("_FillValue", fill);
   const double low = values.minCoeff<Eigen::PropagateNumbers>(),

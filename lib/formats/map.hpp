@@ -16,6 +16,7 @@
 
 #include "dataset/dataset.hpp"
 #include "grid/field.hpp"
+#include "grid/memory_bound.hpp"
 
 namespace asperity {
 
@@ -26,7 +27,7 @@ enum class Order { xy, yx };
 enum class Separator { any, blank, tab, comma, semicolon };
 enum class DecimalMark { any, point, comma };
 
-/// What a user knows of a file that it does not say itself. Each format heeds what it leaves open.
+/// What a user knows of a file that it does not say itself, and allows it. Each format heeds what it leaves open.
 struct Reading {
   Reading(Order order_of_matrix = Order::xy) : order(order_of_matrix) {}
 
@@ -36,6 +37,7 @@ struct Reading {
   bool heights = false;  ///< a text's columns are heights, though the first of them look like coordinates
   double coordinate =
       0;  ///< a text's lines are points, x z or x y z, with x and y in this many metres; 0: heights
+  MemoryBound memory = {};  ///< beside the file's bytes, where the caller counts them as taken
 };
 
 struct Map {

@@ -167,7 +167,7 @@ Map decode_npy(std::string_view bytes, const Reading& reading) {
   const Raster raster{type_of(described.descr),
                       described.descr[0] == '>' ? std::endian::big : std::endian::little,
                       described.fortran == (reading.order == Order::xy) ? Order::yx : Order::xy};
-  Map map{.values = field_from(numbers, shape, raster, "map")};
+  Map map{.values = field_from(numbers, shape, raster, "map", reading.memory)};
   if (described.descr.substr(1) == half) map.values = map.values.unaryExpr(&half_of_bits);
   return map;
 }

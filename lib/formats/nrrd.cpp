@@ -207,12 +207,13 @@ Field values_of(const Head& head, std::string_view bytes, Shape shape, std::size
   if (encoding == "text" || encoding == "txt" || encoding == "ascii")
     return field_of_lines(bytes, shape, "map", lines + 1, reading);
   const Raster raster{type, endian_of(head, type), Order::yx};
-  if (encoding == "raw") return field_from(bytes, shape, raster, "map");
+  if (encoding == "raw") return field_from(bytes, shape, raster, "map", reading.memory);
   if (encoding != "gzip" && encoding != "gz")
     refuse("its encoding is " + quoted(encoding) + ", which is not read");
   check_shape(shape, most_inflated * bytes.size() / size_of(type), "map");
+  reading.memory.require_map(shape, "map");
   const std::size_t size = static_cast<std::size_t>(shape.cells()) * size_of(type);
-  return field_from(inflated(bytes, size, "map"), shape, raster, "map");
+  return field_from(inflated(bytes, size, "map"), shape, raster, "map", reading.memory);
 }
 
 void check_attached(const Head& head) {
@@ -239,10 +240,11 @@ Map decode_nrrd(std::string_view bytes, const Reading& reading) {
   const Head head(take_head(bytes, lines), ":");
   check_attached(head);
   const Axes axes = axes_of(head);
+  const std::array spacing{spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
   Map map{.values = values_of(head, bytes, axes.shape, lines, reading),
+          .spacing = spacing,
           .title = std::string(head.text("content"))};
   orient(map.values, head, axes);
-  map.spacing = {spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
   if (const auto units = unquoted(field(head, "sample units")); !units.empty()) set_units(map, units);
   return map;
 }

@@ -116,9 +116,11 @@ void check_shape(Shape shape, std::size_t cells, const std::string& variable) {
                                   std::to_string(cells) + " that it holds");
 }
 
-Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable) {
+Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable,
+                 const MemoryBound& memory) {
   check_shape(shape, bytes.size() / size_of(raster.type), variable);
   refuse_rest(bytes.substr(static_cast<std::size_t>(shape.cells()) * size_of(raster.type)), variable);
+  memory.require_map(shape, variable);
   Field out(shape.nx, shape.ny);
   with_type(raster.type, [&](auto number) {
     using T = decltype(number);

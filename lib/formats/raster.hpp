@@ -31,8 +31,9 @@ struct Raster {
 };
 
 /// The cells that `bytes` are, as a field. Throws DataError(variable, …) before any memory is taken when there are fewer bytes
-/// than the shape needs, or more (dataset/rest.hpp), or the shape is empty or impossible.
-Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable);
+/// than the shape needs, or more (dataset/rest.hpp), the shape is empty or impossible, or its map takes more than is allowed.
+Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable,
+                 const MemoryBound& memory = {});
 /// Values are rounded to whole numbers for an integer type; those that a type cannot hold throw DataError.
 std::string bytes_of(const Field& field, const Raster& raster);
 

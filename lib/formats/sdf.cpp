@@ -161,7 +161,7 @@ Missing missing_of(Index type, bool bcr) {
   }
 }
 
-Map decode_binary(std::string_view bytes) {
+Map decode_binary(std::string_view bytes, const Reading& reading) {
   const std::string_view version = bytes.substr(1, 7);
   const Described d =
       version == "ISO-2.0" ? take_binary_head<std::uint32_t>(bytes) : take_binary_head<std::uint16_t>(bytes);
@@ -169,7 +169,8 @@ Map decode_binary(std::string_view bytes) {
   skip_olympus(bytes, d, type);
   const std::size_t numbers = static_cast<std::size_t>(d.shape.cells()) * size_of(type);
   check_trailer(bytes.substr(numbers));
-  Field values = field_from(bytes.substr(0, numbers), d.shape, {type, std::endian::little, Order::yx}, "map");
+  Field values = field_from(bytes.substr(0, numbers), d.shape, {type, std::endian::little, Order::yx}, "map",
+                            reading.memory);
   const Missing missing = missing_of(d.type, version.starts_with("BCR"));
   values = (values == missing.least || values == missing.greatest).select(Map::unknown, values);
   return heights_of(std::move(values), d);
@@ -202,7 +203,7 @@ bool recognises_sdf(std::string_view bytes) { return recognises(bytes, 'b'); }
 bool recognises_sdf_text(std::string_view bytes) { return recognises(bytes, 'a'); }
 
 Map decode_sdf(std::string_view bytes, const Reading& reading) {
-  if (recognises_sdf(bytes)) return decode_binary(bytes);
+  if (recognises_sdf(bytes)) return decode_binary(bytes, reading);
   if (recognises_sdf_text(bytes)) return decode_text(bytes, reading);
   throw DataError("map", "it does not begin as an SDF of ISO 25178-71 or BCR");
 }

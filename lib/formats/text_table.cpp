@@ -1,6 +1,7 @@
 #include "formats/text_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -31,6 +32,8 @@ struct Fault {
 struct Asked {
   std::size_t first_line;      // what the first line is called
   std::optional<Shape> shape;  // of all numbers, whatever the lines; of a matrix it is not known
+  std::string variable;        // what refusals name
+  MemoryBound memory;
 };
 
 struct Table {
@@ -80,7 +83,8 @@ class TableReader {
       : rest_(text),
         table_{.dialect = dialect, .values = {}, .fault = {}},
         asked_(asked),
-        line_(asked.first_line) {}
+        line_(asked.first_line),
+        most_(asked.memory.most_points()) {}
 
   Table read() {
     for (; !rest_.empty() && !table_.fault; ++line_) {
@@ -93,6 +97,14 @@ class TableReader {
   }
 
  private:
+  // Room for all lines being as long as the first, in address space alone until it is filled.
+  void reserve() {
+    const auto ends = [&](char end) { return static_cast<std::size_t>(std::ranges::count(rest_, end)); };
+    const std::size_t columns = table_.values.size(), lines = 2 + std::max(ends('\n'), ends('\r'));
+    const std::size_t most = columns + rest_.size();  // numbers, of a byte at the least
+    table_.values.reserve(lines > most / columns ? most : lines * columns);
+  }
+
   void fail(const char* at, const std::string& what) { table_.fault = Fault{line_, at, what}; }
   std::string here() const { return "line " + std::to_string(line_); }
 
@@ -105,7 +117,10 @@ class TableReader {
     trailing_ = trailing_ && cell.empty();
     if (asked_.shape && cell.empty()) table_.values.pop_back();
     const auto count = static_cast<Index>(table_.values.size() - before);
-    if (table_.lines++ == 0) table_.columns = count;
+    if (table_.lines++ == 0) {
+      table_.columns = count;
+      if (count > 0) reserve();
+    }
     if (!asked_.shape && count != table_.columns)
       fail(line.data(),
            here() + " has " + counted(count, "number") + ", the first one " + std::to_string(table_.columns));
@@ -118,7 +133,14 @@ class TableReader {
     else if (std::isinf(*value))
       fail(cell.data(), here() + ", '" + one_line(cell, 24) + "', is infinite");
     else
-      table_.values.push_back(*value);
+      push(*value);
+  }
+
+  // Refused is the table that the first line lets expect.
+  void push(double value) {
+    table_.values.push_back(value);
+    if (table_.values.size() > most_)
+      asked_.memory.require_map(static_cast<double>(table_.values.capacity()), asked_.variable);
   }
 
   void finish() {
@@ -143,8 +165,8 @@ class TableReader {
   std::string_view rest_;
   Table table_;
   Asked asked_;
-  bool trailing_ = true;  // every line so far ended with an empty cell
-  std::size_t line_;
+  bool trailing_ = true;     // every line so far ended with an empty cell
+  std::size_t line_, most_;  // most_: numbers
 };
 
 // What a user did not rule out, and the text does not by its characters.
@@ -218,20 +240,21 @@ std::string_view without_mark(std::string_view text, const std::string& variable
 // The text with semicolons for the commas that have a blank beside them, where others have none: those may mark decimals,
 // as in "1,5, 2,5". Nothing where all are alike.
 std::string commas_apart(std::string_view text) {
-  std::string out(text);
   const auto blank = [&](std::size_t i) { return i < text.size() && text[i] == ' '; };
-  bool apart = false, close = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != ',') continue;
-    const bool beside = blank(i + 1) || (i > 0 && blank(i - 1));
-    if (beside) out[i] = ';';
-    (beside ? apart : close) = true;
-  }
-  return apart && close ? out : std::string();
+  const auto beside = [&](std::size_t comma) { return blank(comma + 1) || (comma > 0 && blank(comma - 1)); };
+  const auto next = [&](std::size_t from) { return text.find(',', from); };
+  std::array<bool, 2> seen{};
+  for (std::size_t i = next(0); i != text.npos && !(seen[0] && seen[1]); i = next(i + 1))
+    seen[beside(i)] = true;
+  if (!(seen[0] && seen[1])) return {};
+  std::string out(text);
+  for (std::size_t i = next(0); i != text.npos; i = next(i + 1))
+    if (beside(i)) out[i] = ';';
+  return out;
 }
 
-Table table_of(std::string_view text, const std::string& variable, const Asked& asked,
-               const Reading& reading) {
+Table table_of(std::string_view text, const Asked& asked, const Reading& reading) {
+  const std::string& variable = asked.variable;
   text = without_mark(text, variable);
   std::optional<Table> found, refused;
   for (const Dialect dialect : dialects_of(text, reading)) {
@@ -261,14 +284,15 @@ Table table_of(std::string_view text, const std::string& variable, const Asked& 
 
 Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line,
                 const Reading& reading) {
-  const Table table = table_of(text, variable, {first_line, {}}, reading);
+  const Table table = table_of(text, {first_line, {}, variable, reading.memory}, reading);
   return Eigen::Map<const Field>(table.values.data(), table.lines, table.columns);
 }
 
 Field field_of_lines(std::string_view text, Shape shape, const std::string& variable, std::size_t first_line,
                      const Reading& reading) {
   check_shape(shape, text.size() + 1, variable);
-  const Table table = table_of(text, variable, {first_line, shape}, reading);
+  reading.memory.require_map(shape, variable);
+  const Table table = table_of(text, {first_line, shape, variable, reading.memory}, reading);
   return Eigen::Map<const Field>(table.values.data(), shape.ny, shape.nx).transpose();
 }
 

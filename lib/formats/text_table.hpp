@@ -13,7 +13,7 @@
 /// points missing. A byte-order mark of UTF-8 is left out; UTF-16 is refused. A line ends with LF, CR LF or CR.
 ///
 /// Cost      at most ten passes, all but two of which end at the first line as a rule. Memory for two tables, eight bytes for a
-///           number, of which there is at most one a byte.
+///           number, of which there is at most one a byte; three of them must be allowed by `reading`.
 #pragma once
 
 #include <string>

@@ -17,7 +17,14 @@ namespace {
 
 const std::string main_file = "main.xml", checksum_file = "md5checksum.hex", data_file = "bindata/data.bin";
 
+constexpr std::size_t most_of_main = 1 << 20, most_of_checksums = 1 << 16;  // bytes that are sensible
+constexpr std::string_view elsewhere = "@";  // stands for a list that was taken out of main.xml
+
 [[noreturn]] void refuse(const std::string& message) { throw DataError("map", message); }
+
+[[noreturn]] void refuse_size(const std::string& name, std::size_t size) {
+  refuse(name + " claims " + std::to_string(size) + " bytes, more than is sensible");
+}
 
 // ---- main.xml ----
 
@@ -54,25 +61,28 @@ Index size_in(pugi::xml_node dimensions, std::string_view name) {
 }
 
 // A real list of numbers deflates less than 32-fold; a document of elements without end deflates a thousandfold.
-std::string read_main(const ZipArchive& archive) {
-  const std::size_t size = archive.size(main_file), most = (1 << 20) + 32 * archive.stored_size(main_file);
-  if (size > most) refuse("main.xml claims " + std::to_string(size) + " bytes, more than is sensible");
+std::string read_main(const ZipArchive& archive, const MemoryBound& memory) {
+  const std::size_t size = archive.size(main_file), most = most_of_main + 32 * archive.stored_size(main_file);
+  if (size > most) refuse_size(main_file, size);
+  memory.require(static_cast<double>(size), "map");
   return archive.read(main_file);
 }
 
-void check_md5(std::string_view bytes, std::string_view expected, const std::string& name) {
-  if (lower(expected) != md5_of(bytes)) refuse("the checksum of " + name + " is wrong: it is damaged");
+void check_md5(std::string_view digits, std::string_view expected, const std::string& name) {
+  if (lower(expected) != digits) refuse("the checksum of " + name + " is wrong: it is damaged");
 }
 
 // Lines of a checksum, and of the name of its file, which other programs put an asterisk or a path before.
 void check_main(const ZipArchive& archive, std::string_view main) {
   if (!archive.has(checksum_file)) return;
-  const std::string list = archive.read(checksum_file);
+  if (const std::size_t size = archive.size(checksum_file); size > most_of_checksums)
+    refuse_size(checksum_file, size);
+  const std::string list = archive.read(checksum_file), found = md5_of(main);
   for (std::string_view rest = list; !rest.empty();) {
     const std::string_view line = trimmed(take_line(rest)),
                            digits = line.substr(0, line.find_first_of(" \t*"));
     if (line.empty()) continue;
-    if (digits.size() == line.size() || line.ends_with(main_file)) check_md5(main, digits, main_file);
+    if (digits.size() == line.size() || line.ends_with(main_file)) check_md5(found, digits, main_file);
   }
 }
 
@@ -115,6 +125,59 @@ Head head_of(pugi::xml_node root) {
   return out;
 }
 
+// ---- the list, apart ----
+
+// Where the content of the first DataList stands; at the end, and empty, where there is none.
+struct Place {
+  std::size_t begin, end;
+};
+
+// Behind the mark that ends what a comment and the like hold, which is no markup; 0 where none begins.
+std::size_t behind_no_markup(std::string_view xml, std::size_t at) {
+  constexpr std::pair<std::string_view, std::string_view> marks[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}};
+  for (const auto& [begin, end] : marks)
+    if (xml.substr(at).starts_with(begin)) return std::min(xml.find(end, at), xml.size() - 1);
+  return 0;
+}
+
+Place list_in(std::string_view xml) {
+  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
+    if (const std::size_t behind = behind_no_markup(xml, at); behind > 0) {
+      at = behind;
+      continue;
+    }
+    const std::size_t end = std::min(xml.find_first_of(" \t\r\n/><", at + 1), xml.size());
+    const std::string_view name = xml.substr(at + 1, end - at - 1);
+    if (name.substr(name.find(':') + 1) != "DataList") continue;
+    const std::size_t begin = xml.find('>', end), close = xml.find("</" + std::string(name), end);
+    if (close == xml.npos || begin > close) break;
+    return {begin + 1, close};
+  }
+  return {xml.size(), xml.size()};
+}
+
+// The first of the elements that begin from a place on.
+std::size_t find_element(std::string_view list, std::size_t from) {
+  std::size_t at = list.find('<', from);
+  while (at != list.npos && at + 1 < list.size() && list[at + 1] == '/') at = list.find('<', at + 1);
+  return std::min(at, list.size());
+}
+
+// Calls take(element) for all of a list, which a parser sees by pieces: its nodes take twenty times the map's memory.
+template <class Take>
+void for_each_element(std::string_view list, Take take) {
+  constexpr std::size_t piece = 1 << 16;
+  for (pugi::xml_document document; !list.empty();) {
+    const std::size_t end = find_element(list, piece);
+    if (const auto parsed = document.load_buffer(list.data(), end, pugi::parse_default | pugi::parse_fragment,
+                                                 pugi::encoding_utf8);
+        !parsed)
+      refuse(std::string("the DataList is no XML: ") + parsed.description());
+    for (const pugi::xml_node node : document) take(node);
+    list.remove_prefix(end);
+  }
+}
+
 // ---- the numbers ----
 
 // An entry that must hold `bytes` of them, compared with a checksum if there is one.
@@ -125,7 +188,7 @@ std::string linked(const ZipArchive& archive, const std::string& name, std::size
     refuse("'" + name.substr(0, 64) + "' has " + std::to_string(size) + " bytes where the map's size needs " +
            std::to_string(bytes));
   std::string out = archive.read(name);
-  if (!checksum.empty()) check_md5(out, checksum, name.substr(0, 64));
+  if (!checksum.empty()) check_md5(md5_of(out), checksum, name.substr(0, 64));
   return out;
 }
 
@@ -137,10 +200,12 @@ void leave_out_invalid(Field& values, std::string_view bits) {
     }
 }
 
-Field values_linked(const ZipArchive& archive, pugi::xml_node link, const Head& head) {
+Field values_linked(const ZipArchive& archive, pugi::xml_node link, const Head& head,
+                    const MemoryBound& memory) {
   const std::string name(text_of_child(link, "PointDataLink")), mask(text_of_child(link, "ValidPointsLink"));
   const std::size_t width = size_of(head.type);
   check_shape(head.shape, archive.size(name) / width, "map");
+  memory.require_map(head.shape, "map");
   const auto cells = static_cast<std::size_t>(head.shape.cells());
   Field out = field_from(linked(archive, name, cells * width, text_of_child(link, "MD5ChecksumPointData")),
                          head.shape, {head.type, std::endian::little, Order::yx}, "map");
@@ -159,10 +224,19 @@ double datum(std::string_view text) {
   return *number;
 }
 
-Field values_listed(pugi::xml_node list, Shape shape) {
+// Of the list's node, unless that says that the list is elsewhere.
+Field values_listed(pugi::xml_node node, std::string_view list, Shape shape, const MemoryBound& memory) {
+  constexpr std::size_t least = std::string_view("<Datum/>").size();
+  memory.require_map(shape, "map");
   std::vector<double> values;
-  for (const pugi::xml_node node : list)
-    if (local_name(node) == "Datum") values.push_back(datum(node.child_value()));
+  values.reserve(list.size() / least);
+  const auto take = [&](pugi::xml_node n) {
+    if (local_name(n) == "Datum") values.push_back(datum(n.child_value()));
+  };
+  if (node.child_value() == elsewhere)
+    for_each_element(list, take);
+  else
+    for (const pugi::xml_node n : node) take(n);
   check_shape(shape, values.size(), "map");
   if (static_cast<std::size_t>(shape.cells()) != values.size())
     refuse("it lists " + std::to_string(values.size()) + " points, more than its size");
@@ -207,18 +281,25 @@ std::string md5_of(std::string_view bytes) {
 
 bool recognises_x3p(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
-Map decode_x3p(std::string_view bytes, const Reading&) {
+Map decode_x3p(std::string_view bytes, const Reading& reading) {
   const ZipArchive archive(bytes, "map");
-  std::string main = read_main(archive);
+  const std::string main = read_main(archive, reading.memory);
+  const MemoryBound memory = reading.memory.beside(main.size());
   check_main(archive, main);
+  const Place place = list_in(main);
+  const std::string_view list = std::string_view(main).substr(place.begin, place.end - place.begin);
+  if (main.size() - list.size() > most_of_main) refuse_size(main_file, main.size());
+  std::string rest = main.substr(0, place.begin);
+  if (!list.empty()) rest += elsewhere;
+  rest += std::string_view(main).substr(place.end);
   pugi::xml_document document;
-  if (const auto parsed = document.load_buffer_inplace(main.data(), main.size()); !parsed)
+  if (const auto parsed = document.load_buffer_inplace(rest.data(), rest.size()); !parsed)
     refuse(std::string("main.xml is no XML: ") + parsed.description());
   const pugi::xml_node root = child(document, "ISO5436_2"), third = child(root, "Record3");
   const Head head = head_of(root);
   const pugi::xml_node link = child(third, "DataLink");
-  Map map{.values =
-              link ? values_linked(archive, link, head) : values_listed(child(third, "DataList"), head.shape),
+  Map map{.values = link ? values_linked(archive, link, head, memory)
+                         : values_listed(child(third, "DataList"), list, head.shape, memory),
           .spacing = head.spacing,
           .units = "m"};
   if (head.increment != 1 || head.offset != 0) map.values = map.values * head.increment + head.offset;

@@ -8,7 +8,10 @@
 /// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (the least first) is 0 in the file that
 /// ValidPointsLink names. Integers are signed, as openGPS and Gwyddion have them; SurfaceTopography's are not.
 /// Elements are known by their names whatever the name space. A checksum that is there must be right. Profiles (PRF)
-/// and clouds of points (PCL) are no maps, nor is more than one layer.
+/// and clouds of points (PCL) are no maps, nor is more than one layer. Beside a DataList main.xml has at most 1 MiB, and
+/// md5checksum.hex 64 KiB.
+///
+/// Memory    of reading, twice the map, and main.xml. A DataList is parsed by pieces.
 ///
 /// Written are doubles, NaN where missing, stored without deflation, which saves 4 % of a measured surface's bytes.
 ///

@@ -96,7 +96,9 @@ int status_of(pid_t child) {
 [[noreturn]] void refuse(int status, const SparseFile& out, WorkLimits limits, const std::string& variable) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == refused) throw DataError(variable, out.first(out.size()));
   if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory)
-    throw DataError(variable, "reading it takes more memory than its size warrants");
+    throw DataError(variable, "reading it takes more memory than the " +
+                                  std::to_string(limits.memory / 1'000'000) +
+                                  "MB that its size warrants and --memory allows");
   if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
     throw DataError(variable, "reading it takes longer than " + std::to_string(limits.seconds) +
                                   " s: it is damaged, or larger than its size tells");

@@ -1,5 +1,6 @@
 #include "cli/config.hpp"
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 #include <toml++/toml.h>
@@ -10,6 +11,54 @@ namespace asperity::cli {
 namespace {
 
 // ---- reading ----
+
+constexpr std::size_t most_bytes = 1 << 20, most_dots = 7;
+
+// All of the file, which may be a device without an end.
+std::string text_in(std::istream& in) {
+  std::string out(most_bytes + 1, '\0');
+  in.read(out.data(), static_cast<std::streamsize>(out.size()));
+  out.resize(static_cast<std::size_t>(in.gcount()));
+  if (out.size() > most_bytes) throw CLI::ConfigError("it is larger than 1 MiB, which no file of options is");
+  return out;
+}
+
+// Behind the quoted text that begins at a place; of three quotes it has several lines, and ends with up to two more.
+std::size_t behind_quoted(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string three(3, quote);
+  const bool lines = text.substr(at).starts_with(three);
+  for (at += lines ? 3 : 1; at < text.size(); ++at) {
+    if (quote == '"' && text[at] == '\\')
+      ++at;
+    else if (!lines && (text[at] == quote || text[at] == '\n'))
+      return at + 1;
+    else if (lines && text.substr(at).starts_with(three))
+      return std::min(text.find_first_not_of(quote, at), std::min(at + 5, text.size()));
+  }
+  return text.size();
+}
+
+// A key may be anywhere but in a quoted text or a comment; no number and no date has two points.
+void refuse_deep_keys(std::string_view text) {
+  std::size_t dots = 0, line = 1;
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      const std::size_t behind = behind_quoted(text, at);
+      line += static_cast<std::size_t>(std::ranges::count(text.substr(at, behind - at), '\n'));
+      at = behind;
+      continue;
+    }
+    if (c == '#') at = std::min(text.find('\n', at), text.size() - 1);
+    if (text[at] == '\n') ++line;
+    dots = c == '.' ? dots + 1 : std::string_view("\n#=,[{").find(c) != std::string_view::npos ? 0 : dots;
+    if (dots > most_dots)
+      throw CLI::ConfigError("line " + std::to_string(line) +
+                             ": its key is a table in tables, which no option is");
+    ++at;
+  }
+}
 
 std::string text_of(const std::string& key, const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
@@ -86,7 +135,8 @@ std::string ConfigFile::to_config(const CLI::App* app, bool, bool, std::string) 
 }
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& in) const {
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string text = text_in(in);
+  refuse_deep_keys(text);
   try {
     std::vector<CLI::ConfigItem> out;
     for (const auto& [name, node] : toml::parse(text)) {

@@ -6,7 +6,8 @@
 ///     periodic = true         a flag
 ///     SURFACES = ["a.nc", "b.nc"]
 ///
-/// Tables and dates, which no option is, and what is no TOML are errors that name the key or the line. Read by toml++.
+/// Tables and dates, which no option is, and what is no TOML are errors that name the key or the line. Read by toml++,
+/// which calls itself for each part of a dotted key: no key has more than 8 of them, and a file at most 1 MiB.
 #pragma once
 
 #include <CLI/CLI.hpp>

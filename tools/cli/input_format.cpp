@@ -27,14 +27,17 @@ std::string_view InputFormat::found(std::string_view bytes, const std::string& n
   return format == "auto" ? format_of(bytes, name).name : format_named(format, "format").name;
 }
 
-Map InputFormat::map(std::string_view bytes, const std::string& name) const {
+Map InputFormat::map(std::string_view bytes, const std::string& name, const MemoryBound& memory) const {
   Reading told = reading;
+  told.memory = memory.beside(bytes.size());
   told.order = order == "yx" ? Order::yx : Order::xy;
   return format_named(found(bytes, name), "format").decode(bytes, told);
 }
 
-Dataset InputFormat::dataset(std::string_view bytes, const std::string& name) const {
-  return netcdf(bytes) ? decode_netcdf(bytes) : dataset_of(map(bytes, name));
+Dataset InputFormat::dataset(std::string_view bytes, const std::string& name,
+                             const MemoryBound& memory) const {
+  return netcdf(bytes) ? decode_netcdf(bytes, memory.beside(bytes.size()))
+                       : dataset_of(map(bytes, name, memory));
 }
 
 }  // namespace asperity::cli

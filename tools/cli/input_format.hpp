@@ -23,9 +23,9 @@ struct InputFormat {
   bool known(std::string_view bytes) const;
   /// The name of the format that bytes are read in.
   std::string_view found(std::string_view bytes, const std::string& name) const;
-  /// The map that bytes which are no NetCDF hold.
-  Map map(std::string_view bytes, const std::string& name) const;
-  Dataset dataset(std::string_view bytes, const std::string& name) const;
+  /// The map that bytes which are no NetCDF hold. Of what is allowed, the bytes themselves are taken.
+  Map map(std::string_view bytes, const std::string& name, const MemoryBound& memory) const;
+  Dataset dataset(std::string_view bytes, const std::string& name, const MemoryBound& memory) const;
 };
 
 }  // namespace asperity::cli

@@ -75,16 +75,13 @@ CLI::Option* Tool::parsed(const std::string& name, const std::string& kind, cons
   return option;
 }
 
-CLI::Option* Tool::integer(const std::string& name, int& value, int least, const std::string& text,
+CLI::Option* Tool::integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                            const std::string& group) {
   const std::string key = without_hyphens(name);
-  return parsed(
-      name, "N", text, group, std::to_string(value), [key, least, &value](const std::string& given) {
-        const auto [rest, error] = std::from_chars(given.data(), given.data() + given.size(), value);
-        if (error != std::errc() || rest != given.data() + given.size())
-          throw ParameterError(key, "'" + given + "' is no whole number");
-        if (value < least) throw ParameterError(key, given + " is below " + std::to_string(least));
-      });
+  return parsed(name, "N", text, group, std::to_string(value),
+                [key, bounds, &value](const std::string& given) {
+                  value = static_cast<int>(parse_count(key, given, bounds));
+                });
 }
 
 CLI::Option* Tool::number(const std::string& name, double& value, const std::string& text,
@@ -147,12 +144,13 @@ CLI::Option* Tool::lengths(const std::string& name, std::array<SampledLength, 2>
                 [key, &values](const std::string& given) { values = parse_lengths(key, given); });
 }
 
-CLI::Option* Tool::counts(const std::string& name, Shape& value, Index least, const std::string& text,
-                          const std::string& group) {
+CLI::Option* Tool::counts(const std::string& name, Shape& value, const Bounds& bounds,
+                          const std::string& text, const std::string& group) {
   const std::string key = without_hyphens(name);
   const std::string shown = value.nx > 0 ? std::to_string(value.nx) + "x" + std::to_string(value.ny) : "";
-  return parsed(name, "AxB", text, group, shown,
-                [key, least, &value](const std::string& given) { value = parse_counts(key, given, least); });
+  return parsed(name, "AxB", text, group, shown, [key, bounds, &value](const std::string& given) {
+    value = parse_counts(key, given, bounds);
+  });
 }
 
 CLI::Option* Tool::bytes(const std::string& name, std::size_t& value, const std::string& text,
@@ -170,7 +168,15 @@ void Tool::input() {
   input_format();
 }
 
+void Tool::memory(const std::string& text) {
+  bytes("--memory", memory_,
+        text + ". An input that takes more is refused, but for 16 MiB. Absent: half of the machine's",
+        "Resources")
+      ->default_str("");
+}
+
 void Tool::input_format(const std::string& name) {
+  reads_ = true;
   choice(name, format_.format, InputFormat::names(),
          "What the input is; auto: by its first bytes, else the extension of its name", "Input");
   choice("--order", format_.order, {"xy", "yx"},
@@ -179,6 +185,8 @@ void Tool::input_format(const std::string& name) {
 
 // The options that all or several tools have stand last in --help, in one order.
 void Tool::add_common() {
+  if (reads_ && app_.get_option_no_throw("--memory") == nullptr)
+    memory("Largest memory that reading may take: an input's bytes and three times its map");
   if (writes_dataset_ || writes_table_)
     text("-o,--output", output_, "FILE",
          std::string("Where the result goes; - is standard output") +
@@ -188,7 +196,9 @@ void Tool::add_common() {
   if (writes_table_) flag("--json", json_, "Print one JSON object instead of a table", common);
   if (reports_) text("--report", report_, "FILE.json", "Write what was achieved as one JSON object", common);
   if (seeded_) add_seed();
-  if (threaded_) integer("--threads", threads_, 0, "Threads to use; 0 is all that there are", common);
+  if (threaded_)
+    integer("--threads", threads_, {0, 4096, "more than a machine has"},
+            "Threads to use; 0 is all that there are", common);
   if (writes_dataset_)
     flag("--no-history", no_history_, "Leave the command out of the dataset's history", common);
   add_running();

@@ -96,13 +96,30 @@ std::array<double, 2> parse_numbers(const std::string& option, const std::string
   });
 }
 
-Shape parse_counts(const std::string& option, const std::string& text, Index least) {
+Index parse_count(const std::string& option, const std::string& text, const Bounds& bounds) {
+  Index value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (rest != text.data() + text.size() || error == std::errc::invalid_argument)
+    throw ParameterError(option, "'" + text + "' is no whole number");
+  if (error != std::errc())
+    value = text.starts_with('-') ? std::numeric_limits<Index>::min() : std::numeric_limits<Index>::max();
+  if (value < bounds.least) throw ParameterError(option, text + " is below " + std::to_string(bounds.least));
+  if (value > bounds.greatest)
+    throw ParameterError(option, text + " is above " + std::to_string(bounds.greatest) +
+                                     (bounds.reason.empty() ? "" : ", " + bounds.reason));
+  return value;
+}
+
+Shape parse_counts(const std::string& option, const std::string& text, const Bounds& bounds) {
   auto read = [&](const char* begin, const char* end, Index& value) {
     const auto [rest, error] = std::from_chars(begin, end, value);
-    if (error != std::errc() || rest != end) refuse(option, text, "is not of the form AxB, such as 128x128");
-    constexpr Index most = 1 << 20;
-    if (value < least || value > most)
-      refuse(option, text, "must lie between " + std::to_string(least) + " and " + std::to_string(most));
+    if (error == std::errc::invalid_argument || rest != end)
+      refuse(option, text, "is not of the form AxB, such as 128x128");
+    const Index most = std::min<Index>(bounds.greatest, 1 << 20);
+    if (error != std::errc() || value < bounds.least || value > most)
+      refuse(option, text,
+             "must lie between " + std::to_string(bounds.least) + " and " + std::to_string(most) +
+                 (bounds.reason.empty() ? "" : ", " + bounds.reason));
   };
   const auto cross = text.find('x');
   if (cross == std::string::npos) refuse(option, text, "is not of the form AxB, such as 128x128");

@@ -6,7 +6,9 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "grid/error.hpp"
 #include "grid/field.hpp"
@@ -35,8 +37,18 @@ std::array<double, 2> parse_quantities(const std::string& option, const std::str
 std::array<SampledLength, 2> parse_lengths(const std::string& option, const std::string& text);
 /// Two pure numbers.
 std::array<double, 2> parse_numbers(const std::string& option, const std::string& text);
-/// "AxB".
-Shape parse_counts(const std::string& option, const std::string& text, Index least);
+/// What a number of things may be, so that none takes memory or time without end.
+struct Bounds {
+  Bounds(Index least_, Index greatest_ = std::numeric_limits<int>::max(), std::string reason_ = {})
+      : least(least_), greatest(greatest_), reason(std::move(reason_)) {}
+
+  Index least, greatest;
+  std::string reason;  ///< why not more, where that is not evident
+};
+/// A whole number of things. Throws ParameterError(option, …) for what is none, or out of bounds.
+Index parse_count(const std::string& option, const std::string& text, const Bounds& bounds);
+/// "AxB", each at most 2^20.
+Shape parse_counts(const std::string& option, const std::string& text, const Bounds& bounds);
 
 /// An angle in radians: a bare number and "30deg" count degrees, "0.5rad" carries its unit. No more than a turn.
 double parse_angle(const std::string& option, const std::string& text);

@@ -1,20 +1,12 @@
 #include "cli/series.hpp"
 
-#include <charconv>
 #include <cmath>
 
+#include "cli/quantity.hpp"
 #include "grid/error.hpp"
 
 namespace asperity::cli {
 namespace {
-
-int parse_count(const std::string& option, const std::string& text) {
-  int count = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || rest != text.data() + text.size() || count < 2)
-    throw ParameterError(option, "'" + text + "' is no number of values from 2 on");
-  return count;
-}
 
 Steps parse_steps(const std::string& option, const std::string& text) {
   if (text == "uniform") return Steps::uniform;
@@ -22,10 +14,10 @@ Steps parse_steps(const std::string& option, const std::string& text) {
   throw ParameterError(option, "'" + text + "' is none of uniform, geometric");
 }
 
-std::vector<double> spaced(double from, double to, int count, Steps steps) {
+std::vector<double> spaced(double from, double to, Index count, Steps steps) {
   std::vector<double> out;
-  for (int i = 0; i < count; ++i) {
-    const double t = static_cast<double>(i) / (count - 1);
+  for (Index i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
     out.push_back(steps == Steps::geometric ? from * std::pow(to / from, t) : from + (to - from) * t);
   }
   out.back() = to;
@@ -46,6 +38,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::vector<double> parse_series(const std::string& option, const std::string& text, Steps steps,
                                  const std::function<double(const std::string&)>& value) {
   std::vector<double> values;
+  const Bounds bounds(2, most_values, "as many as a series may have");
   const std::vector<std::string> range = split(text, ':');
   if (range.size() == 1) {
     for (const std::string& word : split(text, ',')) values.push_back(value(word));
@@ -56,7 +49,7 @@ std::vector<double> parse_series(const std::string& option, const std::string& t
     const double from = value(range[0]);
     if (steps == Steps::geometric && !(from > 0))
       throw ParameterError(option, "equal ratios cannot start from '" + range[0] + "'");
-    values = spaced(from, value(range[1]), parse_count(option, range[2]), steps);
+    values = spaced(from, value(range[1]), parse_count(option, range[2], bounds), steps);
   }
   for (std::size_t i = 1; i < values.size(); ++i)
     if (!(values[i] > values[i - 1])) throw ParameterError(option, "'" + text + "' does not increase");

@@ -37,13 +37,15 @@ class Descriptor {
     if (owned_ && fd_ >= 0) ::close(fd_);
   }
 
-  Bytes read() const {
+  Bytes read(const MemoryBound& memory) const {
     constexpr std::size_t chunk = 1 << 20;
     struct stat status {};
     const bool regular = ::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode);
     if (!regular) ::fcntl(fd_, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
     const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
+    memory.require(static_cast<double>(regular ? status.st_size : 0), name_);
     for (Bytes bytes;;) {
+      memory.require(static_cast<double>(bytes.size()), name_);
       const std::size_t step =
           regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
       const ssize_t n = ::read(fd_, bytes.room(step), step);
@@ -100,9 +102,9 @@ void Bytes::grow(std::size_t capacity) {
   ::madvise(data_, capacity_, MADV_HUGEPAGE);
 }
 
-Bytes read_all(const std::string& name) {
-  if (name == "-") return Descriptor(STDIN_FILENO, "standard input", false).read();
-  return Descriptor(::open(name.c_str(), O_RDONLY | O_CLOEXEC), name, true).read();
+Bytes read_all(const std::string& name, const MemoryBound& memory) {
+  if (name == "-") return Descriptor(STDIN_FILENO, "standard input", false).read(memory);
+  return Descriptor(::open(name.c_str(), O_RDONLY | O_CLOEXEC), name, true).read(memory);
 }
 
 OutputFile::OutputFile(std::string name) : name_(std::move(name)) {

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "cli/temporary.hpp"
+#include "grid/memory_bound.hpp"
 
 namespace asperity::cli {
 
@@ -37,7 +38,9 @@ class Bytes {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-Bytes read_all(const std::string& name);
+/// All of a file, or of standard input, "-". Throws DataError(name, …) where it is larger than what is left of `memory`,
+/// before that is taken.
+Bytes read_all(const std::string& name, const MemoryBound& memory);
 void write_all(const std::string& name, std::string_view bytes);
 
 /// A file that is written piece by piece.

@@ -1,6 +1,7 @@
 #include "cli/tool.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -15,6 +16,7 @@
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
+#include "cli/table.hpp"
 #include "cli/usage.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
@@ -169,8 +171,9 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
 
 Dataset Tool::read() const { return read(input_); }
 
-Dataset Tool::read(const std::string& name) const {
-  Dataset data = format_.dataset(read_all(name), name);
+Dataset Tool::read(const std::string& name, std::size_t held) const {
+  const MemoryBound bound = memory_bound(held);
+  Dataset data = format_.dataset(read_all(name, bound), name, bound);
   settle(data, name);
   return data;
 }
@@ -179,6 +182,14 @@ void Tool::settle(Dataset& dataset, const std::string& name) const {
   const std::string of = name == "-" ? "" : name + ": ";
   for (const std::string& line : settle_lengths(dataset)) warn(of + line);
   for (const std::string& line : std::exchange(dataset.notes, {})) note(of + line);
+}
+
+void Tool::require_memory(double bytes, const std::string& option, const std::string& what) const {
+  if (!(bytes > static_cast<double>(memory_bound().bytes))) return;
+  const auto megabytes = [](double size) { return shortest(std::ceil(size / 1e6)) + "MB"; };
+  throw UsageError(option, what + " takes some " + megabytes(bytes) + ", more than the " +
+                               megabytes(static_cast<double>(memory_bound().bytes)) +
+                               " that --memory allows");
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

@@ -20,6 +20,7 @@
 /// (cli/config.hpp), else its default; a value that is wrong is named by where it came from.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -30,8 +31,10 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/input_format.hpp"
+#include "cli/memory.hpp"
 #include "cli/quantity.hpp"
 #include "dataset/dataset.hpp"
+#include "grid/memory_bound.hpp"
 #include "grid/stopwatch.hpp"
 
 namespace asperity::cli {
@@ -59,7 +62,7 @@ class Tool {
   // Options. Each returns CLI11's option, for further restrictions. `group` is the heading in --help. The
   // present value of the variable is the default and is shown in --help.
   CLI::Option* flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
-  CLI::Option* integer(const std::string& name, int& value, int least, const std::string& text,
+  CLI::Option* integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                        const std::string& group);
   CLI::Option* number(const std::string& name, double& value, const std::string& text,
                       const std::string& group);
@@ -79,8 +82,8 @@ class Tool {
   /// "17px,4px", "0.4mm", or one value for both: lengths that may count samples.
   CLI::Option* lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
                        const std::string& group);
-  /// "AxB", both at least `least`.
-  CLI::Option* counts(const std::string& name, Shape& value, Index least, const std::string& text,
+  /// "AxB", each within the bounds.
+  CLI::Option* counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
                       const std::string& group);
 
   /// A size of memory: "512MB", "2GiB".
@@ -96,13 +99,18 @@ class Tool {
   void table() { writes_table_ = true; }                                 ///< -o, --output of a table, --json
   void report() { reports_ = true; }    ///< --report FILE.json: attributes with the tool's prefix
   void threads() { threaded_ = true; }  ///< --threads N
-  void seed() { seeded_ = true; }       ///< --seed N and --stream K
+  /// --memory SIZE; `text` tells what else than an input it bounds. A tool that reads has it without asking.
+  void memory(const std::string& text);
+  void seed() { seeded_ = true; }  ///< --seed N and --stream K
 
   bool given(const std::string& option) const { return app_.count(option) > 0; }
   const std::string& name() const { return name_; }
   const std::string& input_name() const { return input_; }
   const std::string& output_name() const { return output_; }
-  int thread_count() const;    ///< resolved: at least 1
+  int thread_count() const;                       ///< resolved: at least 1
+  std::size_t memory() const { return memory_; }  ///< that the run may take [byte]
+  /// What reading may take of it, `held` of which is taken.
+  MemoryBound memory_bound(std::size_t held = 0) const { return {std::max(memory_, always_read), held}; }
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
   std::uint64_t stream_value() const { return static_cast<std::uint64_t>(stream_); }
   bool json() const { return json_; }
@@ -115,14 +123,17 @@ class Tool {
   int run(int argc, char** argv, const std::function<int()>& body);
 
   // Inside the body.
-  Dataset read() const;                         ///< the dataset named by INPUT
-  Dataset read(const std::string& name) const;  ///< of any name; "-" is stdin
+  Dataset read() const;  ///< the dataset named by INPUT
+  /// Of any name; "-" is stdin. What is `held` of others counts as taken.
+  Dataset read(const std::string& name, std::size_t held = 0) const;
   const InputFormat& format() const { return format_; }
   /// Settles lengths (dataset/layout.hpp) and says that, and what else was settled when the dataset was read; `name` is the
   /// file's, where it stands among others.
   void settle(Dataset& dataset, const std::string& name = "-") const;
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
+  /// Throws UsageError(option, …) for `what`, "a contact of 4096x4096 cells", that takes more than --memory allows.
+  void require_memory(double bytes, const std::string& option, const std::string& what) const;
   // The parts of write(), for a tool that writes its dataset piece by piece.
   void sign(Dataset& dataset) const;                ///< Conventions, source and history
   void write_report(const Dataset& dataset) const;  ///< to --report, if given
@@ -161,11 +172,12 @@ class Tool {
   std::vector<std::string> arguments_, environment_;  ///< of the command line; those that variables stand for
   std::string input_ = "-", output_ = "-", report_, progress_ = "auto";
   InputFormat format_;
+  std::size_t memory_ = half_of_memory();
   Stopwatch clock_;
   int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;
-  bool takes_input_ = false, writes_dataset_ = false, writes_any_ = false, writes_table_ = false,
-       reports_ = false, threaded_ = false, seeded_ = false;
+  bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,
+       writes_table_ = false, reports_ = false, threaded_ = false, seeded_ = false;
   bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false, time_ = false,
        dump_config_ = false;
 };

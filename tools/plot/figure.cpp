@@ -160,7 +160,8 @@ void Figure::panel(std::size_t number, const std::string& label) {
                 screen_x(left_ + 0.5 * panels_wide()), screen_y(static_cast<double>(pixels_.ny) - 1.3 * em_));
 }
 
-void Figure::x_axis(Range range, const std::string& label) {
+void Figure::x_axis(Range given, const std::string& label) {
+  const Range range = drawable(given);
   const double most = std::max(2.0, em_wide() / 3.2);
   script.line("set xrange [{}:{}]", range.low, range.high);
   script.line("set xtics {} format '%g'", round_step(range.width(), most));
@@ -170,7 +171,8 @@ void Figure::x_axis(Range range, const std::string& label) {
     script.line("set xtics format ''\nunset label {}", x_label_tag);
 }
 
-void Figure::y_axis(Range range, const std::string& label, bool downwards) {
+void Figure::y_axis(Range given, const std::string& label, bool downwards) {
+  const Range range = drawable(given);
   const double most = std::max(2.0, em_high() / 1.8);
   script.line("set yrange [{}:{}]", downwards ? range.high : range.low, downwards ? range.low : range.high);
   script.line("set ytics {} format '%g'", round_step(range.width(), std::min(most, 8.0)));
@@ -186,15 +188,15 @@ void Figure::colours(const Colours& colours, const Unit& unit, const std::string
   for (std::size_t i = 0; i < list.size(); ++i)
     stops += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, list[i]);
   script.line("set palette maxcolors 0 defined ({})", stops);
-  script.line("set cbrange [{}:{}]", colours.range.low / unit.factor, colours.range.high / unit.factor);
-  if (is_last() && !quantity.empty()) colour_bar(colours, unit, quantity);
+  const Range shown = drawable({colours.range.low / unit.factor, colours.range.high / unit.factor});
+  script.line("set cbrange [{}:{}]", shown.low, shown.high);
+  if (is_last() && !quantity.empty()) colour_bar(shown, unit, quantity);
 }
 
 // As high as the panels but not lower than is legible; its label stands right of its longest number.
-void Figure::colour_bar(const Colours& colours, const Unit& unit, const std::string& quantity) {
+void Figure::colour_bar(Range shown, const Unit& unit, const std::string& quantity) {
   const double panels = panels_high(), high = std::max(panels, 5 * em_), middle = bottom_ + 0.5 * panels,
                x = left_ + panels_wide() + bar_distance * em_;
-  const Range shown{colours.range.low / unit.factor, colours.range.high / unit.factor};
   const double step = round_step(shown.width(), std::min(6.0, high / em_ / 1.6));
   const double label_x = x + (bar_width + 1.9 + 0.62 * static_cast<double>(longest_tic(shown, step))) * em_;
   script.line("set colorbox vertical user origin screen {},{} size screen {},{} front", screen_x(x),

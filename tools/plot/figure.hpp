@@ -61,7 +61,7 @@ class Figure {
   void fit(const Request& request);
   std::string terminal(const std::string& format) const;
   void begin(const std::string& format);
-  void colour_bar(const Colours& colours, const Unit& unit, const std::string& quantity);
+  void colour_bar(Range shown, const Unit& unit, const std::string& quantity);
   void legend_key(const LegendEntry& entry, double x, double y);
   void legend_line(const std::vector<LegendEntry>& entries, double y);
   double legend_height() const;

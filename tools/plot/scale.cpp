@@ -6,17 +6,24 @@
 
 #include <fmt/format.h>
 
+#include "grid/error.hpp"
+
 namespace asperity::plot {
 namespace {
 
-// A colour bar needs a width, even for a constant field.
-Range widened(Range r) {
-  if (r.width() > 0) return r;
-  const double half = r.magnitude() > 0 ? 0.05 * r.magnitude() : 0.5;
-  return {r.low - half, r.high + half};
-}
+constexpr double narrowest = 1e-13;                // of the numbers
+constexpr double least = 1e-290, largest = 1e300;  // that steps and units can be found for
+constexpr double most_multiples = 1000;
 
 }  // namespace
+
+Range drawable(Range r) {
+  if (!(r.magnitude() <= largest))
+    throw DataError("picture", fmt::format("its numbers reach beyond {:g}, which cannot be drawn", largest));
+  if (r.width() > std::max(narrowest * r.magnitude(), least)) return r;
+  const double half = r.magnitude() > least ? 0.05 * r.magnitude() : 0.5;
+  return {r.low - half, r.high + half};
+}
 
 double Range::magnitude() const { return std::max(std::abs(low), std::abs(high)); }
 
@@ -55,10 +62,11 @@ double round_step(double width, double most_steps) {
 }
 
 std::vector<double> multiples(Range range, double step) {
+  const double slack = 1e-9 * step, first = std::ceil((range.low - slack) / step),
+               number = std::floor((range.high + slack) / step) - first + 1;
   std::vector<double> out;
-  const double slack = 1e-9 * step;
-  for (double k = std::ceil((range.low - slack) / step); k * step <= range.high + slack; ++k)
-    out.push_back(k * step + 0.0);
+  if (!(number <= most_multiples)) return out;
+  for (double k = 0; k < number; ++k) out.push_back((first + k) * step + 0.0);
   return out;
 }
 
@@ -76,12 +84,12 @@ const std::vector<std::string>& control_colours(Palette palette) {
 
 Colours one_sided(Range values) {
   const bool near_zero = values.low >= 0 && values.low < 0.5 * values.high;
-  return {widened(near_zero ? Range{0, values.high} : values), Palette::sequential};
+  return {drawable(near_zero ? Range{0, values.high} : values), Palette::sequential};
 }
 
 Colours about(double centre, Range values) {
   const double half = Range{values.low - centre, values.high - centre}.magnitude();
-  return {widened({centre - half, centre + half}), Palette::diverging};
+  return {drawable({centre - half, centre + half}), Palette::diverging};
 }
 
 }  // namespace asperity::plot

@@ -104,6 +104,9 @@ Range value_range(const Request& request, const std::string& unit, Range otherwi
   const auto [low, high] =
       pure ? cli::parse_numbers("range", request.range) : cli::parse_quantities("range", request.range, unit);
   if (!(low < high)) throw ParameterError("range", "'" + request.range + "' does not rise");
+  if (!(drawable({low, high}) == Range{low, high}))
+    throw ParameterError("range",
+                         "'" + request.range + "' is too narrow: doubles hardly tell its ends apart");
   return {low, high};
 }
 

@@ -76,7 +76,7 @@ Relief relief_of(const Cases& cases, const Request& request) {
   }
   for (Patch& p : out.patches) p = thinned(p, out.stride);
   out.values = value_range(request, out.quantity.unit, out.values);
-  if (!(out.values.width() > 0)) {  // one value everywhere: a plane amid some room
+  if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
     const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
     out.values = {out.values.low - room, out.values.high + room};
   }
