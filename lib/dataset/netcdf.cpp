@@ -180,16 +180,25 @@ int open_in_memory(std::string_view bytes, Handle& file) {
   return status;
 }
 
+int open_on_disk(const std::string& path, Handle& file) {
+  const int status = nc_open(path.c_str(), NC_NOWRITE, &file.id);
+  file.open = status == NC_NOERR;
+  return status;
+}
+
 // In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the head does
 // not: then there is more to read of zeros.
+constexpr std::size_t piece = 1 << 14;
+
+std::string_view with_room(Bytes& bytes) { return {bytes.room(piece) - bytes.size(), bytes.size() + piece}; }
+
 Dataset decode_here(std::string_view bytes) {
-  constexpr std::size_t piece = 1 << 14;
-  std::string with_room;
+  std::string longer;
   Handle file;
   int status = open_in_memory(bytes, file);
   if (status == EPERM) {
-    (with_room = bytes).resize(bytes.size() + piece);
-    status = open_in_memory(with_room, file);
+    (longer = bytes).resize(bytes.size() + piece);
+    status = open_in_memory(longer, file);
   }
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
@@ -199,7 +208,7 @@ Dataset decode_here(std::string_view bytes) {
 std::atomic<DoneApart> apart = nullptr;
 
 // The same dataset in a classic format, made where the HDF5 library does no harm.
-SparseFile classic_from(std::string_view netcdf4, DoneApart done_apart) {
+Bytes classic_from(std::string_view netcdf4, DoneApart done_apart) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
                           .memory = library + 2 * most_made_of(netcdf4.size())};
@@ -219,8 +228,7 @@ Dataset decode_netcdf(std::string_view bytes) {
   if (bytes.empty()) refuse("it is empty");
   if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
   const DoneApart done_apart = apart;
-  if (is_netcdf4(bytes) && done_apart != nullptr)
-    return decode_netcdf(MappedFile(classic_from(bytes, done_apart).name()).bytes());
+  if (is_netcdf4(bytes) && done_apart != nullptr) return decode_netcdf(classic_from(bytes, done_apart));
   if (!is_netcdf4(bytes)) check_classic_head(bytes);
   return in_own_order(decode_here(bytes));
 }
@@ -231,9 +239,8 @@ NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& 
   if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
     classic_.emplace(classic_from(mapped.bytes(), done_apart));
   Handle file;
-  check(nc_open(classic_ ? classic_->name().c_str() : path.c_str(), NC_NOWRITE, &file.id),
+  check(classic_ ? open_in_memory(with_room(*classic_), file) : open_on_disk(path, file),
         path + " cannot be read");
-  file.open = true;
   dataset_ = read_dataset(file.id, classic_ ? classic_->size() : mapped.bytes().size(), deferred);
   id_ = file.id;
   file.open = false;

@@ -20,10 +20,10 @@ class TemporaryName {
   const char* path() const { return path_.c_str(); }
   /// The file takes the place of `target`; false, with errno, where it cannot.
   bool replace(const std::string& target);
-
- private:
+  /// The name is somebody else's: it is left alone.
   void forget();
 
+ private:
   std::string path_;
   bool known_ = true;
 };
