@@ -42,6 +42,7 @@ double largest_in(const cli::Table& table, const std::string& name) {
 
 int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
              const cli::StressSelection& selection) {
+  tool.reads(options.points);
   const auto points = cli::parse_points(cli::read_all(options.points));
   const cli::StressScene scene = cli::read_scene(tool, options);
   const cli::Table table = cli::stress_table(scene, selection, points, tool.thread_count());

@@ -78,8 +78,27 @@ std::string random_word() {
 }  // namespace
 
 Bytes read_all(const std::string& name) {
-  if (name == "-") return Descriptor(STDIN_FILENO, "standard input", false).read();
-  return Descriptor(::open(name.c_str(), O_RDONLY | O_CLOEXEC), name, true).read();
+  const bool piped = name == "-";
+  const int fd = piped ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  const std::string words = piped ? "standard input" : name;
+  Bytes bytes = Descriptor(fd, words, !piped).read();
+  if (bytes.size() == 0)
+    throw DataError(words, piped ? "it is empty: the tool before it wrote nothing" : "it is empty");
+  return bytes;
+}
+
+void require_writable(const std::string& name) {
+  const Place place = place_of(name);
+  if (place.kind == Place::Kind::descriptor) return;
+  const auto folder = std::filesystem::path(place.path).parent_path();
+  struct stat status {};
+  const bool present = ::stat(place.path.c_str(), &status) == 0;
+  if (present && S_ISDIR(status.st_mode)) errno = EISDIR;
+  if ((present &&
+       (S_ISDIR(status.st_mode) || ::faccessat(AT_FDCWD, place.path.c_str(), W_OK, AT_EACCESS) != 0)) ||
+      (place.kind == Place::Kind::file &&
+       ::faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0))
+    fail(name);
 }
 
 OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
@@ -190,6 +209,10 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
   return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
+bool stdin_is_device() {
+  struct stat status {};
+  return ::fstat(STDIN_FILENO, &status) == 0 && S_ISCHR(status.st_mode);
+}
 bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) == 1; }
 bool stdout_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }

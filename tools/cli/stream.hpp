@@ -20,7 +20,10 @@ namespace asperity::cli {
 
 using asperity::Bytes;
 
+/// All of a file, or of standard input, "-". Throws DataError where there is nothing.
 Bytes read_all(const std::string& name);
+/// Throws as OutputFile would where it cannot take this name, but opens nothing: to know it before the work is done.
+void require_writable(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
 
 /// A file that is written piece by piece.
@@ -58,6 +61,7 @@ class OutputFile {
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
 bool stdin_is_terminal();
+bool stdin_is_device();  ///< a terminal, or /dev/null: nobody pipes anything in
 bool stdout_is_terminal();
 bool stderr_is_terminal();
 
