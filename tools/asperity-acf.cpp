@@ -49,13 +49,14 @@ cli::Table profiles(const cli::Measured& measured, const Result& result, bool ab
   const std::string unit = absolute ? measured.units_to(2) : "1";
   cli::Table table{{{"direction", ""},
                     {"lag", "m"},
-                    {"acf", unit},
-                    {"standard_error", unit},
-                    {"low_95", unit},
-                    {"high_95", unit}},
+                    {"acf", unit, cli::Holds::unknown},
+                    {"standard_error", unit, cli::Holds::unknown},
+                    {"low_95", unit, cli::Holds::open},
+                    {"high_95", unit, cli::Holds::open}},
                    {}};
-  if (measured.target) table.columns.push_back({"target", unit});
-  if (result.structure) table.columns.push_back({"structure_function", measured.units_to(2)});
+  if (measured.target) table.columns.push_back({"target", unit, cli::Holds::unknown});
+  if (result.structure)
+    table.columns.push_back({"structure_function", measured.units_to(2), cli::Holds::unknown});
   for (const bool x : {true, false}) add_profile(table, measured, result, absolute, x);
   return table;
 }
@@ -79,17 +80,19 @@ void add_to(Dataset& data, const cli::Measured& measured, const Result& result,
   const Axis lag_x{"lag_x", 0, grid.dx, "m", "lag in x"},
       lag_y{"lag_y", -estimate.rho.max_q(), grid.dy, "m", "lag in y"};
   set_table(data, "acf", scale * estimate.rho.half_plane(), lag_x, lag_y,
-            {units, "autocorrelation estimated from the field"});
+            {units, "autocorrelation estimated from the field"}, Missing::not_a_number);
   if (result.structure)
     set_table(data, "structure_function", result.structure->half_plane(), lag_x, lag_y,
-              {measured.units_to(2), "mean square difference of two points a lag apart"});
+              {measured.units_to(2), "mean square difference of two points a lag apart"},
+              Missing::not_a_number);
   const Moments height = moments(measured.heights);
-  data.attributes.set("acf_skewness", height.ssk);
-  data.attributes.set("acf_kurtosis", height.sku);
+  data.attributes.set_any("acf_skewness", height.ssk);
+  data.attributes.set_any("acf_kurtosis", height.sku);
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (measured.units == "m") data.attributes.set("acf_variance", estimate.variance);
-  for (const auto& row : lengths.rows) data.attributes.set("acf_" + row.name, row.value);
+  cli::check_finite(lengths);
+  for (const auto& row : lengths.rows) data.attributes.set_any("acf_" + row.name, row.value);
 }
 
 // ---- the command line ----
@@ -164,6 +167,7 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
+    tool.writes_dataset(!what.lengths && !prints_profiles(tool, what));
     if (!what.lengths && !prints_profiles(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const cli::Measured measured = cli::measure(tool, data, options);

@@ -56,11 +56,11 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"count", "1"},
-                  {"standard_error", "1"},
+                  {"standard_error", "1", cli::Holds::unknown},
                   {"gaussian", "1"},
-                  {"misfit", "1"},
+                  {"misfit", "1", cli::Holds::unknown},
                   {"density", density},
-                  {"density_error", density},
+                  {"density_error", density, cli::Holds::unknown},
                   {"gaussian_density", density}},
                  {}};
   for (const Bin& bin : bins) {
@@ -78,9 +78,9 @@ cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::M
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"density", density},
-                  {"standard_error", density},
+                  {"standard_error", density, cli::Holds::unknown},
                   {"gaussian_density", density},
-                  {"misfit", "1"}},
+                  {"misfit", "1", cli::Holds::unknown}},
                  {}};
   for (const DensityPoint& p : curve)
     out.rows.push_back({p.height, p.density, told(p.density_error, size), p.gaussian,
@@ -94,9 +94,9 @@ cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cl
   cli::Table out{{{"share", "1"},
                   {"normal_quantile", "1"},
                   {"height", unit},
-                  {"standard_error", unit},
+                  {"standard_error", unit, cli::Holds::unknown},
                   {"gaussian_height", unit},
-                  {"misfit", "1"}},
+                  {"misfit", "1", cli::Holds::unknown}},
                  {}};
   for (const QuantilePoint& p : points)
     out.rows.push_back({p.share, p.normal, p.height, told(p.height_error, size), p.gaussian,

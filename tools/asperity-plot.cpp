@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "cli/place.hpp"
 #include "cli/stream.hpp"
 #include "cli/tool.hpp"
 #include "grid/error.hpp"
@@ -50,7 +51,8 @@ void declare_figure(cli::Tool& tool, Options& o) {
             "Where a section or profile runs, y=0 or x=0.2mm: the nearest row of cells; y=max: through the "
             "largest von Mises stress (default: y=0, or x=0 of a single row; a profile's: both)",
             group);
-  tool.text("--title", o.request.title, "TEXT", "Title (default: facts of the figure; \"\": none)", group);
+  tool.may_be_empty(tool.text("--title", o.request.title, "TEXT",
+                              "Title (default: facts of the figure; \"\": none)", group));
   tool.input_format("--input-format");
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
   tool.integer("--columns", o.request.columns, 1,
@@ -87,10 +89,11 @@ std::string extension_of(const std::string& output) {
   return extension.empty() ? "" : extension.substr(1);
 }
 
-// The format by the file's name, or for standard output by --format.
+// The format by the file's name, or by --format for what is no file.
 std::string format_of(const Options& o) {
-  const bool stream = o.output == "-";
-  const std::string format = stream ? o.request.format : extension_of(o.output);
+  const bool stream = cli::place_of(o.output).kind != cli::Place::Kind::file,
+             told = stream && !o.request.format.empty();
+  const std::string format = told ? o.request.format : extension_of(o.output);
   if (format == "png" || format == "svg" || format == "pdf") {
     if (!stream && !o.request.format.empty() && o.request.format != format)
       throw cli::UsageError("format", "'" + o.request.format + "' contradicts the name " + o.output);
@@ -155,7 +158,8 @@ plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   return out;
 }
 
-int draw(const cli::Tool& tool, const Options& options) {
+int draw(cli::Tool& tool, const Options& options) {
+  tool.writes("output", options.output);
   const plot::Request request = request_of(tool, options);
   const plot::Cases cases = read_cases(tool, options);
   const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);

@@ -35,7 +35,11 @@ constexpr const char* per_length = "rad m-1";
 cli::Table radial(const cli::Measured& measured, const LagField& psd, const DataWindows& windows) {
   const double inflation = spectrum_inflation(measured.heights, windows);
   const std::string unit = density_units(measured, 2);
-  cli::Table out{{{"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}, {"count", "1"}}, {}};
+  cli::Table out{{{"wave_number", per_length},
+                  {"psd", unit},
+                  {"standard_error", unit, cli::Holds::unknown},
+                  {"count", "1"}},
+                 {}};
   for (const SpectrumPoint& ring : radial_spectrum(psd, measured.grid, inflation))
     out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
   if (out.rows.empty())
@@ -47,7 +51,10 @@ cli::Table radial(const cli::Measured& measured, const LagField& psd, const Data
 
 cli::Table profiles(const cli::Measured& measured, const DataWindows& windows, int threads) {
   const std::string unit = density_units(measured, 1);
-  cli::Table out{{{"direction", ""}, {"wave_number", per_length}, {"psd", unit}, {"standard_error", unit}},
+  cli::Table out{{{"direction", ""},
+                  {"wave_number", per_length},
+                  {"psd", unit},
+                  {"standard_error", unit, cli::Holds::unknown}},
                  {}};
   auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
     for (const SpectrumPoint& point :
@@ -120,6 +127,7 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
+    tool.writes_dataset(!what.profiles && !prints_radial(tool, what));
     if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const cli::Measured measured = cli::measure(tool, data, options);

@@ -59,12 +59,14 @@ std::string title_of(const cli::Tool& tool, const std::string& title) {
   return name == "-" ? "Report" : std::filesystem::path(name).stem().string();
 }
 
-int report_on(const cli::Tool& tool, const Options& o) {
+int report_on(cli::Tool& tool, const Options& o) {
   cli::check_page_name(o.output);
+  tool.writes("output", o.output);
   const plot::Cases dataset{{tool.read(), ""}};
   const Dataset& data = dataset[0].data;
   std::string untold;
   const std::vector<report::Group> groups = groups_of(tool, data, o, untold);
+  for (const report::Group& group : groups) cli::check_finite(cli::Quantities{group.rows});
   const bool any =
       !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
   if (!any)

@@ -43,6 +43,7 @@ double largest_in(const cli::Table& table, const std::string& name) {
 
 int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
              const cli::StressSelection& selection) {
+  tool.reads(options.points);
   const cli::Bytes text = cli::read_all(options.points, tool.memory_bound());
   const auto points = cli::parse_points(text, tool.memory_bound(2 * text.size()));
   const cli::StressScene scene = cli::read_scene(tool, options);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "acf/kernel.hpp"
 #include "acf_table.hpp"
 #include "cli/table.hpp"
 #include "dataset/layout.hpp"
@@ -46,6 +47,7 @@ struct Options {
   }
 
   void check() const {
+    if (!std::isnan(rq)) check_rms(rq);
     if (!(significance > 0 && significance < 0.5))
       throw ParameterError("significance",
                            "value " + cli::shortest(significance) + " is not between 0 and 0.5");
@@ -79,6 +81,7 @@ Prescription carried(const Dataset& data, const Grid& grid) {
 
 PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
   const Grid grid = grid_of(first);
+  if (!o.target.empty()) tool.reads(o.target);
   Prescription asked = o.target.empty() ? carried(first, grid) : from_file(tool, o.target, grid);
   if (!std::isnan(o.rq)) asked.sq = o.rq;
   auto expected = [&](double given, const char* attribute, double gaussian) {
@@ -102,10 +105,10 @@ cli::Table table_of_claims(const std::vector<Claim>& claims, double significance
   auto verdict = [](double p, double level) { return std::string(p <= level ? "differs" : "agrees"); };
   cli::Table out{{{"quantity", ""},
                   {"unit", ""},
-                  {"prescribed", "SI"},
-                  {"mean", "SI"},
-                  {"standard_error", "SI"},
-                  {"z", "1"},
+                  {"prescribed", "SI", cli::Holds::unknown},
+                  {"mean", "SI", cli::Holds::unknown},
+                  {"standard_error", "SI", cli::Holds::unknown},
+                  {"z", "1", cli::Holds::open},
                   {"p", "1"},
                   {"verdict", ""}},
                  {}};

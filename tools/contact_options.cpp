@@ -107,7 +107,7 @@ void ContactOptions::declare_load(Tool& tool) {
 
 // ---- checks ----
 
-void ContactOptions::check(const Tool& tool) {
+void ContactOptions::check(Tool& tool) {
   if (!tool.given("--radius") && (tool.given("--radius-x") || tool.given("--radius-y"))) {
     radius_option = tool.given("--radius-x") ? "radius-x" : "radius-y";
     for (std::size_t i = 0; i < 2; ++i) bodies.radius[i] = {radius_x_[i], radius_y_[i]};
@@ -138,7 +138,7 @@ void ContactOptions::check_load(const Tool& tool) {
     throw UsageError("unload", "nothing is flattened without --yield or --limit-pressure");
 }
 
-void ContactOptions::check_streams(const Tool& tool) const {
+void ContactOptions::check_streams(Tool& tool) const {
   if (!smooth && input == "-" && stdin_is_terminal())
     throw UsageError("smooth", "no input: pipe a dataset in, name a file, or press smooth bodies");
   if (!smooth && input == "-" && counter == "-")
@@ -147,8 +147,11 @@ void ContactOptions::check_streams(const Tool& tool) const {
     throw UsageError("output", "a dataset is binary and does not go to a terminal");
   if (!sweeps() && tool.json()) throw UsageError("json", "prints the table of --loads, which is not given");
   if (!sweeps() && !each.empty()) throw UsageError("each", "is for each of --loads, which are not given");
+  tool.writes_dataset(!sweeps());
   sweeps() ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!each.empty()) check_dataset_name(numbered("each", each, 1), "each");
+  for (std::size_t k = 1; !each.empty() && k <= loads.size(); ++k)
+    tool.writes("each", numbered("each", each, static_cast<std::int64_t>(k)));
   if (sweeps() && tool.given("--report"))
     throw UsageError("report", "is of one load; of --loads, each dataset carries its own (--each)");
   if (sweeps() && unload && each.empty())

@@ -31,14 +31,14 @@ struct ContactOptions {
   bool sweeps() const { return !loads.empty(); }
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
-  void check(const Tool& tool);
+  void check(Tool& tool);
 
  private:
   void declare_surface(Tool& tool);
   void declare_bodies(Tool& tool);
   void declare_load(Tool& tool);
   void check_load(const Tool& tool);
-  void check_streams(const Tool& tool) const;
+  void check_streams(Tool& tool) const;
 
   std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};
   double load_ = none, approach_ = none, yield_ = none;

@@ -1,5 +1,7 @@
 #include "drawing.hpp"
 
+#include <cmath>
+
 #include "cli/dataset_stream.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
@@ -19,6 +21,8 @@ struct Layer {
 };
 
 Range range_of(const HeightSurvey& survey) {
+  if (!std::isfinite(survey.mean()))
+    return {survey.mean(), survey.mean()};  // whatever extremes stand beside it
   return survey.low() <= survey.high() ? Range{survey.low(), survey.high()} : Range{0, 0};
 }
 

@@ -50,6 +50,7 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
                           const EnsembleInput::VisitPath& taken) {
   if (stdin_is_terminal())
     throw CLI::ValidationError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
+  tool.reads("-");
   if (taken("/proc/self/fd/0")) return {};  // when it is a file
   std::optional<Bytes> bytes = read_all("-", tool.memory_bound());
   if (!tool.format().known(*bytes)) return listed(*bytes);
@@ -82,6 +83,7 @@ void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const VisitPa
     }
     if (names.size() > 1)
       progress.count(static_cast<double>(k), static_cast<double>(names.size()), "surfaces");
+    tool.reads(names[k]);
     if (!taken(names[k])) visit(tool.read(names[k]), names[k]);
   }
 }

@@ -41,7 +41,8 @@ inline void set_kernel(Dataset& data, const KernelTables& tables) {
   set_table(data, "kernel", tables.kernel, {"k", 0, 1, "1", "row of noise"},
             {"l", 0, 1, "1", "column of noise"},
             {tables.translated ? "1" : height, "moving-average kernel of unit white noise"});
-  set_table(data, "acf_target", tables.acf_target, p, q, {variance, "autocorrelation asked for"});
+  set_table(data, "acf_target", tables.acf_target, p, q, {variance, "autocorrelation asked for"},
+            Missing::not_a_number);
   set_table(data, "acf_achieved", tables.acf_achieved, p, q, {variance, "autocorrelation of the kernel"});
   data.attributes.set("kernel_rms", tables.rms());
 }

@@ -46,6 +46,7 @@ void take_model(Wanted& out, const Tool& tool, const KernelOptions& options) {
 void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
   options.refuse_model(tool);
   AcfTable table = read_acf_table(options.acf, tool.memory_bound());
+  tool.reads(options.acf, !table.dataset.variables.empty());
   for (std::size_t axis : {0u, 1u})
     if (out.spacing && table.spacing && std::abs((*out.spacing)[axis] / (*table.spacing)[axis] - 1) > 1e-6)
       throw UsageError(

@@ -119,6 +119,7 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
   }
   if (marginal == "-" && stdin_is_terminal())
     throw UsageError("marginal", "no input: pipe heights in or name a file");
+  tool.reads(marginal);
   const Bytes bytes = read_all(marginal, tool.memory_bound());
   if (const auto found = moments_in(bytes)) return johnson(tool, {found->skewness, found->kurtosis, answer});
   return Marginal::of(MeasuredHeights::of(heights_in(bytes, marginal, tool.memory_bound())));

@@ -45,10 +45,10 @@ void EnsembleRows::add(const Rows& rows) {
 Table EnsembleRows::table() const {
   Table out{{{"quantity", ""},
              {"unit", ""},
-             {"mean", "SI"},
-             {"standard_error", "SI"},
-             {"spread", "SI"},
-             {"expected_spread", "SI"},
+             {"mean", "SI", Holds::unknown},
+             {"standard_error", "SI", Holds::unknown},
+             {"spread", "SI", Holds::unknown},
+             {"expected_spread", "SI", Holds::unknown},
              {"surfaces", "1"}},
             {}};
   for (const Quantity& q : quantities_) {

@@ -54,7 +54,7 @@ void StressOptions::declare(Tool& tool) {
   tool.threads();
 }
 
-void StressOptions::check(const Tool& tool) const {
+void StressOptions::check(Tool& tool) const {
   const bool layers = !depths.empty(), table = !points.empty();
   auto refuse = [&](bool wrong, const char* option, const std::string& why) {
     if (wrong) throw UsageError(option, why);
@@ -68,6 +68,7 @@ void StressOptions::check(const Tool& tool) const {
   refuse(!table && tool.json(), "json", "prints the table of --points, which is not given");
   refuse(table && tool.given("--report"), "report", "is of a dataset; --points is a table");
   refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset already");
+  tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   refuse(!table && tool.output_is_terminal(), "output", "a dataset is binary and does not go to a terminal");
 }

@@ -25,7 +25,7 @@ struct StressOptions {
 
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
-  void check(const Tool& tool) const;
+  void check(Tool& tool) const;
 
   /// From the options or the dataset; ParameterError where neither tells.
   double poisson_of(const Dataset& data) const;

@@ -144,8 +144,12 @@ void StressWriter::compute(const std::vector<double>& depths, const LayerRowSink
 
 void StressWriter::survey(std::size_t output, Values values) {
   auto& [low, high] = ranges_[output];
-  for (double v : values)
+  double sound = 0;
+  for (double v : values) {
     if (v != fill) low = std::min(low, v), high = std::max(high, v);
+    sound += 0 * v;
+  }
+  if (!(sound == 0)) low = high = NAN;  // and stays so
 }
 
 void StressWriter::tell(std::size_t l, const Field& values) {
@@ -168,7 +172,7 @@ void StressWriter::record() {
   }
   for (std::size_t k = 0; k < outputs_.size(); ++k) {
     const auto& [name, long_name, units] = outputs_[k];
-    const Range range = ranges_[k].low <= ranges_[k].high ? ranges_[k] : Range{0, 0};
+    const Range range = ranges_[k].low > ranges_[k].high ? Range{0, 0} : ranges_[k];
     defer_values(scene_.data, name, dimensions, range, {units, long_name});
     Attributes& a = scene_.data.find(name)->attributes;
     if (hides(k)) a.set("_FillValue", fill);

@@ -31,6 +31,10 @@ class Reader {
     skip(4);
   }
 
+  /// How many bytes have been read.
+  std::size_t place() const { return all_ - rest_.size(); }
+  bool wide_counts() const { return wide_counts_; }
+
   std::uint64_t count() { return number(wide_counts_ ? 8 : 4); }
   std::uint32_t word() { return static_cast<std::uint32_t>(number(4)); }
   std::uint64_t offset() { return number(wide_offsets_ ? 8 : 4); }
@@ -121,10 +125,12 @@ std::vector<std::uint64_t> take_dimensions(Reader& reader) {
   return lengths;
 }
 
-// Where the values of a variable lie: of one record, where it has records.
+// Where the values of a variable lie: of one record, where it has records. `told` is where the head tells it, behind
+// the number of bytes.
 struct Extent {
   std::uint64_t begin = 0, bytes = 0;
   bool records = false;
+  std::size_t told = 0;
 };
 
 Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) {
@@ -144,6 +150,7 @@ Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) 
   check_attributes(reader);
   out.bytes = reader.product(cells, size_of_type(reader.word()));
   reader.skip_count();
+  out.told = reader.place();
   out.begin = reader.offset();
   return out;
 }
@@ -171,6 +178,10 @@ void check_variables(Reader& reader, const std::vector<std::uint64_t>& lengths, 
   check_records(reader, of_records, records);
 }
 
+void put(std::string& file, std::size_t at, std::uint64_t number, std::size_t width) {
+  for (std::size_t i = width; i > 0; --i, number >>= 8) file[at + i - 1] = static_cast<char>(number & 0xff);
+}
+
 }  // namespace
 
 void check_classic_head(std::string_view bytes) {
@@ -180,6 +191,36 @@ void check_classic_head(std::string_view bytes) {
   check_attributes(reader);
   check_variables(reader, lengths, records);
   refuse_rest(bytes.substr(reader.end()), "dataset");
+}
+
+std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
+                         const std::vector<std::uint64_t>& bytes) {
+  Reader reader(file);
+  const std::size_t width = reader.wide_counts() ? 8 : 4;
+  const std::uint64_t most = reader.wide_counts() ? ~std::uint64_t{0} : 0xffffffff;
+  reader.count();
+  std::vector<std::uint64_t> former;
+  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
+    reader.skip_name();
+    const std::size_t told = reader.place();
+    former.push_back(reader.count());
+    put(file, told, lengths.at(former.size() - 1), width);
+  }
+  check_attributes(reader);
+  std::vector<Extent> extents;
+  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
+    extents.push_back(take_variable(reader, former));
+  std::uint64_t begin = reader.place();
+  file.resize(begin);
+  for (const bool records : {false, true})
+    for (std::size_t v = 0; v < extents.size(); ++v) {
+      if (extents[v].records != records) continue;
+      const std::uint64_t size = (bytes.at(v) + 3) / 4 * 4;
+      put(file, extents[v].told - width, std::min(size, most), width);
+      put(file, extents[v].told, begin, 8);
+      begin += size;
+    }
+  return file;
 }
 
 }  // namespace asperity

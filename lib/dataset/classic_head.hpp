@@ -12,11 +12,20 @@
 /// The NetCDF Users Guide, appendix B: File Format Specifications.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity {
 
 /// Throws DataError("dataset", …) for the bytes of a classic file whose head claims more than they hold, or less, or is none.
 void check_classic_head(std::string_view bytes);
+
+/// The head at the front of a file of CDF-2 or CDF-5, for dimensions of these lengths and variables whose values (of one
+/// record, where the length of their first dimension is and stays 0) have these bytes: they follow it in order, each
+/// padded to four bytes.
+std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
+                         const std::vector<std::uint64_t>& bytes);
 
 }  // namespace asperity

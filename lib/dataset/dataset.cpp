@@ -1,6 +1,7 @@
 #include "dataset/dataset.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "grid/error.hpp"
@@ -45,6 +46,13 @@ void Attributes::set(std::string_view name, std::string_view text) {
   set_values(name, Values(std::string(text)));
 }
 void Attributes::set(std::string_view name, double number) {
+  if (!std::isfinite(number))
+    throw DataError(std::string(name), std::string("it comes out ") +
+                                           (std::isnan(number) ? "as no number" : "infinite") +
+                                           ": what is asked for leaves the range of doubles");
+  set_any(name, number);
+}
+void Attributes::set_any(std::string_view name, double number) {
   set_values(name, Values(std::vector<double>{number}));
 }
 void Attributes::set(std::string_view name, int number) {

@@ -36,7 +36,10 @@ struct Attribute {
 class Attributes {
  public:
   void set(std::string_view name, std::string_view text);
+  /// Throws DataError(name, …) for a number that is not finite, which no result is.
   void set(std::string_view name, double number);
+  /// Of what may be infinite, or not known, which is NaN.
+  void set_any(std::string_view name, double number);
   void set(std::string_view name, int number);
   void set_values(std::string_view name, Values values);
   void erase(std::string_view name);

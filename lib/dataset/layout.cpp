@@ -75,19 +75,31 @@ AxisExtent extent_of(const Variable& axis) {
   return {length / n * factor, axis.attributes.number("periodic", 0) != 0, cut};
 }
 
-void set_actual_range(Variable& variable, const double* first, std::size_t n) {
-  const Eigen::Map<const Eigen::ArrayXd> values(first, static_cast<Index>(n));
-  if (values.isNaN().all()) return;
+using List = Eigen::Map<const Eigen::ArrayXd>;
+
+// A sum of zeros, unless a value is not finite: the looking costs less than the range.
+void refuse_results(const std::string& name, const List& values, Missing missing) {
+  if ((0.0 * values).sum() == 0 || (missing != Missing::refused && !values.isInf().any())) return;
+  throw DataError(name, std::string("a value comes out ") +
+                            (values.isInf().any() ? "infinite" : "as no number") +
+                            ": what is asked for leaves the range of doubles");
+}
+
+void set_actual_range(Variable& variable, const List& values) {
+  if (values.size() == 0 || values.isNaN().all()) return;
   variable.attributes.set_values("actual_range",
                                  Values(std::vector<double>{values.minCoeff<Eigen::PropagateNumbers>(),
                                                             values.maxCoeff<Eigen::PropagateNumbers>()}));
 }
 
-Variable make(std::string_view name, Names dimensions, std::vector<double> values, Meaning meaning) {
+Variable make(std::string_view name, Names dimensions, std::vector<double> values, Meaning meaning,
+              Missing missing = Missing::refused) {
   Variable out{std::string(name), std::move(dimensions), {}, {}};
   out.attributes.set("long_name", meaning.long_name);
   out.attributes.set("units", meaning.units);
-  set_actual_range(out, values.data(), values.size());
+  const List list(values.data(), static_cast<Index>(values.size()));
+  refuse_results(out.name, list, missing);
+  set_actual_range(out, list);
   out.values = std::move(values);
   return out;
 }
@@ -288,9 +300,8 @@ void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning m
 }
 
 void set_scalar(Dataset& dataset, std::string_view name, double value, Meaning meaning) {
-  Variable variable{std::string(name), {}, std::vector<double>{value}, {}};
-  variable.attributes.set("long_name", meaning.long_name);
-  variable.attributes.set("units", meaning.units);
+  Variable variable = make(name, {}, {value}, meaning);
+  variable.attributes.erase("actual_range");
   dataset.put(std::move(variable));
 }
 
@@ -339,7 +350,7 @@ void set_volume(Dataset& dataset, std::string_view name, std::vector<double> val
 }
 
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
-               Meaning meaning) {
+               Meaning meaning, Missing missing) {
   auto set_axis = [&](const Axis& axis, Index n) {
     std::vector<double> points;
     for (Index i = 0; i < n; ++i) points.push_back(static_cast<double>(axis.first + i) * axis.step);
@@ -347,7 +358,7 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
   };
   set_axis(row, values.rows());
   set_axis(column, values.cols());
-  dataset.put(make(name, {std::string(row.name), std::string(column.name)}, flat(values), meaning));
+  dataset.put(make(name, {std::string(row.name), std::string(column.name)}, flat(values), meaning, missing));
 }
 
 Field table_of(const Dataset& dataset, std::string_view name, Missing missing) {

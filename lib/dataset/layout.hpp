@@ -48,9 +48,12 @@ struct Meaning {
   std::string_view long_name;  ///< in words
 };
 
+// What is written is finite: each of these throws DataError(name, …) for an infinity, and for a NaN unless `missing` says
+// that it stands for a missing value.
+
 /// Writes name(x, y) with units, long_name and actual_range; the grid must be set.
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning);
-/// The least and the largest value.
+/// The least and the largest value, NaN where one of the values is.
 struct Range {
   double low, high;
 };
@@ -83,7 +86,7 @@ struct Axis {
 };
 /// A field over lags or kernel indices: writes name(row, column) and the coordinates row(row) and column(column).
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
-               Meaning meaning);
+               Meaning meaning, Missing missing = Missing::refused);
 /// A variable of any two dimensions as a field, as it stands or in a unit that it must measure; throws DataError when it is
 /// missing, or holds a number that is not finite and may not be missing.
 Field table_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);

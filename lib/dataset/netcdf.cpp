@@ -224,16 +224,25 @@ int open_in_memory(std::string_view bytes, Handle& file) {
   return status;
 }
 
+int open_on_disk(const std::string& path, Handle& file) {
+  const int status = nc_open(path.c_str(), NC_NOWRITE, &file.id);
+  file.open = status == NC_NOERR;
+  return status;
+}
+
 // In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the head does
 // not: then there is more to read of zeros.
+constexpr std::size_t piece = 1 << 14;
+
+std::string_view with_room(Bytes& bytes) { return {bytes.room(piece) - bytes.size(), bytes.size() + piece}; }
+
 Dataset decode_here(std::string_view bytes, const MemoryBound& memory, int times = 1) {
-  constexpr std::size_t piece = 1 << 14;
-  std::string with_room;
+  std::string longer;
   Handle file;
   int status = open_in_memory(bytes, file);
   if (status == EPERM) {
-    (with_room = bytes).resize(bytes.size() + piece);
-    status = open_in_memory(with_room, file);
+    (longer = bytes).resize(bytes.size() + piece);
+    status = open_in_memory(longer, file);
   }
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
@@ -243,11 +252,11 @@ Dataset decode_here(std::string_view bytes, const MemoryBound& memory, int times
 std::atomic<DoneApart> apart = nullptr;
 
 // The same dataset in a classic format, made where the HDF5 library does no harm: it is there twice, here as there.
-SparseFile classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory) {
+Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
                           .memory = library + std::min(2 * most_made_of(netcdf4.size()), memory.left())};
-  SparseFile out = done_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4, memory, 2), sink); },
+  Bytes out = done_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4, memory, 2), sink); },
                               limits, "dataset");
   memory.require(static_cast<double>(out.size()), "dataset");
   return out;
@@ -268,8 +277,8 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
   check_extent(bytes);
   const DoneApart done_apart = apart;
   if (is_netcdf4(bytes) && done_apart != nullptr) {
-    const SparseFile classic = classic_from(bytes, done_apart, memory);
-    return decode_netcdf(MappedFile(classic.name()).bytes(), memory.beside(classic.size()));
+    const Bytes classic = classic_from(bytes, done_apart, memory);
+    return decode_netcdf(classic, memory.beside(classic.size()));
   }
   return in_own_order(with_plain_values(decode_here(bytes, memory)));
 }
@@ -281,9 +290,8 @@ NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& 
   if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
     classic_.emplace(classic_from(mapped.bytes(), done_apart, memory));
   Handle file;
-  check(nc_open(classic_ ? classic_->name().c_str() : path.c_str(), NC_NOWRITE, &file.id),
+  check(classic_ ? open_in_memory(with_room(*classic_), file) : open_on_disk(path, file),
         path + " cannot be read");
-  file.open = true;
   const MemoryBound left = memory.beside(classic_ ? classic_->size() : 0);
   dataset_ = read_dataset(file.id, {classic_ ? classic_->size() : mapped.bytes().size(), deferred, left});
   for (const Variable& variable : dataset_.variables) conventions_.emplace_back(variable);

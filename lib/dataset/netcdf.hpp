@@ -25,9 +25,9 @@
 #include <string_view>
 #include <vector>
 
+#include "dataset/bytes.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/dataset.hpp"
-#include "dataset/sparse_file.hpp"
 #include "grid/memory_bound.hpp"
 
 namespace asperity {
@@ -43,7 +43,7 @@ struct WorkLimits {
 
 /// The bytes of work done where it can do no harm; throws DataError(variable, …) with the work's own words where it threw
 /// one, and where it broke a limit.
-using DoneApart = SparseFile (*)(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
+using DoneApart = Bytes (*)(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
 
 /// How NetCDF-4 is read from now on, in all threads; by itself the library starts no process. Null: in this process.
 void read_netcdf4_apart(DoneApart apart);
@@ -76,7 +76,7 @@ class NetcdfFile {
  private:
   Values part(std::string_view variable, std::size_t along, Index first, Index count) const;
 
-  std::optional<SparseFile> classic_;  ///< what a NetCDF-4 file held
+  std::optional<Bytes> classic_;  ///< what a NetCDF-4 file held
   int id_ = -1;
   Dataset dataset_;
   std::vector<Conventions> conventions_;  ///< of its variables as the file has them

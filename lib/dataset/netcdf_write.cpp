@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <system_error>
 
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
+#include "dataset/classic_head.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/netcdf_types.hpp"
-#include "dataset/sparse_file.hpp"
 
 namespace asperity {
 
@@ -47,6 +50,9 @@ bool needs_cdf5(const Dataset& dataset) {
     return std::ranges::any_of(attributes, [](const Attribute& a) { return needs_cdf5_type(a.values); });
   };
   constexpr std::size_t cdf2_limit = 0xFFFFFFFFu - 3;
+  constexpr Index cdf2_length = 0x7FFFFFFF - 3;
+  for (const Dimension& d : dataset.dimensions)
+    if (d.length > cdf2_length) return true;
   for (std::size_t v = 0; v < dataset.variables.size(); ++v) {
     const Variable& variable = dataset.variables[v];
     const bool last = v + 1 == dataset.variables.size();
@@ -85,12 +91,12 @@ void define(int file, const Variable& variable) {
 
 int format_of(const Dataset& dataset) { return needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET; }
 
-// A new file as large as it will be, of which only the header is there. Ids count from 0.
-void write_header(int file, const Dataset& dataset) {
+// A file with room for one value of each variable, or for none, where the dimension of records has none.
+void write_small(int file, const Dataset& dataset) {
   write_checked(nc_set_fill(file, NC_NOFILL, nullptr), "fill");
   for (const Dimension& d : dataset.dimensions) {
     int id = -1;
-    write_checked(nc_def_dim(file, d.name.c_str(), static_cast<std::size_t>(d.length), &id),
+    write_checked(nc_def_dim(file, d.name.c_str(), d.length > 0 ? 1 : NC_UNLIMITED, &id),
                   "dimension " + d.name);
   }
   for (const Variable& v : dataset.variables) define(file, v);
@@ -100,23 +106,28 @@ void write_header(int file, const Dataset& dataset) {
 
 std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
-// Variables follow the header in order, each padded to four bytes, the last one perhaps not.
-std::string header_of(const Dataset& dataset) {
-  const SparseFile sparse;
+// The library writes a file of the dataset's whole size, on disk or in memory; so it is given a small one.
+std::string small_file_of(const Dataset& dataset) {
   Handle file;
-  std::size_t buffer = 1 << 20;
-  write_checked(nc__create(sparse.name().c_str(), NC_CLOBBER | format_of(dataset), 0, &buffer, &file.id),
-                "create");
+  write_checked(nc_create_mem("dataset", NC_CLOBBER | format_of(dataset), 1 << 16, &file.id), "create");
   file.open = true;
-  write_header(file.id, dataset);
+  write_small(file.id, dataset);
   file.open = false;
-  write_checked(nc_close(file.id), "close");
-  std::size_t values = 0, last = 0;
-  for (const Variable& variable : dataset.variables) {
-    values += padded(last);
-    last = places_of(dataset, variable) * element_size(variable.values);
+  NC_memio bytes{};
+  write_checked(nc_close_memio(file.id, &bytes), "close");
+  const std::unique_ptr<void, void (*)(void*)> owned(bytes.memory, &std::free);
+  return {static_cast<const char*>(bytes.memory), bytes.size};
+}
+
+std::string header_of(const Dataset& dataset) {
+  std::vector<std::uint64_t> lengths, bytes;
+  for (const Dimension& d : dataset.dimensions) lengths.push_back(static_cast<std::uint64_t>(d.length));
+  for (const Variable& v : dataset.variables) {
+    bytes.push_back(element_size(v.values));
+    for (const std::string& name : v.dimensions)
+      bytes.back() *= static_cast<std::uint64_t>(std::max<Index>(dataset.length(name), 1));
   }
-  return sparse.first((sparse.size() - values - last) / 4 * 4);
+  return resized_head(small_file_of(dataset), lengths, bytes);
 }
 
 template <class Element>

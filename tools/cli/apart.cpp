@@ -1,17 +1,24 @@
 #include "cli/apart.hpp"
 
+#include <array>
+#include <bit>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <fcntl.h>
 #include <new>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "grid/error.hpp"
 
@@ -64,21 +71,79 @@ void confine(WorkLimits limits, pid_t parent) {
   if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
-// Bytes of the work, or its words where it ends as refused.
-Ending work_into(const SparseFile& out, const WorkOfBytes& work) {
+// A pipe from the child: unlike a file, it knows no limit of its size, and needs no place.
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_, O_CLOEXEC) != 0) fail();
+    ::fcntl(ends_[1], F_SETPIPE_SZ, static_cast<int>(chunk));
+  }
+  ~Pipe() {
+    close(0);
+    close(1);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  /// Of the child: once nobody reads any more, writing ends it.
+  void only_write() { close(0); }
+  void write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t put = ::write(ends_[1], bytes.data(), bytes.size());
+      if (put <= 0) fail();
+      bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
+  }
+  /// Until nobody can write any more; this process no longer can.
+  Bytes read() {
+    close(1);
+    for (Bytes bytes;;) {
+      const ssize_t got = ::read(ends_[0], bytes.room(chunk), chunk);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) fail();
+      if (got == 0) return bytes;
+      bytes.add(static_cast<std::size_t>(got));
+    }
+  }
+
+ private:
+  static constexpr std::size_t chunk = 1 << 20;
+  [[noreturn]] static void fail() { throw std::system_error(errno, std::generic_category(), "a pipe"); }
+  void close(int end) {
+    if (const int fd = std::exchange(ends_[end], -1); fd >= 0) ::close(fd);
+  }
+  int ends_[2] = {-1, -1};
+};
+
+using Length = std::uint64_t;
+
+// Bytes of the work, or, behind what there is of them, the words with which it refuses and their number.
+Ending work_into(const Pipe& out, const WorkOfBytes& work) {
   try {
-    work([&](std::string_view bytes) { out.append(bytes); });
+    work([&](std::string_view bytes) { out.write(bytes); });
     return done;
   } catch (const DataError& error) {
-    out.clear();
-    out.append(error.what());
+    const std::string_view words = error.what();
+    const auto length = std::bit_cast<std::array<char, sizeof(Length)>>(Length{words.size()});
+    out.write(words);
+    out.write({length.data(), length.size()});
     return refused;
   } catch (const std::bad_alloc&) {
     return out_of_memory;
   }
 }
 
-Ending ending_of(const SparseFile& out, const WorkOfBytes& work) noexcept {
+// None where the child did not end as work_into() does.
+std::optional<std::string> words_at_end(std::string_view bytes) {
+  Length length = 0;
+  if (bytes.size() < sizeof length) return std::nullopt;
+  std::memcpy(&length, bytes.data() + bytes.size() - sizeof length, sizeof length);
+  bytes.remove_suffix(sizeof length);
+  if (length > bytes.size()) return std::nullopt;
+  return std::string(bytes.substr(bytes.size() - length));
+}
+
+Ending ending_of(const Pipe& out, const WorkOfBytes& work) noexcept {
   try {
     return work_into(out, work);
   } catch (...) {
@@ -93,8 +158,9 @@ int status_of(pid_t child) {
   return status;
 }
 
-[[noreturn]] void refuse(int status, const SparseFile& out, WorkLimits limits, const std::string& variable) {
-  if (WIFEXITED(status) && WEXITSTATUS(status) == refused) throw DataError(variable, out.first(out.size()));
+[[noreturn]] void refuse(int status, std::string_view out, WorkLimits limits, const std::string& variable) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == refused)
+    if (const auto words = words_at_end(out)) throw DataError(variable, *words);
   if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory)
     throw DataError(variable, "reading it takes more memory than the " +
                                   std::to_string(limits.memory / 1'000'000) +
@@ -107,15 +173,17 @@ int status_of(pid_t child) {
 
 }  // namespace
 
-SparseFile made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
-  SparseFile out;
+Bytes made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
+  Pipe pipe;
   const EndOfChildren heard;
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "a process of its own");
   if (child == 0) {
     confine(limits, parent);
-    ::_exit(ending_of(out, work));
+    pipe.only_write();
+    ::_exit(ending_of(pipe, work));
   }
+  Bytes out = pipe.read();
   const int status = status_of(child);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != done) refuse(status, out, limits, variable);
   return out;

@@ -71,6 +71,7 @@ std::string text_of(const std::string& key, const toml::node& node) {
 std::vector<std::string> texts_of(const std::string& key, const toml::node& node) {
   const toml::array* list = node.as_array();
   if (list == nullptr) return {text_of(key, node)};
+  if (list->empty()) throw CLI::ConfigError(key + ": is an empty list: give it a value or leave it out");
   std::vector<std::string> out;
   for (const toml::node& element : *list) out.push_back(text_of(key, element));
   return out;

@@ -5,14 +5,13 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
-#include <new>
-#include <optional>
-#include <sys/mman.h>
+#include <random>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
+#include "cli/place.hpp"
 #include "grid/error.hpp"
 
 namespace asperity::cli {
@@ -62,57 +61,57 @@ class Descriptor {
   bool owned_;
 };
 
-// Where a file of this name is to be replaced by renaming: at the end of its symbolic links. Nothing for devices, pipes
-// and other names of open files, which are written as they are.
-std::optional<std::string> replaceable(const std::string& name) {
-  namespace fs = std::filesystem;
-  if (name.starts_with("/dev/") || name.starts_with("/proc/")) return std::nullopt;
-  fs::path target = name;
-  for (int links = 0; fs::is_symlink(target) && links < 40; ++links)
-    target = target.parent_path() / fs::read_symlink(target);
-  const bool present = fs::exists(target);
-  return !present || fs::is_regular_file(target) ? std::optional(target.string()) : std::nullopt;
+// What a new file gets of the one that it replaces: its mode, and its owner and group as far as this process may give
+// them. What a group was allowed is not passed on to another one.
+void keep_access(int fd, const struct stat& former) {
+  mode_t mode = former.st_mode & 0777;
+  if (::fchown(fd, former.st_uid, former.st_gid) != 0 &&
+      ::fchown(fd, static_cast<uid_t>(-1), former.st_gid) != 0)
+    mode &= 0707 | (mode & 07) << 3;
+  ::fchmod(fd, mode);  // not everywhere are there modes
+}
+
+std::string random_word() {
+  char digits[9] = {};
+  std::snprintf(digits, sizeof digits, "%08x", std::random_device()());
+  return digits;
 }
 
 }  // namespace
 
-Bytes::~Bytes() {
-  if (data_) ::munmap(data_, capacity_);
-}
-
-Bytes::Bytes(Bytes&& other) noexcept
-    : data_(std::exchange(other.data_, nullptr)),
-      size_(std::exchange(other.size_, 0)),
-      capacity_(std::exchange(other.capacity_, 0)) {}
-
-char* Bytes::room(std::size_t more) {
-  constexpr std::size_t least = std::size_t{64} << 20;
-  if (size_ + more > capacity_) grow(std::max({size_ + more, 2 * capacity_, least}));
-  return data_ + size_;
-}
-
-// Address space alone: what is not touched takes no memory.
-void Bytes::grow(std::size_t capacity) {
-  void* grown = data_ ? ::mremap(data_, capacity_, capacity, MREMAP_MAYMOVE)
-                      : ::mmap(nullptr, capacity, PROT_READ | PROT_WRITE,
-                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (grown == MAP_FAILED) throw std::bad_alloc();
-  data_ = static_cast<char*>(grown);
-  capacity_ = capacity;
-  ::madvise(data_, capacity_, MADV_HUGEPAGE);
-}
-
 Bytes read_all(const std::string& name, const MemoryBound& memory) {
-  if (name == "-") return Descriptor(STDIN_FILENO, "standard input", false).read(memory);
-  return Descriptor(::open(name.c_str(), O_RDONLY | O_CLOEXEC), name, true).read(memory);
+  const bool piped = name == "-";
+  const int fd = piped ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  const std::string words = piped ? "standard input" : name;
+  Bytes bytes = Descriptor(fd, words, !piped).read(memory);
+  if (bytes.size() == 0)
+    throw DataError(words, piped ? "it is empty: the tool before it wrote nothing" : "it is empty");
+  return bytes;
+}
+
+void require_writable(const std::string& name) {
+  const Place place = place_of(name);
+  if (place.kind == Place::Kind::descriptor) return;
+  const auto folder = std::filesystem::path(place.path).parent_path();
+  struct stat status {};
+  const bool present = ::stat(place.path.c_str(), &status) == 0;
+  if (present && S_ISDIR(status.st_mode)) errno = EISDIR;
+  if ((present &&
+       (S_ISDIR(status.st_mode) || ::faccessat(AT_FDCWD, place.path.c_str(), W_OK, AT_EACCESS) != 0)) ||
+      (place.kind == Place::Kind::file &&
+       ::faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0))
+    fail(name);
 }
 
 OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
+  const Place place = place_of(name_);
   if (name_ == "-") {
     name_ = "standard output";
     fd_ = STDOUT_FILENO;
-  } else if (const auto target = replaceable(name_)) {
-    target_ = *target;
+  } else if (place.kind == Place::Kind::descriptor) {
+    fd_ = ::fcntl(place.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  } else if (place.kind == Place::Kind::file) {
+    target_ = place.path;
     open_replacement();
   } else {
     fd_ = ::open(name_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -123,19 +122,38 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
                 (::fcntl(fd_, F_GETFL) & O_APPEND) == 0;
 }
 
-std::string OutputFile::temporary_path() const { return target_ + ".part" + std::to_string(::getpid()); }
-
+// A file that its user may not write is not replaced either. Until the new one has the former one's mode, it is for its
+// owner alone.
 void OutputFile::open_replacement() {
+  struct stat former {};
+  const bool present = ::stat(target_.c_str(), &former) == 0;
+  if (present && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(name_);
+  const mode_t mode = present ? 0600 : 0666;
   const auto folder = std::filesystem::path(target_).parent_path();
   if (::access(own_descriptors, X_OK) == 0)
-    fd_ = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-  if (fd_ >= 0) return;
-  temporary_.emplace(temporary_path());
-  fd_ = ::open(temporary_->path(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    fd_ = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode);
+  if (fd_ < 0)
+    make_temporary([&](const char* path) {
+      fd_ = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+      return fd_ >= 0;
+    });
+  if (fd_ >= 0 && present) keep_access(fd_, former);
+}
+
+// Under a name that nobody else has and nobody can foresee; `make` fails with EEXIST where it is taken all the same.
+template <class Make>
+bool OutputFile::make_temporary(const Make& make) {
+  for (int tries = 0; tries < 100; ++tries) {
+    temporary_.emplace(target_ + ".part" + random_word());
+    if (make(temporary_->path())) return true;
+    if (errno != EEXIST) return false;
+    temporary_->forget();
+  }
+  return false;
 }
 
 OutputFile::~OutputFile() {
-  if (fd_ > STDOUT_FILENO) ::close(fd_);
+  if (fd_ > STDERR_FILENO) ::close(fd_);
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -166,10 +184,11 @@ void OutputFile::write_at(std::string_view bytes, std::int64_t at) {
 
 void OutputFile::close() {
   if (!target_.empty() && !temporary_) {
-    temporary_.emplace(temporary_path());
-    ::unlink(temporary_->path());  // of a process that had this number and died here
     const std::string own = std::string(own_descriptors) + "/" + std::to_string(fd_);
-    if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, temporary_->path(), AT_SYMLINK_FOLLOW) != 0) fail(name_);
+    const bool named = make_temporary([&](const char* path) {
+      return ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
+    });
+    if (!named) fail(name_);
   }
   if (::close(std::exchange(fd_, -1)) != 0) fail(name_);
   if (temporary_ && !temporary_->replace(target_)) fail(name_);
@@ -192,6 +211,10 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
   return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
+bool stdin_is_device() {
+  struct stat status {};
+  return ::fstat(STDIN_FILENO, &status) == 0 && S_ISCHR(status.st_mode);
+}
 bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) == 1; }
 bool stdout_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }

@@ -1,9 +1,11 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
-/// A named file comes into being when it is whole: until then it has no name, or, where the file system knows no
-/// files without one, a temporary name beside its own (cli/temporary.hpp). Nobody ever sees half of it, and a program
-/// that is interrupted leaves nothing behind. Every write is checked, the last flush too; failures are
-/// std::system_error with the file's name.
+/// A named file comes into being when it is whole: until then it has no name, or, where the file system or the system
+/// knows no files without one, a temporary name beside its own (cli/temporary.hpp), which no other file has. Nobody ever
+/// sees half of it, and a program that is interrupted leaves nothing behind. It takes the place of a former file with
+/// its mode, and its owner and group where that is permitted; one that is write-protected stays, as of cp. What is
+/// no file (cli/place.hpp), a device, a pipe or what is open already, is written as it is, from where it stands. Every
+/// write is checked, the last flush too; failures are std::system_error with the file's name.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +14,18 @@
 #include <string_view>
 
 #include "cli/temporary.hpp"
+#include "dataset/bytes.hpp"
 #include "grid/memory_bound.hpp"
 
 namespace asperity::cli {
 
-/// Bytes that were read. They grow in place, and no memory is touched before it is filled.
-class Bytes {
- public:
-  Bytes() = default;
-  ~Bytes();
-  Bytes(Bytes&& other) noexcept;
-  Bytes(const Bytes&) = delete;
-  Bytes& operator=(const Bytes&) = delete;
+using asperity::Bytes;
 
-  operator std::string_view() const { return {data_, size_}; }
-  std::size_t size() const { return size_; }
-  /// Room for `more` bytes behind those that there are; add() says how many have been written there.
-  char* room(std::size_t more);
-  void add(std::size_t more) { size_ += more; }
-
- private:
-  void grow(std::size_t capacity);
-
-  char* data_ = nullptr;
-  std::size_t size_ = 0, capacity_ = 0;
-};
-
-/// All of a file, or of standard input, "-". Throws DataError(name, …) where it is larger than what is left of `memory`,
-/// before that is taken.
+/// All of a file, or of standard input, "-". Throws DataError where there is nothing, and where it is larger than what is left
+/// of `memory`, before that is taken.
 Bytes read_all(const std::string& name, const MemoryBound& memory);
+/// Throws as OutputFile would where it cannot take this name, but opens nothing: to know it before the work is done.
+void require_writable(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
 
 /// A file that is written piece by piece.
@@ -63,7 +48,8 @@ class OutputFile {
 
  private:
   void open_replacement();
-  std::string temporary_path() const;
+  template <class Make>
+  bool make_temporary(const Make& make);
 
   std::string name_;
   std::string target_;  ///< of a file that is to be replaced
@@ -77,6 +63,7 @@ class OutputFile {
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
 bool stdin_is_terminal();
+bool stdin_is_device();  ///< a terminal, or /dev/null: nobody pipes anything in
 bool stdout_is_terminal();
 bool stderr_is_terminal();
 

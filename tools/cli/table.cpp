@@ -8,6 +8,7 @@
 
 #include "cli/output_name.hpp"
 #include "cli/tool.hpp"
+#include "grid/error.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -37,6 +38,11 @@ Json json_of(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) return utf8_of(*words);
   const double number = std::get<double>(cell);
   return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
+[[noreturn]] void refuse(const std::string& name, double number) {
+  throw DataError(name, std::string("it comes out ") + (std::isnan(number) ? "as no number" : "infinite") +
+                            ": what is asked for leaves the range of doubles");
 }
 
 // Columns on a terminal, where a µ takes one place and two bytes.
@@ -97,10 +103,10 @@ Interval Quantities::Row::interval_95() const {
 
 Table Quantities::table() const {
   Table out{{{"quantity", ""},
-             {"value", "SI"},
-             {"standard_error", "SI"},
-             {"low_95", "SI"},
-             {"high_95", "SI"},
+             {"value", "SI", Holds::unknown},
+             {"standard_error", "SI", Holds::unknown},
+             {"low_95", "SI", Holds::open},
+             {"high_95", "SI", Holds::open},
              {"unit", ""},
              {"meaning", ""}},
             {}};
@@ -135,12 +141,29 @@ std::string render(const Quantities& quantities, bool json, bool terminal) {
   return json ? quantities.json() : render(quantities.table(), false, terminal);
 }
 
+void check_finite(const Table& table) {
+  for (const auto& row : table.rows)
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const auto* number = std::get_if<double>(&row[c]);
+      const Holds holds = table.columns[c].holds;
+      if (number == nullptr || std::isfinite(*number) || holds == Holds::open) continue;
+      if (std::isinf(*number) || holds == Holds::known) refuse(table.columns[c].name, *number);
+    }
+}
+
+void check_finite(const Quantities& quantities) {
+  for (const Quantities::Row& row : quantities.rows)
+    if (std::isinf(row.value)) refuse(row.name, row.value);
+}
+
 void print(const Tool& tool, const Table& table) {
+  check_finite(table);
   check_table_name(tool.output_name(), tool.json());
   tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
 }
 
 void print(const Tool& tool, const Quantities& quantities) {
+  check_finite(quantities);
   check_table_name(tool.output_name(), tool.json());
   tool.write_text(render(quantities, tool.json(), tool.output_is_terminal()));
 }

@@ -24,9 +24,14 @@ using asperity::shortest;
 
 using Cell = std::variant<std::string, double>;
 
+/// What numbers a column may hold beside finite ones: none, NaN for what is not known, or infinities too, as open
+/// intervals have.
+enum class Holds { known, unknown, open };
+
 struct Column {
   std::string name;
   std::string unit;  ///< "" for words, "1" for pure numbers
+  Holds holds = Holds::known;
 };
 
 /// Rows under named columns with units.
@@ -67,7 +72,11 @@ struct Quantities {
 std::string render(const Table& table, bool json, bool terminal);
 std::string render(const Quantities& quantities, bool json, bool terminal);
 
-/// To --output, as --json and a terminal ask for it.
+/// Throws DataError(name, …) for a number that its column does not hold, and for a quantity that is infinite.
+void check_finite(const Table& table);
+void check_finite(const Quantities& quantities);
+
+/// To --output, as --json and a terminal ask for it, after check_finite().
 void print(const Tool& tool, const Table& table);
 void print(const Tool& tool, const Quantities& quantities);
 

@@ -1,6 +1,6 @@
 /// The temporary name of a file that is to replace another: it does not outlive the process.
 ///
-/// While there is one, the signals that end a process (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ) remove it first,
+/// While there is one, the signals that end a process (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ, which tools ignore) remove it first,
 /// and the process then ends by the signal as it would have, for a shell with the status 128 + its number. A
 /// signal that the process was started to ignore is still ignored. Only SIGKILL and a crash leave a name behind.
 #pragma once
@@ -20,10 +20,10 @@ class TemporaryName {
   const char* path() const { return path_.c_str(); }
   /// The file takes the place of `target`; false, with errno, where it cannot.
   bool replace(const std::string& target);
-
- private:
+  /// The name is somebody else's: it is left alone.
   void forget();
 
+ private:
   std::string path_;
   bool known_ = true;
 };

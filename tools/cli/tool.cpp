@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
+#include <iterator>
 #include <random>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include <gsl/gsl_errno.h>
@@ -13,6 +17,7 @@
 #include "cli/apart.hpp"
 #include "cli/config.hpp"
 #include "cli/output_name.hpp"
+#include "cli/place.hpp"
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
@@ -41,6 +46,17 @@ bool names(const std::vector<std::string>& arguments, const CLI::Option& option)
     return std::ranges::any_of(option.get_lnames(), is_long) ||
            std::ranges::any_of(option.get_snames(), is_short);
   });
+}
+
+[[noreturn]] void refuse_empty(const std::string& key) {
+  throw ParameterError(key, "is empty: give it a value or leave it out");
+}
+
+// The number of a standard stream that its parent closed goes to no other file, into which messages would go.
+void keep_standard_streams() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(fd, F_GETFD) < 0)
+      static_cast<void>(::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
 // As early as can be: of a tool that writes either, what neither may be written into.
@@ -86,10 +102,39 @@ void Tool::parse(int argc, char** argv) {
   command_line_ = name_;
   for (const std::string& a : arguments_) command_line_ += " " + quoted(a);
   environment_ = environment();
-  std::vector<std::string> all = environment_;
-  all.insert(all.end(), arguments_.begin(), arguments_.end());
+  refuse_empty_values();
+  std::vector<std::string> all = with_empty_values(environment_);
+  std::ranges::copy(with_empty_values(arguments_), std::back_inserter(all));
   std::ranges::reverse(all);
   app_.parse(std::move(all));
+}
+
+// "--counter=" as two arguments, for CLI11 would take the next one for its value. What follows "--" are no options.
+std::vector<std::string> Tool::with_empty_values(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> out;
+  const auto end = std::ranges::find(arguments, "--");
+  for (auto a = arguments.begin(); a != end; ++a) {
+    const bool empty = a->starts_with("--") && a->find('=') == a->size() - 1;
+    const std::string name = a->substr(0, a->size() - empty);
+    const CLI::Option* option = empty ? app_.get_option_no_throw(name) : nullptr;
+    if (option != nullptr && is_flag(*option)) refuse_empty(name.substr(2));
+    out.push_back(option == nullptr ? *a : name);
+    if (option != nullptr) out.emplace_back();
+  }
+  out.insert(out.end(), end, arguments.end());
+  return out;
+}
+
+void Tool::refuse_empty_values() {
+  for (CLI::Option* option : app_.get_options()) {
+    const std::vector<std::string>& names = option->get_lnames();
+    const std::string key = names.empty() ? option->get_name() : names.front();
+    if (is_flag(*option) || option == may_be_empty_) continue;
+    option->check([key](const std::string& value) {
+      if (value.empty()) refuse_empty(key);
+      return std::string();
+    });
+  }
 }
 
 std::string Tool::config_file() const {
@@ -101,9 +146,10 @@ std::string Tool::config_file() const {
 std::string Tool::origin(const std::string& key) const {
   const CLI::Option* option = app_.get_option_no_throw("--" + key);
   if (option == nullptr && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
-  if (option == nullptr || option->count() == 0 || names(arguments_, *option)) return "--" + key;
+  if (option == nullptr) return (app_.get_option_no_throw(key) == nullptr ? "--" : "") + key;
+  if (names(arguments_, *option)) return "--" + key;
   if (names(environment_, *option)) return environment_name(key);
-  return config_file().empty() ? "--" + key : config_file() + ": " + key;
+  return config_file().empty() || option->count() == 0 ? "--" + key : config_file() + ": " + key;
 }
 
 // A line on standard error, in place of one of progress, whatever the texts of files in it.
@@ -127,6 +173,9 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   if ((writes_dataset_ || writes_table_) && !writes_any_)
     check_output_name(output_, writes_dataset_, writes_table_, json_);
   if (!report_.empty()) check_table_name(report_, true, "report");
+  result_is_dataset_ = writes_dataset_ && !writes_table_;
+  if (writes_dataset_ || writes_table_) writes("output", output_);
+  if (!report_.empty()) writes("report", report_);
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
     return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " --help tells more)");
   return body();
@@ -162,6 +211,8 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 }
 
 int Tool::run(int argc, char** argv, const std::function<int()>& body) {
+  keep_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a write that is too large then fails, and says so
   const int code = guarded(argc, argv, body);
   if (time_) say(name_ + ": " + usage_of_run(clock_.seconds()));
   return code;
@@ -173,7 +224,9 @@ Dataset Tool::read() const { return read(input_); }
 
 Dataset Tool::read(const std::string& name, std::size_t held) const {
   const MemoryBound bound = memory_bound(held);
-  Dataset data = format_.dataset(read_all(name, bound), name, bound);
+  const Bytes bytes = read_all(name, bound);
+  reads(name, result_is_dataset_ && format_.netcdf(bytes));
+  Dataset data = format_.dataset(bytes, name, bound);
   settle(data, name);
   return data;
 }
@@ -190,6 +243,26 @@ void Tool::require_memory(double bytes, const std::string& option, const std::st
   throw UsageError(option, what + " takes some " + megabytes(bytes) + ", more than the " +
                                megabytes(static_cast<double>(memory_bound().bytes)) +
                                " that --memory allows");
+}
+
+void Tool::writes(const std::string& option, const std::string& name) {
+  const Identity own = identity_of_output(name);
+  for (const Output& other : outputs_)
+    if ((name == "-" && other.name == "-") || (!own.empty() && own == identity_of_output(other.name)))
+      throw UsageError(option,
+                       "'" + name + "' is where --" + other.option + " goes too: give it another name");
+  require_writable(name);
+  outputs_.push_back({option, name});
+}
+
+void Tool::reads(const std::string& name, bool passed_on) const {
+  const Identity own = identity_of_input(name);
+  if (own.empty()) return;
+  for (const auto& [option, output] : outputs_) {
+    const bool replaced = place_of(output).kind == Place::Kind::file;
+    if (own != identity_of_output(output) || (passed_on && replaced && option == "output")) continue;
+    throw UsageError(option, "'" + output + "' is read by this run, and would be lost: give it another name");
+  }
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

@@ -86,6 +86,9 @@ class Tool {
   CLI::Option* counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
                       const std::string& group);
 
+  /// An empty value is a usage error, wherever it comes from, but of this option, to which it means something.
+  void may_be_empty(const CLI::Option* option) { may_be_empty_ = option; }
+
   /// A size of memory: "512MB", "2GiB".
   CLI::Option* bytes(const std::string& name, std::size_t& value, const std::string& text,
                      const std::string& group);
@@ -117,6 +120,16 @@ class Tool {
   bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
   bool shows_progress() const;  ///< a line of progress on standard error is wanted
+
+  // What this run reads and writes, so that it does not take a file of its own for another.
+  /// Of a tool that writes a dataset or a table: which of them this run writes to --output.
+  void writes_dataset(bool dataset) { result_is_dataset_ = dataset; }
+  /// Of an output with an option of its own, not --output or --report of this class; throws UsageError(option, …) where it
+  /// is another output's file.
+  void writes(const std::string& option, const std::string& name);
+  /// Throws UsageError where an output would take the place of this file, which is read. `passed_on`: --output may,
+  /// for all that the file holds goes there.
+  void reads(const std::string& name, bool passed_on = false) const;
 
   /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a
   /// code.
@@ -164,6 +177,8 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string config_file() const;
   std::string footer() const;
+  std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
+  void refuse_empty_values();
   static void say(const std::string& line);
   int fail(Exit code, const std::string& message) const;
 
@@ -171,11 +186,17 @@ class Tool {
   std::string name_, example_, accuracy_, command_line_;
   std::vector<std::string> arguments_, environment_;  ///< of the command line; those that variables stand for
   std::string input_ = "-", output_ = "-", report_, progress_ = "auto";
+  struct Output {
+    std::string option, name;
+  };
+  std::vector<Output> outputs_;
+  const CLI::Option* may_be_empty_ = nullptr;
   InputFormat format_;
   std::size_t memory_ = half_of_memory();
   Stopwatch clock_;
   int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;
+  bool result_is_dataset_ = false;
   bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,
        writes_table_ = false, reports_ = false, threaded_ = false, seeded_ = false;
   bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false, time_ = false,

@@ -1,0 +1,83 @@
+#include "cli/place.hpp"
+
+#include <charconv>
+#include <fcntl.h>
+#include <filesystem>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace asperity::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool stands_for_open_file(const fs::path& link) {
+  const int fd = ::open(link.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
+  struct statfs system {};
+  const bool found = fd >= 0 && ::fstatfs(fd, &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
+  if (fd >= 0) ::close(fd);
+  return found;
+}
+
+// The number of a link of /proc among the files of this process, or -1.
+int own_descriptor(const fs::path& link) {
+  std::error_code none;
+  const std::string digits = link.filename();
+  int number = -1;
+  const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool own = error == std::errc() && rest == digits.data() + digits.size() &&
+                   fs::equivalent(link.parent_path(), "/proc/self/fd", none);
+  return own ? number : -1;
+}
+
+Identity identity(const struct stat& status, const std::string& name = {}) {
+  return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino) + ':' + name;
+}
+
+// Two outputs of a device do each other no harm.
+Identity identity_unless_device(const struct stat& status) {
+  return S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode) ? Identity() : identity(status);
+}
+
+Identity identity_of_descriptor(int fd) {
+  struct stat status {};
+  return ::fstat(fd, &status) == 0 ? identity_unless_device(status) : Identity();
+}
+
+}  // namespace
+
+Place place_of(const std::string& name) {
+  if (name == "-") return {Place::Kind::descriptor, name, STDOUT_FILENO};
+  std::error_code none;
+  fs::path target = name;
+  for (int links = 0; links < 40 && fs::is_symlink(target, none); ++links) {
+    if (stands_for_open_file(target)) {
+      const int own = own_descriptor(target);
+      return {own < 0 ? Place::Kind::other : Place::Kind::descriptor, target, own};
+    }
+    target = target.parent_path() / fs::read_symlink(target, none);
+  }
+  const bool replaceable = !fs::exists(target, none) || fs::is_regular_file(target, none);
+  return {replaceable ? Place::Kind::file : Place::Kind::other, target, -1};
+}
+
+Identity identity_of_output(const std::string& name) {
+  const Place place = place_of(name);
+  struct stat status {};
+  if (place.kind == Place::Kind::descriptor) return identity_of_descriptor(place.descriptor);
+  if (::stat(place.path.c_str(), &status) == 0) return identity_unless_device(status);
+  const fs::path path = place.path;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  return ::stat(folder.c_str(), &status) == 0 ? identity(status, path.filename()) : Identity();
+}
+
+Identity identity_of_input(const std::string& name) {
+  if (name == "-") return identity_of_descriptor(STDIN_FILENO);
+  struct stat status {};
+  return ::stat(name.c_str(), &status) == 0 ? identity_unless_device(status) : Identity();
+}
+
+}  // namespace asperity::cli
