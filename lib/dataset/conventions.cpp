@@ -45,7 +45,8 @@ constexpr T default_fill() {
 // None of bytes and text.
 Values default_fill_of(const Values& values) {
   return std::visit(
-      []<class List>(const List&) -> Values {
+      [](const auto& list) -> Values {
+        using List = std::decay_t<decltype(list)>;
         using T = typename List::value_type;
         return sizeof(T) == 1 ? List() : List(1, default_fill<T>());
       },
@@ -64,7 +65,8 @@ std::optional<T> as(double value) {
 // A list of the one number, of the type of these values; an empty one where it is none of them.
 Values alone(double number, const Values& values) {
   return std::visit(
-      [&]<class List>(const List&) -> Values {
+      [&](const auto& list) -> Values {
+        using List = std::decay_t<decltype(list)>;
         const auto value = as<typename List::value_type>(number);
         return value ? List(1, *value) : List();
       },
@@ -156,7 +158,8 @@ std::optional<double> Conventions::number_in(const Variable& variable, const cha
 }
 
 void Conventions::take_sign(const Variable& variable) {
-  own_ = std::visit([]<class List>(const List&) -> Values { return List(); }, variable.values);
+  own_ =
+      std::visit([](const auto& list) -> Values { return std::decay_t<decltype(list)>(); }, variable.values);
   if (!variable.attributes.find("_Unsigned")) return;
   const std::string word = variable.attributes.text("_Unsigned");
   if (word != "true" && word != "false") refuse(variable, "_Unsigned", "neither true nor false");
@@ -165,8 +168,9 @@ void Conventions::take_sign(const Variable& variable) {
 
 // What is of the variable's own type has the sign that its values are meant with.
 Values Conventions::own_type(const Values& values) const {
-  const bool sign =
-      std::visit([]<class List>(const List&) { return std::is_signed_v<typename List::value_type>; }, own_);
+  const bool sign = std::visit(
+      [](const auto& list) { return std::is_signed_v<typename std::decay_t<decltype(list)>::value_type>; },
+      own_);
   return std::visit([&](const auto& list) { return with_sign(list, sign); }, values);
 }
 
@@ -225,8 +229,8 @@ Values Conventions::unpacked(Values packed) const {
   if (packed.index() != own_.index()) packed = own_type(packed);
   if (!doubles_ && !mark_) return packed;
   return std::visit(
-      [&]<class List>(List& list) -> Values {
-        using T = typename List::value_type;
+      [&](auto& list) -> Values {
+        using T = typename std::decay_t<decltype(list)>::value_type;
         if (!doubles_) {
           for (T& v : list)
             if (missing(static_cast<double>(v))) v = static_cast<T>(*mark_);
