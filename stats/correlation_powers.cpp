@@ -51,7 +51,8 @@ Eigen::ArrayXd multiplicities(const RealTransform2D& transform, Shape torus) {
 
 }  // namespace
 
-CorrelationPowers::CorrelationPowers(const LagField& rho, const Grid& grid) {
+CorrelationPowers::CorrelationPowers(const LagField& all, const Grid& grid) {
+  const LagField rho = grid.periodic ? all.within({grid.shape.nx / 2, grid.shape.ny / 2}) : all;
   const Shape torus = torus_for(rho, grid);
   const RealTransform2D transform(torus);
   AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));

@@ -21,7 +21,8 @@ namespace asperity {
 
 class CorrelationPowers {
  public:
-  CorrelationPowers(const LagField& rho, const Grid& grid);
+  /// Of a periodic field the lags up to half a period count.
+  CorrelationPowers(const LagField& all, const Grid& grid);
 
   double second(Index p, Index q) const { return at(second_, p, q); }
   double third(Index p, Index q) const { return at(third_, p, q); }

@@ -1,5 +1,6 @@
 #include "stats/pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -56,8 +57,7 @@ double overlap(const Grid& grid, Index p, Index q) {
 }
 
 LagField tapered(const LagField& rho, const Pairs& pairs) {
-  const auto [nx, ny] = pairs.grid().shape;
-  const LagField inside = pairs.grid().periodic ? rho : rho.within({nx - 1, ny - 1});
+  const LagField inside = rho.within(longest_lags(pairs.grid()));
   return LagField(Field::NullaryExpr(inside.max_p() + 1, 2 * inside.max_q() + 1, [&](Index p, Index column) {
     const Index q = column - inside.max_q();
     return inside(p, q) * std::sqrt(pairs.share(p, q));
@@ -68,8 +68,10 @@ void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit) {
   const Grid& grid = pairs.grid();
   const auto [nx, ny] = grid.shape;
-  for (Index p = 0; p <= lags.max_p(); ++p)
-    for (Index q = -lags.max_q(); q <= lags.max_q(); ++q)
+  const Index P = grid.periodic ? std::min(lags.max_p(), nx / 2) : lags.max_p(),
+              Q = grid.periodic ? std::min(lags.max_q(), ny / 2) : lags.max_q();
+  for (Index p = 0; p <= P; ++p)
+    for (Index q = -Q; q <= Q; ++q)
       if (const double share = pairs.share(p, q); share > 0)
         visit(p, q,
               (p > 0 ? 2 : 1) * share * half_period_share(p, nx, grid.periodic) *

@@ -51,7 +51,7 @@ LagField tapered(const LagField& rho, const Pairs& pairs);
 
 /// Calls visit(p, q, weight) for those of the half-plane's lags that have pairs, such that Σ weight f(p,q) is the
 /// average over the field's points of Σ f over all their partners: share(p,q), doubled for the lags (-p,-q), and
-/// halved at lags of half a period, where p and -p are one.
+/// halved at lags of half a period, where p and -p are one. Longer lags of a periodic field are shorter ones again, and left out.
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit);
 

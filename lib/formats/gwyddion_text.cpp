@@ -67,7 +67,7 @@ double metres(const Length& length) {
 }
 
 std::string entry(std::string_view key, std::string_view value) {
-  return "# " + std::string(key) + ": " + std::string(value) + "\n";
+  return "# " + std::string(key) + ": " + one_line(value) + "\n";
 }
 
 std::string length_entry(std::string_view key, double length) {

@@ -75,10 +75,22 @@ TEST_CASE("the mean over the triples of a field is the trace of its covariance c
       CAPTURE(shape.nx, shape.ny);
       CHECK(relative_error(mean_of_triples(rho, g), mean_trace(C * C * C)) <= 1e-13);
     }
-  const Grid torus = grid(9, 7, true);
-  const LagField rho = triangular_correlation({4, 3});
-  const Eigen::MatrixXd C = covariance(rho, torus);
-  CHECK(relative_error(mean_of_triples(rho, torus), mean_trace(C * C * C)) <= 1e-13);
+}
+
+// Odd periods: at half an even one an oblique correlation has two values. Lags beyond half a period once counted again in S_k,
+// and took the place of shorter ones in the triples.
+TEST_CASE("of a periodic field each lag counts once, however long the correlation",
+          "[pairs][correlation-powers][exact]") {
+  for (const Shape shape : {Shape{1, 1}, {1, 9}, {7, 1}, {3, 7}, {9, 7}, {25, 3}})
+    for (const LagField& rho : {oblique(), triangular_correlation({4, 3})}) {
+      const Grid torus = grid(shape.nx, shape.ny, true);
+      const Eigen::MatrixXd C = covariance(rho, torus);
+      CAPTURE(shape.nx, shape.ny);
+      CHECK(relative_error(EffectiveSize(rho, torus).sum(2), mean_trace(C * C)) <= 1e-13);
+      CHECK(relative_error(mean_of_triples(rho, torus), mean_trace(C * C * C)) <= 1e-13);
+      CHECK(relative_error(CorrelationPowers(tapered(rho, torus), torus).third(0, 0),
+                           mean_trace(C * C * C)) <= 1e-13);
+    }
 }
 
 // Lags that the field does not have once counted: 7.5 in place of 1.9 of a row, of a correlation of four points.

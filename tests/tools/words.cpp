@@ -213,6 +213,18 @@ TEST_CASE("of a row of heights profiles across it and rings of wave numbers are 
   }
 }
 
+// Profiles and sections were left out of it, and its maps were empty frames.
+TEST_CASE("a report of a row or a column has all its pictures", "[narrow][contract]") {
+  for (const Shape shape : {Shape{1, 40}, Shape{40, 1}}) {
+    write_dataset(dataset(shape), "s.nc");
+    const Outcome run = shell(
+        "asperity-contact s.nc --radius 50mm --young 208GPa --poisson 0.3 --load 1mN -q | asperity-stress "
+        "--depths 0:2um:3 --maximum -q | asperity-report -o r.html; grep -c 'is not drawn' r.html");
+    CAPTURE(shape.nx, run.error);
+    CHECK(run.out == "0\n");
+  }
+}
+
 // All twelve on what is as narrow as can be: an answer, or a line.
 TEST_CASE("every tool takes a row, a column, a point and four points, or refuses them in a line",
           "[narrow][contract]") {

@@ -110,7 +110,21 @@ Layer points(const std::vector<std::vector<double>>& columns, std::string_view s
   return out;
 }
 
-Layer raster(const Field& values, Lattice at, std::string_view style) {
+namespace {
+
+// Of an image gnuplot draws no line of cells alone: it stands twice, at half the width.
+void halve(Field& values, double& first, double& step, bool rows) {
+  values = rows ? Field(values.replicate(2, 1)) : Field(values.replicate(1, 2));
+  first -= 0.25 * step;
+  step *= 0.5;
+}
+
+}  // namespace
+
+Layer raster(const Field& cells, Lattice at, std::string_view style) {
+  Field values = cells;
+  if (!at.in_space && values.rows() == 1) halve(values, at.x, at.dx, true);
+  if (!at.in_space && values.cols() == 1) halve(values, at.y, at.dy, false);
   const Field fast_x = values.transpose();
   return {fmt::format("binary array=({},{}) format='%float64' origin=({},{}{}) dx={} dy={} using 1 {}",
                       values.rows(), values.cols(), at.x, at.y, at.in_space ? ",0" : "", at.dx, at.dy, style),

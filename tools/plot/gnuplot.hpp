@@ -32,7 +32,7 @@ struct Lattice {
   double x, y, dx, dy;
   bool in_space = false;
 };
-Layer raster(const Field& values, Lattice at, std::string_view style);
+Layer raster(const Field& cells, Lattice at, std::string_view style);
 
 class Script {
  public:

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grid/error.hpp"
 #include "plot/kinds.hpp"
 #include "plot/source.hpp"
 
@@ -16,15 +17,27 @@ Index stride_of(const Field& values) {
   return (std::max(values.rows(), values.cols()) + most_points - 1) / most_points;
 }
 
-Patch thinned(const Patch& patch, Index stride) {
-  const Index nx = (patch.values.rows() + stride - 1) / stride,
-              ny = (patch.values.cols() + stride - 1) / stride;
-  const double step_x = patch.dx() * static_cast<double>(stride),
-               step_y = patch.dy() * static_cast<double>(stride);
+// Two points are left along a side, however narrow.
+Patch thinned(const Patch& patch, Index most) {
+  const Index rows = patch.values.rows(), columns = patch.values.cols();
+  const Index along_x = std::min(most, rows - 1), along_y = std::min(most, columns - 1);
+  const Index nx = (rows + along_x - 1) / along_x, ny = (columns + along_y - 1) / along_y;
+  const double step_x = patch.dx() * static_cast<double>(along_x),
+               step_y = patch.dy() * static_cast<double>(along_y);
   const double x0 = patch.x_at(0) - 0.5 * step_x, y0 = patch.y_at(0) - 0.5 * step_y;
-  return {Field::NullaryExpr(nx, ny, [&](Index i, Index j) { return patch.values(i * stride, j * stride); }),
-          {x0, x0 + step_x * static_cast<double>(nx)},
-          {y0, y0 + step_y * static_cast<double>(ny)}};
+  return {
+      Field::NullaryExpr(nx, ny, [&](Index i, Index j) { return patch.values(i * along_x, j * along_y); }),
+      {x0, x0 + step_x * static_cast<double>(nx)},
+      {y0, y0 + step_y * static_cast<double>(ny)}};
+}
+
+void require_two_points(const std::string& variable, const Patch& patch) {
+  const Index nx = patch.values.rows(), ny = patch.values.cols();
+  if (nx < 2 || ny < 2)
+    throw DataError(variable,
+                    fmt::format("a surface in perspective needs 2 x 2 points, and there are {} x {}: "
+                                "map and profile draw them",
+                                nx, ny));
 }
 
 // A round number 1, 2 or 5 × 10ⁿ of plotted metres a unit of the quantity.
@@ -72,6 +85,7 @@ Relief relief_of(const Cases& cases, const Request& request) {
   for (const Case& c : cases) {
     out.patches.push_back(patch_of(c.data, variable, request));
     out.values = united(out.values, range_of(out.patches.back().values));
+    require_two_points(variable, out.patches.back());
     out.stride = std::max(out.stride, stride_of(out.patches.back().values));
   }
   for (Patch& p : out.patches) p = thinned(p, out.stride);

@@ -38,7 +38,8 @@ void want_stress(std::vector<Wanted>& out, const Dataset& data) {
   const Variable* stress = data.find("von_mises");
   if (!stress) return;
   const bool placed = stress->dimensions.size() == 3 && data.attributes.find("stress_max_y");
-  out.push_back({"Von Mises stress", plot::section, Format::png, "von_mises", placed ? "y=max" : ""});
+  const std::string along = data.length("x") < 2 ? "x=max" : "y=max";
+  out.push_back({"Von Mises stress", plot::section, Format::png, "von_mises", placed ? along : ""});
 }
 
 std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
