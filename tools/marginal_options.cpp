@@ -31,7 +31,8 @@ double quantity_in(std::string_view bytes, const std::string& name) {
 }
 
 std::optional<HeightMoments> moments_in(std::string_view bytes) {
-  if (looks_like_netcdf(bytes)) return std::nullopt;
+  constexpr std::size_t largest_table = 1 << 20;  // bytes, of asperity-stats: some kB as a rule
+  if (looks_like_netcdf(bytes) || bytes.size() > largest_table) return std::nullopt;
   const HeightMoments found{0, 1, quantity_in(bytes, "Ssk"), quantity_in(bytes, "Sku")};
   if (std::isnan(found.skewness) || std::isnan(found.kurtosis)) return std::nullopt;
   return found;

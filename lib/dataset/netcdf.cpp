@@ -151,29 +151,29 @@ bool lies_on(const Variable& variable, const std::vector<std::string>& dimension
   });
 }
 
-// The values so many times, and the largest variable as doubles.
-void refuse_if_large(const std::vector<Header>& headers, const std::vector<std::string>& deferred, int times,
-                     const MemoryBound& memory) {
-  double values = 0, most = 0;
-  for (const Header& h : headers) {
-    if (lies_on(h.variable, deferred)) continue;
-    values += static_cast<double>(h.bytes);
-    most = std::max(most, static_cast<double>(h.elements));
-  }
-  memory.require(times * values + sizeof(double) * most, "dataset");
-}
-
 // How a file is read: the values of variables that lie on all of the deferred dimensions are not; all others are held
 // so many times.
 struct Extent {
-  std::size_t bytes;  // of the file
+  std::size_t bytes = 0;  // of the file
   std::vector<std::string> deferred = {};
   MemoryBound memory = {};
   int times = 1;
+  bool whole = true;  // a variable will be taken out at once
 };
 
+// The values so many times, and the largest variable as doubles where a whole one will be taken out.
+void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
+  double values = 0, most = 0;
+  for (const Header& h : headers) {
+    if (lies_on(h.variable, extent.deferred)) continue;
+    values += static_cast<double>(h.bytes);
+    most = std::max(most, static_cast<double>(h.elements));
+  }
+  const double doubles = extent.whole ? sizeof(double) * most : 0;
+  extent.memory.require(extent.times * values + doubles, "dataset");
+}
+
 Dataset read_dataset(int file, const Extent& extent) {
-  const auto& [bytes, deferred, memory, times] = extent;
   refuse_groups(file);
   int dimensions = 0, variables = 0, attributes = 0;
   check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
@@ -183,13 +183,13 @@ Dataset read_dataset(int file, const Extent& extent) {
   std::vector<Header> headers;
   headers.reserve(static_cast<std::size_t>(variables));
   for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
-  classic(file) ? refuse_if_cut_short(headers, bytes) : refuse_if_thin(headers, bytes);
-  refuse_if_large(headers, deferred, times, memory);
+  classic(file) ? refuse_if_cut_short(headers, extent.bytes) : refuse_if_thin(headers, extent.bytes);
+  refuse_if_large(headers, extent);
   for (int v = 0; v < variables; ++v) {
     Header& header = headers[static_cast<std::size_t>(v)];
-    const bool stays = lies_on(header.variable, deferred);
+    const bool stays = lies_on(header.variable, extent.deferred);
     header.variable.values = allocate(header.type, stays ? 0 : header.elements, header.variable.name);
-    if (!stays && header.elements > 0) read_values(file, v, header.variable, bytes);
+    if (!stays && header.elements > 0) read_values(file, v, header.variable, extent.bytes);
     out.variables.push_back(std::move(header.variable));
   }
   return out;
@@ -236,7 +236,7 @@ constexpr std::size_t piece = 1 << 14;
 
 std::string_view with_room(Bytes& bytes) { return {bytes.room(piece) - bytes.size(), bytes.size() + piece}; }
 
-Dataset decode_here(std::string_view bytes, const MemoryBound& memory, int times = 1) {
+Dataset decode_here(std::string_view bytes, Extent extent) {
   std::string longer;
   Handle file;
   int status = open_in_memory(bytes, file);
@@ -246,18 +246,22 @@ Dataset decode_here(std::string_view bytes, const MemoryBound& memory, int times
   }
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
   check(status, "it cannot be read");
-  return read_dataset(file.id, {.bytes = bytes.size(), .memory = memory, .times = times});
+  extent.bytes = bytes.size();
+  return read_dataset(file.id, extent);
 }
 
 std::atomic<DoneApart> apart = nullptr;
 
 // The same dataset in a classic format, made where the HDF5 library does no harm: it is there twice, here as there.
-Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory) {
+Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory, bool whole) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
                           .memory = library + std::min(2 * most_made_of(netcdf4.size()), memory.left())};
-  Bytes out = done_apart([&](const auto& sink) { write_netcdf(decode_here(netcdf4, memory, 2), sink); },
-                              limits, "dataset");
+  Bytes out = done_apart(
+      [&](const auto& sink) {
+        write_netcdf(decode_here(netcdf4, {.memory = memory, .times = 2, .whole = whole}), sink);
+      },
+      limits, "dataset");
   memory.require(static_cast<double>(out.size()), "dataset");
   return out;
 }
@@ -277,10 +281,10 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
   check_extent(bytes);
   const DoneApart done_apart = apart;
   if (is_netcdf4(bytes) && done_apart != nullptr) {
-    const Bytes classic = classic_from(bytes, done_apart, memory);
+    const Bytes classic = classic_from(bytes, done_apart, memory, true);
     return decode_netcdf(classic, memory.beside(classic.size()));
   }
-  return in_own_order(with_plain_values(decode_here(bytes, memory)));
+  return in_own_order(with_plain_values(decode_here(bytes, {.memory = memory})));
 }
 
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred,
@@ -288,7 +292,7 @@ NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& 
   const MappedFile mapped(path);
   check_extent(mapped.bytes());
   if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
-    classic_.emplace(classic_from(mapped.bytes(), done_apart, memory));
+    classic_.emplace(classic_from(mapped.bytes(), done_apart, memory, false));
   Handle file;
   check(classic_ ? open_in_memory(with_room(*classic_), file) : open_on_disk(path, file),
         path + " cannot be read");

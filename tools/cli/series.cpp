@@ -1,12 +1,20 @@
 #include "cli/series.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "cli/quantity.hpp"
 #include "grid/error.hpp"
 
 namespace asperity::cli {
 namespace {
+
+Index number_of_values(const std::string& option, const std::string& text) {
+  const Bounds bounds(std::numeric_limits<Index>::min(), most_values, "as many as a series may have");
+  const Index number = parse_count(option, text, bounds);
+  if (number < 2) throw ParameterError(option, "'" + text + "' is no number of values from 2 on");
+  return number;
+}
 
 Steps parse_steps(const std::string& option, const std::string& text) {
   if (text == "uniform") return Steps::uniform;
@@ -38,7 +46,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::vector<double> parse_series(const std::string& option, const std::string& text, Steps steps,
                                  const std::function<double(const std::string&)>& value) {
   std::vector<double> values;
-  const Bounds bounds(2, most_values, "as many as a series may have");
   const std::vector<std::string> range = split(text, ':');
   if (range.size() == 1) {
     for (const std::string& word : split(text, ',')) values.push_back(value(word));
@@ -49,7 +56,7 @@ std::vector<double> parse_series(const std::string& option, const std::string& t
     const double from = value(range[0]);
     if (steps == Steps::geometric && !(from > 0))
       throw ParameterError(option, "equal ratios cannot start from '" + range[0] + "'");
-    values = spaced(from, value(range[1]), parse_count(option, range[2], bounds), steps);
+    values = spaced(from, value(range[1]), number_of_values(option, range[2]), steps);
   }
   for (std::size_t i = 1; i < values.size(); ++i)
     if (!(values[i] > values[i - 1])) throw ParameterError(option, "'" + text + "' does not increase");

@@ -21,7 +21,6 @@
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/stream.hpp"
-#include "cli/table.hpp"
 #include "cli/usage.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
@@ -239,7 +238,9 @@ void Tool::settle(Dataset& dataset, const std::string& name) const {
 
 void Tool::require_memory(double bytes, const std::string& option, const std::string& what) const {
   if (!(bytes > static_cast<double>(memory_bound().bytes))) return;
-  const auto megabytes = [](double size) { return shortest(std::ceil(size / 1e6)) + "MB"; };
+  const auto megabytes = [](double size) {
+    return std::to_string(std::llround(std::ceil(size / 1e6))) + "MB";
+  };
   throw UsageError(option, what + " takes some " + megabytes(bytes) + ", more than the " +
                                megabytes(static_cast<double>(memory_bound().bytes)) +
                                " that --memory allows");
