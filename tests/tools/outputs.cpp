@@ -31,12 +31,6 @@ std::string drawn() {
   return content("s.nc");
 }
 
-mode_t mode_of(const std::string& name) {
-  struct stat status {};
-  ::stat(scratch(name).c_str(), &status);
-  return status.st_mode & 0777;
-}
-
 // SOURCE_DATE_EPOCH leaves no seconds in a dataset.
 Outcome dated(const std::string& line) { return shell("export SOURCE_DATE_EPOCH=1; " + line); }
 
@@ -49,7 +43,6 @@ TEST_CASE("a link or a file planted at a temporary name is neither followed nor 
   for (const std::string& without :
        {std::string(), std::string("unshare -rm sh -c 'mount -t tmpfs none /proc && ")}) {
     if (!without.empty() && shell(without + "true'").exit != 0) continue;
-    const std::string quote = without.empty() ? "'" : "\"";
     const Outcome run = shell(
         "rm -rf planted; mkdir planted; echo precious > planted/victim; cat > plant <<'END'\n"
         "for i in 0 1 2 3 4 5 6 7 8 9; do ln -s victim planted/out.nc.part$(($$+i)); done\n"
@@ -232,6 +225,17 @@ TEST_CASE("a limit on the size of files does not reach pipes, and ends the writi
   CHECK(file.error == "asperity-generate: limited/k.nc: File too large\n");
 }
 
+// The limit went on to gnuplot, which wrote so much and no more, and was content.
+TEST_CASE("a figure beyond a limit on the size of files is an error, not a part of it",
+          "[outputs][contract]") {
+  drawn();
+  const Outcome run =
+      shell("(ulimit -f 8; asperity-plot s.nc --kind map --format svg -o - 2> why) | wc -c; cat why");
+  CAPTURE(run.out);
+  CHECK(run.exit == 1);
+  CHECK(run.out.starts_with("0\n"));
+}
+
 TEST_CASE("NetCDF-4 is read under a limit on the size of files", "[outputs][contract]") {
   const Outcome free = shell("asperity-stats " ASPERITY_TEST_DATA "/../corpus/netcdf4/whole"),
                 bounded = shell("(ulimit -f 0; asperity-stats " ASPERITY_TEST_DATA
@@ -255,15 +259,17 @@ TEST_CASE("without /proc datasets are written and NetCDF-4 is read", "[outputs][
   CHECK(shell(within + read + "'").out == shell(read).out);
 }
 
-// Messages go to the descriptor 2, which a file would otherwise get.
+// Messages go to the descriptor 2, which a file that is opened would otherwise get: -v says a line for each layer.
 TEST_CASE("no message gets into a file when a standard stream is closed", "[outputs][contract]") {
-  const std::string wide =
-      "asperity-generate --shape 16x12 --size 1mm --rq 0.4um --length 2px --lags 2x2 --seed 7 "
-      "--no-history -v ";
-  dated(wide + "-o open.nc 2> /dev/null");
+  drawn();
+  REQUIRE(
+      shell("asperity-contact s.nc --radius 50mm --young 208GPa --poisson 0.3 --load 1N -q -o t.nc").exit ==
+      0);
+  const std::string layers = "asperity-stress t.nc --depths 0:0.1mm:9 --no-history -v ";
+  REQUIRE(dated(layers + "-o open.nc 2> /dev/null").exit == 0);
   for (const char* closed : {"2>&-", "1>&- 2>&-", "0<&- 1>&- 2>&-"}) {
-    dated(wide + "-o closed.nc " + closed);
     CAPTURE(closed);
+    CHECK(dated(layers + "-o closed.nc " + closed).exit == 0);
     CHECK((content("closed.nc") == content("open.nc")));
   }
 }

@@ -211,7 +211,9 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 
 int Tool::run(int argc, char** argv, const std::function<int()>& body) {
   keep_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a write that is too large then fails, and says so
+  // A write that is too large then fails, and says so; programs that are started do not inherit it, as they would if the
+  // signal were ignored.
+  std::signal(SIGXFSZ, [](int) {});
   const int code = guarded(argc, argv, body);
   if (time_) say(name_ + ": " + usage_of_run(clock_.seconds()));
   return code;
