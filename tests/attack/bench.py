@@ -68,7 +68,7 @@ def untidy(err):
             return f"has the control character {strange[0]!r}"
         if re.search(r"\d{40}", line):
             return "has a number of 40 digits and more"
-        if re.search(r"(^|[^\d.])1 (surfaces|points|threads|loads|layers|cells|lags)\b", line):
+        if re.search(r"(^|[^\d.x])1 (surfaces|points|threads|loads|layers|cells|lags)\b", line):
             return "has a plural of one"
     return ""
 

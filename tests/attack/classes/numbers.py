@@ -200,13 +200,14 @@ def noisy_table(case):
     return run.verdict() if error <= 1.1e-3 else TOLD
 
 
-def narrow_validate(case, shape=None):
+def narrow_validate(case, shape=None, length=None):
     """Correct surfaces are refused at the stated rate: of a dozen at 1 % two or fewer."""
     shape = shape or case.one_of((1, 512), (512, 1), (4, 256), (1, 300))
+    length = length or f"{case.rng.uniform(3, 20):.2f}px"
     seed, refused = int(case.rng.integers(1, 2**30)), 0
     for i in range(12):
         case.done("generate", "--shape", f"{shape[0]}x{shape[1]}", "--size", f"{shape[0]}um,{shape[1]}um", "--rq", "0.1um", "--length",
-                  "6px", "--seed", seed + i, "-o", "s.nc")
+                  length, "--seed", seed + i, "-o", "s.nc")
         run = case.raw("validate", "s.nc")
         check(run.code in (0, DIFFERS), f"an answer: {run.err!r}")
         refused += run.code == DIFFERS
@@ -215,7 +216,7 @@ def narrow_validate(case, shape=None):
 
 
 def lone_line_validate(case):
-    return narrow_validate(case, (1, 512))
+    return narrow_validate(case, (1, 512), "20px")
 
 
 # ---- contact ----

@@ -34,7 +34,7 @@ LISTS = ["1,2,3", ":", "0:1um:4", "1um:0:4", "0:1um:-1", "0:1um:0", "1um:1um:2",
          "0:1um:3:geometric", "1N:5N:3", "1N,5N", "0N", "-1N:1N:4", "1um", "0:1:2:3:4", "0:10,0:10", "3:2,1:0", ":5,:", "y=0", "x=1um",
          "y=max", "z=0", "x=nan", "1/e", "0.2,0.5", "height", "all", "height,nothing", "von_mises,zz", "plane", "3", "20", "21", "100%"]
 NASTY = ["'; touch pwned; '", "$(touch pwned)", "`touch pwned`", "\"; system(\"touch pwned\"); \"", "'.system('touch pwned').'",
-         "\n!touch pwned\n", "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;pwned\x07\x1b[31m", "%s%n%d",
+         "\n!touch pwned\n", "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;owned\x07\x1b[31m", "%s%n%d",
          "../../../x", "a\nb", "\\", "\\n", "@x", "{/Symbol a}", "''", "a''b", "\u202egpj.exe", "x" * 5000, "|touch pwned", "-", "--", "/",
          "\u0085", "\ufffd", "NaN", "]]>", "&amp;", "heights", "acf", "gaussian", "netcdf", "."]
 
