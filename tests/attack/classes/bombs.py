@@ -13,7 +13,7 @@ import maps
 from bench import BAD_DATA, NOT_CONVERGED, RIGHT, RUNTIME, TOOLS, USAGE, check
 from classes.options import BASE, named_inputs
 
-OWN = 100e6  # of program and libraries, buffers of pipes and of inflating
+OWN = 130e6  # of program and libraries, buffers of pipes and of inflating, and of Python, from which a peak counts
 TIGHT = ("t20", "v1500000")  # 20 seconds, 1.5 GB of addresses
 DEEP = 50000
 
@@ -56,35 +56,36 @@ def solver_out_of_memory(case):
                 "-o", "k.nc", limits=("t60", f"v{limit}"))
 
 
-def zeros(megabytes):
-    return bytes(megabytes << 20)
-
-
 def x3p_bomb(case):
     """A large map in a small archive takes three maps at the most, and one that is not as large as it says nothing."""
     side = case.one_of(2000, 2896)
-    values = bytes(8 * side * side)
-    main = maps.x3p_document(side, side, 1e-6, 1e-6, hashlib.md5(values).hexdigest())
-    case.path("in.x3p").write_bytes(maps.zipped({"main.xml": main, "bindata/data.bin": values}))
-    return ends(case, "convert", "in.x3p", "-o", "out.npy", peak=3 * len(values) + OWN)
+
+    def make():
+        values = bytes(8 * side * side)
+        main = maps.x3p_document(side, side, 1e-6, 1e-6, hashlib.md5(values).hexdigest())
+        case.path("in.x3p").write_bytes(maps.zipped({"main.xml": main, "bindata/data.bin": values}))
+
+    case.apart(make)
+    return ends(case, "convert", "in.x3p", "-o", "out.npy", peak=3 * 8 * side**2 + OWN)
 
 
-def x3p_of_more(case):
+def x3p_of_more(case, which=None):
     """Members of which nothing is wanted, or much more than the map needs, are not unpacked whole."""
-    values = np.zeros((4, 4)).tobytes()
-    main = maps.x3p_document(4, 4, 1e-6, 1e-6, hashlib.md5(values).hexdigest())
-    members = {"main.xml": main, "bindata/data.bin": values, "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}
-    which = case.one_of("md5checksum.hex", "bindata/data.bin", "main.xml", "other")
-    members[which] = (members.get(which, b"") if which == "main.xml" else b"") + (b" " if which == "main.xml" else b"\0") * (256 << 20)
-    case.path("in.x3p").write_bytes(maps.zipped(members))
+    which = which or case.one_of("md5checksum.hex", "bindata/data.bin", "main.xml", "other")
+
+    def make():
+        values = np.zeros((4, 4)).tobytes()
+        main = maps.x3p_document(4, 4, 1e-6, 1e-6, hashlib.md5(values).hexdigest())
+        members = {"main.xml": main, "bindata/data.bin": values, "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}
+        members[which] = main + b" " * (256 << 20) if which == "main.xml" else bytes(256 << 20)
+        case.path("in.x3p").write_bytes(maps.zipped(members))
+
+    case.apart(make)
     return ends(case, "convert", "in.x3p", "-o", "out.npy", peak=OWN)
 
 
 def checksum_bomb(case):
-    values = np.zeros((4, 4)).tobytes()
-    main = maps.x3p_document(4, 4, 1e-6, 1e-6, hashlib.md5(values).hexdigest())
-    case.path("in.x3p").write_bytes(maps.zipped({"main.xml": main, "bindata/data.bin": values, "md5checksum.hex": zeros(256)}))
-    return ends(case, "convert", "in.x3p", "-o", "out.npy", peak=OWN)
+    return x3p_of_more(case, "md5checksum.hex")
 
 
 def nrrd_bomb(case):
@@ -92,7 +93,7 @@ def nrrd_bomb(case):
     nx, ny = case.one_of((4, 4), (1000, 1000), (2000, 3000))
     head = (f"NRRD0004\ntype: double\ndimension: 2\nsizes: {nx} {ny}\nspacings: 1e-6 1e-6\nunits: \"m\" \"m\"\nsample units: \"m\"\n"
             "endian: little\nencoding: gzip\n\n").encode()
-    case.path("in.nrrd").write_bytes(head + gzip.compress(zeros(case.one_of(192, 256)), 6))
+    case.apart(lambda: case.path("in.nrrd").write_bytes(head + gzip.compress(bytes(256 << 20), 6)))
     return ends(case, "convert", "in.nrrd", "-o", "out.npy", peak=3 * 8 * nx * ny + OWN)
 
 
@@ -115,7 +116,7 @@ def netcdf4_map(path, side, written):
 def netcdf4_bomb(case):
     """A deflated map takes three maps at the most."""
     side = case.one_of(2000, 2896)
-    netcdf4_map(case.path("in.nc"), side, True)
+    case.apart(lambda: netcdf4_map(case.path("in.nc"), side, True))
     return ends(case, "convert", "in.nc", "-o", "out.npy", peak=3 * 8 * side**2 + OWN)
 
 
@@ -187,21 +188,22 @@ def lying_head(case):
 
 
 def legitimate(case):
-    """What is rightly read takes three maps at the most, of any format, by any tool that only reads."""
+    """What is rightly read takes three maps at the most, of any format, by a tool that only reads."""
     side = int(case.rng.integers(1200, 2200))
-    z = case.rng.normal(size=(side, side)) * 1e-7
-    surface = maps.Surface(z, 1e-6, 1e-6)
     name = case.one_of("in.nc", "in.nc4", "in.npy", "in.gsf", "in.nrrd", "in.sdf", "in.x3p")
-    options = []
-    if name in ("in.nc", "in.nc4"):
-        maps.write_netcdf(case.path("in.nc"), surface, format="NETCDF3_64BIT_OFFSET" if name == "in.nc" else "NETCDF4")
-        name = "in.nc"
-    else:
+
+    def make():
+        surface = maps.Surface(case.rng.normal(size=(side, side)) * 1e-7, 1e-6, 1e-6)
+        if name.startswith("in.nc"):
+            maps.write_netcdf(case.path(name), surface, format="NETCDF4" if name == "in.nc4" else "NETCDF3_64BIT_OFFSET")
+            return []
         content, options = maps.FORMATS[name[3:]](surface, case.rng)
         case.path(name).write_bytes(content)
-    tool = case.one_of(("stats",), ("convert", "-o", "out.npy"), ("convert", "-o", "out.nc"))
-    return ends(case, tool[0], name, *options, *tool[1:], peak=3 * 8 * side**2 + OWN, codes=(0,)) if tool[0] == "convert" or not options else \
-        ends(case, "convert", name, *options, "-o", "out.nc", peak=3 * 8 * side**2 + OWN, codes=(0,))
+        return options
+
+    options = case.apart(make)
+    out = case.one_of("out.npy", "out.nc")
+    return ends(case, "convert", name, *options, "-o", out, peak=3 * 8 * side**2 + OWN, codes=(0,))
 
 
 def any_memory(case):
@@ -214,13 +216,14 @@ def any_memory(case):
 
 def many_members(case):
     """An archive of many names, and deep XML."""
-    if case.chance(0.5):
-        content = maps.zipped({f"{i}.bin": b"" for i in range(20000)})
-    else:
-        depth = int(case.rng.integers(1000, 300000))
-        content = maps.zipped({"main.xml": b"<a>" * depth + b"</a>" * depth})
-    case.path("in.x3p").write_bytes(content)
-    return ends(case, "convert", "in.x3p", "-o", "out.nc", peak=2 * OWN, codes=(BAD_DATA,))
+    depth, deep = int(case.rng.integers(1000, 300000)), case.chance(0.5)
+
+    def make():
+        members = {"main.xml": b"<a>" * depth + b"</a>" * depth} if deep else {f"{i}.bin": b"" for i in range(20000)}
+        case.path("in.x3p").write_bytes(maps.zipped(members))
+
+    case.apart(make)
+    return ends(case, "convert", "in.x3p", "-o", "out.nc", peak=OWN, codes=(BAD_DATA,))
 
 
 def long_lists(case):
