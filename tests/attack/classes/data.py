@@ -147,6 +147,59 @@ def unit_of_pressure(unit, factor):
     return fault
 
 
+def rescaled(path, name, unit, factor):
+    """A variable of a dataset in another unit."""
+    with netCDF4.Dataset(path, "a") as data:
+        variable = data[name]
+        variable.set_auto_maskandscale(False)
+        variable[:] = variable[:] / (factor or 1)
+        if unit is None:
+            variable.delncattr("units")
+        else:
+            variable.units = unit
+
+
+def unit_of_other_fields(case):
+    """Lags, kernels, autocorrelations, counter bodies and depths in other units are converted, or refused by their name."""
+    shape = ("--shape", "20x16", "--size", "20um,16um")
+    case.done("kernel", "--length", "4px", "--spacing", "1um", "--rq", "0.1um", "-o", "k.nc")
+    draw = ("generate", "--seed", "1", *shape, "-o", "out.nc")
+    name, unit, factor, command = case.one_of(
+        ("kernel", "nm", 1e-9, (*draw, "--kernel", "k.nc")), ("kernel", "Pa", None, (*draw, "--kernel", "k.nc")),
+        ("acf_target", "nm2", 1e-18, (*draw, "--acf", "k.nc")), ("acf_target", "K", None, (*draw, "--acf", "k.nc")),
+        ("p", "um", 1e-6, (*draw, "--acf", "k.nc")), ("q", "mm", 1e-3, (*draw, "--acf", "k.nc")))
+    out = []
+    for changed in (False, True):
+        if changed:
+            rescaled(case.path("k.nc"), name, unit, factor)
+            if name in "pq":
+                rescaled(case.path("k.nc"), "q" if name == "p" else "p", unit, factor)
+        run = case.run(*command)
+        if run.code != 0:
+            check(changed, f"a surface: {run.err!r}")
+            return case.refused(run, (BAD_DATA, USAGE), "--rq" if "--rq" in run.err else name)  # of a table of no known variance
+        out.append(maps.read(case.path("out.nc"))[0]["heights"])
+    check(factor is not None, f"a refusal of {name} in {unit}")
+    check(close(out[1], out[0], 1e-6, 1e-6 * abs(out[0]).max()), f"the same heights from {name} in {unit}")
+    return RIGHT
+
+
+def counter_in_other_units(case):
+    """The second body's heights, in nm, on a grid in mm, with y first or descending, are those in metres."""
+    surface, counter = (maps.random_surface(case.rng, (14, 11), dx=1e-6) for _ in range(2))
+    counter.dy = surface.dy
+    maps.write_netcdf(case.path("in.nc"), surface)
+    maps.write_netcdf(case.path("one.nc"), counter)
+    maps.write_netcdf(case.path("other.nc"), counter, unit=case.one_of("nm", "mm"), xy_unit=case.one_of("mm", "nm"),
+                      order=case.one_of("xy", "yx"), down=case.one_of((), "x", "y"))
+    found = []
+    for name in ("one.nc", "other.nc"):
+        case.done("contact", "in.nc", *CONTACT, "--tolerance", "1e-10", "--counter", name, "-o", "out.nc")
+        found.append(maps.read(case.path("out.nc"))[0]["pressure"])
+    check(close(found[1], found[0], 0, 1e-6 * found[0].max()), "the same pressures")
+    return RIGHT
+
+
 def negative_pressure(case):
     surface, p, attributes = maps.pressed(case.rng)
     p[1, 1] = -1e8
@@ -271,7 +324,7 @@ def concatenated(case):
 FAULTS = [stale_length, stale_length_under_load, *map(rule, ("scale", "offset", "_FillValue", "missing_value", "list", "valid_range",
           "valid_min", "valid_max", "default")), never_written,
           unit_of_pressure("MPa", 1e6), unit_of_pressure("psi", 6894.757293168361), unit_of_pressure("m", None),
-          unit_of_pressure(None, None), negative_pressure, descending, control_characters, long_unit, latin_json, latin_heights,
+          unit_of_pressure(None, None), unit_of_other_fields, unit_of_other_fields, negative_pressure, descending, control_characters, long_unit, latin_json, latin_heights,
           odd_unit_in_vti, bad_poisson, profile_in_report, concatenated]
 
 
@@ -417,5 +470,5 @@ def written_and_read(case):
     return RIGHT
 
 
-FAMILIES = [any_netcdf, any_netcdf, any_packed, masked, any_format, any_format, unit_of_any_field, mutated, mutated, mutated,
+FAMILIES = [any_netcdf, any_netcdf, any_packed, unit_of_other_fields, counter_in_other_units, masked, any_format, any_format, unit_of_any_field, mutated, mutated, mutated,
             written_and_read, stale_length, descending, odd_unit_in_vti, latin_json, control_characters, concatenated, bad_poisson]

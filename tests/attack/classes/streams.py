@@ -145,8 +145,19 @@ def one_of_them(case):
     return RIGHT
 
 
+def strange_date(case):
+    """A date out of all years is refused, or told in four digits."""
+    epoch = str(case.one_of(10**18, -10**18, 10**12, 253402300800, -1, "x", "", "1e3", 2**63, 2**64))
+    run = case.run(*DRAW, "-o", "out.nc", env={"SOURCE_DATE_EPOCH": epoch})
+    if run.code != 0:
+        return case.refused(run, (USAGE, RUNTIME), "SOURCE_DATE_EPOCH")
+    history = str(maps.read(case.path("out.nc"))[1]["history"])
+    check(re.match(r"\d{4}-\d\d-\d\dT", history), f"a year of four digits: {history[:60]!r}")
+    return RIGHT
+
+
 FAULTS = [without_proc, planted_link, keeps_mode, two_outputs_one_file, page_over_its_input, limited_files_do_not_end_pipes,
-          nothing_on_standard_input, shared_memory, one_of_them]
+          nothing_on_standard_input, shared_memory, one_of_them, strange_date, strange_date]
 
 
 # ---- relatives, at random ----
@@ -319,17 +330,6 @@ def odd_pipes(case):
                                  f"for i in range(0,len(d),{size}):\n sys.stdout.buffer.write(d[i:i+{size}])\n sys.stdout.flush()\n")
     piped = case.shell(f"/usr/bin/python3 slow | asperity-stats --json")
     check(piped.out == case.done("stats", "--json", "g.nc").out, "what the file gives")
-    return RIGHT
-
-
-def strange_date(case):
-    """A date out of all years is refused, or told in four digits."""
-    epoch = str(case.one_of(10**18, -10**18, 10**12, 253402300800, -1, "x", "", "1e3", 2**63, 2**64))
-    run = case.run(*DRAW, "-o", "out.nc", env={"SOURCE_DATE_EPOCH": epoch})
-    if run.code != 0:
-        return case.refused(run, (USAGE, RUNTIME), "SOURCE_DATE_EPOCH")
-    history = str(maps.read(case.path("out.nc"))[1]["history"])
-    check(re.match(r"\d{4}-\d\d-\d\dT", history), f"a year of four digits: {history[:60]!r}")
     return RIGHT
 
 
