@@ -1,7 +1,7 @@
 """What a case of the attack has: random numbers of its own, an empty folder, the tools, and what is asked of every run.
 
-Whatever a tool is told, it ends by itself with a known exit status; it fails with one line that begins with its name; all that it
-says is printable, in lines of less than 1000 bytes.
+Whatever a tool is told, it ends by itself with a known exit status; it fails with one line that begins with its name; all
+that it says is printable, in lines of less than 1000 bytes.
 """
 import os
 import pathlib
@@ -36,7 +36,7 @@ def check(holds, expected):
 
 
 class Run:
-    """A command that has ended. `code` is below 0 where a signal ended it; `peak` is in bytes, at least that of this process."""
+    """A command that has ended. `code` is below 0 where a signal ended it; `peak` is in bytes, and at least this process's."""
 
     def __init__(self, line, code, out, err, usage):
         self.line, self.code, self.out = line, code, out

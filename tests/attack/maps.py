@@ -9,7 +9,8 @@ import netCDF4
 import numpy as np
 from scipy.io import netcdf_file
 
-METRES = {"m": 1, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "nm": 1e-9, "inch": 0.0254, "micrometer": 1e-6, "meters": 1, "cm": 1e-2}
+METRES = {"m": 1, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "nm": 1e-9, "inch": 0.0254, "micrometer": 1e-6, "meters": 1,
+          "cm": 1e-2}
 
 
 class Surface:
@@ -184,7 +185,8 @@ def nrrd(surface, rng):
 
 def sdf_ascii(surface, rng):
     head = ("aISO-1.0\nManufacID = attack\nCreateDate = 010120000000\nModDate = 010120000000\n"
-            f"NumPoints = {surface.shape[0]}\nNumProfiles = {surface.shape[1]}\nXscale = {surface.dx!r}\nYscale = {surface.dy!r}\n"
+            f"NumPoints = {surface.shape[0]}\nNumProfiles = {surface.shape[1]}\n"
+            f"Xscale = {surface.dx!r}\nYscale = {surface.dy!r}\n"
             "Zscale = 1e-6\nZresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n")
     lines = "\n".join(" ".join(repr(float(v)) for v in line) for line in surface.z.T / 1e-6)
     return (head + lines + "\n*\n").encode(), []
@@ -202,7 +204,8 @@ def sdf(surface, rng):
 
 
 def esri(surface, rng):
-    head = (f"ncols {surface.shape[0]}\nnrows {surface.shape[1]}\nxllcorner 0\nyllcorner 0\ndx {surface.dx!r}\ndy {surface.dy!r}\n"
+    head = (f"ncols {surface.shape[0]}\nnrows {surface.shape[1]}\nxllcorner 0\nyllcorner 0\n"
+            f"dx {surface.dx!r}\ndy {surface.dy!r}\n"
             "NODATA_value -9999\n")
     lines = "\n".join(" ".join(repr(float(v)) for v in line) for line in surface.z.T[::-1])
     return (head + lines + "\n").encode(), []
@@ -210,7 +213,8 @@ def esri(surface, rng):
 
 def gwyddion_text(surface, rng):
     nx, ny = surface.shape
-    head = (f"# Channel: Z\n# Width: {nx * surface.dx / 1e-6!r} µm\n# Height: {ny * surface.dy / 1e-6!r} µm\n# Value units: m\n")
+    head = (f"# Channel: Z\n# Width: {nx * surface.dx / 1e-6!r} µm\n"
+            f"# Height: {ny * surface.dy / 1e-6!r} µm\n# Value units: m\n")
     return (head + "\n".join("\t".join(repr(float(v)) for v in line) for line in surface.z.T) + "\n").encode(), []
 
 
@@ -241,3 +245,25 @@ def x3p(surface, rng):
 
 FORMATS = {"txt": text, "npy": npy, "gsf": gsf, "nrrd": nrrd, "sdf-ascii": sdf_ascii, "sdf": sdf, "asc": esri,
            "gwyddion": gwyddion_text, "x3p": x3p}
+
+
+def mutated(case, content):
+    """The bytes with a few of them flipped, cut, inserted or repeated, half of these in the head, which holds the traps."""
+    content = bytearray(content)
+    for _ in range(int(case.rng.integers(1, 4))):
+        at = int(case.rng.integers(len(content)))
+        at = at if case.chance(0.5) else at % min(len(content), 300)
+        way = case.one_of("flip", "flip", "byte", "cut", "insert", "repeat")
+        if way == "flip":
+            content[at] ^= 1 << int(case.rng.integers(8))
+        elif way == "byte":
+            content[at] = int(case.one_of(0, 255, 127, 10, 32, 45, 57))
+        elif way == "cut":
+            del content[at:at + int(case.rng.integers(1, 40))]
+        elif way == "insert":
+            content[at:at] = bytes(case.rng.integers(0, 256, int(case.rng.integers(1, 9))).astype("u1"))
+        else:
+            content[at:at] = content[at:at + 16]
+        if not content:
+            content = bytearray(b"\0")
+    return bytes(content)

@@ -33,7 +33,9 @@ def range_of_one_ulp(case):
     z = np.full((12, 10), case.one_of(1e-6, -3e-7, 1.0, 1e-300))
     z[3:5, 2:7] = np.nextafter(z[0, 0], np.inf)
     maps.write_netcdf(case.path("in.nc"), maps.Surface(z, 1e-6, 1e-6))
-    command = case.one_of(("report", "-o", "out.html"), *(("plot", "--kind", k, "-o", "out.png") for k in ("map", "surface", "profile", "pdf")))
+    command = case.one_of(("report", "-o", "out.html"), *(("plot", "--kind", k, "-o", "out.png") for k in ("map", "surface",
+                                                                                                           "profile",
+                                                                                                           "pdf")))
     return ends(case, command[0], "in.nc", *command[1:], codes=(0, BAD_DATA))
 
 
@@ -41,7 +43,8 @@ def deep_key(case, tool=None):
     """A key or a value that is nested without end is refused by its line."""
     tool = tool or case.one_of(*TOOLS)
     depth = DEEP
-    text = case.one_of(".".join("a" * depth) + " = 1\n", "a = " + "[" * depth + "]" * depth + "\n", "[" + ".".join("a" * depth) + "]\nb = 1\n",
+    text = case.one_of(".".join("a" * depth) + " = 1\n", "a = " + "[" * depth + "]" * depth + "\n",
+                       "[" + ".".join("a" * depth) + "]\nb = 1\n",
                        "a = " + "{a = " * depth + "1" + "}" * depth + "\n", "[[" + ".".join("a" * depth) + "]]\n")
     case.path("deep.toml").write_text(text)
     return ends(case, tool, "--config", "deep.toml", codes=(USAGE,))
@@ -75,7 +78,8 @@ def x3p_of_more(case, which=None):
     def make():
         values = np.zeros((4, 4)).tobytes()
         main = maps.x3p_document(4, 4, 1e-6, 1e-6, hashlib.md5(values).hexdigest())
-        members = {"main.xml": main, "bindata/data.bin": values, "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}
+        members = {"main.xml": main, "bindata/data.bin": values,
+                   "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}
         members[which] = main + b" " * (256 << 20) if which == "main.xml" else bytes(256 << 20)
         case.path("in.x3p").write_bytes(maps.zipped(members))
 
@@ -90,8 +94,8 @@ def checksum_bomb(case):
 def nrrd_bomb(case):
     """gzip that yields more than the sizes say is refused before it is inflated whole."""
     nx, ny = case.one_of((4, 4), (1000, 1000), (2000, 3000))
-    head = (f"NRRD0004\ntype: double\ndimension: 2\nsizes: {nx} {ny}\nspacings: 1e-6 1e-6\nunits: \"m\" \"m\"\nsample units: \"m\"\n"
-            "endian: little\nencoding: gzip\n\n").encode()
+    head = (f"NRRD0004\ntype: double\ndimension: 2\nsizes: {nx} {ny}\nspacings: 1e-6 1e-6\nunits: \"m\" \"m\"\n"
+            "sample units: \"m\"\nendian: little\nencoding: gzip\n\n").encode()
     case.apart(lambda: case.path("in.nrrd").write_bytes(head + gzip.compress(bytes(256 << 20), 6)))
     return ends(case, "convert", "in.nrrd", "-o", "out.npy", peak=3 * 8 * nx * ny + OWN)
 
@@ -126,12 +130,16 @@ def netcdf4_that_is_huge(case):
     return ends(case, tool[0], "in.nc", *tool[1:], codes=(RUNTIME, BAD_DATA))
 
 
-ENDLESS = [("contact", "--loads", "1N:5N:1000000000"), ("stress", "--depths", "0:1mm:1000000000"), ("pdf", "--bins", "100000000"),
-           ("plot", "--pixels", "30000x30000"), ("contact", "--loads", "1N:5N:2147483647"), ("stress", "--depths", "0:1mm:99999999"),
+ENDLESS = [("contact", "--loads", "1N:5N:1000000000"), ("stress", "--depths", "0:1mm:1000000000"), ("pdf", "--bins",
+                                                                                                    "100000000"),
+           ("plot", "--pixels", "30000x30000"), ("contact", "--loads", "1N:5N:2147483647"), ("stress", "--depths",
+                                                                                             "0:1mm:99999999"),
            ("pdf", "--estimate=kernel", "--points", "100000000"), ("pdf", "--estimate=quantiles", "--points", "1000000000"),
            ("pdf", "--bins", "2147483647"), ("plot", "--pixels", "1x2000000000"), ("plot", "--columns", "2000000000"),
-           ("stats", "--threads", "1000000000"), ("generate", "--shape", "2000000000x2000000000"), ("kernel", "--lags", "100000x100000"),
-           ("kernel", "--length", "1000000px"), ("acf", "--max-lag", "1000000000x1000000000"), ("kernel", "--shape", "2000000000x2000000000")]
+           ("stats", "--threads", "1000000000"), ("generate", "--shape", "2000000000x2000000000"), ("kernel", "--lags",
+                                                                                                    "100000x100000"),
+           ("kernel", "--length", "1000000px"), ("acf", "--max-lag", "1000000000x1000000000"), ("kernel", "--shape",
+                                                                                                "2000000000x2000000000")]
 
 
 def endless(case, number=None):
@@ -163,7 +171,8 @@ def endless_number(number):
     return fault
 
 
-FAULTS = [range_of_one_ulp, range_of_one_ulp, deep_key, deep_key, deep_key, solver_out_of_memory, solver_out_of_memory, x3p_bomb,
+FAULTS = [range_of_one_ulp, range_of_one_ulp, deep_key, deep_key, deep_key, solver_out_of_memory, solver_out_of_memory,
+          x3p_bomb,
           checksum_bomb, nrrd_bomb, netcdf4_bomb, *map(endless_number, range(4))]
 
 
@@ -173,13 +182,16 @@ FAULTS = [range_of_one_ulp, range_of_one_ulp, deep_key, deep_key, deep_key, solv
 def lying_head(case):
     """A head that promises more than the file holds costs nothing."""
     nx, ny = (int(case.one_of(40000, 100000, 2**31 - 1, 2**32, 10**12, 65535)) for _ in range(2))
-    name, content = case.one_of(
-        ("in.npy", b"\x93NUMPY\x01\0" + struct.pack("<H", 118) + f"{{'descr': '<f8', 'fortran_order': False, 'shape': ({nx}, {ny}), }}".ljust(117).encode() + b"\n" + bytes(80)),
-        ("in.gsf", f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\nZUnits = m\n".encode() + bytes(84)),
-        ("in.nrrd", f"NRRD0004\ntype: double\ndimension: 2\nsizes: {nx} {ny}\nencoding: raw\nendian: little\n\n".encode() + bytes(80)),
-        ("in.asc", f"ncols {nx}\nnrows {ny}\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n".encode()),
-        ("in.sdf", f"aISO-1.0\nNumPoints = {nx}\nNumProfiles = {ny}\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1\nDataType = 7\n*\n1 2 3\n".encode()),
-        ("in.x3p", maps.zipped({"main.xml": maps.x3p_document(nx, ny, 1e-6, 1e-6, "0" * 32), "bindata/data.bin": bytes(80)})))
+    array = f"{{'descr': '<f8', 'fortran_order': False, 'shape': ({nx}, {ny}), }}".ljust(117) + "\n"
+    heads = {"in.npy": b"\x93NUMPY\x01\0" + struct.pack("<H", 118) + array.encode() + bytes(80),
+             "in.gsf": f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\nZUnits = m\n".encode() + bytes(84),
+             "in.nrrd": (f"NRRD0004\ntype: double\ndimension: 2\nsizes: {nx} {ny}\nencoding: raw\nendian: little\n\n".encode()
+                         + bytes(80)),
+             "in.asc": f"ncols {nx}\nnrows {ny}\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n".encode(),
+             "in.sdf": (f"aISO-1.0\nNumPoints = {nx}\nNumProfiles = {ny}\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1\n"
+                        "DataType = 7\n*\n1 2 3\n").encode(),
+             "in.x3p": maps.zipped({"main.xml": maps.x3p_document(nx, ny, 1e-6, 1e-6, "0" * 32), "bindata/data.bin": bytes(80)})}
+    name, content = case.one_of(*heads.items())
     case.path(name).write_bytes(content)
     options = ["--size", "1mm"] if name == "in.npy" else []
     return ends(case, "convert", name, *options, "-o", "out.nc", peak=OWN, codes=(BAD_DATA, USAGE))
@@ -226,8 +238,10 @@ def many_members(case):
 
 def long_lists(case):
     """A list of very many values on the command line, or in a file, is read in its own size."""
-    tool, name, item = case.one_of(("stress", "--depths", "1um"), ("contact", "--loads", "1mN"), ("stats", "--quantiles", "0.5"),
-                                   ("acf", "--acf-level", "0.5"), ("stats", "--parameters", "height"), ("plot", "--labels", "a"))
+    tool, name, item = case.one_of(("stress", "--depths", "1um"), ("contact", "--loads", "1mN"), ("stats", "--quantiles",
+                                                                                                  "0.5"),
+                                   ("acf", "--acf-level", "0.5"), ("stats", "--parameters", "height"), ("plot", "--labels",
+                                                                                                        "a"))
     arguments = list(BASE[tool])
     if name == "--loads":
         at = arguments.index("--load")
@@ -244,10 +258,13 @@ def strange_scales(case):
     """Heights at the ends of what a double holds have figures, numbers, or a reason."""
     z = case.rng.normal(size=(12, 10)) * case.one_of(1e-300, 1e300, 1e-320, 1e150, 1e-160) + case.one_of(0, 0, 1, 1e10)
     maps.write_netcdf(case.path("in.nc"), maps.Surface(z, case.one_of(1e-6, 1e-300, 1e300), 1e-6))
-    command = case.one_of(("plot", "--kind", "map", "-o", "out.svg"), ("plot", "--kind", "surface", "-o", "out.svg"), ("report", "-o", "o.html"),
+    command = case.one_of(("plot", "--kind", "map", "-o", "out.svg"), ("plot", "--kind", "surface", "-o", "out.svg"),
+                          ("report", "-o", "o.html"),
                           ("stats", "--parameters", "all"), ("pdf",), ("acf", "--lengths"), ("psd", "--radial"))
     return ends(case, command[0], "in.nc", *command[1:], limits=("t30", "v3000000"))
 
 
-FAMILIES = [range_of_one_ulp, deep_key, solver_out_of_memory, x3p_of_more, nrrd_bomb, netcdf4_bomb, netcdf4_that_is_huge, endless,
-            lying_head, lying_head, legitimate, any_memory, any_memory, any_memory, many_members, long_lists, strange_scales]
+FAMILIES = [range_of_one_ulp, deep_key, solver_out_of_memory, x3p_of_more, nrrd_bomb, netcdf4_bomb, netcdf4_that_is_huge,
+            endless,
+            lying_head, lying_head, legitimate, any_memory, any_memory, any_memory, many_members, long_lists,
+            strange_scales]

@@ -1,46 +1,14 @@
 """Files of strangers: what is read has the numbers that NumPy reads, or is refused in a line that names what is wrong."""
-import io
 import json
-import xml.etree.ElementTree as xml
 
 import netCDF4
 import numpy as np
-from scipy.io import netcdf_file
 
 import maps
-from bench import BAD_DATA, REFUSED, RIGHT, USAGE, Wrong, check
+from bench import BAD_DATA, RIGHT, USAGE, check
+from readings import close, independent, same_array, same_numbers, whole_xml
 
 CONTACT = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
-
-
-def close(a, b, relative=1e-9, absolute=0.0):
-    a, b = np.asarray(a, float), np.asarray(b, float)
-    return a.shape == b.shape and np.allclose(a, b, rtol=relative, atol=absolute, equal_nan=True)
-
-
-def same_numbers(case, path, surface, options=(), relative=1e-9, refusal=()):
-    """The height parameters are plain sums; refused only where `refusal` has words that a refusal would name."""
-    slopes = min(surface.shape) > 2 and np.isfinite(surface.z).all()
-    run = case.run("stats", path, *options, "--json", "--parameters", "height,hybrid" if slopes else "height")
-    if run.code != 0:
-        check(refusal, f"the numbers, not a refusal: {run.err.strip()[:300]!r}")
-        return case.refused(run, BAD_DATA, *refusal)
-    found = json.loads(run.out)
-    scale = np.nanmax(abs(surface.z))
-    for name, value in maps.parameters(surface).items():
-        if name == "Sdq" and not slopes:
-            continue
-        ours = found[name]["value"]
-        absolute = relative * (scale if found[name]["unit"] == "m" else 10)
-        check(ours is not None and close(ours, value, relative * 10, absolute), f"{name} = {value!r}, not {ours!r}")
-    return RIGHT
-
-
-def same_array(case, path, surface, options=(), relative=1e-12):
-    out = case.path("out.npy")
-    case.done("convert", path, *options, "-o", out)
-    check(close(np.load(out), surface.z, relative, relative * np.nanmax(abs(surface.z))),
-          "the array that was written, point by point along (x, y)")
 
 
 # ---- faults that there have been ----
@@ -59,7 +27,8 @@ def stale_length_under_load(case):
     if run.code != 0:
         return case.refused(run, BAD_DATA, "length")
     p = maps.read(case.path("out.nc"))[0]["pressure"]
-    check(close(p.sum() * surface.dx * surface.dy, 0.01, 1e-9), f"the load of 10 mN, not {p.sum() * surface.dx * surface.dy!r} N")
+    check(close(p.sum() * surface.dx * surface.dy, 0.01, 1e-9),
+          f"the load of 10 mN, not {p.sum() * surface.dx * surface.dy!r} N")
     check(run.told(), "a warning that says whose length is taken")
     return RIGHT
 
@@ -177,7 +146,8 @@ def unit_of_other_fields(case):
         run = case.run(*command)
         if run.code != 0:
             check(changed, f"a surface: {run.err!r}")
-            return case.refused(run, (BAD_DATA, USAGE), "--rq" if "--rq" in run.err else name)  # of a table of no known variance
+            return case.refused(run, (BAD_DATA, USAGE),
+                                "--rq" if "--rq" in run.err else name)  # of a table of no known variance
         out.append(maps.read(case.path("out.nc"))[0]["heights"])
     check(factor is not None, f"a refusal of {name} in {unit}")
     check(close(out[1], out[0], 1e-6, 1e-6 * abs(out[0]).max()), f"the same heights from {name} in {unit}")
@@ -278,17 +248,6 @@ def odd_unit_in_vti(case):
     return latin_unit(case, ("convert", "--to", "vti", "-o", "out.vti"), "other")
 
 
-def whole_xml(path):
-    """A .vti is XML around its numbers, which stand behind an underscore."""
-    content = path.read_bytes()
-    start = content.index(b"<AppendedData")
-    begin, end = content.index(b"_", start) + 1, content.rindex(b"</AppendedData>")
-    try:
-        xml.fromstring(content[:begin] + content[end:])
-    except (xml.ParseError, UnicodeDecodeError) as e:
-        raise Wrong(f"XML that is well formed: {e}") from e
-
-
 def bad_poisson(case):
     """What a dataset says wrongly is bad data, by its name: not a wrong command line."""
     surface, p, attributes = maps.pressed(case.rng)
@@ -321,10 +280,12 @@ def concatenated(case):
     return RIGHT
 
 
-FAULTS = [stale_length, stale_length_under_load, *map(rule, ("scale", "offset", "_FillValue", "missing_value", "list", "valid_range",
+FAULTS = [stale_length, stale_length_under_load, *map(rule, ("scale", "offset", "_FillValue", "missing_value", "list",
+                                                             "valid_range",
           "valid_min", "valid_max", "default")), never_written,
           unit_of_pressure("MPa", 1e6), unit_of_pressure("psi", 6894.757293168361), unit_of_pressure("m", None),
-          unit_of_pressure(None, None), unit_of_other_fields, unit_of_other_fields, negative_pressure, descending, control_characters, long_unit, latin_json, latin_heights,
+          unit_of_pressure(None, None), unit_of_other_fields, unit_of_other_fields, negative_pressure, descending,
+          control_characters, long_unit, latin_json, latin_heights,
           odd_unit_in_vti, bad_poisson, profile_in_report, concatenated]
 
 
@@ -347,7 +308,8 @@ def any_netcdf(case):
 
 
 def any_packed(case):
-    return packed(case, case.one_of("scale", "offset", "_FillValue", "missing_value", "list", "valid_range", "valid_min", "valid_max",
+    return packed(case, case.one_of("scale", "offset", "_FillValue", "missing_value", "list", "valid_range", "valid_min",
+                                    "valid_max",
                                     "default"))
 
 
@@ -379,7 +341,8 @@ def any_format(case):
     out = case.path("out.npy")
     case.done("convert", "in." + extension, *options, "-o", out)
     unit = 1e-15 / np.nanmax(abs(surface.z))
-    check(close(np.load(out), surface.z, 1e-12, max(unit, 1e-12) * np.nanmax(abs(surface.z))), f"the numbers of this {name}")
+    check(close(np.load(out), surface.z, 1e-12, max(unit, 1e-12) * np.nanmax(abs(surface.z))),
+          f"the numbers of this {name}")
     case.done("convert", "in." + extension, *options, "-o", "out.nc")
     axes = maps.read(case.path("out.nc"))[0]
     for axis, step in (("x", surface.dx), ("y", surface.dy)):
@@ -391,7 +354,8 @@ def any_format(case):
 
 def unit_of_any_field(case):
     """Pressure, gap and heights in any unit of their dimension; others are refused."""
-    unit, factor = case.one_of(("MPa", 1e6), ("GPa", 1e9), ("kPa", 1e3), ("psi", 6894.757293168361), ("bar", 1e5), ("N/mm2", 1e6),
+    unit, factor = case.one_of(("MPa", 1e6), ("GPa", 1e9), ("kPa", 1e3), ("psi", 6894.757293168361), ("bar", 1e5), ("N/mm2",
+                                                                                                                    1e6),
                                ("N m-2", 1), ("m", None), ("K", None), ("kg", None), (None, None))
     return pressure_in(case, unit, factor)
 
@@ -401,27 +365,12 @@ def mutated(case):
     name = case.one_of("nc", "nc", "npy", "npy", *maps.FORMATS)
     surface = maps.random_surface(case.rng, (5, 4))
     if name == "nc":
-        maps.write_netcdf(case.path("in.nc"), surface, format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF3_CLASSIC", "NETCDF4"))
+        maps.write_netcdf(case.path("in.nc"), surface, format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF3_CLASSIC",
+                                                                          "NETCDF4"))
         content, options = case.path("in.nc").read_bytes(), []
     else:
         content, options = maps.FORMATS[name](surface, case.rng)
-    content = bytearray(content)
-    for _ in range(int(case.rng.integers(1, 4))):
-        at = int(case.rng.integers(len(content)))
-        at = at if case.chance(0.5) else at % min(len(content), 300)  # heads hold the traps
-        way = case.one_of("flip", "flip", "byte", "cut", "insert", "repeat")
-        if way == "flip":
-            content[at] ^= 1 << int(case.rng.integers(8))
-        elif way == "byte":
-            content[at] = int(case.one_of(0, 255, 127, 10, 32, 45, 57))
-        elif way == "cut":
-            del content[at:at + int(case.rng.integers(1, 40))]
-        elif way == "insert":
-            content[at:at] = bytes(case.rng.integers(0, 256, int(case.rng.integers(1, 9))).astype("u1"))
-        else:
-            content[at:at] = content[at:at + 16]
-        if not content:
-            content = bytearray(b"\0")
+    content = maps.mutated(case, content)
     extension = {"sdf-ascii": "sdf", "gwyddion": "txt"}.get(name, name)
     case.path("in." + extension).write_bytes(content)
     run = case.run("convert", "in." + extension, *options, "-o", "out.npy", limits=("t20", "v4000000"))
@@ -429,29 +378,10 @@ def mutated(case):
         return case.refused(run, (BAD_DATA, USAGE))
     ours = np.load(case.path("out.npy"))
     check(not np.isinf(ours).any(), "nothing infinite")
-    theirs = independent(name, bytes(content), options)
+    theirs = independent(name, content, options)
     if theirs is not None:
         check(close(ours, theirs, 1e-12), "the numbers that others read in it")
     return RIGHT
-
-
-def independent(name, content, options):
-    """What NumPy and SciPy read in the same bytes, or None where they know no better."""
-    try:
-        if name == "npy":
-            array = np.load(io.BytesIO(content)).astype(float)
-            return array if options[1] == "xy" else array.T
-        if name == "nc" and content[:3] == b"CDF":
-            with netcdf_file(io.BytesIO(content), mmap=False) as data:
-                z = data.variables["heights"]
-                if z.dimensions != ("x", "y") or z.units != b"m" or set(z._attributes) - {"units"}:
-                    return None
-                if any(data.variables[a][0] >= data.variables[a][-1] for a in "xy"):
-                    return None
-                return np.array(z[:], float)
-    except Exception:
-        pass
-    return None
 
 
 def written_and_read(case):
@@ -463,12 +393,15 @@ def written_and_read(case):
     run = case.run("convert", "in.nc", "--to", to, "-o", name)
     if run.code != 0:
         return case.refused(run, BAD_DATA)
-    options = ["--size", f"{surface.shape[0] * surface.dx!r}m,{surface.shape[1] * surface.dy!r}m"] if to in ("npy", "text") else []
+    options = ["--size", f"{surface.shape[0] * surface.dx!r}m,{surface.shape[1] * surface.dy!r}m"] if to in ("npy",
+                                                                                                             "text") else []
     options += ["--heights", "--format", "text"] if to == "text" else []
     single = 1e-7 if to == "gsf" else 1e-12
     same_array(case, name, surface, options, single)
     return RIGHT
 
 
-FAMILIES = [any_netcdf, any_netcdf, any_packed, unit_of_other_fields, counter_in_other_units, masked, any_format, any_format, unit_of_any_field, mutated, mutated, mutated,
-            written_and_read, stale_length, descending, odd_unit_in_vti, latin_json, control_characters, concatenated, bad_poisson]
+FAMILIES = [any_netcdf, any_netcdf, any_packed, unit_of_other_fields, counter_in_other_units, masked, any_format,
+            any_format, unit_of_any_field, mutated, mutated, mutated,
+            written_and_read, stale_length, descending, odd_unit_in_vti, latin_json, control_characters, concatenated,
+            bad_poisson]

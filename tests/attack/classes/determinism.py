@@ -1,10 +1,10 @@
-"""The same command gives the same bytes: by any number of threads, twice, from a pipe, in strips, elsewhere, in any language."""
+"""The same command gives the same bytes: by any number of threads, twice, from a pipe, in strips, elsewhere."""
 import json
 import subprocess
 
 import maps
-from bench import REFUSED, RIGHT, TOOLS, check
-from classes.data import close
+from bench import RIGHT, TOOLS, check
+from readings import close
 from classes.options import BASE, without
 from classes.streams import inputs
 
@@ -19,7 +19,8 @@ def command(case, tool):
             "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--target", "gaussian"], ["--noise"], ["--exact-rq"]],
             "kernel": [[], ["--target", "matern"], ["--formulation", "oriented"], ["--method", "spectral"]],
             "stats": [[], ["--level", "plane"], ["--lambda-c", "10um"], ["--profile", "x", "--json"]],
-            "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--structure"], ["--quantiles"]],
+            "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--structure"],
+                                                                                        ["--quantiles"]],
             "stress": [[], ["--friction", "0.3"], ["--maximum"], ["--resolution", "full"]]}.get(tool, [[]])
     arguments = without(BASE[tool], "--parameters") if tool == "stats" else BASE[tool]
     arguments = without(arguments, "--output") + case.one_of(*more) + (["--no-history"] if tool in DATASETS else [])
@@ -41,7 +42,8 @@ def threads(case):
     arguments = command(case, tool)
     first = made(case, tool, arguments + ["--threads", "1"], "one")
     for count in ("2", case.one_of("3", "5", "0")):
-        check(made(case, tool, arguments + ["--threads", count], "other") == first, f"the same bytes by {count} threads as by one")
+        check(made(case, tool, arguments + ["--threads", count], "other") == first,
+              f"the same bytes by {count} threads as by one")
     return RIGHT
 
 
@@ -76,7 +78,8 @@ def elsewhere(case):
     case.path("elsewhere").mkdir()
     languages = subprocess.run(["locale", "-a"], capture_output=True, text=True).stdout.split()
     language = case.one_of(*([l for l in languages if l.startswith("de_DE")] or languages or ["C"]))
-    env = {**STILL, "TZ": case.one_of("UTC", "Asia/Kolkata", "America/St_Johns"), "HOME": "/nowhere", "LC_ALL": language, "COLUMNS": "40",
+    env = {**STILL, "TZ": case.one_of("UTC", "Asia/Kolkata", "America/St_Johns"), "HOME": "/nowhere", "LC_ALL": language,
+           "COLUMNS": "40",
            "OMP_NUM_THREADS": "1", "TMPDIR": str(case.path("elsewhere"))}
     names = [f"../{a}" if a in ("g.nc", "c.nc", "s.nc") else a for a in arguments]
     case.done(tool, *names, "-o", "../" + output(tool, "other"), env=env, cwd=case.path("elsewhere"))
@@ -88,7 +91,8 @@ def strips_of_a_surface(case):
     """A surface that is drawn in strips is that which is drawn whole."""
     shape = f"{int(case.rng.integers(100, 300))}x{int(case.rng.integers(100, 200))}"
     arguments = ["--shape", shape, "--size", "1mm", "--rq", "1um", "--length", case.one_of("4px", "3px,8px"), "--seed",
-                 str(case.rng.integers(1, 2**40)), "--no-history", *case.one_of([], [], ["--exact-rq"], ["--noise"], ["--skewness", "-0.8"])]
+                 str(case.rng.integers(1, 2**40)), "--no-history", *case.one_of([], [], ["--exact-rq"], ["--noise"],
+                                                                                ["--skewness", "-0.8"])]
     first = made(case, "generate", arguments, "one")
     run = case.run("generate", *arguments, "--memory", case.one_of("2MB", "1MB", "600kB"), "-o", "other.nc", env=STILL)
     if run.code != 0:
@@ -104,7 +108,8 @@ def strips_that_are_read(case):
     shape = tuple(int(n) for n in case.rng.integers(60, 200, 2))
     surface = maps.random_surface(case.rng, shape)
     maps.write_netcdf(case.path("in.nc"), surface, order=case.one_of("xy", "xy", "yx"), unit=case.one_of("m", "nm", "um"),
-                      xy_unit=case.one_of("m", "um"), kind=case.one_of("f8", "f4"), length=case.one_of("right", "none", "stale"))
+                      xy_unit=case.one_of("m", "um"), kind=case.one_of("f8", "f4"), length=case.one_of("right", "none",
+                                                                                                       "stale"))
     groups = ["--json", "--parameters", case.one_of("height", "height,hybrid", "material", "height,material,hybrid"),
               *case.one_of([], ["--level", "plane"], ["--level", "2"])]
     whole = json.loads(case.done("stats", "in.nc", *groups).out)
@@ -128,7 +133,8 @@ def other_number(case):
     case.done("generate", *arguments, "--count", "5", "-o", "s_%d.nc", env=STILL)
     alone = made(case, "generate", arguments + ["--first", str(number)], "alone")
     check(case.path(f"s_{number}.nc").read_bytes() == alone, "a surface alone as in its ensemble")
-    others = [made(case, "generate", arguments + ["--stream", "1"], "stream"), case.path(f"s_{(number + 1) % 5}.nc").read_bytes()]
+    others = [made(case, "generate", arguments + ["--stream", "1"], "stream"),
+              case.path(f"s_{(number + 1) % 5}.nc").read_bytes()]
     check(alone not in others, "other streams and numbers are other surfaces")
     return RIGHT
 

@@ -1,4 +1,4 @@
-"""Numbers against sums of NumPy and SciPy that share nothing with the library but the equations, and laws of turning and units."""
+"""Numbers against sums that share nothing with the library but the equations; laws of turning and of units."""
 import json
 
 import numpy as np
@@ -6,10 +6,9 @@ from scipy import signal, stats
 
 import maps
 from bench import BAD_DATA, DIFFERS, NOT_CONVERGED, RIGHT, TOLD, USAGE, check
-from classes.data import close, same_numbers
+from readings import close, same_numbers
+from sums import COMPOSITE, autocorrelation, boussinesq, displacement_of, wrapped
 
-MODULUS, POISSON = 200e9, 0.3
-COMPOSITE = MODULUS / (2 * (1 - POISSON**2))
 BODIES = ("--young", "200GPa", "--poisson", "0.3")
 
 
@@ -20,15 +19,6 @@ def surface_file(case, name="in.nc", shape=None, **more):
 
 
 # ---- statistics ----
-
-
-def autocorrelation(z):
-    """R(p, q) / R(0, 0) for p >= 0, each divided by its pairs: sums, lag by lag."""
-    d = z - z.mean()
-    sums = signal.correlate(d, d, method="direct")
-    pairs = signal.correlate(np.ones_like(d), np.ones_like(d), method="direct").round()
-    whole = sums / pairs / (d**2).mean()
-    return whole[z.shape[0] - 1:], pairs[z.shape[0] - 1:]
 
 
 def acf_by_sums(case):
@@ -82,9 +72,12 @@ def slopes(case):
     found = json.loads(case.done("stats", "in.nc", "--json", "--parameters", "hybrid").out)
     a, b = np.diff(z, axis=0) / dx, np.diff(z, axis=1) / dy
     along, across = (b[:-1] + b[1:]) / 2, (a[:, :-1] + a[:, 1:]) / 2
-    area = sum(np.sqrt(1 + s**2 + along**2) for s in (a[:, :-1], a[:, 1:])) + sum(np.sqrt(1 + s**2 + across**2) for s in (b[:-1], b[1:]))
-    expected = {"Sdq": np.sqrt((a**2).mean() + (b**2).mean()), "Sdr": (area / 4 - 1).mean(), "m0": z.var(), "m2_x": (a**2).mean(),
-                "m2_y": (b**2).mean(), "m4_x": (np.diff(z, 2, 0) ** 2).mean() / dx**4, "m4_y": (np.diff(z, 2, 1) ** 2).mean() / dy**4}
+    area = sum(np.sqrt(1 + s**2 + along**2) for s in (a[:, :-1], a[:, 1:]))
+    area = area + sum(np.sqrt(1 + s**2 + across**2) for s in (b[:-1], b[1:]))
+    expected = {"Sdq": np.sqrt((a**2).mean() + (b**2).mean()), "Sdr": (area / 4 - 1).mean(), "m0": z.var(),
+                "m2_x": (a**2).mean(),
+                "m2_y": (b**2).mean(), "m4_x": (np.diff(z, 2, 0) ** 2).mean() / dx**4, "m4_y": (np.diff(z, 2,
+                                                                                                        1) ** 2).mean() / dy**4}
     for name, value in expected.items():
         check(close(found[name]["value"], value, 1e-9), f"{name} = {value!r}, not {found[name]['value']!r}")
     return RIGHT
@@ -104,7 +97,8 @@ def same_in_any_unit(case):
         other = tables[1][name]["value"]
         check((one["value"] is None) == (other is None), f"{name} is known in both")
         tolerance = 1e-6 if "direction" in name or name in ("gamma", "Std", "Str") else 1e-8
-        check(one["value"] is None or close(other, one["value"], tolerance, 1e-8 * abs(one["value"]) + 1e-300), f"{name} is {one['value']!r} in both")
+        check(one["value"] is None or close(other, one["value"], tolerance, 1e-8 * abs(one["value"]) + 1e-300),
+              f"{name} is {one['value']!r} in both")
     return RIGHT
 
 
@@ -112,7 +106,8 @@ def same_in_any_unit(case):
 
 
 def drawn(case, *options, count=30, shape=(32, 24)):
-    run = case.run("generate", "--shape", f"{shape[0]}x{shape[1]}", "--size", f"{shape[0]}um,{shape[1]}um", "--rq", "0.1um", *options,
+    run = case.run("generate", "--shape", f"{shape[0]}x{shape[1]}", "--size", f"{shape[0]}um,{shape[1]}um", "--rq", "0.1um",
+                   *options,
                    "--seed", case.rng.integers(1, 2**31), "--count", count, "-o", "s_%d.nc", "--no-history")
     if run.code not in (0, NOT_CONVERGED):
         return run, None
@@ -150,15 +145,6 @@ def ensemble(case):
     rho = achieved / achieved[0, achieved.shape[1] // 2]
     mean_square(fields, 1e-7, np.concatenate([rho, rho[1:]]))
     return run.verdict()
-
-
-def wrapped(length, shape):
-    """exp(-ln 10 r / length), summed over the periods, 1 at the origin."""
-    reach = int(4 * length / min(shape)) + 2
-    x, y = (np.arange(-reach * n, (reach + 1) * n) for n in shape)
-    r = np.hypot(*np.meshgrid(x, y, indexing="ij"))
-    rho = np.exp(-np.log(10) * r / length).reshape(2 * reach + 1, shape[0], 2 * reach + 1, shape[1]).sum((0, 2))
-    return rho / rho[0, 0]
 
 
 def periodic(case, length=None, shape=None, count=40):
@@ -206,7 +192,8 @@ def narrow_validate(case, shape=None, length=None):
     length = length or f"{case.rng.uniform(3, 20):.2f}px"
     seed, refused = int(case.rng.integers(1, 2**30)), 0
     for i in range(12):
-        case.done("generate", "--shape", f"{shape[0]}x{shape[1]}", "--size", f"{shape[0]}um,{shape[1]}um", "--rq", "0.1um", "--length",
+        case.done("generate", "--shape", f"{shape[0]}x{shape[1]}", "--size", f"{shape[0]}um,{shape[1]}um", "--rq", "0.1um",
+                  "--length",
                   length, "--seed", seed + i, "-o", "s.nc")
         run = case.raw("validate", "s.nc")
         check(run.code in (0, DIFFERS), f"an answer: {run.err!r}")
@@ -220,28 +207,6 @@ def lone_line_validate(case):
 
 
 # ---- contact ----
-
-
-def love(nx, ny, dx, dy):
-    """Displacement at (i dx, j dy) per unit of pressure on a cell at the origin, by Love's logarithms."""
-    x, y = np.meshgrid(np.arange(-nx + 1, nx) * dx, np.arange(-ny + 1, ny) * dy, indexing="ij")
-    xp, xm, yp, ym = x + dx / 2, x - dx / 2, y + dy / 2, y - dy / 2
-
-    def part(a, b, c):
-        return a * np.log((b + np.hypot(a, b)) / (c + np.hypot(a, c)))
-
-    return (part(xp, yp, ym) + part(yp, xp, xm) + part(xm, ym, yp) + part(ym, xm, xp)) / (np.pi * COMPOSITE)
-
-
-def displacement_of(p, dx, dy, is_periodic):
-    if is_periodic:
-        qx, qy = (2 * np.pi * np.fft.fftfreq(n, s) for n, s in zip(p.shape, (dx, dy)))
-        q = np.hypot(*np.meshgrid(qx, qy, indexing="ij"))
-        q[0, 0] = np.inf
-        return np.real(np.fft.ifft2(np.fft.fft2(p) * 2 / (COMPOSITE * q)))
-    return signal.convolve(p, love(*p.shape, dx, dy), mode="same", method="direct") if p.size < 300 else \
-        signal.fftconvolve(np.pad(p, [(0, 0), (0, 0)]), love(*p.shape, dx, dy), mode="full")[
-            p.shape[0] - 1:2 * p.shape[0] - 1, p.shape[1] - 1:2 * p.shape[1] - 1]
 
 
 def contact(case, is_periodic=None):
@@ -285,12 +250,14 @@ def hertz(case):
     n, radius, load = case.one_of(48, 64), 10 ** case.rng.uniform(-3, -1), 10 ** case.rng.uniform(0, 3)
     composite_radius = radius / 2
     a = (3 * load * composite_radius / (4 * COMPOSITE)) ** (1 / 3)
-    case.done("contact", "--smooth", "--shape", f"{n}x{n}", "--size", f"{3 * a!r}m", "--radius", f"{radius!r}m", *BODIES, "--load",
+    case.done("contact", "--smooth", "--shape", f"{n}x{n}", "--size", f"{3 * a!r}m", "--radius", f"{radius!r}m", *BODIES,
+              "--load",
               f"{load!r}N", "--tolerance", "1e-8", "-o", "out.nc")
     _, said = maps.read(case.path("out.nc"))
     cells = (2 * a) / (3 * a / n)
     p0, approach = 3 * load / (2 * np.pi * a**2), a**2 / composite_radius
-    check(close(said["contact_hertz_pressure"], p0, 1e-6) and close(said["contact_hertz_radius"], a, 1e-6), "Hertz's closed forms")
+    check(close(said["contact_hertz_pressure"], p0, 1e-6) and close(said["contact_hertz_radius"], a, 1e-6),
+          "Hertz's closed forms")
     check(close(said["contact_max_pressure"], p0, 3 / cells**2), "Hertz's pressure, but for the cells")
     check(close(said["contact_approach"], approach, 1 / cells**2), "Hertz's approach, but for the cells")
     return RIGHT
@@ -333,17 +300,6 @@ def contact_in_any_unit(case):
 # ---- stress ----
 
 
-def boussinesq(x, y, z, nu):
-    """Stresses below a unit force on a half-space (Johnson, Contact Mechanics, eq. 3.19), tension positive."""
-    r2, rho = x**2 + y**2, np.sqrt(x**2 + y**2 + z**2)
-    side = (1 - 2 * nu) / r2
-    out = {"xx": side * ((1 - z / rho) * (x**2 - y**2) / r2 + z * y**2 / rho**3) - 3 * z * x**2 / rho**5,
-           "yy": side * ((1 - z / rho) * (y**2 - x**2) / r2 + z * x**2 / rho**3) - 3 * z * y**2 / rho**5,
-           "zz": -3 * z**3 / rho**5, "xy": side * ((1 - z / rho) * 2 * x * y / r2 - x * y * z / rho**3) - 3 * x * y * z / rho**5,
-           "xz": -3 * x * z**2 / rho**5, "yz": -3 * y * z**2 / rho**5}
-    return {name: value / (2 * np.pi) for name, value in out.items()}
-
-
 def stress_by_quadrature(case):
     """Every component as the sum over cells of Boussinesq's, by Gauss's rule within each."""
     nu = float(case.rng.uniform(0, 0.49))
@@ -351,7 +307,8 @@ def stress_by_quadrature(case):
     p *= case.rng.uniform(0.2, 1, p.shape)
     maps.write_netcdf(case.path("in.nc"), surface, fields={"pressure": (p, "Pa")}, attributes=attributes)
     depth = float(case.rng.uniform(1, 5)) * 1e-6
-    case.done("stress", "in.nc", "--depths", f"{depth!r}m", "--components", "all", "--resolution", "full", "--poisson", f"{nu!r}", "-o", "out.nc")
+    case.done("stress", "in.nc", "--depths", f"{depth!r}m", "--components", "all", "--resolution", "full", "--poisson",
+              f"{nu!r}", "-o", "out.nc")
     found, _ = maps.read(case.path("out.nc"))
     nodes, weights = np.polynomial.legendre.leggauss(10)
     i, j = (int(case.rng.integers(n)) for n in surface.shape)
@@ -364,7 +321,8 @@ def stress_by_quadrature(case):
     expected = {name: (value * force).sum() for name, value in boussinesq(*away, depth, nu).items()}
     for name, value in expected.items():
         ours = found[f"stress_{name}"][0, i, j]
-        check(abs(ours - value) <= 1e-6 * p.max(), f"stress_{name} = {value!r} at cell ({i}, {j}), {depth!r} m deep, not {ours!r}")
+        check(abs(ours - value) <= 1e-6 * p.max(),
+              f"stress_{name} = {value!r} at cell ({i}, {j}), {depth!r} m deep, not {ours!r}")
     s = expected
     mises = np.sqrt(((s["xx"] - s["yy"])**2 + (s["yy"] - s["zz"])**2 + (s["zz"] - s["xx"])**2) / 2
                     + 3 * (s["xy"]**2 + s["yz"]**2 + s["xz"]**2))
@@ -393,11 +351,14 @@ def stress_in_equilibrium(case):
         for axis, name in enumerate(row):
             column = next(c["values"] for key, c in table.items() if key.endswith(name))
             slopes_of.append((column[2 * axis] - column[2 * axis + 1]) / (2 * h))
-        check(abs(sum(slopes_of)) <= 1e-3 * max(map(abs, slopes_of)) + 1e-4 * p.max() / 1e-6, f"stresses in balance along {row[0][0]}")
+        check(abs(sum(slopes_of)) <= 1e-3 * max(map(abs, slopes_of)) + 1e-4 * p.max() / 1e-6,
+              f"stresses in balance along {row[0][0]}")
     return RIGHT
 
 
 FAULTS = [periodic_line, periodic_wide, periodic_wide, lone_line_validate, noisy_table, noisy_table]
-FAMILIES = [acf_by_sums, psd_by_transform, quantiles, slopes, heights_of_any_surface, same_in_any_unit, ensemble, periodic, noisy_table,
-            contact, contact, contact, hertz, turned_contact, contact_in_any_unit, stress_by_quadrature, stress_in_equilibrium,
+FAMILIES = [acf_by_sums, psd_by_transform, quantiles, slopes, heights_of_any_surface, same_in_any_unit, ensemble, periodic,
+            noisy_table,
+            contact, contact, contact, hertz, turned_contact, contact_in_any_unit, stress_by_quadrature,
+            stress_in_equilibrium,
             narrow_validate]

@@ -1,6 +1,6 @@
 """Every option of every tool with values of its kind and of others: understood, or refused in a line that names it.
 
-What is written with exit status 0 or 3 is finite, and nothing that was told is executed, drawn as markup or obeyed by a terminal.
+What is written with exit status 0 or 3 is finite; nothing that was told is executed, drawn as markup or obeyed by a terminal.
 """
 import functools
 import json
@@ -17,25 +17,37 @@ from classes.streams import inputs
 BASE = {"acf": ["g.nc", "--dataset", "-o", "out.nc"],
         "contact": ["g.nc", "--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN", "-o", "out.nc"],
         "convert": ["g.nc", "-o", "out.nc"],
-        "generate": ["--shape", "24x20", "--size", "24um,20um", "--rq", "0.1um", "--length", "4px", "--seed", "1", "-o", "out.nc"],
+        "generate": ["--shape", "24x20", "--size", "24um,20um", "--rq", "0.1um", "--length", "4px", "--seed", "1", "-o",
+                     "out.nc"],
         "kernel": ["--length", "4px", "--spacing", "1um", "--rq", "0.1um", "-o", "out.nc"],
         "pdf": ["g.nc", "-o", "out.tsv"], "plot": ["g.nc", "--kind", "map", "-o", "out.svg"],
         "psd": ["g.nc", "--dataset", "-o", "out.nc"], "report": ["g.nc", "-o", "out.html"],
         "stats": ["g.nc", "--parameters", "all", "-o", "out.tsv"],
-        "stress": ["c.nc", "--depths", "1um,2um", "--components", "all", "-o", "out.nc"], "validate": ["s.nc", "-o", "out.tsv"]}
+        "stress": ["c.nc", "--depths", "1um,2um", "--components", "all", "-o", "out.nc"], "validate": ["s.nc", "-o",
+                                                                                                       "out.tsv"]}
 LIMITS = ("t30", "v4000000", "f1000000")
 DOCUMENTS = ("--help", "--man", "--version", "--dump-config", "--completion")
 
-NUMBERS = ["0", "-1", "1", "0.5", "2", "7", "1e300", "-1e300", "nan", "inf", "-inf", "1e-300", "1e400", "0x10", "1,2", "1,2,3", "ten",
-           "1e9", "99999999999999999999", "0.1.2", " 1", "1 ", "+1", "1e", "--1", "0,5", "2147483647", "4294967296", "1/3", "1e-17"]
-UNITS = ["m", "mm", "um", "nm", "px", "N", "mN", "Pa", "MPa", "GPa", "deg", "rad", "s", "", "parsec", "K", "m2", "degC", "%", "um um"]
-COUNTS = ["0x0", "1x1", "4x5", "-1x4", "4x", "x4", "4", "1e3x2", "4x4x4", "99999999999x99999999999", "3X3", "1x400", "7x1", "2.5x2"]
-LISTS = ["1,2,3", ":", "0:1um:4", "1um:0:4", "0:1um:-1", "0:1um:0", "1um:1um:2", ",,", "0:nan:4", "0:inf:3", "0.5px:1um:3:geometric",
-         "0:1um:3:geometric", "1N:5N:3", "1N,5N", "0N", "-1N:1N:4", "1um", "0:1:2:3:4", "0:10,0:10", "3:2,1:0", ":5,:", "y=0", "x=1um",
-         "y=max", "z=0", "x=nan", "1/e", "0.2,0.5", "height", "all", "height,nothing", "von_mises,zz", "plane", "3", "20", "21", "100%"]
-NASTY = ["'; touch pwned; '", "$(touch pwned)", "`touch pwned`", "\"; system(\"touch pwned\"); \"", "'.system('touch pwned').'",
-         "\n!touch pwned\n", "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;owned\x07\x1b[31m", "%s%n%d",
-         "../../../x", "a\nb", "\\", "\\n", "@x", "{/Symbol a}", "''", "a''b", "\u202egpj.exe", "x" * 5000, "|touch pwned", "-", "--", "/",
+NUMBERS = ["0", "-1", "1", "0.5", "2", "7", "1e300", "-1e300", "nan", "inf", "-inf", "1e-300", "1e400", "0x10", "1,2",
+           "1,2,3", "ten",
+           "1e9", "99999999999999999999", "0.1.2", " 1", "1 ", "+1", "1e", "--1", "0,5", "2147483647", "4294967296", "1/3",
+           "1e-17"]
+UNITS = ["m", "mm", "um", "nm", "px", "N", "mN", "Pa", "MPa", "GPa", "deg", "rad", "s", "", "parsec", "K", "m2", "degC",
+         "%", "um um"]
+COUNTS = ["0x0", "1x1", "4x5", "-1x4", "4x", "x4", "4", "1e3x2", "4x4x4", "99999999999x99999999999", "3X3", "1x400", "7x1",
+          "2.5x2"]
+LISTS = ["1,2,3", ":", "0:1um:4", "1um:0:4", "0:1um:-1", "0:1um:0", "1um:1um:2", ",,", "0:nan:4", "0:inf:3",
+         "0.5px:1um:3:geometric",
+         "0:1um:3:geometric", "1N:5N:3", "1N,5N", "0N", "-1N:1N:4", "1um", "0:1:2:3:4", "0:10,0:10", "3:2,1:0", ":5,:",
+         "y=0", "x=1um",
+         "y=max", "z=0", "x=nan", "1/e", "0.2,0.5", "height", "all", "height,nothing", "von_mises,zz", "plane", "3", "20",
+         "21", "100%"]
+NASTY = ["'; touch pwned; '", "$(touch pwned)", "`touch pwned`", "\"; system(\"touch pwned\"); \"",
+         "'.system('touch pwned').'",
+         "\n!touch pwned\n", "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;owned\x07\x1b[31m",
+         "%s%n%d",
+         "../../../x", "a\nb", "\\", "\\n", "@x", "{/Symbol a}", "''", "a''b", "\u202egpj.exe", "x" * 5000, "|touch pwned",
+         "-", "--", "/",
          "\u0085", "\ufffd", "NaN", "]]>", "&amp;", "heights", "acf", "gaussian", "netcdf", "."]
 
 
@@ -90,7 +102,8 @@ def finite(case, run):
         if head[:3] == b"CDF":
             finite_dataset(path)
         elif name.endswith(".tsv") and head[:1] == b"#":
-            check(not re.search(r"^\S+\t-?(nan|inf)\t", path.read_text(errors="replace"), re.M), f"no value that is not finite in {name}")
+            check(not re.search(r"^\S+\t-?(nan|inf)\t", path.read_text(errors="replace"), re.M),
+                  f"no value that is not finite in {name}")
 
 
 def finite_dataset(path):
@@ -163,7 +176,8 @@ def beyond_all_depths(case):
 
 def beyond_all_friction(case):
     inputs(case, ("c.nc",))
-    return judged(case, case.run("stress", "c.nc", "--depths", "1um", "--components", "all", "--friction", "1e300", "-o", "out.nc"))
+    return judged(case, case.run("stress", "c.nc", "--depths", "1um", "--components", "all", "--friction", "1e300", "-o",
+                                 "out.nc"))
 
 
 def beyond_all_heights(case):
@@ -180,7 +194,8 @@ def aliased(case):
     return RIGHT
 
 
-TITLES = ["'Ground' steel", "it''s", "''", "a ''b'' c", '"quoted" \'both\'', "back\\slash", "100 % {x}_y^z", "@home", "`date`", "$HOME", "'", '"']
+TITLES = ["'Ground' steel", "it''s", "''", "a ''b'' c", '"quoted" \'both\'', "back\\slash", "100 % {x}_y^z", "@home",
+          "`date`", "$HOME", "'", '"']
 
 
 def quoted_title(case):
@@ -207,15 +222,21 @@ def quoted_file(case):
 
 def digits(case):
     """Absurd numbers are told in a few digits, which run() asks of all."""
-    tool, name, given = case.one_of(("generate", "--rq", "-1e300m"), ("generate", "--size", "1e300m"), ("contact", "--load", "-1e300N"),
-                                    ("contact", "--young", "-1e300Pa"), ("stress", "--depths", "-1e300m"), ("kernel", "--length", "1e300px"),
-                                    ("acf", "--lambda-c", "1e300m"), ("generate", "--length", "1e300m"), ("stress", "--poisson", "1e300"))
+    tool, name, given = case.one_of(("generate", "--rq", "-1e300m"), ("generate", "--size", "1e300m"), ("contact", "--load",
+                                                                                                        "-1e300N"),
+                                    ("contact", "--young", "-1e300Pa"), ("stress", "--depths", "-1e300m"), ("kernel",
+                                                                                                            "--length",
+                                                                                                            "1e300px"),
+                                    ("acf", "--lambda-c", "1e300m"), ("generate", "--length", "1e300m"), ("stress",
+                                                                                                          "--poisson",
+                                                                                                          "1e300"))
     arguments = without(BASE[tool], name)
     named_inputs(case, arguments)
     return judged(case, case.run(tool, *arguments, name, given, limits=LIMITS), name)
 
 
-FAULTS = [many_convolutions, empty_counter, empty_output, beyond_all_depths, beyond_all_friction, beyond_all_heights, aliased,
+FAULTS = [many_convolutions, empty_counter, empty_output, beyond_all_depths, beyond_all_friction, beyond_all_heights,
+          aliased,
           quoted_title, quoted_file, digits]
 
 
@@ -284,7 +305,8 @@ def strange_config(case):
         elif way == "cut":
             del dumped[at:at + int(case.rng.integers(1, 30))]
         else:
-            dumped[at:at] = case.one_of(b"[[", b"]", b"\"", b"'''", b"= ", b"\x00", b"\xff", b"nan", b"1e400", b"\n[a.b.c]\n", b"2020-01-01")
+            dumped[at:at] = case.one_of(b"[[", b"]", b"\"", b"'''", b"= ", b"\x00", b"\xff", b"nan", b"1e400",
+                                        b"\n[a.b.c]\n", b"2020-01-01")
     case.path("file.toml").write_bytes(dumped)
     inert = [a for a in BASE[tool] if a in ("g.nc", "c.nc", "s.nc")] + BASE[tool][-2:]
     run = case.run(tool, *inert, "--config", "file.toml", limits=LIMITS)
@@ -321,12 +343,14 @@ def markup(case):
     nothing_executed(case)
     if run.code == 0:
         check("\x1b" not in case.path("out.html").read_text(), "no escape in the page")
-    drawn = case.run("plot", "g.nc", "--kind", case.one_of("map", "surface", "profile", "pdf"), "--title", title, "-o", "out.svg", limits=LIMITS)
+    drawn = case.run("plot", "g.nc", "--kind", case.one_of("map", "surface", "profile", "pdf"), "--title", title, "-o",
+                     "out.svg", limits=LIMITS)
     nothing_executed(case)
     if drawn.code == 0:
         xml.parse(case.path("out.svg"))
     return RIGHT if run.code == drawn.code == 0 else REFUSED
 
 
-FAMILIES = [any_option, any_option, any_option, any_option, two_options, two_options, any_empty, any_empty, from_environment,
+FAMILIES = [any_option, any_option, any_option, any_option, two_options, two_options, any_empty, any_empty,
+            from_environment,
             strange_config, told_and_obeyed, unknown_option, markup, quoted_title, digits]

@@ -10,13 +10,15 @@ import time
 import uuid
 
 import maps
-from bench import BAD_DATA, REFUSED, RIGHT, RUNTIME, TOOLS, USAGE, Skipped, check
+from bench import BAD_DATA, REFUSED, RIGHT, RUNTIME, USAGE, Skipped, check
 
 DRAW = ("generate", "--shape", "32x24", "--size", "32um,24um", "--rq", "0.1um", "--length", "4px", "--seed", "1")
 PRESS = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
-WRITES_DATASET = [("generate", *DRAW[1:]), ("kernel", "--length", "4px"), ("contact", "g.nc", *PRESS), ("acf", "g.nc", "--dataset"),
+WRITES_DATASET = [("generate", *DRAW[1:]), ("kernel", "--length", "4px"), ("contact", "g.nc", *PRESS), ("acf", "g.nc",
+                                                                                                        "--dataset"),
                   ("psd", "g.nc", "--dataset"), ("convert", "g.nc"), ("stress", "c.nc", "--depths", "1um,2um")]
-WRITES_TEXT = [("stats", "g.nc"), ("acf", "g.nc", "--lengths"), ("psd", "g.nc", "--radial"), ("pdf", "g.nc"), ("report", "g.nc"),
+WRITES_TEXT = [("stats", "g.nc"), ("acf", "g.nc", "--lengths"), ("psd", "g.nc", "--radial"), ("pdf", "g.nc"), ("report",
+                                                                                                               "g.nc"),
                ("plot", "g.nc", "--kind", "map", "--format", "svg"), ("validate", "s.nc")]
 
 
@@ -88,7 +90,8 @@ def keeps_mode(case):
 
 
 def two_outputs_one_file(case):
-    command = case.one_of(("contact", "g.nc", *PRESS), ("stress", "c.nc", "--depths", "1um"), ("kernel", "--length", "4px"), DRAW)
+    command = case.one_of(("contact", "g.nc", *PRESS), ("stress", "c.nc", "--depths", "1um"), ("kernel", "--length", "4px"),
+                          DRAW)
     inputs(case, command)
     one, other = case.one_of(("same", "same"), ("same", "./same"), ("same", str(case.path("same"))))
     run = case.run(*command, "-o", one, "--report", other)
@@ -168,8 +171,10 @@ def truncated_pipe(case):
     inputs(case, ("g.nc",))
     whole = case.path("g.nc").read_bytes()
     part = whole[:int(case.rng.integers(0, len(whole)))]
-    command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",),
-                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--format", "svg", "-o", "-"))
+    command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",
+                                                                                                                 ),
+                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--format", "svg", "-o",
+                                                                       "-"))
     return case.refused(case.run(*command, stdin=part), BAD_DATA)
 
 
@@ -210,14 +215,16 @@ def reader_that_leaves(case):
 
 def killed(case):
     """At any moment: the old file or the whole new one, and after a signal that can be handled no other."""
-    large = ("generate", "--shape", "700x700", "--size", "700um", "--rq", "0.1um", "--length", "6px", "--seed", "1", "--threads", "1")
+    large = ("generate", "--shape", "700x700", "--size", "700um", "--rq", "0.1um", "--length", "6px", "--seed", "1",
+             "--threads", "1")
     old = case.chance(0.5)
     if old:
         case.path("out.nc").write_bytes(b"old")
     number = case.one_of(signal.SIGTERM, signal.SIGINT, signal.SIGKILL, signal.SIGHUP)
     case.lines.append(f"{line(large)} -o out.nc & kill -{int(number)} $!")
     with tempfile.TemporaryFile() as said:
-        process = subprocess.Popen([f"{case.bin}/asperity-generate", *large[1:], "-o", "out.nc"], cwd=case.folder, stderr=said,
+        process = subprocess.Popen([f"{case.bin}/asperity-generate", *large[1:], "-o", "out.nc"], cwd=case.folder,
+                                   stderr=said,
                                    stdin=subprocess.DEVNULL, env=case.environment(None))
         time.sleep(case.rng.uniform(0, 0.35))
         process.send_signal(number)
@@ -234,20 +241,23 @@ def killed(case):
 
 def limited_file(case):
     """A file that may not grow fails in a line or by SIGXFSZ, and leaves the old one."""
-    command = case.one_of(("generate", "--shape", "128x128", *DRAW[3:]), ("generate", "--shape", "100x128", *DRAW[3:], "--exact-rq"))
+    command = case.one_of(("generate", "--shape", "128x128", *DRAW[3:]), ("generate", "--shape", "100x128", *DRAW[3:],
+                                                                          "--exact-rq"))
     old = case.chance(0.5)
     if old:
         case.path("out.nc").write_bytes(b"old")
     run = case.raw(*command, "-o", "out.nc", limits=(f"f{int(case.rng.integers(0, 100))}",))
     check(run.code in (RUNTIME, -signal.SIGXFSZ, 128 + signal.SIGXFSZ), f"a failure, not {run.code}: {run.err!r}")
     no_litter(case, "out.nc")
-    check(case.path("out.nc").exists() == old and (not old or case.path("out.nc").read_bytes() == b"old"), "the old file alone")
+    check(case.path("out.nc").exists() == old and (not old or case.path("out.nc").read_bytes() == b"old"),
+          "the old file alone")
     return REFUSED
 
 
 def output_is_input(case):
     """A dataset may replace its own input, as through a pipe into another file."""
-    command = case.one_of(("contact", "g.nc", *PRESS), ("acf", "g.nc", "--dataset"), ("psd", "g.nc", "--dataset"), ("convert", "g.nc"),
+    command = case.one_of(("contact", "g.nc", *PRESS), ("acf", "g.nc", "--dataset"), ("psd", "g.nc", "--dataset"),
+                          ("convert", "g.nc"),
                           ("stress", "c.nc", "--depths", "1um,2um"))
     inputs(case, command)
     env = {"SOURCE_DATE_EPOCH": "0"}
@@ -281,7 +291,8 @@ def linked_output(case):
 def strange_names(case):
     """Names of files with blanks, quotes, patterns and escapes are names."""
     inputs(case, ("g.nc",))
-    name = case.one_of("a b.nc", "it's.nc", 'say "x".nc', "-x.nc", "*.nc", "a;b.nc", "$(x).nc", "%d.nc", "ü.nc", "a\\b.nc", "[a].nc", "a,b.nc")
+    name = case.one_of("a b.nc", "it's.nc", 'say "x".nc', "-x.nc", "*.nc", "a;b.nc", "$(x).nc", "%d.nc", "ü.nc", "a\\b.nc",
+                       "[a].nc", "a,b.nc")
     given = "./" + name
     case.done("convert", "g.nc", "-o", given)
     check(name in case.files(), f"a file of the name {name!r}: {case.files()}")
@@ -293,7 +304,8 @@ def strange_names(case):
 
 def control_characters_in_names(case):
     """A name that is not there is told without its escapes."""
-    name = "".join(chr(int(c)) for c in case.rng.integers(1, 32, 5)) + "\x1b]0;pwned\x07" + case.one_of(".nc", "", "\u202e", "\x9b31m")
+    name = "".join(chr(int(c)) for c in case.rng.integers(1, 32, 5)) + "\x1b]0;pwned\x07" + case.one_of(".nc", "", "\u202e",
+                                                                                                        "\x9b31m")
     tool = case.one_of("stats", "acf", "psd", "pdf", "contact", "convert", "report", "stress", "validate", "plot")
     more = {"contact": PRESS, "plot": ("--kind", "map", "-o", "x.png"), "stress": ("--depths", "1um")}.get(tool, ())
     return case.refused(case.run(tool, name.replace("/", "_"), *more), (RUNTIME, USAGE))
@@ -315,8 +327,10 @@ def unwritable(case):
 
 def empty_input(case):
     """Nothing at all, through a pipe, from /dev/null or from an empty file."""
-    command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",),
-                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--format", "svg", "-o", "-"))
+    command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",
+                                                                                                                 ),
+                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--format", "svg", "-o",
+                                                                       "-"))
     case.path("empty.nc").write_bytes(b"")
     run = case.run(*command, "empty.nc") if case.chance(0.5) else case.run(*command, stdin=b"")
     return case.refused(run, BAD_DATA)
@@ -326,13 +340,16 @@ def odd_pipes(case):
     """A pipe that is slow, in pieces of any size, carries what a file carries."""
     inputs(case, ("g.nc",))
     size = int(case.rng.integers(1, 4000))
-    case.path("slow").write_text("import sys,time\nd=open('g.nc','rb').read()\n"
-                                 f"for i in range(0,len(d),{size}):\n sys.stdout.buffer.write(d[i:i+{size}])\n sys.stdout.flush()\n")
-    piped = case.shell(f"/usr/bin/python3 slow | asperity-stats --json")
+    case.path("slow").write_text("import sys\nd = open('g.nc', 'rb').read()\n"
+                                 f"for i in range(0, len(d), {size}):\n"
+                                 f"    sys.stdout.buffer.write(d[i:i + {size}])\n    sys.stdout.flush()\n")
+    piped = case.shell("/usr/bin/python3 slow | asperity-stats --json")
     check(piped.out == case.done("stats", "--json", "g.nc").out, "what the file gives")
     return RIGHT
 
 
-FAMILIES = [truncated_pipe, truncated_pipe, full_device, full_device, closed_output, reader_that_leaves, killed, killed, killed,
-            limited_file, output_is_input, linked_output, strange_names, control_characters_in_names, unwritable, empty_input,
+FAMILIES = [truncated_pipe, truncated_pipe, full_device, full_device, closed_output, reader_that_leaves, killed, killed,
+            killed,
+            limited_file, output_is_input, linked_output, strange_names, control_characters_in_names, unwritable,
+            empty_input,
             odd_pipes, strange_date, keeps_mode, two_outputs_one_file]
