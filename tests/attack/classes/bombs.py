@@ -190,7 +190,8 @@ def lying_head(case):
              "in.asc": f"ncols {nx}\nnrows {ny}\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n".encode(),
              "in.sdf": (f"aISO-1.0\nNumPoints = {nx}\nNumProfiles = {ny}\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1\n"
                         "DataType = 7\n*\n1 2 3\n").encode(),
-             "in.x3p": maps.zipped({"main.xml": maps.x3p_document(nx, ny, 1e-6, 1e-6, "0" * 32), "bindata/data.bin": bytes(80)})}
+             "in.x3p": maps.zipped({"main.xml": maps.x3p_document(nx, ny, 1e-6, 1e-6, "0" * 32),
+                                    "bindata/data.bin": bytes(80)})}
     name, content = case.one_of(*heads.items())
     case.path(name).write_bytes(content)
     options = ["--size", "1mm"] if name == "in.npy" else []

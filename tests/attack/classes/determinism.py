@@ -2,6 +2,8 @@
 import json
 import subprocess
 
+import numpy as np
+
 import maps
 from bench import RIGHT, TOOLS, check
 from readings import close
@@ -107,9 +109,13 @@ def strips_that_are_read(case):
     """Parameters of a file that is read in strips are those of the whole."""
     shape = tuple(int(n) for n in case.rng.integers(60, 200, 2))
     surface = maps.random_surface(case.rng, shape)
-    maps.write_netcdf(case.path("in.nc"), surface, order=case.one_of("xy", "xy", "yx"), unit=case.one_of("m", "nm", "um"),
-                      xy_unit=case.one_of("m", "um"), kind=case.one_of("f8", "f4"), length=case.one_of("right", "none",
-                                                                                                       "stale"))
+    holes = case.chance(0.3)
+    raw = np.where(case.rng.random(shape) < 0.1, -5.0, surface.z) if holes else None
+    maps.write_netcdf(case.path("in.nc"), surface, order=case.one_of("xy", "xy", "yx"),
+                      unit="m" if holes else case.one_of("m", "nm", "um"),
+                      xy_unit=case.one_of("m", "um"), kind="f8" if holes else case.one_of("f8", "f4"), raw=raw,
+                      extra={"_FillValue": -5.0} if holes else None, down=case.one_of((), (), "x", "y"),
+                      length=case.one_of("right", "none", "stale"), format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF4"))
     groups = ["--json", "--parameters", case.one_of("height", "height,hybrid", "material", "height,material,hybrid"),
               *case.one_of([], ["--level", "plane"], ["--level", "2"])]
     whole = json.loads(case.done("stats", "in.nc", *groups).out)

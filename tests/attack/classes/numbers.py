@@ -102,6 +102,118 @@ def same_in_any_unit(case):
     return RIGHT
 
 
+def above_a_form(case):
+    """Heights above a plane or a polynomial of least squares."""
+    surface = surface_file(case, shape=tuple(int(n) for n in case.rng.integers(9, 24, 2)))
+    degree = int(case.rng.integers(0, 4))
+    x, y = np.meshgrid(*(np.linspace(-1, 1, n) for n in surface.shape), indexing="ij")
+    terms = np.array([x**i * y**j for i in range(degree + 1) for j in range(degree + 1 - i)]).reshape(-1, x.size).T
+    d = surface.z.ravel() - terms @ np.linalg.lstsq(terms, surface.z.ravel(), rcond=None)[0]
+    found = json.loads(case.done("stats", "in.nc", "--json", "--level", "plane" if degree == 1 else degree).out)
+    check(close(found["Sq"]["value"], d.std(), 1e-9),
+          f"Sq = {d.std()!r} above a polynomial of degree {degree}, not {found['Sq']['value']!r}")
+    check(close(found["Sa"]["value"], abs(d - d.mean()).mean(), 1e-9), "Sa above it")
+    return RIGHT
+
+
+def filtered(case):
+    """What Gauss's weights of ISO 16610-61 leave, within the surface."""
+    surface = surface_file(case, shape=(32, 30))
+    return same_after_filter(case, surface, "--lambda-c") if case.chance(0.5) else same_after_filter(case, surface,
+                                                                                                     "--lambda-s")
+
+
+def same_after_filter(case, surface, option):
+    """A filter leaves a constant, is linear, and ignores units: half the heights have half the Sq."""
+    maps.write_netcdf(case.path("half.nc"), maps.Surface(surface.z / 2 + 1e-6, surface.dx, surface.dy), unit="nm")
+    found = [json.loads(case.done("stats", name, "--json", option, "8um").out)["Sq"]["value"] for name in ("in.nc",
+                                                                                                           "half.nc")]
+    check(close(found[1], found[0] / 2, 1e-7), f"half of Sq = {found[0]!r} of half the heights, not {found[1]!r}")
+    check(found[0] < surface.z.std() * (1 + 1e-9), "no more than there was")
+    return RIGHT
+
+
+def cut_and_thinned(case):
+    """--crop and --decimate are slices."""
+    surface = surface_file(case)
+    (nx, ny), rng = surface.shape, case.rng
+    a, c = int(rng.integers(0, nx - 2)), int(rng.integers(0, ny - 2))
+    b, d = int(rng.integers(a + 2, nx + 1)), int(rng.integers(c + 2, ny + 1))
+    i, j = int(rng.integers(1, 3)), int(rng.integers(1, 3))
+    expected = surface.z[a:b, c:d][::i, ::j]
+    options = ["--crop", f"{a}:{b},{c}:{d}", "--decimate", f"{i}x{j}"]
+    run = case.run("convert", "in.nc", *options, "-o", "out.npy")
+    check(run.code == 0, f"a slice: {run.err!r}")
+    check(close(np.load(case.path("out.npy")), expected, 1e-14), f"the slice {options}")
+    case.done("convert", "in.nc", *options, "-o", "out.nc")
+    axes = maps.read(case.path("out.nc"))[0]
+    for axis, step in (("x", i * surface.dx), ("y", j * surface.dy)):
+        check(close(np.diff(axes[axis]), np.full(axes[axis].size - 1, step), 1e-9), f"a spacing of {step!r} along {axis}")
+    return RIGHT
+
+
+def holes_filled(case):
+    """--fill leaves what is there, and gives holes the mean, the least, or a harmonic membrane."""
+    surface = surface_file(case)
+    hole = np.zeros(surface.shape, bool)
+    i, j = (int(case.rng.integers(1, n - 3)) for n in surface.shape)
+    hole[i:i + 2, j:j + 2] = True
+    z = np.where(hole, np.nan, surface.z)
+    maps.write_netcdf(case.path("in.nc"), maps.Surface(z, surface.dx, surface.dx))
+    way = case.one_of("mean", "least", "laplace")
+    case.done("convert", "in.nc", "--fill", way, "-o", "out.npy")
+    found = np.load(case.path("out.npy"))
+    check(close(found[~hole], z[~hole], 1e-14), "what was there")
+    if way == "laplace":
+        neighbours = (found[i - 1:i + 1, j:j + 2] + found[i + 1:i + 3, j:j + 2] + found[i:i + 2,
+                                                                                        j - 1:j + 1] + found[i:i + 2,
+                                                                                                             j + 1:j + 3]) / 4
+        check(close(found[i:i + 2, j:j + 2], neighbours, 1e-6, 1e-6 * np.nanstd(z)),
+              "the mean of four neighbours in a hole")
+    else:
+        value = np.nanmean(z) if way == "mean" else np.nanmin(z)
+        check(close(found[hole], np.full(4, value), 1e-9), f"the {way} in a hole")
+    return RIGHT
+
+
+def acf_with_holes(case):
+    """With missing points pairs count of which both are there."""
+    surface = surface_file(case)
+    there = case.rng.random(surface.shape) > 0.15
+    maps.write_netcdf(case.path("in.nc"), maps.Surface(np.where(there, surface.z, np.nan), surface.dx, surface.dy))
+    case.done("acf", "in.nc", "--dataset", "--max-lag", "3x3", "-o", "out.nc")
+    found, attributes = maps.read(case.path("out.nc"))
+    d = np.where(there, surface.z - surface.z[there].mean(), 0)
+    sums, pairs = (signal.correlate(f, f, method="direct") for f in (d, there.astype(float)))
+    p, q = (n - 1 for n in surface.shape)
+    expected = (sums / np.maximum(pairs.round(), 1))[p:p + 4, q - 3:q + 4] / (d**2).sum() * there.sum()
+    check(close(found["acf"], expected, 1e-9, 1e-9), "the sums over pairs that are there")
+    return RIGHT
+
+
+def ensemble_of_strangers(case):
+    """Surfaces in other units, orders and directions are averaged as those in metres."""
+    values = []
+    shape, dx = (14, 11), 1e-6
+    for number in range(3):
+        surface = maps.random_surface(case.rng, shape, dx=dx)
+        surface.dy = dx
+        maps.write_netcdf(case.path(f"s{number}.nc"), surface, unit=case.one_of("m", "nm", "um"), xy_unit=case.one_of("m",
+                                                                                                                      "um",
+                                                                                                                      "mm"),
+                          order=case.one_of("xy", "yx"), length=case.one_of("right", "none"))
+        values.append(maps.parameters(surface))
+    table = json.loads(case.done("stats", "s0.nc", "s1.nc", "s2.nc", "--json", "--parameters", "height,hybrid").out)
+    names = next(column["values"] for column in table.values() if "Sq" in column["values"])
+    means = table["mean"]["values"]
+    for name in ("Sa", "Sq", "Ssk", "Sku", "Sp", "Sv", "Sz", "Sdq"):
+        expected = np.mean([v[name] for v in values])
+        check(close(means[names.index(name)], expected, 1e-8, 1e-8),
+              f"a mean {name} of {expected!r}, not {means[names.index(name)]!r}")
+        check(close(means[names.index(name)], expected, 1e-7), f"a mean {name} of {expected!r}")
+    return RIGHT
+
+
 # ---- kernels and surfaces ----
 
 
@@ -245,6 +357,38 @@ def contact(case, is_periodic=None):
     return RIGHT
 
 
+def two_rough_bodies(case):
+    """A counter body adds its heights: pressed apart, they are one body of the sum."""
+    first = surface_file(case, "one.nc", (14, 12))
+    second = maps.random_surface(case.rng, (14, 12), dx=1e-6)
+    second.dy = first.dy
+    maps.write_netcdf(case.path("other.nc"), second)
+    maps.write_netcdf(case.path("sum.nc"), maps.Surface(first.z + second.z, first.dx, first.dy))
+    found = []
+    for names in (("one.nc", "--counter", "other.nc"), ("other.nc", "--counter", "one.nc"), ("sum.nc",)):
+        case.done("contact", *names, *BODIES, "--radius", "1mm", "--load", "5mN", "--tolerance", "1e-11", "-o", "out.nc")
+        found.append(maps.read(case.path("out.nc"))[0]["pressure"])
+    check(all(close(p, found[2], 0, 1e-6 * found[2].max()) for p in found),
+          "the pressures of one body of the sum of heights")
+    return RIGHT
+
+
+def load_and_approach(case):
+    """The approach that a load has brings that load; of a sweep each row is that load alone."""
+    surface_file(case)
+    common = ("in.nc", *BODIES, "--radius", "1mm", "--tolerance", "1e-10")
+    case.done("contact", *common, "--load", "4mN", "-o", "one.nc")
+    _, said = maps.read(case.path("one.nc"))
+    case.done("contact", *common, "--approach", f"{float(said['contact_approach'])!r}m", "-o", "two.nc")
+    _, again = maps.read(case.path("two.nc"))
+    check(close(again["contact_load"], 4e-3, 1e-5), f"a load of 4 mN, not {again['contact_load']!r} N")
+    table = json.loads(case.done("contact", *common, "--loads", "2mN,4mN,8mN", "--json").out)
+    at = table["load"]["values"].index(4e-3)
+    check(close(table["approach"]["values"][at], said["contact_approach"], 1e-5, 1e-15),
+          "the approach of that load in a sweep")
+    return RIGHT
+
+
 def hertz(case):
     """Spheres, to the error that cells leave."""
     n, radius, load = case.one_of(48, 64), 10 ** case.rng.uniform(-3, -1), 10 ** case.rng.uniform(0, 3)
@@ -357,7 +501,9 @@ def stress_in_equilibrium(case):
 
 
 FAULTS = [periodic_line, periodic_wide, periodic_wide, lone_line_validate, noisy_table, noisy_table]
-FAMILIES = [acf_by_sums, psd_by_transform, quantiles, slopes, heights_of_any_surface, same_in_any_unit, ensemble, periodic,
+FAMILIES = [above_a_form, filtered, cut_and_thinned, holes_filled, acf_with_holes, ensemble_of_strangers, two_rough_bodies,
+            load_and_approach, acf_by_sums, psd_by_transform, quantiles, slopes, heights_of_any_surface, same_in_any_unit,
+            ensemble, periodic,
             noisy_table,
             contact, contact, contact, hertz, turned_contact, contact_in_any_unit, stress_by_quadrature,
             stress_in_equilibrium,
