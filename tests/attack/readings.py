@@ -9,6 +9,8 @@ from scipy.io import netcdf_file
 import maps
 from bench import BAD_DATA, RIGHT, Wrong, check
 
+CONTACT = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
+
 
 def close(a, b, relative=1e-9, absolute=0.0):
     a, b = np.asarray(a, float), np.asarray(b, float)

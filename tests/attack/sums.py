@@ -56,3 +56,29 @@ def boussinesq(x, y, z, nu):
            "xy": side * ((1 - z / rho) * 2 * x * y / r2 - x * y * z / rho**3) - 3 * x * y * z / rho**5,
            "xz": -3 * x * z**2 / rho**5, "yz": -3 * y * z**2 / rho**5}
     return {name: value / (2 * np.pi) for name, value in out.items()}
+
+
+def cerruti(x, y, z, nu):
+    """Stresses below a unit force along x on the surface of a half-space (Johnson, eq. 3.76), tension positive."""
+    rho = np.sqrt(x**2 + y**2 + z**2)
+    near, side = rho + z, 1 - 2 * nu
+    out = {"xx": -3 * x**3 / rho**5 + side * (x / rho**3 - 3 * x / (rho * near**2) + x**3 / (rho**3 * near**2)
+                                              + 2 * x**3 / (rho**2 * near**3)),
+           "yy": -3 * x * y**2 / rho**5 + side * (x / rho**3 - x / (rho * near**2) + x * y**2 / (rho**3 * near**2)
+                                                  + 2 * x * y**2 / (rho**2 * near**3)),
+           "zz": -3 * x * z**2 / rho**5,
+           "xy": -3 * x**2 * y / rho**5 + side * (-y / (rho * near**2) + x**2 * y / (rho**3 * near**2)
+                                                  + 2 * x**2 * y / (rho**2 * near**3)),
+           "xz": -3 * x**2 * z / rho**5, "yz": -3 * x * y * z / rho**5}
+    return {name: value / (2 * np.pi) for name, value in out.items()}
+
+
+def stress_of_cells(p, dx, dy, at, nu, friction=0.0):
+    """Every component at a point, by Gauss's rule with ten by ten points in each cell."""
+    nodes, weights = np.polynomial.legendre.leggauss(10)
+    sources = [((np.arange(n) + 0.5 - n / 2)[:, None] * s + nodes * s / 2).ravel() for n, s in zip(p.shape, (dx, dy))]
+    share = np.outer(np.tile(weights, p.shape[0]), np.tile(weights, p.shape[1])) / 4 * dx * dy
+    force = np.kron(p, np.ones((10, 10))) * share
+    away = np.meshgrid(at[0] - sources[0], at[1] - sources[1], indexing="ij")
+    normal, along = boussinesq(*away, at[2], nu), cerruti(*away, at[2], nu)
+    return {name: ((normal[name] + friction * along[name]) * force).sum() for name in normal}

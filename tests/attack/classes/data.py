@@ -6,9 +6,8 @@ import numpy as np
 
 import maps
 from bench import BAD_DATA, RIGHT, USAGE, check
-from readings import close, independent, same_array, same_numbers, whole_xml
-
-CONTACT = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
+from readings import CONTACT, close, same_numbers, whole_xml
+from strangers import any_format, any_netcdf, integers, mask_of_any_kind, masked, mutated, odd_axes, written_and_read
 
 
 # ---- faults that there have been ----
@@ -292,64 +291,51 @@ FAULTS = [stale_length, stale_length_under_load, *map(rule, ("scale", "offset", 
 # ---- relatives, at random ----
 
 
-def any_netcdf(case):
-    """Types, units, orders, directions and lengths of NetCDF as others write it."""
-    surface = maps.random_surface(case.rng)
-    unit, kind = case.one_of(*maps.METRES), case.one_of("f8", "f8", "f4")
-    surface.z = (surface.z / maps.METRES[unit]).astype(kind).astype(float) * maps.METRES[unit]
-    single = 1 in surface.shape
-    length = "right" if single else case.one_of("right", "none", "stale")
-    maps.write_netcdf(case.path("in.nc"), surface, unit=unit, kind=kind, xy_unit=case.one_of("m", "um", "mm", "nm", "inch"),
-                      order=case.one_of("xy", "yx"), down=case.one_of((), (), "x", "y", "xy"), length=length,
-                      format=case.one_of("NETCDF3_CLASSIC", "NETCDF3_64BIT_OFFSET", "NETCDF3_64BIT_DATA", "NETCDF4",
-                                         "NETCDF4_CLASSIC"))
-    same_array(case, "in.nc", surface)
-    return same_numbers(case, "in.nc", surface)
+def packed_neighbours(case):
+    """CF's rules hold for pressures, coordinates and counter bodies as for heights, or these are refused by name."""
+    surface, p, attributes = maps.pressed(case.rng)
+    maps.write_netcdf(case.path("one.nc"), surface, fields={"pressure": (p, "Pa")}, attributes=attributes)
+    _, expected = stress_of(case, "one.nc")
+    name, scale, offset = case.one_of(("pressure", 1e6, 0), ("pressure", 1e3, 5e5), ("x", 1e-6, 0), ("y", 2.0, 1e-3))
+    maps.write_netcdf(case.path("two.nc"), surface, fields={"pressure": ((p - offset) / scale if name == "pressure" else p,
+                                                                         "Pa")},
+                      attributes=attributes, length="none")
+    with netCDF4.Dataset(case.path("two.nc"), "a") as data:
+        data.set_auto_maskandscale(False)
+        if name != "pressure":
+            data[name][:] = (data[name][:] - offset) / scale
+        data[name].scale_factor = scale
+        if offset:
+            data[name].add_offset = offset
+    run, found = stress_of(case, "two.nc")
+    if run.code != 0:
+        return case.refused(run, BAD_DATA, name)
+    check(close(found, expected, 1e-7, 1e-7 * abs(expected).max()),
+          f"the stress that a packed {name} has when it is unpacked")
+    return RIGHT
+
+
+def missing_pressure(case):
+    """Of pressures that are missing, by whatever rule, no stress is made up."""
+    surface, p, attributes = maps.pressed(case.rng)
+    way = case.one_of("_FillValue", "missing_value", "default", "nan", "valid_max", "list")
+    p[5, 5] = {"default": netCDF4.default_fillvals["f8"], "nan": np.nan, "valid_max": 9e12}.get(way, -9999.0)
+    maps.write_netcdf(case.path("in.nc"), surface, attributes=attributes)
+    with netCDF4.Dataset(case.path("in.nc"), "a") as data:
+        variable = data.createVariable("pressure", "f8", ("x", "y"), fill_value=-9999.0 if way == "_FillValue" else None)
+        variable.set_auto_maskandscale(False)
+        variable.units, variable[:] = "Pa", p
+        if way == "missing_value" or way == "list":
+            variable.missing_value = np.array([-1.0, -9999.0]) if way == "list" else -9999.0
+        if way == "valid_max":
+            variable.valid_max = 5e12
+    return case.refused(stress_of(case, "in.nc")[0], BAD_DATA, "pressure")
 
 
 def any_packed(case):
     return packed(case, case.one_of("scale", "offset", "_FillValue", "missing_value", "list", "valid_range", "valid_min",
                                     "valid_max",
                                     "default"))
-
-
-def masked(case):
-    """A mask, NaN or a fill value: statistics leave points out, contact refuses them."""
-    surface = maps.random_surface(case.rng, least=5)
-    holes = case.rng.random(surface.shape) < 0.2
-    holes.flat[0] = True
-    whole = maps.Surface(surface.z.copy(), surface.dx, surface.dy)
-    surface.z[holes] = np.nan
-    way = case.one_of("mask", "nan", "fill")
-    if way == "mask":
-        maps.write_netcdf(case.path("in.nc"), whole, fields={"mask": (holes.astype("f8"), "1")})
-    elif way == "nan":
-        maps.write_netcdf(case.path("in.nc"), surface)
-    else:
-        maps.write_netcdf(case.path("in.nc"), surface, raw=np.where(holes, -5.0, whole.z), extra={"_FillValue": -5.0})
-    case.refused(case.run("contact", *CONTACT, "in.nc", "-o", "out.nc"), BAD_DATA, "heights")
-    return same_numbers(case, "in.nc", surface)
-
-
-def any_format(case):
-    """Every format of instruments, as its own page defines it."""
-    name = case.one_of(*maps.FORMATS)
-    surface = maps.random_surface(case.rng, least=3 if name == "txt" else 2)
-    content, options = maps.FORMATS[name](surface, case.rng)
-    extension = {"sdf-ascii": "sdf", "gwyddion": "txt"}.get(name, name)
-    case.path("in." + extension).write_bytes(content)
-    out = case.path("out.npy")
-    case.done("convert", "in." + extension, *options, "-o", out)
-    unit = 1e-15 / np.nanmax(abs(surface.z))
-    check(close(np.load(out), surface.z, 1e-12, max(unit, 1e-12) * np.nanmax(abs(surface.z))),
-          f"the numbers of this {name}")
-    case.done("convert", "in." + extension, *options, "-o", "out.nc")
-    axes = maps.read(case.path("out.nc"))[0]
-    for axis, step in (("x", surface.dx), ("y", surface.dy)):
-        if axes[axis].size > 1:
-            check(close(np.diff(axes[axis]), step, 1e-6) or np.allclose(np.diff(axes[axis]), step, rtol=1e-6),
-                  f"a spacing of {step!r} along {axis}")
-    return RIGHT
 
 
 def unit_of_any_field(case):
@@ -360,48 +346,8 @@ def unit_of_any_field(case):
     return pressure_in(case, unit, factor)
 
 
-def mutated(case):
-    """A valid file of which bytes are flipped, cut or inserted: read like NumPy does, or refused."""
-    name = case.one_of("nc", "nc", "npy", "npy", *maps.FORMATS)
-    surface = maps.random_surface(case.rng, (5, 4))
-    if name == "nc":
-        maps.write_netcdf(case.path("in.nc"), surface, format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF3_CLASSIC",
-                                                                          "NETCDF4"))
-        content, options = case.path("in.nc").read_bytes(), []
-    else:
-        content, options = maps.FORMATS[name](surface, case.rng)
-    content = maps.mutated(case, content)
-    extension = {"sdf-ascii": "sdf", "gwyddion": "txt"}.get(name, name)
-    case.path("in." + extension).write_bytes(content)
-    run = case.run("convert", "in." + extension, *options, "-o", "out.npy", limits=("t20", "v4000000"))
-    if run.code != 0:
-        return case.refused(run, (BAD_DATA, USAGE))
-    ours = np.load(case.path("out.npy"))
-    check(not np.isinf(ours).any(), "nothing infinite")
-    theirs = independent(name, content, options)
-    if theirs is not None:
-        check(close(ours, theirs, 1e-12), "the numbers that others read in it")
-    return RIGHT
-
-
-def written_and_read(case):
-    """What one format is written to comes back the same."""
-    surface = maps.random_surface(case.rng, least=2)
-    maps.write_netcdf(case.path("in.nc"), surface)
-    to = case.one_of("npy", "nrrd", "sdf", "sdf-ascii", "esri", "x3p", "text", "gwyddion-text", "gsf")
-    name = "out." + {"sdf-ascii": "sdf", "esri": "asc", "text": "txt", "gwyddion-text": "txt"}.get(to, to)
-    run = case.run("convert", "in.nc", "--to", to, "-o", name)
-    if run.code != 0:
-        return case.refused(run, BAD_DATA)
-    options = ["--size", f"{surface.shape[0] * surface.dx!r}m,{surface.shape[1] * surface.dy!r}m"] if to in ("npy",
-                                                                                                             "text") else []
-    options += ["--heights", "--format", "text"] if to == "text" else []
-    single = 1e-7 if to == "gsf" else 1e-12
-    same_array(case, name, surface, options, single)
-    return RIGHT
-
-
-FAMILIES = [any_netcdf, any_netcdf, any_packed, unit_of_other_fields, counter_in_other_units, masked, any_format,
+FAMILIES = [any_netcdf, any_netcdf, any_packed, integers, packed_neighbours, missing_pressure, mask_of_any_kind, odd_axes,
+            unit_of_other_fields, counter_in_other_units, masked, any_format,
             any_format, unit_of_any_field, mutated, mutated, mutated,
             written_and_read, stale_length, descending, odd_unit_in_vti, latin_json, control_characters, concatenated,
             bad_poisson]

@@ -7,7 +7,7 @@ from scipy import signal, stats
 import maps
 from bench import BAD_DATA, DIFFERS, NOT_CONVERGED, RIGHT, TOLD, USAGE, check
 from readings import close, same_numbers
-from sums import COMPOSITE, autocorrelation, boussinesq, displacement_of, wrapped
+from sums import COMPOSITE, autocorrelation, displacement_of, stress_of_cells, wrapped
 
 BODIES = ("--young", "200GPa", "--poisson", "0.3")
 
@@ -445,32 +445,40 @@ def contact_in_any_unit(case):
 
 
 def stress_by_quadrature(case):
-    """Every component as the sum over cells of Boussinesq's, by Gauss's rule within each."""
-    nu = float(case.rng.uniform(0, 0.49))
+    """Every component as the sum over cells of Boussinesq's and, with friction along x, of Cerruti's."""
+    nu, friction = float(case.rng.uniform(0, 0.49)), case.one_of(0.0, float(case.rng.uniform(0, 0.8)))
     surface, p, attributes = maps.pressed(case.rng, (11, 9))
     p *= case.rng.uniform(0.2, 1, p.shape)
     maps.write_netcdf(case.path("in.nc"), surface, fields={"pressure": (p, "Pa")}, attributes=attributes)
     depth = float(case.rng.uniform(1, 5)) * 1e-6
     case.done("stress", "in.nc", "--depths", f"{depth!r}m", "--components", "all", "--resolution", "full", "--poisson",
-              f"{nu!r}", "-o", "out.nc")
+              f"{nu!r}",
+              "--friction", f"{friction!r}", "-o", "out.nc")
     found, _ = maps.read(case.path("out.nc"))
-    nodes, weights = np.polynomial.legendre.leggauss(10)
     i, j = (int(case.rng.integers(n)) for n in surface.shape)
-    x, y = (maps.cell_centres(n, s) for n, s in zip(surface.shape, (surface.dx, surface.dy)))
-    sources_x = (x[:, None] + nodes * surface.dx / 2).ravel()
-    sources_y = (y[:, None] + nodes * surface.dy / 2).ravel()
-    share = np.outer(np.tile(weights, len(x)), np.tile(weights, len(y))) / 4 * surface.dx * surface.dy
-    force = np.kron(p, np.ones((10, 10))) * share
-    away = np.meshgrid(x[i] - sources_x, y[j] - sources_y, indexing="ij")
-    expected = {name: (value * force).sum() for name, value in boussinesq(*away, depth, nu).items()}
-    for name, value in expected.items():
+    at = [maps.cell_centres(n, s)[k] for n, s, k in zip(surface.shape, (surface.dx, surface.dy), (i, j))] + [depth]
+    s = stress_of_cells(p, surface.dx, surface.dy, at, nu, friction)
+    for name, value in s.items():
         ours = found[f"stress_{name}"][0, i, j]
-        check(abs(ours - value) <= 1e-6 * p.max(),
-              f"stress_{name} = {value!r} at cell ({i}, {j}), {depth!r} m deep, not {ours!r}")
-    s = expected
+        check(abs(ours - value) <= 1e-6 * p.max(), f"stress_{name} = {value!r} at {at}, not {ours!r}")
     mises = np.sqrt(((s["xx"] - s["yy"])**2 + (s["yy"] - s["zz"])**2 + (s["zz"] - s["xx"])**2) / 2
                     + 3 * (s["xy"]**2 + s["yz"]**2 + s["xz"]**2))
     check(abs(found["von_mises"][0, i, j] - mises) <= 1e-5 * p.max(), f"a von Mises stress of {mises!r}")
+    return RIGHT
+
+
+def stress_of_waves(case):
+    """Below a periodic surface a wave of pressure is -(1 + q z) exp(-q z) of itself in stress_zz."""
+    surface = surface_file(case, periodic=1)
+    case.done("contact", "in.nc", *BODIES, "--boundary", "periodic", "--load", "3mN", "-o", "p.nc")
+    p = maps.read(case.path("p.nc"))[0]["pressure"]
+    depth = float(case.rng.uniform(0, 5)) * 1e-6
+    case.done("stress", "p.nc", "--depths", f"{depth!r}m", "--components", "zz", "--resolution", "full", "-o", "out.nc")
+    qx, qy = (2 * np.pi * np.fft.fftfreq(n, s) for n, s in zip(p.shape, (surface.dx, surface.dy)))
+    qz = np.hypot(*np.meshgrid(qx, qy, indexing="ij")) * depth
+    expected = -np.fft.ifft2(np.fft.fft2(p) * (1 + qz) * np.exp(-qz)).real
+    found = maps.read(case.path("out.nc"))[0]["stress_zz"][0]
+    check(close(found, expected, 0, 1e-9 * p.max()), f"the stress of each wave, {depth!r} m deep")
     return RIGHT
 
 
