@@ -11,7 +11,7 @@ import xml.etree.ElementTree as xml
 import numpy as np
 
 import maps
-from bench import BAD_DATA, NOT_CONVERGED, REFUSED, RIGHT, TOOLS, USAGE, check
+from bench import BAD_DATA, NOT_CONVERGED, REFUSED, RIGHT, TOOLS, USAGE, Wrong, check
 from classes.streams import inputs
 
 BASE = {"acf": ["g.nc", "--dataset", "-o", "out.nc"],
@@ -46,7 +46,7 @@ NASTY = ["'; touch pwned; '", "$(touch pwned)", "`touch pwned`", "\"; system(\"t
          "'.system('touch pwned').'",
          "\n!touch pwned\n", "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;owned\x07\x1b[31m",
          "%s%n%d",
-         "../../../x", "a\nb", "\\", "\\n", "@x", "{/Symbol a}", "''", "a''b", "\u202egpj.exe", "x" * 5000, "|touch pwned",
+         "folder/../x", "a\nb", "\\", "\\n", "@x", "{/Symbol a}", "''", "a''b", "\u202egpj.exe", "x" * 5000, "|touch pwned",
          "-", "--", "/",
          "\u0085", "\ufffd", "NaN", "]]>", "&amp;", "heights", "acf", "gaussian", "netcdf", "."]
 
@@ -121,8 +121,7 @@ def finite_dataset(path):
 
 
 def nothing_executed(case):
-    strange = [name for name in case.files() if "pwned" in name]
-    check(not strange, f"nothing that was told is executed: {strange}")
+    check(not case.path("pwned").exists(), "nothing that was told is executed")
     for name in case.files():
         if name.endswith(".html") and case.path(name).is_file():
             page = case.path(name).read_text(errors="replace")
@@ -347,7 +346,10 @@ def markup(case):
                      "out.svg", limits=LIMITS)
     nothing_executed(case)
     if drawn.code == 0:
-        xml.parse(case.path("out.svg"))
+        try:
+            xml.parse(case.path("out.svg"))
+        except xml.ParseError as e:
+            raise Wrong(f"a figure that is well formed, whatever its title: {e}") from e
     return RIGHT if run.code == drawn.code == 0 else REFUSED
 
 
