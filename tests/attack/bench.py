@@ -3,6 +3,7 @@
 Whatever a tool is told, it ends by itself with a known exit status; it fails with one line that begins with its name; all
 that it says is printable, in lines of less than 1000 bytes.
 """
+import json
 import os
 import pathlib
 import pickle
@@ -33,6 +34,16 @@ class Skipped(Exception):
 def check(holds, expected):
     if not holds:
         raise Wrong(expected)
+
+
+def strict_json(text):
+    """RFC 8259, which knows no NaN and no Infinity."""
+    def refuse(word):
+        raise Wrong(f"JSON without {word}")
+    try:
+        return json.loads(text, parse_constant=refuse)
+    except ValueError as e:
+        raise Wrong(f"JSON: {e}") from e
 
 
 class Run:

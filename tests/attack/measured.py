@@ -1,11 +1,10 @@
 """Families of the class numbers: what is measured of a surface, against plain sums."""
-import json
 
 import numpy as np
 from scipy import signal
 
 import maps
-from bench import RIGHT, check
+from bench import RIGHT, check, strict_json
 from readings import close, same_numbers
 from sums import autocorrelation
 
@@ -51,8 +50,8 @@ def quantiles(case):
     surface = surface_file(case)
     shares = sorted(case.rng.uniform(0.05, 0.95, 3).round(3))
     run = case.done("stats", "in.nc", "--json", "--quantiles", ",".join(map(str, shares)))
-    found = [q["value"] for name, q in json.loads(run.out).items() if name.startswith("quantile") or name[:1] in "qQ"]
-    check(len(found) == 3, f"three quantiles of {list(json.loads(run.out))}")
+    found = [q["value"] for name, q in strict_json(run.out).items() if name.startswith("quantile") or name[:1] in "qQ"]
+    check(len(found) == 3, f"three quantiles of {list(strict_json(run.out))}")
     heights = np.sort(surface.z.ravel()) - surface.z.mean()
     for share, q in zip(shares, found):
         below = np.searchsorted(heights, [q - 1e-15, q + 1e-15]) / heights.size
@@ -64,7 +63,7 @@ def slopes(case):
     """Sdq, Sdr of four triangles a cell, and mean square slopes and curvatures of plain differences."""
     surface = surface_file(case)
     z, dx, dy = surface.z, surface.dx, surface.dy
-    found = json.loads(case.done("stats", "in.nc", "--json", "--parameters", "hybrid").out)
+    found = strict_json(case.done("stats", "in.nc", "--json", "--parameters", "hybrid").out)
     a, b = np.diff(z, axis=0) / dx, np.diff(z, axis=1) / dy
     along, across = (b[:-1] + b[1:]) / 2, (a[:, :-1] + a[:, 1:]) / 2
     area = sum(np.sqrt(1 + s**2 + along**2) for s in (a[:, :-1], a[:, 1:]))
@@ -86,7 +85,7 @@ def same_in_any_unit(case):
     """The same surface in nm and in m, transposed and not: one table, to round-off."""
     surface = surface_file(case)
     maps.write_netcdf(case.path("other.nc"), surface, unit="nm", xy_unit="mm", order="yx")
-    tables = [json.loads(case.done("stats", name, "--json", "--parameters", "height,hybrid,spatial,material").out)
+    tables = [strict_json(case.done("stats", name, "--json", "--parameters", "height,hybrid,spatial,material").out)
               for name in ("in.nc", "other.nc")]
     for name, one in tables[0].items():
         other = tables[1][name]["value"]
@@ -104,7 +103,7 @@ def above_a_form(case):
     x, y = np.meshgrid(*(np.linspace(-1, 1, n) for n in surface.shape), indexing="ij")
     terms = np.array([x**i * y**j for i in range(degree + 1) for j in range(degree + 1 - i)]).reshape(-1, x.size).T
     d = surface.z.ravel() - terms @ np.linalg.lstsq(terms, surface.z.ravel(), rcond=None)[0]
-    found = json.loads(case.done("stats", "in.nc", "--json", "--level", "plane" if degree == 1 else degree).out)
+    found = strict_json(case.done("stats", "in.nc", "--json", "--level", "plane" if degree == 1 else degree).out)
     check(close(found["Sq"]["value"], d.std(), 1e-9),
           f"Sq = {d.std()!r} above a polynomial of degree {degree}, not {found['Sq']['value']!r}")
     check(close(found["Sa"]["value"], abs(d - d.mean()).mean(), 1e-9), "Sa above it")
@@ -121,7 +120,7 @@ def filtered(case):
 def same_after_filter(case, surface, option):
     """A filter leaves a constant, is linear, and ignores units: half the heights have half the Sq."""
     maps.write_netcdf(case.path("half.nc"), maps.Surface(surface.z / 2 + 1e-6, surface.dx, surface.dy), unit="nm")
-    found = [json.loads(case.done("stats", name, "--json", option, "8um").out)["Sq"]["value"] for name in ("in.nc",
+    found = [strict_json(case.done("stats", name, "--json", option, "8um").out)["Sq"]["value"] for name in ("in.nc",
                                                                                                            "half.nc")]
     check(close(found[1], found[0] / 2, 1e-7), f"half of Sq = {found[0]!r} of half the heights, not {found[1]!r}")
     check(found[0] < surface.z.std() * (1 + 1e-9), "no more than there was")
@@ -198,7 +197,7 @@ def ensemble_of_strangers(case):
                                                                                                                       "mm"),
                           order=case.one_of("xy", "yx"), length=case.one_of("right", "none"))
         values.append(maps.parameters(surface))
-    table = json.loads(case.done("stats", "s0.nc", "s1.nc", "s2.nc", "--json", "--parameters", "height,hybrid").out)
+    table = strict_json(case.done("stats", "s0.nc", "s1.nc", "s2.nc", "--json", "--parameters", "height,hybrid").out)
     names = next(column["values"] for column in table.values() if "Sq" in column["values"])
     means = table["mean"]["values"]
     for name in ("Sa", "Sq", "Ssk", "Sku", "Sp", "Sv", "Sz", "Sdq"):

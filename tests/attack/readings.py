@@ -1,13 +1,12 @@
 """What others read in the same file, and whether Asperity reads that."""
 import io
-import json
 import xml.etree.ElementTree as xml
 
 import numpy as np
 from scipy.io import netcdf_file
 
 import maps
-from bench import BAD_DATA, RIGHT, Wrong, check
+from bench import BAD_DATA, RIGHT, Wrong, check, strict_json
 
 CONTACT = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
 
@@ -24,7 +23,7 @@ def same_numbers(case, path, surface, options=(), relative=1e-9, refusal=()):
     if run.code != 0:
         check(refusal, f"the numbers, not a refusal: {run.err.strip()[:300]!r}")
         return case.refused(run, BAD_DATA, *refusal)
-    found = json.loads(run.out)
+    found = strict_json(run.out)
     scale = np.nanmax(abs(surface.z))
     for name, value in maps.parameters(surface).items():
         if name == "Sdq" and not slopes:

@@ -1,11 +1,10 @@
 """Files of strangers: what is read has the numbers that NumPy reads, or is refused in a line that names what is wrong."""
-import json
 
 import netCDF4
 import numpy as np
 
 import maps
-from bench import BAD_DATA, RIGHT, USAGE, check
+from bench import BAD_DATA, RIGHT, USAGE, check, strict_json
 from readings import CONTACT, close, same_numbers, whole_xml
 from strangers import any_format, any_netcdf, integers, mask_of_any_kind, masked, mutated, odd_axes, written_and_read
 
@@ -227,7 +226,7 @@ def latin_unit(case, tool_options, field="heights"):
         check("json.exception" not in run.err and "utf8" not in run.err.lower(), f"words, not {run.err!r}")
         return case.refused(run, BAD_DATA, field)
     if tool_options[0] == "stats":
-        found = json.loads(run.out)
+        found = strict_json(run.out)
         if field == "heights":
             check(close(found["Sq"]["value"], maps.parameters(surface)["Sq"]), "micrometres")
     elif "vti" in tool_options:

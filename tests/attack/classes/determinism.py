@@ -1,11 +1,10 @@
 """The same command gives the same bytes: by any number of threads, twice, from a pipe, in strips, elsewhere."""
-import json
 import subprocess
 
 import numpy as np
 
 import maps
-from bench import RIGHT, TOOLS, check
+from bench import RIGHT, TOOLS, check, strict_json
 from readings import close
 from classes.options import BASE, without
 from classes.streams import inputs
@@ -118,11 +117,11 @@ def strips_that_are_read(case):
                       length=case.one_of("right", "none", "stale"), format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF4"))
     groups = ["--json", "--parameters", case.one_of("height", "height,hybrid", "material", "height,material,hybrid"),
               *case.one_of([], ["--level", "plane"], ["--level", "2"])]
-    whole = json.loads(case.done("stats", "in.nc", *groups).out)
+    whole = strict_json(case.done("stats", "in.nc", *groups).out)
     run = case.run("stats", "in.nc", *groups, "--memory", case.one_of("100kB", "300kB", "1MB"))
     if run.code != 0:
         return case.refused(run, 2, "memory")
-    parts = json.loads(run.out)
+    parts = strict_json(run.out)
     check(set(parts) == set(whole), f"the same parameters: {set(parts) ^ set(whole)}")
     for name in set(parts) & set(whole):
         if name.startswith(("N_eff", "nayak")) or whole[name]["value"] is None:

@@ -1,11 +1,10 @@
 """Numbers against sums that share nothing with the library but the equations; laws of turning and of units."""
-import json
 
 import numpy as np
 from scipy import signal, stats
 
 import maps
-from bench import BAD_DATA, DIFFERS, NOT_CONVERGED, RIGHT, TOLD, USAGE, check
+from bench import BAD_DATA, DIFFERS, NOT_CONVERGED, RIGHT, TOLD, USAGE, check, strict_json
 from measured import (above_a_form, acf_by_sums, acf_with_holes, cut_and_thinned, ensemble_of_strangers, filtered,
                       heights_of_any_surface, holes_filled, psd_by_transform, quantiles, same_in_any_unit, slopes,
                       surface_file)
@@ -183,7 +182,7 @@ def load_and_approach(case):
     case.done("contact", *common, "--approach", f"{float(said['contact_approach'])!r}m", "-o", "two.nc")
     _, again = maps.read(case.path("two.nc"))
     check(close(again["contact_load"], 4e-3, 1e-5), f"a load of 4 mN, not {again['contact_load']!r} N")
-    table = json.loads(case.done("contact", *common, "--loads", "2mN,4mN,8mN", "--json").out)
+    table = strict_json(case.done("contact", *common, "--loads", "2mN,4mN,8mN", "--json").out)
     at = table["load"]["values"].index(4e-3)
     check(close(table["approach"]["values"][at], said["contact_approach"], 1e-5, 1e-15),
           "the approach of that load in a sweep")
@@ -297,7 +296,7 @@ def stress_in_equilibrium(case):
         places.append(" ".join(f"{v!r}m" for v in at))
     case.path("places").write_text("\n".join(places) + "\n")
     run = case.done("stress", "in.nc", "--points", "places", "--components", "all", "--json")
-    table = json.loads(run.out)
+    table = strict_json(run.out)
     names = [["xx", "xy", "xz"], ["xy", "yy", "yz"], ["xz", "yz", "zz"]]
     for row in names:
         slopes_of = []
