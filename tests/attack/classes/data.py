@@ -314,6 +314,21 @@ def packed_neighbours(case):
     return RIGHT
 
 
+def orders_there_and_back(case):
+    """A volume in the order of viewers, (z, y, x) and z upwards, is read as the volume that it was."""
+    surface, p, attributes = maps.pressed(case.rng)
+    maps.write_netcdf(case.path("in.nc"), surface, fields={"pressure": (p, "Pa")}, attributes=attributes)
+    case.done("stress", "in.nc", "--depths", case.one_of("0,1um,3um", "0:4um:5", "2um"), "--components", "von_mises,xz",
+              "-o", "s.nc")
+    case.done("convert", "s.nc", "--to-order", "yx", "-o", "yx.nc")
+    case.done("convert", "yx.nc", "-o", "back.nc")
+    one, back = (maps.read(case.path(name))[0] for name in ("s.nc", "back.nc"))
+    check(close(np.abs(back["z"]), one["z"], 1e-12, 1e-20), "the depths")
+    for name in ("heights", "pressure", "von_mises", "stress_xz"):
+        check(close(back[name], one[name], 1e-12), f"{name} as it was")
+    return RIGHT
+
+
 def missing_pressure(case):
     """Of pressures that are missing, by whatever rule, no stress is made up."""
     surface, p, attributes = maps.pressed(case.rng)
@@ -345,7 +360,8 @@ def unit_of_any_field(case):
     return pressure_in(case, unit, factor)
 
 
-FAMILIES = [any_netcdf, any_netcdf, any_packed, integers, packed_neighbours, missing_pressure, mask_of_any_kind, odd_axes,
+FAMILIES = [any_netcdf, any_netcdf, any_packed, integers, packed_neighbours, missing_pressure, orders_there_and_back,
+            mask_of_any_kind, odd_axes,
             unit_of_other_fields, counter_in_other_units, masked, any_format,
             any_format, unit_of_any_field, mutated, mutated, mutated,
             written_and_read, stale_length, descending, odd_unit_in_vti, latin_json, control_characters, concatenated,
