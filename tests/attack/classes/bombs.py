@@ -161,6 +161,8 @@ def endless(case, number=None):
     if run.code == 0:
         check(given[-2] in ("--threads", "--max-lag", "--columns", "--shape"), f"a refusal of {given}")
         return RIGHT
+    if given[-2] == "--threads":  # which the limit of addresses may refuse as well
+        return case.refused(run, (USAGE, RUNTIME))
     return case.refused(run, USAGE, "--")
 
 
@@ -221,7 +223,7 @@ def any_memory(case):
     """Under any limit of addresses a tool does its work or says that there is not enough."""
     tool = case.one_of(*[t for t in TOOLS if t not in ("plot", "report")])
     named_inputs(case, BASE[tool])
-    run = case.run(tool, *BASE[tool], limits=("t20", f"v{int(case.rng.integers(70, 500)) * 1000}"))
+    run = case.run(tool, *BASE[tool], limits=("t20", f"v{int(case.rng.integers(120, 500)) * 1000}"))
     return run.verdict()
 
 
