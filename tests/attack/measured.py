@@ -96,6 +96,20 @@ def same_in_any_unit(case):
     return RIGHT
 
 
+def texture_in_any_unit(case):
+    """The texture of a surface does not turn with a rounding of its size: waves of the shortest length count or do not."""
+    case.done("generate", "--shape", "16x20", "--size", "16um,20um", "--rq", "0.1um", "--length", "2px", "--seed",
+              case.rng.integers(1, 2**31), "-o", "in.nc")
+    case.done("convert", "in.nc", "-o", "in.npy")
+    found = []
+    for size in ("16um,20um", "0.016mm,0.020mm"):
+        case.done("convert", "in.npy", "--size", size, "-o", "out.nc")
+        table = strict_json(case.done("stats", "out.nc", "--json", "--parameters", "spatial").out)
+        found.append([table[name]["value"] for name in ("Std", "Std_contrast")])
+    check(close(found[1], found[0], 1e-6, 1e-6), f"a texture of {found[0]} by either size, not {found[1]}")
+    return RIGHT
+
+
 def above_a_form(case):
     """Heights above a plane or a polynomial of least squares."""
     surface = surface_file(case, shape=tuple(int(n) for n in case.rng.integers(9, 24, 2)))

@@ -104,6 +104,18 @@ def strips_of_a_surface(case):
     return RIGHT
 
 
+def strips_of_an_exact_one(case):
+    """--memory does not change a surface that is scaled to --rq either, to the last bit."""
+    arguments = ["--shape", "256x126", "--size", "1mm", "--rq", "1um", "--length", "4px", "--no-history", "--exact-rq",
+                 "--seed"]
+    for _ in range(4):
+        seed = str(case.rng.integers(1, 2**40))
+        first = made(case, "generate", [*arguments, seed], "one")
+        check(made(case, "generate", [*arguments, seed, "--memory", "1MB"], "other") == first,
+              "the same bytes in strips as whole")
+    return RIGHT
+
+
 def strips_that_are_read(case):
     """Parameters of a file that is read in strips are those of the whole."""
     shape = tuple(int(n) for n in case.rng.integers(60, 200, 2))
@@ -144,5 +156,6 @@ def other_number(case):
     return RIGHT
 
 
-FAULTS = [threads, twice, through_pipes, elsewhere, strips_of_a_surface, strips_that_are_read, other_number]
+FAULTS = [strips_of_an_exact_one, threads, twice, through_pipes, elsewhere, strips_of_a_surface, strips_that_are_read,
+          other_number]
 FAMILIES = FAULTS

@@ -7,7 +7,7 @@ import maps
 from bench import BAD_DATA, DIFFERS, NOT_CONVERGED, RIGHT, TOLD, USAGE, check, strict_json
 from measured import (above_a_form, acf_by_sums, acf_with_holes, cut_and_thinned, ensemble_of_strangers, filtered,
                       heights_of_any_surface, holes_filled, psd_by_transform, quantiles, same_in_any_unit, slopes,
-                      surface_file)
+                      surface_file, texture_in_any_unit)
 from readings import close
 from sums import COMPOSITE, displacement_of, stress_of_cells, wrapped
 
@@ -308,7 +308,7 @@ def stress_in_equilibrium(case):
     return RIGHT
 
 
-FAULTS = [periodic_line, periodic_wide, periodic_wide, lone_line_validate, noisy_table, noisy_table]
+FAULTS = [texture_in_any_unit, periodic_line, periodic_wide, periodic_wide, lone_line_validate, noisy_table, noisy_table]
 FAMILIES = [above_a_form, filtered, cut_and_thinned, holes_filled, acf_with_holes, ensemble_of_strangers, two_rough_bodies,
             load_and_approach, acf_by_sums, psd_by_transform, quantiles, slopes, heights_of_any_surface, same_in_any_unit,
             ensemble, periodic,

@@ -202,9 +202,26 @@ def quoted_title(case):
     inputs(case, ("g.nc",))
     title = case.one_of(*TITLES)
     case.done("plot", "g.nc", "--kind", "map", "--title", title, "-o", "out.svg")
-    found = "".join(xml.parse(case.path("out.svg")).getroot().itertext())
+    found = "".join(well_formed(case.path("out.svg")).itertext())
     check(title in found, f"the title {title!r} in the figure")
     return RIGHT
+
+
+def figure_is_xml(case):
+    """No title makes of an SVG what is no XML."""
+    inputs(case, ("g.nc",))
+    title = case.one_of("]]>", "a]]>b", "<b>", "&amp; &", "]]><script>alert(1)</script>")
+    run = case.run("plot", "g.nc", "--kind", case.one_of("map", "profile", "pdf"), "--title", title, "-o", "out.svg")
+    if run.code == 0:
+        well_formed(case.path("out.svg"))
+    return run.verdict()
+
+
+def well_formed(path):
+    try:
+        return xml.parse(path).getroot()
+    except xml.ParseError as e:
+        raise Wrong(f"a figure that is well formed: {e}") from e
 
 
 def quoted_file(case):
@@ -214,7 +231,7 @@ def quoted_file(case):
     case.path("g.nc").rename(case.path(name))
     maps.write_netcdf(case.path("g.nc"), maps.random_surface(case.rng, (12, 10)))
     case.done("plot", name, "g.nc", "--kind", "map", "-o", "out.svg")
-    found = "".join(xml.parse(case.path("out.svg")).getroot().itertext())
+    found = "".join(well_formed(case.path("out.svg")).itertext())
     check(name[:-3] in found, f"the label {name!r} in the figure")
     return RIGHT
 
@@ -236,7 +253,7 @@ def digits(case):
 
 FAULTS = [many_convolutions, empty_counter, empty_output, beyond_all_depths, beyond_all_friction, beyond_all_heights,
           aliased,
-          quoted_title, quoted_file, digits]
+          quoted_title, quoted_file, figure_is_xml, figure_is_xml, digits]
 
 
 # ---- relatives, at random ----
@@ -346,10 +363,7 @@ def markup(case):
                      "out.svg", limits=LIMITS)
     nothing_executed(case)
     if drawn.code == 0:
-        try:
-            xml.parse(case.path("out.svg"))
-        except xml.ParseError as e:
-            raise Wrong(f"a figure that is well formed, whatever its title: {e}") from e
+        well_formed(case.path("out.svg"))
     return RIGHT if run.code == drawn.code == 0 else REFUSED
 
 
