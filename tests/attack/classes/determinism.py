@@ -88,6 +88,16 @@ def elsewhere(case):
     return RIGHT
 
 
+def pictures_in_any_language(case):
+    """A figure and a page are the same in every language, with letters that not every one has."""
+    tool = case.one_of("plot", "report")
+    arguments = command(case, tool) + ["--title", case.one_of("größe µ °", "plain", "Ω→∞")]
+    languages = subprocess.run(["locale", "-a"], capture_output=True, text=True).stdout.split()
+    pages = [made(case, tool, arguments, f"p{i}", env={"LC_ALL": l}) for i, l in enumerate(("C", case.one_of(*languages)))]
+    check(pages[0] == pages[1], "the same picture in every language")
+    return RIGHT
+
+
 def strips_of_a_surface(case):
     """A surface that is drawn in strips is that which is drawn whole."""
     shape = f"{int(case.rng.integers(100, 300))}x{int(case.rng.integers(100, 200))}"
@@ -156,6 +166,6 @@ def other_number(case):
     return RIGHT
 
 
-FAULTS = [strips_of_an_exact_one, threads, twice, through_pipes, elsewhere, strips_of_a_surface, strips_that_are_read,
+FAULTS = [strips_of_an_exact_one, threads, twice, through_pipes, elsewhere, pictures_in_any_language, strips_of_a_surface, strips_that_are_read,
           other_number]
 FAMILIES = FAULTS
