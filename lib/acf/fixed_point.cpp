@@ -69,6 +69,9 @@ class FixedPoint {
   std::exception_ptr failure_;
 };
 
+// Vectors that KINSOL clones beside the earlier iterates, their images and a basis of them.
+constexpr std::size_t beside_earlier = 7;
+
 int fixed_point(N_Vector u, N_Vector g, void* data) {
   return static_cast<FixedPoint*>(data)->map(values(u), values(g));
 }
@@ -79,13 +82,16 @@ IterationResult solve_fixed_point(const NonlinearSystem& system, std::span<doubl
                                   const FixedPointOptions& options) {
   const Stopwatch watch;
   FixedPoint iteration(system, options);
+  const long depth = std::min<long>(options.depth, static_cast<long>(u.size()));
+  VectorStore store(u.size(), static_cast<std::size_t>(3 * depth) + beside_earlier);
   sundials::Context context;
-  const Vector iterate = vector_of(u, context), scale = vector_of(unchanged(system.scale), context);
-  const Kinsol kinsol = made(Kinsol(KINCreate(context)), "KINCreate");
-  check(KINSetMAA(kinsol.get(), std::min<long>(options.depth, static_cast<long>(u.size()))), "KINSetMAA");
+  const Vector iterate = vector_of(u, context, store),
+               scale = vector_of(unchanged(system.scale), context, store);
+  const Kinsol kinsol = made(Kinsol(KINCreate(context)));
+  silence(kinsol.get(), context);
+  check(KINSetMAA(kinsol.get(), depth), "KINSetMAA");
   check(KINInit(kinsol.get(), fixed_point, iterate.get()), "KINInit");
   check(KINSetUserData(kinsol.get(), &iteration), "KINSetUserData");
-  silence(kinsol.get(), context);
   check(KINSetNumMaxIters(kinsol.get(), options.max_iterations + 2), "KINSetNumMaxIters");
   // FixedPoint decides on convergence: here it is G(u) = u to the last bit.
   check(KINSetFuncNormTol(kinsol.get(), std::numeric_limits<double>::min()), "KINSetFuncNormTol");

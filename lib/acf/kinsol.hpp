@@ -1,7 +1,13 @@
 /// KINSOL's objects with owners, and its vectors: what the iterations on it share. The only door to SUNDIALS.
+///
+/// SUNDIALS does not survive want of memory: N_VClone writes into the vector that it was not given, and KINInit frees what
+/// its caller frees again. All vectors of an iteration are therefore taken at once, before it is set up (VectorStore), with
+/// room for the little that SUNDIALS takes beside them.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -29,6 +35,27 @@ using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, FreeVector>;
 using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, FreeSolver>;
 using Kinsol = std::unique_ptr<void, FreeKinsol>;
 
+/// The memory of the vectors that SUNDIALS clones: given back when the store ends, after them.
+class VectorStore {
+ public:
+  /// For `count` vectors of `size` numbers. Throws std::bad_alloc.
+  VectorStore(std::size_t size, std::size_t count);
+  VectorStore(const VectorStore&) = delete;
+  VectorStore& operator=(const VectorStore&) = delete;
+
+  /// A block for one vector and what describes it; null where all are taken.
+  void* take() noexcept;
+  void give_back(void* block) noexcept;
+
+ private:
+  struct Free {
+    void operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
+  };
+  static constexpr std::align_val_t alignment{64};  // of the values
+  std::unique_ptr<std::byte[], Free> memory_;
+  std::vector<void*> free_;
+};
+
 /// Throws std::runtime_error naming the call where its flag says that it failed.
 inline void check(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(std::string(call) + " failed with " + std::to_string(flag));
@@ -43,10 +70,10 @@ inline void silence([[maybe_unused]] void* kinsol, [[maybe_unused]] sundials::Co
 #endif
 }
 
-/// The pointer, or std::runtime_error naming the call.
+/// The pointer, or std::bad_alloc: nothing but want of memory keeps SUNDIALS from making what is asked for here.
 template <class Pointer>
-Pointer made(Pointer pointer, const char* call) {
-  if (!pointer) throw std::runtime_error(std::string(call) + " failed");
+Pointer made(Pointer pointer) {
+  if (!pointer) throw std::bad_alloc();
   return pointer;
 }
 
@@ -54,9 +81,9 @@ inline std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
 }
 
-/// SUNDIALS' vector over `values`. The operations are by vector instructions, and a clone is one piece of memory, where
-/// the library's serial vector, as it is packaged, would take as long as the transforms.
-Vector vector_of(std::span<double> values, sundials::Context& context);
+/// SUNDIALS' vector over `values`, its clones from the store. The operations are by vector instructions, and a clone is one
+/// piece of memory, where the library's serial vector, as it is packaged, would take as long as the transforms.
+Vector vector_of(std::span<double> values, sundials::Context& context, VectorStore& store);
 
 /// For a vector that SUNDIALS only reads.
 inline std::span<double> unchanged(const std::vector<double>& v) {

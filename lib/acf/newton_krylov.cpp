@@ -131,22 +131,25 @@ std::string flag_name(int flag) {
   return name ? name.get() : std::to_string(flag);
 }
 
+// Vectors that are cloned beside the directions of GMRES: one direction more, its two of work, KINSOL's five.
+constexpr std::size_t beside_directions = 8;
+
 // KINSOL with its context, vectors and linear solver, destroyed in the reverse order.
 class Iteration {
  public:
   Iteration(std::span<double> u, Callbacks& callbacks, const NewtonOptions& options)
       : callbacks_(callbacks),
-        u_(vector_of(u, context_)),
-        scale_(vector_of(unchanged(callbacks.scale()), context_)),
-        gmres_(
-            made(LinearSolver(SUNLinSol_SPGMR(u_.get(), SUN_PREC_RIGHT, options.krylov_dimension, context_)),
-                 "SUNLinSol_SPGMR")),
-        kinsol_(made(Kinsol(KINCreate(context_)), "KINCreate")) {
+        store_(u.size(), static_cast<std::size_t>(options.krylov_dimension) + beside_directions),
+        u_(vector_of(u, context_, store_)),
+        scale_(vector_of(unchanged(callbacks.scale()), context_, store_)),
+        gmres_(made(
+            LinearSolver(SUNLinSol_SPGMR(u_.get(), SUN_PREC_RIGHT, options.krylov_dimension, context_)))),
+        kinsol_(made(Kinsol(KINCreate(context_)))) {
     check(SUNLinSol_SPGMRSetMaxRestarts(gmres_.get(), options.restarts), "SUNLinSol_SPGMRSetMaxRestarts");
+    silence(memory(), context_);
     check(KINInit(memory(), residual, u_.get()), "KINInit");
     // Before the linear solver is set, which copies it.
     check(KINSetUserData(memory(), &callbacks_), "KINSetUserData");
-    silence(memory(), context_);
     set_tolerances(options);
     set_linear_solver(options);
   }
@@ -185,6 +188,7 @@ class Iteration {
   }
 
   Callbacks& callbacks_;
+  VectorStore store_;
   sundials::Context context_;
   Vector u_, scale_;
   LinearSolver gmres_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -32,6 +33,7 @@ double falls_to(const std::function<double(double)>& correlation, double t) {
   gsl_function f{[](double x, void* g) { return (*static_cast<Excess*>(g))(x); }, &excess};
   const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
+  if (!solver) throw std::bad_alloc();
   gsl_root_fsolver_set(solver.get(), &f, low, high);
   for (int i = 0; i < 200 && gsl_root_test_interval(low, high, 1e-15, 0) == GSL_CONTINUE; ++i) {
     gsl_root_fsolver_iterate(solver.get());

@@ -106,6 +106,7 @@ Search::Search(const KernelRequest& request, Shape lags)
 }
 
 void Search::take_root(std::string answer) {
+  check_memory(request_, lags_, wider_kernel_cost(lags_));
   consider(nearest_kernel(request_.target, lags_, oriented(), {.max_iterations = 0}).values,
            std::move(answer));
 }

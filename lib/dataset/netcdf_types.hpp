@@ -2,6 +2,8 @@
 /// dataset/netcdf_write.cpp alone.
 #pragma once
 
+#include <cerrno>
+#include <new>
 #include <string>
 #include <type_traits>
 
@@ -15,7 +17,12 @@ namespace asperity::netcdf {
 
 [[noreturn]] inline void refuse(const std::string& message) { throw DataError("dataset", message); }
 
+inline void check_for_want_of_memory(int status) {
+  if (status == NC_ENOMEM || status == ENOMEM) throw std::bad_alloc();
+}
+
 inline void check(int status, const std::string& what) {
+  check_for_want_of_memory(status);
   if (status != NC_NOERR) refuse(what + ": " + nc_strerror(status));
 }
 

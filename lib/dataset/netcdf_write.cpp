@@ -21,6 +21,7 @@ namespace {
 
 // A positive status is the system's own: no room, or a limit.
 void write_checked(int status, const std::string& what) {
+  check_for_want_of_memory(status);
   if (status > 0) throw std::system_error(status, std::generic_category(), what);
   check(status, what);
 }

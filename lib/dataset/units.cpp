@@ -8,6 +8,7 @@
 
 #include <udunits2.h>
 
+#include "grid/room.hpp"
 #include "grid/words.hpp"
 
 namespace asperity {
@@ -35,16 +36,21 @@ class Silence {
 // UDUNITS' parser keeps global state.
 std::mutex library;
 
+// For want of memory UDUNITS' parsers end the program.
+constexpr std::size_t room_for_database = 2 << 20, room_for_unit = 1 << 18;
+
 // The database of units, read once.
 const ut_system* units() {
-  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(ut_read_xml(nullptr),
-                                                                            &ut_free_system);
+  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(
+      (require_room(room_for_database), ut_read_xml(nullptr)), &ut_free_system);
   if (!system) throw std::runtime_error("the units database of UDUNITS-2 cannot be read");
   return system.get();
 }
 
 Unit parse(const std::string& name) {
-  Unit unit(ut_parse(units(), utf8_of(name).c_str(), UT_UTF8));
+  const ut_system* const known = units();
+  require_room(room_for_unit);
+  Unit unit(ut_parse(known, utf8_of(name).c_str(), UT_UTF8));
   if (!unit) throw std::invalid_argument("'" + one_line(name, longest_unit) + "' is no known unit");
   return unit;
 }

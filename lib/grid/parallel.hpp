@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,7 +20,8 @@ inline int resolve_threads(int requested) {
 }
 
 /// Calls run(begin, end, worker) on contiguous runs that cover [0, count); worker < threads tells buffers
-/// apart. Costs about 30 µs a thread: call it on pieces that take longer. Rethrows the first exception.
+/// apart. Costs about 30 µs a thread: call it on pieces that take longer. Rethrows the first exception. A thread that
+/// cannot be started, for want of memory for its stack, leaves its run to the one that calls.
 template <class Run>
 void parallel_ranges(Index count, int threads, Run run) {
   const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));
@@ -37,7 +39,11 @@ void parallel_ranges(Index count, int threads, Run run) {
         failures[static_cast<std::size_t>(w)] = std::current_exception();
       }
     };
-    for (Index w = 1; w < workers; ++w) pool.emplace_back(guarded, w);
+    for (Index w = 1; w < workers; ++w) try {
+        pool.emplace_back(guarded, w);
+      } catch (const std::system_error&) {
+        guarded(w);
+      }
     guarded(0);
   }
   for (const auto& failure : failures)

@@ -10,6 +10,8 @@
 
 #include <fftw3.h>
 
+#include "grid/room.hpp"
+
 namespace asperity {
 namespace {
 
@@ -41,6 +43,17 @@ int counted(Index n) {
   return static_cast<int>(n);
 }
 
+// FFTW aborts where it finds no memory: to make a plan, for its solvers, the first time, and twiddle factors; to execute
+// one, for buffers of a few rows.
+void require_room_for(Index nx, Index ny) { require_room((std::size_t{1} << 20) + 128 * size(nx + ny)); }
+
+// Executions that look first: those that take 100 µs and more, of which the look is a few per cent.
+constexpr Index worth_a_look = 1 << 14;
+
+void require_buffers(Shape shape) {
+  if (shape.cells() >= worth_a_look) require_room_for(shape.nx, shape.ny);
+}
+
 // FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory, and an
 // aligned one may be executed on any other aligned array.
 template <class Make>
@@ -50,6 +63,7 @@ detail::PlanPointer plan(const Key& key, std::size_t doubles, Make make) {
   if (const auto known = recent.find(key); known != recent.end()) return known->second;
   const std::unique_ptr<double, decltype(&fftw_free)> scratch(fftw_alloc_real(doubles), &fftw_free);
   if (!scratch) throw std::bad_alloc();
+  require_room_for(std::get<1>(key), std::get<2>(key));
   const fftw_plan made = make(scratch.get());
   if (made == nullptr) throw std::runtime_error("FFTW could not make a plan");
   if (recent.size() == most_recent) recent.swap(forgotten);
@@ -136,10 +150,12 @@ RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
 }
 
 void RealTransform2D::forward(const double* in, Complex* out) const {
+  require_buffers(shape_);
   fftw_execute_dft_r2c(get(forward_), const_cast<double*>(in), raw(out));
 }
 
 void RealTransform2D::inverse(Complex* in, double* out) const {
+  require_buffers(shape_);
   fftw_execute_dft_c2r(get(inverse_), raw(in), out);
 }
 

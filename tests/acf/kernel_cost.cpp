@@ -61,6 +61,17 @@ TEST_CASE("a kernel wider than its lags is refused where it takes more memory th
   CHECK(steps_until_refused(request) >= 0);
 }
 
+// It lies on a torus of four times the lags each way: 165 MB where 114 were allowed.
+TEST_CASE("the root of a spectrum is refused where its torus takes more memory than there shall be",
+          "[kernel][contract]") {
+  KernelRequest request = exponential(9);
+  request.method = Method::spectral;
+  request.memory = wider_kernel_cost(first_lags(request)).memory;
+  CHECK(steps_until_refused(request) == -1);
+  request.memory -= 1;
+  CHECK(steps_until_refused(request) == 0);
+}
+
 TEST_CASE("a search begins with the lags prescribed, those of its table, or those that the tolerance takes",
           "[kernel][exact]") {
   KernelRequest request = exponential(10);
