@@ -110,13 +110,13 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
   const EffectiveSize size(rho, pairs);
   Theory out{.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()))};
   for (std::size_t k = 1; k <= 4; ++k) out.sums[k] = size.sum(static_cast<int>(k)) / size.points();
-  if (!(out.sums[1] < 0.5))
-    throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
   if (!prescription_.spread && !size.tells_errors())
     throw DataError("acf_target", "it reaches too far for the field, worth N_eff = " +
                                       shortest(std::round(10 * size.effective(2)) / 10) +
                                       " independent points: theory has errors from " +
                                       shortest(size.least_effective()) + " on; take a larger field");
+  if (!(out.sums[1] < 0.5))
+    throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
   out.sku_bias = -6 * out.sums[2];
   if (translated_) {
     const TranslationErrors errors(translated_->heights, EffectiveSize(translated_->below, pairs));

@@ -252,7 +252,7 @@ int main(int argc, char** argv) {
     cli::check_period(tables, options.shape, options.periodic);
     if (options.periodic)
       code = std::max(
-          code, cli::wrap_kernel(tool, base, tables, options.shape, static_cast<double>(options.acf.memory)));
+          code, cli::wrap_kernel(tool, base, tables, options.shape, static_cast<double>(tool.memory())));
     set_kernel(base, tables);
     set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
 

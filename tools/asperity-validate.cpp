@@ -90,10 +90,11 @@ PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset
   asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
   asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", gamma_kurtosis(asked.ssk));
   const bool gaussian = asked.ssk == 0 && asked.sku == 3;
-  warn_of_few(tool, EffectiveSize(asked.correlation, grid));
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = tool.thread_count();
-  return PrescriptionTest(asked, grid);
+  PrescriptionTest test(asked, grid);  // refuses before a warning is due
+  warn_of_few(tool, EffectiveSize(asked.correlation, grid));
+  return test;
 }
 
 std::string name_of(const Claim& claim) {

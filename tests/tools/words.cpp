@@ -225,6 +225,16 @@ TEST_CASE("a report of a row or a column has all its pictures", "[narrow][contra
   }
 }
 
+TEST_CASE("a surface that is worth too few points to be validated is refused in one line",
+          "[narrow][contract]") {
+  const Outcome run = shell(
+      "asperity-generate --shape 2x2 --size 2um --length 1px --rq 0.1um --seed 3 -q | asperity-validate");
+  INFO(run.error);
+  CHECK((run.exit == 4 && run.out.empty()));
+  CHECK(run.error.find("asperity-validate: acf_target: ") != run.error.npos);
+  CHECK(run.error.find("asperity-validate: warning") == run.error.npos);
+}
+
 // All twelve on what is as narrow as can be: an answer, or a line.
 TEST_CASE("every tool takes a row, a column, a point and four points, or refuses them in a line",
           "[narrow][contract]") {

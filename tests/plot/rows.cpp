@@ -1,0 +1,92 @@
+// Figures of surfaces of one row or one point.
+#include "dataset/layout.hpp"
+#include "plot/gnuplot.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// Heights, and stresses at three depths.
+void write_scene(Shape shape) {
+  const Grid grid{shape, 1e-6, 1e-6};
+  Dataset data;
+  set_grid(data, grid);
+  set_field(data, "heights", 1e-6 * random_field(shape, 1), {"m", "height"});
+  set_depths(data, {0, 1e-6, 3e-6});
+  set_volume(data, "von_mises", std::vector<double>(static_cast<std::size_t>(3 * shape.cells()), 1e6),
+             {"Pa", "von Mises stress"});
+  write_dataset(data, "scene.nc");
+}
+
+}  // namespace
+
+// Profiles along both sides were drawn or none, and a section stood at y = 0 whatever the surface.
+TEST_CASE("a row of points is drawn along the row, whichever way it runs", "[plot][contract]") {
+  for (const Shape shape : {Shape{1, 60}, Shape{60, 1}}) {
+    write_scene(shape);
+    const std::string along = shape.nx > 1 ? "x" : "y", across = shape.nx > 1 ? "y" : "x";
+    for (const char* kind : {"profile", "section", "von-mises"}) {
+      const Outcome run =
+          shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind + " && cat a.svg");
+      CAPTURE(shape.nx, kind, run.error);
+      CHECK(run.exit == 0);
+      CHECK(run.out.find("<text>" + along + " [") != run.out.npos);
+      CHECK(run.out.find("<text>" + across + " [") == run.out.npos);
+    }
+    for (const char* kind : {"profile", "section"}) {
+      const Outcome no =
+          shell("asperity-plot scene.nc -o a.svg --section " + along + "=0 --kind " + std::string(kind));
+      CAPTURE(shape.nx, kind, no.error);
+      CHECK((no.exit == 4 && lines(no.error) == 1));
+      CHECK(no.error.find("needs two points, and there is one") != no.error.npos);
+    }
+  }
+}
+
+// gnuplot leaves an image of one line of cells out: the frame was empty, and the report's too.
+TEST_CASE("a map of a row, a column or a point has its cells in it", "[plot][law]") {
+  for (const Shape shape : {Shape{1, 60}, Shape{60, 1}, Shape{1, 1}, Shape{2, 1}, Shape{2, 60}}) {
+    write_scene(shape);
+    const Outcome run = shell("asperity-plot scene.nc -o a.svg --kind map && cat a.svg");
+    CAPTURE(shape.nx, shape.ny, run.error);
+    CHECK((run.exit == 0 && run.error.empty()));
+    CHECK(run.out.find("<image") != run.out.npos);
+  }
+  const plot::Layer row = plot::raster(Field::Constant(1, 2, 3.0), {1, 10, 4, 2}, "with image");
+  CHECK(row.command.find("array=(2,2)") != row.command.npos);
+  CHECK(row.command.find("origin=(0,10) dx=2 dy=2") != row.command.npos);
+  CHECK(row.numbers == std::vector<double>(4, 3.0));
+}
+
+// Thinned like the longer side, two rows became one, of which nothing is drawn.
+TEST_CASE("a surface of two long rows is drawn in perspective, and one of a row refused",
+          "[plot][contract]") {
+  write_scene({2, 600});
+  const Outcome run = shell("asperity-plot scene.nc -o a.svg --kind surface && cat a.svg");
+  CHECK(run.exit == 0);
+  std::size_t polygons = 0;
+  for (auto at = run.out.find("<polygon"); at != run.out.npos; at = run.out.find("<polygon", at + 1))
+    ++polygons;
+  CHECK(polygons >= 100);
+  for (const Shape shape : {Shape{1, 60}, Shape{60, 1}, Shape{1, 1}}) {
+    write_scene(shape);
+    const Outcome no = shell("asperity-plot scene.nc -o a.svg --kind surface");
+    CHECK((no.exit == 4 && lines(no.error) == 1));
+    CHECK(no.error.find("heights: a surface in perspective needs 2 x 2 points") != no.error.npos);
+  }
+}
+
+TEST_CASE("of a single point maps are drawn, and profiles and sections refused by name", "[plot][contract]") {
+  write_scene({1, 1});
+  CHECK(shell("asperity-plot scene.nc --kind map -o a.svg").exit == 0);
+  for (const char* kind : {"profile", "section"}) {
+    const Outcome no = shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind);
+    CAPTURE(no.error);
+    CHECK((no.exit == 4 && lines(no.error) == 1));
+    CHECK(no.error.find("needs two points, and there is one") != no.error.npos);
+  }
+}
