@@ -3,11 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "acf/kernel_cost.hpp"
 #include "acf/table.hpp"
-#include "acf/wording.hpp"
 #include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
