@@ -70,6 +70,20 @@ Spacing spacing_of_lags(const Dataset& data, std::optional<double> dx, std::opti
   return std::array{dx.value_or(dy.value_or(1)), dy.value_or(dx.value_or(1))};
 }
 
+// The period of the surface that the table was measured on, or is the target of, where it has all lags of that.
+std::optional<Shape> period_of(const Dataset& data, const std::string& name, const Field& half_plane) {
+  std::optional<Shape> period = kernel_period(data);
+  if (name == "acf") {
+    if (!data.has("x") || !data.has("y")) return std::nullopt;
+    const Grid grid = grid_of(data);
+    if (!grid.periodic) return std::nullopt;
+    period = grid.shape;
+  }
+  const bool all =
+      period && half_plane.rows() == period->nx / 2 + 1 && half_plane.cols() == period->ny / 2 * 2 + 1;
+  return all ? period : std::nullopt;
+}
+
 AcfTable from_dataset(Dataset data) {
   const std::string name = data.has("acf") ? "acf" : "acf_target";
   if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
@@ -87,6 +101,7 @@ AcfTable from_dataset(Dataset data) {
     if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
     out.heights = measured_with_acf(data);
   }
+  out.period = period_of(data, name, out.half_plane);
   out.dataset = std::move(data);
   return out;
 }

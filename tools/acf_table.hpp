@@ -19,11 +19,12 @@
 namespace asperity::cli {
 
 struct AcfTable {
-  Field half_plane;             ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
-  bool left_out = false;        ///< lags at its ends that hold no numbers, as without pairs
-  Spacing spacing;              ///< of the lags [m], where it is known
-  double rms = NAN;             ///< [m], where it is known
-  HeightsWithAcf heights = {};  ///< whose autocorrelation it is
+  Field half_plane;                  ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
+  bool left_out = false;             ///< lags at its ends that hold no numbers, as without pairs
+  Spacing spacing;                   ///< of the lags [m], where it is known
+  double rms = NAN;                  ///< [m], where it is known
+  HeightsWithAcf heights = {};       ///< whose autocorrelation it is
+  std::optional<Shape> period = {};  ///< of a periodic surface, where the table has all of its lags
   Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from
 };
 

@@ -1,17 +1,16 @@
 /// Draws random rough surfaces with a prescribed autocorrelation.
 #include <algorithm>
 #include <optional>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "acf/kernel_cost.hpp"
 #include "acf/table.hpp"
-#include "acf/wording.hpp"
 #include "cli/memory.hpp"
 #include "cli/progress.hpp"
 #include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
 #include "drawing.hpp"
+#include "kernel_period.hpp"
 #include "kernel_prospect.hpp"
 #include "marginal/prescribed.hpp"
 
@@ -42,10 +41,12 @@ void declare(cli::Tool& tool, Options& o) {
             "draws of the "
             "target, and standard errors do not hold",
             surface);
-  tool.flag("--periodic", o.periodic,
-            "A surface that continues itself at its edges, its autocorrelation the target's summed over its "
-            "periods",
-            surface);
+  tool.flag(
+      "--periodic", o.periodic,
+      "A surface that continues itself at its edges. Where the correlation reaches around it, it has the "
+      "target's sum over the periods, of the same rms height, which is said; of --acf with all lags of a "
+      "periodic surface of this shape, exactly these",
+      surface);
   tool.flag("--noise", o.noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
   o.acf.declare(tool, true);
   tool.text(
@@ -97,34 +98,25 @@ void adopt_grid(const cli::Tool& tool, Options& o, const Dataset& data) {
   if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
 }
 
-Synthesis synthesis_of(const cli::Tool& tool, const Options& o, Field kernel, Pointwise translation = {}) {
-  return {std::move(kernel),
-          o.shape,
-          {o.periodic, Summation::cheapest, tool.thread_count(), o.acf.memory, std::move(translation)}};
+Synthesis synthesis_of(const cli::Tool& tool, const Options& o, Field kernel, Pointwise translation = {},
+                       std::size_t beside = 0) {
+  return {
+      std::move(kernel),
+      o.shape,
+      {o.periodic, Summation::cheapest, tool.thread_count(), o.acf.memory, std::move(translation), beside}};
+}
+
+// What the tables of the kernel take while surfaces are drawn, once and once more for each of several datasets.
+std::size_t standing(const Options& o, const Dataset& base) {
+  std::size_t values = 0;
+  for (const Variable& v : base.variables) values += count(v.values);
+  return (o.count > 1 ? 2 : 1) * values * sizeof(double);
 }
 
 // Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
 void refuse_drawing(const cli::Tool& tool, const Options& o, Shape lags) {
-  synthesis_of(tool, o, Field::Zero(2 * lags.nx - 1, 2 * lags.ny - 1));
-}
-
-// A periodic average of a kernel that meets itself has another variance, and the sum over its periods for an
-// autocorrelation: that of the field below the heights, where these are a translation.
-void judge_overlap(const cli::Tool& tool, const Field& kernel, Shape surface) {
-  constexpr double told = 1e-3, most = 1e-2;
-  const std::string words = "the correlation reaches around the surface of " + text(surface) + " points and ";
-  const double variance = periodic_variance(kernel, surface);
-  const bool profile = std::min(surface.nx, surface.ny) == 1;
-  if (!(std::abs(variance - 1) <= most))
-    throw cli::UsageError(
-        "periodic", words + "makes the variance " + fmt::format("{:.4g}", variance) +
-                        " times what is asked for: take shorter lengths, a larger surface, " +
-                        (profile ? "--lags of 1 across the profile, " : "") + "or one that is not periodic");
-  const double change =
-      periodic_change(autocorrelation(kernel, kernel.rows(), 2 * kernel.cols() - 1), surface);
-  if (change > told)
-    tool.warn("--periodic: " + words + "changes the autocorrelation by up to " +
-              fmt::format("{:.2g}", change) + " of the variance: it is the sum over the periods");
+  auto side = [&](Index n, Index period) { return o.periodic ? std::min(2 * n - 1, period) : 2 * n - 1; };
+  synthesis_of(tool, o, Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny)));
 }
 
 Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code, cli::Inventory& before) {
@@ -137,6 +129,7 @@ Dataset solved(cli::Tool& tool, Options& o, cli::Exit& code, cli::Inventory& bef
       cli::wanted_kernel(tool, o.acf, sized ? cli::spacing_of(o.shape, o.size) : std::nullopt);
   if (!wanted.has_height) throw cli::UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, wanted.data);
+  if (!o.periodic || wanted.period != o.shape) wanted.period.reset();
   cli::foresee(tool, wanted, o.shape);
   if (!wanted.request.target.known) refuse_drawing(tool, o, first_lags(wanted.request));
   o.measured = wanted.measured;
@@ -253,14 +246,21 @@ int main(int argc, char** argv) {
     cli::Exit code = cli::done;
     cli::Inventory before;
     Dataset base = kernel_dataset(tool, options, code, before);
-    const cli::KernelTables tables = tables_for(tool, options, base);
-    if (options.periodic) judge_overlap(tool, tables.kernel, options.shape);
+    cli::KernelTables tables = tables_for(tool, options, base);
+    cli::check_period(tables, options.shape, options.periodic);
+    if (options.periodic)
+      code = std::max(
+          code, cli::wrap_kernel(tool, base, tables, options.shape, static_cast<double>(options.acf.memory)));
     set_kernel(base, tables);
     set_grid(base, {options.shape, (*tables.spacing)[0], (*tables.spacing)[1], options.periodic});
 
     const Distribution distribution = distribution_of(tool, options, base, tables);
     before.tell(tool, base, "surface", options.noise ? "heights generate_* noise" : "heights generate_*");
-    const Synthesis synthesis = synthesis_of(tool, options, tables.kernel, distribution.heights);
+    const double rms = tables.rms();
+    Field kernel = std::move(tables.kernel);
+    tables = {};  // their memory is for the surface
+    const Synthesis synthesis =
+        synthesis_of(tool, options, std::move(kernel), distribution.heights, standing(options, base));
     cli::Progress progress(tool);
     for (int k = 0; k < options.count; ++k) {
       const std::int64_t number = std::int64_t{options.first} + k;
@@ -269,10 +269,11 @@ int main(int argc, char** argv) {
       auto advanced = [&](double share) {
         progress.count(k + share, options.count, options.count > 1 ? "surfaces" : "");
       };
-      const cli::Drawing drawing{synthesis,          noise,   tables.rms(), options.exact_rq, options.noise,
+      const cli::Drawing drawing{synthesis,          noise,   rms, options.exact_rq, options.noise,
                                  options.acf.memory, advanced};
+      const bool last = k + 1 == options.count;
       drawing.write(
-          tool, base,
+          tool, last ? std::exchange(base, {}) : base,
           options.count > 1 ? cli::numbered("output", tool.output_name(), number) : tool.output_name());
     }
     return code;

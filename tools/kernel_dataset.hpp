@@ -5,7 +5,7 @@
 ///     acf_achieved(p, q)   the same lags
 /// in m and m2, or in units of the rms height where none is given; lags in metres, or in samples where no
 /// spacing is known. Heights that are not Gaussian are a translation of what the kernel, of unit variance, averages
-/// (marginal_dataset.hpp). Global attributes kernel_* hold the effective parameters and what the
+/// (marginal_dataset.hpp). That of a periodic surface has kernel_period (kernel_period.hpp). Global attributes kernel_* hold the effective parameters and what the
 /// solve achieved.
 #pragma once
 
@@ -19,9 +19,10 @@ namespace asperity::cli {
 
 struct KernelTables {
   Field kernel, acf_target, acf_achieved;
-  bool has_height = false;  ///< in m and m2, not in units of the rms height
-  Spacing spacing;          ///< of the lags
-  bool translated = false;  ///< the kernel's variance is 1 whatever the heights'
+  bool has_height = false;           ///< in m and m2, not in units of the rms height
+  Spacing spacing;                   ///< of the lags
+  bool translated = false;           ///< the kernel's variance is 1 whatever the heights'
+  std::optional<Shape> period = {};  ///< of the surfaces that it is for, all others apart
 
   double rms() const { return std::sqrt(acf_target(0, acf_target.cols() / 2)); }
   void scale(double factor) {
@@ -30,6 +31,20 @@ struct KernelTables {
     acf_achieved *= factor * factor;
   }
 };
+
+/// A pair of counts as an attribute has it.
+inline Values pair_of(Shape s) {
+  return std::vector<std::int32_t>{static_cast<std::int32_t>(s.nx), static_cast<std::int32_t>(s.ny)};
+}
+
+inline std::optional<Shape> kernel_period(const Dataset& data) {
+  const Values* const found = data.attributes.find("kernel_period");
+  if (found == nullptr) return std::nullopt;
+  const std::vector<double> sides = numbers(*found);
+  if (sides.size() != 2 || !(sides[0] >= 1 && sides[1] >= 1 && sides[0] <= 1e9 && sides[1] <= 1e9))
+    throw DataError("kernel_period", "is no pair of counts");
+  return Shape{static_cast<Index>(sides[0]), static_cast<Index>(sides[1])};
+}
 
 inline void set_kernel(Dataset& data, const KernelTables& tables) {
   const std::string_view height = tables.has_height ? "m" : "1", variance = tables.has_height ? "m2" : "1";
@@ -43,9 +58,13 @@ inline void set_kernel(Dataset& data, const KernelTables& tables) {
   set_table(data, "acf_target", tables.acf_target, p, q, {variance, "autocorrelation asked for"});
   set_table(data, "acf_achieved", tables.acf_achieved, p, q, {variance, "autocorrelation of the kernel"});
   data.attributes.set("kernel_rms", tables.rms());
+  if (tables.period)
+    data.attributes.set_values("kernel_period", pair_of(*tables.period));
+  else
+    data.attributes.erase("kernel_period");
 }
 
-/// From the lags p and q in metres; of a single lag, from the other's.
+/// From the lags p and q in metres; of a single lag, from the grid, or else from the other's.
 inline Spacing lag_spacing(const Dataset& data) {
   if (data.at("p").attributes.text("units") != "m") return std::nullopt;
   auto step = [&](const char* name) {
@@ -54,7 +73,12 @@ inline Spacing lag_spacing(const Dataset& data) {
     if (!(lags[1] > lags[0])) throw DataError(name, "its lags do not grow");
     return lags[1] - lags[0];
   };
-  const double dx = step("p"), dy = step("q");
+  double dx = step("p"), dy = step("q");
+  if ((std::isnan(dx) || std::isnan(dy)) && data.has("x") && data.has("y")) {
+    const Grid grid = grid_of(data);
+    if (std::isnan(dx)) dx = grid.dx;
+    if (std::isnan(dy)) dy = grid.dy;
+  }
   if (std::isnan(dx) && std::isnan(dy)) return std::nullopt;
   return std::array{std::isnan(dx) ? dy : dx, std::isnan(dy) ? dx : dy};
 }
@@ -66,8 +90,11 @@ inline KernelTables kernel_of(const Dataset& data) {
                       table_of(data, "acf_achieved"),
                       false,
                       {},
-                      data.attributes.find("kernel_heights") != nullptr};
+                      data.attributes.find("kernel_heights") != nullptr,
+                      kernel_period(data)};
   if (tables.kernel.size() == 0) throw DataError("kernel", "it has no coefficients");
+  if (shape_of(tables.acf_target) != shape_of(tables.acf_achieved))
+    throw DataError("acf_achieved", "its lags are not those of acf_target");
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
   tables.has_height = data.at("acf_target").attributes.text("units") == "m2";

@@ -12,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "cli/record.hpp"
 #include "cli/table.hpp"
+#include "kernel_period.hpp"
 #include "marginal/predistortion.hpp"
 
 namespace asperity::cli {
@@ -60,6 +61,9 @@ void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
     out.request.rms = table.rms;
     out.has_height = true;
   }
+  const bool free =
+      options.lags == Shape{} && options.formulation.empty() && out.request.method == Method::newton_krylov;
+  if (free) out.period = table.period;
   out.request.target = target_of_table(std::move(table.half_plane));
   out.measured = std::move(table.heights);
   out.data = std::move(table.dataset);
@@ -70,10 +74,6 @@ void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
 }
 
 // ---- what came out ----
-
-Values pair_of(Shape s) {
-  return std::vector<std::int32_t>{static_cast<std::int32_t>(s.nx), static_cast<std::int32_t>(s.ny)};
-}
 
 void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request) {
   const KernelReport& report = kernel.report;
@@ -100,18 +100,49 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   a.set("kernel_reason", report.reason);
 }
 
+// On the period of its table there is nothing to solve.
+Kernel periodic(Wanted& wanted) {
+  KernelRequest& request = wanted.request;
+  request.method = Method::spectral;
+  Kernel out;
+  out.formulation = request.target.oriented ? Formulation::oriented : Formulation::symmetric;
+  out.lags = *request.target.known;
+  const Field target = Field::NullaryExpr(out.lags.nx, 2 * out.lags.ny - 1, [&](Index p, Index column) {
+    return request.target(static_cast<double>(p), static_cast<double>(column - out.lags.ny + 1));
+  });
+  KernelTables tables = on_period(target, *wanted.period, request.rms, wanted.marginal, request.memory);
+  KernelReport& report = out.report;
+  report.residual = report.change = report.error = largest_error(tables);
+  report.answer = report.error <= request.tolerance ? "exact" : "nearest";
+  report.reason = "the root of the spectrum on the period";
+  report.converged = report.error <= request.acf_tolerance;
+  if (!report.converged && !allows(request.infeasible, report.error))
+    throw DataError(
+        "acf",
+        "no surface of this period and distribution has this autocorrelation; the closest one found "
+        "changes it by " +
+            number(report.error) + " (see --infeasible)");
+  out.values = std::move(tables.kernel);
+  out.acf_target = std::move(tables.acf_target);
+  out.acf_achieved = std::move(tables.acf_achieved);
+  return out;
+}
+
 // Solved for the field below the heights, whose distribution goes into the dataset.
 Kernel predistorted(Wanted& wanted) {
   const Predistortion predistortion(wanted.marginal->translation);
   set_marginal(wanted.data, *wanted.marginal);
   wanted.data.attributes.set("kernel_least_acf", predistortion.map().lowest());
   wanted.data.attributes.set("kernel_hermite_tail", predistortion.map().tail());
-  return predistortion.solve(wanted.request);
+  return wanted.period ? periodic(wanted) : predistortion.solve(wanted.request);
 }
 
 // "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond it.
 std::string achieved(const Solved& s) {
   const std::string error = number(s.report.error);
+  if (s.period)
+    return "a kernel of periodic surfaces of " + text(*s.period) +
+           " points (asperity-generate --periodic): error over all lags " + error;
   if (!s.table) return text(s.lags) + " lags chosen: error over all lags " + error;
   return "error over the " + text(s.lags) + " lags of the table " + error +
          "; the autocorrelation beyond them reaches " + number(s.report.tail);
@@ -174,9 +205,11 @@ Solved solve(const Tool& tool, Wanted wanted) {
     if (p.step == 0) tool.detail(std::string(p.iteration));
     steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
   };
-  const Kernel kernel = wanted.marginal ? predistorted(wanted) : solve_kernel(request);
+  const Kernel kernel = wanted.marginal ? predistorted(wanted)
+                        : wanted.period ? periodic(wanted)
+                                        : solve_kernel(request);
   set_kernel(wanted.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, wanted.has_height,
-                           wanted.spacing, wanted.marginal.has_value()});
+                           wanted.spacing, wanted.marginal.has_value(), wanted.period});
   describe(wanted.data.attributes, kernel, request);
   return {std::move(wanted.data),
           kernel.report,
@@ -184,7 +217,8 @@ Solved solve(const Tool& tool, Wanted wanted) {
           request.lags == Shape{},
           request.target.known.has_value(),
           request.acf_tolerance,
-          std::move(wanted.before)};
+          std::move(wanted.before),
+          wanted.period};
 }
 
 Exit tell(const Tool& tool, const Solved& s, bool aside) {

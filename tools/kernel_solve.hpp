@@ -16,6 +16,8 @@ struct Wanted {
   bool has_height = false;           ///< request.rms is a height [m]
   std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
   HeightsWithAcf measured;           ///< what came with a table
+  std::optional<Shape> period =
+      {};        ///< of the surfaces that the kernel is for, where the table is that of one
   Dataset data;  ///< what the kernel is added to: the attributes of the target, the grid of its table
   Inventory before = {};  ///< of the table's dataset
 };
@@ -32,6 +34,7 @@ struct Solved {
   bool table;            ///< the target is one, most of whose far lags may be noise
   double acf_tolerance;  ///< that they were chosen for
   Inventory before;      ///< of the dataset with the table, to tell what is gone
+  std::optional<Shape> period;
 };
 Solved solve(const Tool& tool, Wanted wanted);
 

@@ -30,6 +30,14 @@ KernelCost wider_kernel_cost(Shape lags, Index torus) {
   return {250 * points, 40 * points};
 }
 
+KernelCost periodic_kernel_cost(Shape torus) { return {150 * area(torus), 16 * area(torus)}; }
+
+void check_memory(KernelCost cost, double memory, Shape torus) {
+  if (cost.memory > memory)
+    throw ParameterError("memory", megabytes(memory) + ": a kernel of the period, " + text(torus) +
+                                       " points, takes some " + megabytes(cost.memory));
+}
+
 void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
   if (cost.memory <= request.memory) return;
   throw ParameterError("memory", megabytes(request.memory) + ": a kernel of " + text(lags) +

@@ -4,11 +4,12 @@
 /// 5 acf_tolerance, and may go on to more, a fifth at a time. With the tables that a tool makes of it a kernel of n × m
 /// lags takes
 ///     1500 n m bytes, of them 160 in a dataset,                                                         (1)
-/// or, where only one that is wider than its lags will do, as of exponentials of more than 300 lags or so,
+/// or, where only one that is wider than its lags will do, as of exponentials of more than 300 lags or so, or the root of
+/// its spectrum,
 ///     250 f² n m bytes, of them 40 f² n m in a dataset, f = 4 or, of tables of long waves, more.              (2)
 ///
-/// Accuracy  the peaks of asperity-generate are 0.7 to 0.9 times these at 230² to 885² lags, those of asperity-kernel a third
-///           to a half, in all formulations.
+/// Accuracy  the peaks of asperity-kernel are 0.2 to 0.8 times these at 70² to 550² lags, in all formulations and methods,
+///           those of asperity-generate 0.5 to 1, and up to 15 MB that the allocator keeps.
 #pragma once
 
 #include "acf/kernel.hpp"
@@ -24,7 +25,12 @@ struct KernelCost {
 KernelCost kernel_cost(Shape lags);                         ///< (1)
 KernelCost wider_kernel_cost(Shape lags, Index torus = 4);  ///< (2)
 
+/// 150 bytes a point of the torus of acf/periodic.hpp, of them 8 in a dataset and 8 for its tables.
+KernelCost periodic_kernel_cost(Shape torus);
+
 /// Throws ParameterError("memory") where that is more than the request allows.
 void check_memory(const KernelRequest& request, Shape lags, KernelCost cost);
+/// The same of a kernel on a torus, and so many bytes.
+void check_memory(KernelCost cost, double memory, Shape torus);
 
 }  // namespace asperity

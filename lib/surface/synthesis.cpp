@@ -39,7 +39,8 @@ Synthesis::Synthesis(Field kernel, Shape surface, Options options)
 std::size_t Synthesis::bytes(Index strips, int threads) const {
   const Index rows = strips * filter_->tile().nx;
   const Index values = (rows + kernel_.rows() - 1) * noise_columns() + rows * surface_.ny;
-  return size(values) * sizeof(double) + filter_->shared_bytes() + size(threads) * filter_->worker_bytes();
+  return options_.beside + size(values) * sizeof(double) + filter_->shared_bytes() +
+         size(threads) * filter_->worker_bytes();
 }
 
 void Synthesis::choose_band() {
@@ -128,33 +129,6 @@ Field Synthesis::noise_below(const WhiteNoise& noise) const {
   Field out(surface_.nx, surface_.ny);
   noise_below(noise, [&](Index first, Eigen::Ref<Field> rows) { out.middleRows(first, rows.rows()) = rows; });
   return out;
-}
-
-double periodic_variance(const Field& kernel, Shape surface) {
-  Field wrapped = Field::Zero(std::min(surface.nx, kernel.rows()), std::min(surface.ny, kernel.cols()));
-  for (Index k = 0; k < kernel.rows(); ++k)
-    for (Index l = 0; l < kernel.cols(); ++l) wrapped(k % surface.nx, l % surface.ny) += kernel(k, l);
-  return wrapped.square().sum() / kernel.square().sum();
-}
-
-double periodic_change(const Field& half_plane, Shape surface) {
-  const auto [nx, ny] = surface;
-  const Index middle = half_plane.cols() / 2;
-  auto within = [](Index lag, Index period) { return ((lag % period) + period) % period; };
-  Field sum = Field::Zero(nx, ny);  // over the periods, of the whole plane
-  for (Index p = 0; p < half_plane.rows(); ++p)
-    for (Index q = -middle; q <= middle; ++q) {
-      sum(within(p, nx), within(q, ny)) += half_plane(p, middle + q);
-      if (p > 0) sum(within(-p, nx), within(-q, ny)) += half_plane(p, middle + q);
-    }
-  double largest = 0;
-  for (Index p = 0; p <= nx / 2; ++p)
-    for (Index q = -(ny / 2); q <= ny / 2; ++q) {
-      const bool reached = p < half_plane.rows() && std::abs(q) <= middle;
-      const double alone = reached ? half_plane(p, middle + q) : 0.0;
-      largest = std::max(largest, std::abs(sum(p % nx, within(q, ny)) - alone));
-    }
-  return largest / half_plane(0, middle);
 }
 
 }  // namespace asperity

@@ -13,9 +13,8 @@
 /// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band.
 /// The surface therefore depends neither on the number of threads nor on the memory, to the last bit.
 ///
-/// On a periodic surface a kernel whose autocorrelation R reaches around it has the variance
-///     Σ_j Σ_k R(jN, kM)                                                                                (2)
-/// in place of R(0,0), that of a free surface.
+/// On a periodic surface a kernel whose autocorrelation reaches around it draws heights of another variance than a free
+/// one's: acf/periodic.hpp has the kernel for it.
 ///
 /// Symbols   N × M  points of the surface   K × L  of the kernel   A × B  of a tile   P × Q  of its torus
 /// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
@@ -49,6 +48,7 @@ class Synthesis {
     /// Bound of working_set() [byte]; fewer rows and threads are at work at a time to keep below it.
     std::size_t memory = std::numeric_limits<std::size_t>::max();
     Pointwise translation = {};  ///< what a height of (1) becomes, if there is one
+    std::size_t beside = 0;      ///< bytes that stand in memory meanwhile, and count as of the working set
   };
 
   /// Throws ParameterError("shape") when the surface has no points, ParameterError("memory") when the lowest band
@@ -91,12 +91,5 @@ class Synthesis {
   std::unique_ptr<const TileFilter> filter_;
   Index strips_ = 1;  ///< rows of tiles in a band
 };
-
-/// (2) over R(0,0): 1 where the kernel fits the surface.
-double periodic_variance(const Field& kernel, Shape surface);
-
-/// What the periods add to an autocorrelation, given as a half plane to its reach: the largest change at lags up to half a
-/// period, over R(0,0). 0 where it reaches no farther than that.
-double periodic_change(const Field& half_plane, Shape surface);
 
 }  // namespace asperity

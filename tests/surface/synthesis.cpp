@@ -1,6 +1,5 @@
 #include "surface/synthesis.hpp"
 
-#include "acf/kernel.hpp"
 #include "grid/error.hpp"
 #include "support.hpp"
 
@@ -186,48 +185,4 @@ TEST_CASE("less memory than one strip takes is refused, and the least is named",
   CHECK_THROWS_MATCHES(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 1'500'000}),
                        ParameterError, Message("1500kB does not hold one strip of this surface: 22MB do"));
   CHECK_NOTHROW(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 22'000'000}));
-}
-
-// A periodic average of a kernel that reaches around the surface has another variance than the kernel, 17 times that of
-// a profile 1 × 4096 of 20 samples: it was drawn without a word.
-TEST_CASE("the variance of a periodic surface is the kernel's autocorrelation summed over its periods",
-          "[synthesis][exact]") {
-  const Field kernel = random_field({7, 5}, 6);
-  for (const Shape surface :
-       {Shape{1, 1}, Shape{1, 40}, Shape{3, 2}, Shape{6, 4}, Shape{7, 5}, Shape{40, 30}}) {
-    double sum = 0;
-    for (Index k = 0; k < 7; ++k)
-      for (Index l = 0; l < 5; ++l)
-        for (Index i = k % surface.nx; i < 7; i += surface.nx)
-          for (Index j = l % surface.ny; j < 5; j += surface.ny) sum += kernel(k, l) * kernel(i, j);
-    CAPTURE(surface.nx, surface.ny);
-    CHECK(std::abs(periodic_variance(kernel, surface) - sum / kernel.square().sum()) <= 35 * epsilon);
-  }
-  CHECK(periodic_variance(kernel, {13, 9}) == 1);
-}
-
-// A kernel of 7 × 5 reaches to lags 6 and 4: periods of 14 and 10 points leave them alone. Both sums have 35 products a lag
-// at most, each rounded, below (Σ|kernel|)² in all.
-TEST_CASE("periods change an autocorrelation by what it has beyond half of them", "[synthesis][exact]") {
-  const Field kernel = random_field({7, 5}, 6), alone = autocorrelation(kernel, 7, 9);
-  for (const Shape surface :
-       {Shape{1, 1}, Shape{1, 40}, Shape{3, 2}, Shape{6, 4}, Shape{7, 5}, Shape{9, 8}}) {
-    Field wrapped = Field::Zero(surface.nx, surface.ny);
-    for (Index k = 0; k < 7; ++k)
-      for (Index l = 0; l < 5; ++l) wrapped(k % surface.nx, l % surface.ny) += kernel(k, l);
-    double largest = 0;
-    for (Index p = 0; p <= surface.nx / 2; ++p)
-      for (Index q = -(surface.ny / 2); q <= surface.ny / 2; ++q) {
-        double sum = 0;
-        for (Index i = 0; i < surface.nx; ++i)
-          for (Index j = 0; j < surface.ny; ++j)
-            sum += wrapped(i, j) * wrapped((i + p) % surface.nx, (j + q + surface.ny) % surface.ny);
-        const double reached = p < 7 && std::abs(q) <= 4 ? alone(p, 4 + q) : 0.0;
-        largest = std::max(largest, std::abs(sum - reached));
-      }
-    CAPTURE(surface.nx, surface.ny);
-    const double scale = std::pow(kernel.abs().sum(), 2) / alone(0, 4);
-    CHECK(std::abs(periodic_change(alone, surface) - largest / alone(0, 4)) <= 70 * epsilon * scale);
-  }
-  CHECK(periodic_change(alone, {14, 10}) == 0);
 }

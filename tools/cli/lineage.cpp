@@ -12,7 +12,8 @@ using Names = std::vector<std::string>;
 constexpr Result table[] = {
     {"kernel", "", "kernel acf_target acf_achieved kernel_quantiles",
      "kernel_target kernel_length kernel_level kernel_angle kernel_smoothness kernel_exponent kernel_hurst "
-     "kernel_wavelength kernel_rms kernel_heights kernel_skewness kernel_kurtosis kernel_least_acf "
+     "kernel_wavelength kernel_rms kernel_period kernel_heights kernel_skewness kernel_kurtosis "
+     "kernel_least_acf "
      "kernel_hermite_tail kernel_formulation kernel_method kernel_solver kernel_lags kernel_tolerance "
      "kernel_acf_tolerance kernel_answer kernel_residual kernel_change kernel_error kernel_mirrored_error "
      "kernel_tail kernel_feasibility kernel_newton_iterations kernel_residuals kernel_jacobian_products "

@@ -34,6 +34,7 @@ constexpr Entry entries[] = {
     {"kernel_skewness", parameter, "1", "skewness asked for"},
     {"kernel_kurtosis", parameter, "1", "kurtosis asked for"},
     {"kernel_lags", parameter, "sample", "reach of the kernel along x, y"},
+    {"kernel_period", parameter, "sample", "period of the surfaces that it is for, along x, y"},
     {"kernel_formulation", parameter, "", "formulation"},
     {"kernel_method", parameter, "", "method"},
     {"kernel_tolerance", parameter, "1", "tolerance of the residual"},
