@@ -205,7 +205,7 @@ TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 
       {"none.nc", "heights"},
       {"--counter nan.nc good.nc", "heights: in nan.nc: "},
       {"--variable absent good.nc", "absent"},
-      {"- < /dev/null", "dataset: it is empty"},
+      {"- < /dev/null", "standard input: it is empty"},
   };
   for (const auto& [input, words] : bad) {
     const Outcome run = shell("asperity-contact --radius 50mm --load 5N -o absent.nc" + elastic + input);

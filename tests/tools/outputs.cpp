@@ -117,14 +117,14 @@ TEST_CASE("where nothing can be written is said in one line before the work", "[
         std::pair("-o folder", "folder: Is a directory"),
         std::pair("-o /dev/full", "/dev/full: No space left"),
         std::pair("> /dev/full", "standard output: No space left"),
-        std::pair("-o k.nc --report missing/r.json", "missing/r.json: No such file")}) {
+        std::pair("-o unwritten.nc --report missing/r.json", "missing/r.json: No such file")}) {
     const Outcome run = shell(generate + to);
     CAPTURE(to, run.error);
     CHECK(run.exit == 1);
     CHECK(lines(run.error) == 1);
     CHECK(run.error.find(words) != std::string::npos);
   }
-  CHECK_FALSE(fs::exists(scratch("k.nc")));
+  CHECK_FALSE(fs::exists(scratch("unwritten.nc")));
 }
 
 TEST_CASE("two outputs of one run are two files, whatever they are called", "[outputs][contract]") {
@@ -232,8 +232,8 @@ TEST_CASE("a figure beyond a limit on the size of files is an error, not a part 
   const Outcome run =
       shell("(ulimit -f 8; asperity-plot s.nc --kind map --format svg -o - 2> why) | wc -c; cat why");
   CAPTURE(run.out);
-  CHECK(run.exit == 1);
-  CHECK(run.out.starts_with("0\n"));
+  CHECK(run.out.starts_with("0\nasperity-plot: "));
+  CHECK(lines(run.out) == 2);
 }
 
 TEST_CASE("NetCDF-4 is read under a limit on the size of files", "[outputs][contract]") {
@@ -254,7 +254,7 @@ TEST_CASE("without /proc datasets are written and NetCDF-4 is read", "[outputs][
     CAPTURE(run, out.error);
     CHECK((out.out == expected));
   }
-  CHECK(shell("ls | grep -c part").out == "0\n");
+  CHECK(shell("ls bare.nc.part* 2> /dev/null").out.empty());
   const std::string read = "asperity-stats " ASPERITY_TEST_DATA "/../corpus/netcdf4/whole";
   CHECK(shell(within + read + "'").out == shell(read).out);
 }
