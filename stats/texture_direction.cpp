@@ -10,6 +10,8 @@ namespace asperity {
 namespace {
 
 constexpr Index sectors = 360;  // of π
+// Wave numbers lie on the bounds, whatever the unit of length.
+constexpr double round_off = 1e-12;
 constexpr double sector = std::numbers::pi / sectors, narrowest = 2 * std::numbers::pi / 180;
 
 // F of (1) on sectors from -π/2 on.
@@ -49,7 +51,7 @@ TextureDirection texture_direction(const LagField& psd, const Grid& grid) {
   for_each_lag(psd, torus, [&](Index p, Index q, double weight) {
     const double qx = static_cast<double>(p) * step_x, qy = static_cast<double>(q) * step_y,
                  length = std::hypot(qx, qy);
-    if (length < 4 * step * (1 - 1e-12) || length > last) return;
+    if (length < 4 * step * (1 - round_off) || length > last * (1 + round_off)) return;
     spectrum.add(std::atan2(qy, qx), std::max(narrowest, step / length), weight * psd(p, q));
   });
   return spectrum.largest();

@@ -1,5 +1,6 @@
 #include "dataset/units.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -47,10 +48,16 @@ const ut_system* units() {
   return system.get();
 }
 
-Unit parse(const std::string& name) {
-  const ut_system* const known = units();
+// None of a name that it does not know. UDUNITS prints the line ends in a name on standard output.
+Unit known(const std::string& name) {
+  const ut_system* const all = units();
+  if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; })) return nullptr;
   require_room(room_for_unit);
-  Unit unit(ut_parse(known, utf8_of(name).c_str(), UT_UTF8));
+  return Unit(ut_parse(all, utf8_of(name).c_str(), UT_UTF8));
+}
+
+Unit parse(const std::string& name) {
+  Unit unit = known(name);
   if (!unit) throw std::invalid_argument("'" + one_line(name, longest_unit) + "' is no known unit");
   return unit;
 }
@@ -84,7 +91,6 @@ double unit_factor(const std::string& from, const std::string& to) {
 bool measures(const std::string& unit, const std::string& other) {
   const std::lock_guard lock(library);
   const Silence silence;
-  const auto known = [](const std::string& name) { return Unit(ut_parse(units(), utf8_of(name).c_str(), UT_UTF8)); };
   return converter_of(known(unit), known(other)) != nullptr;
 }
 

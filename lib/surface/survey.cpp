@@ -10,8 +10,9 @@ namespace asperity {
 
 void HeightSurvey::add(const Eigen::Ref<const Field>& rows) {
   const auto m = static_cast<double>(rows.cols());
+  Eigen::ArrayXd row;  // of one alignment, on which the order of a sum by vector instructions depends
   for (Index i = 0; i < rows.rows(); ++i) {
-    const auto row = rows.row(i);
+    row = rows.row(i);
     const double mean = row.mean(), step = mean - mean_;
     squares_ += (row - mean).square().sum() + step * step * count_ * m / (count_ + m);
     mean_ += step * m / (count_ + m);

@@ -1,7 +1,7 @@
 """What a case of the attack has: random numbers of its own, an empty folder, the tools, and what is asked of every run.
 
 Whatever a tool is told, it ends by itself with a known exit status; it fails with one line that begins with its name; all
-that it says is printable, in lines of less than 1000 bytes.
+that it says is printable, in lines of at most 1000 characters.
 """
 import json
 import os
@@ -73,7 +73,7 @@ def untidy(err):
     except UnicodeDecodeError:
         return "is no UTF-8"
     for line in text.split("\n"):
-        if len(line.encode()) >= 1000:
+        if len(line) > 1000:
             return f"has a line of {len(line.encode())} bytes"
         strange = [c for c in line if unicodedata.category(c) in ("Cc", "Cf", "Co", "Cs", "Zl", "Zp")]
         if strange:

@@ -8,24 +8,27 @@ using namespace asperity::test;
 
 namespace {
 
+// The rows of a strip stand where they do not stand in the whole: --exact-rq with --memory differed in the last bit once.
 HeightSurvey surveyed(const Field& heights, Index rows_at_a_time) {
   HeightSurvey out;
   for (Index i = 0; i < heights.rows(); i += rows_at_a_time)
-    out.add(heights.middleRows(i, std::min(rows_at_a_time, heights.rows() - i)));
+    out.add(Field(heights.middleRows(i, std::min(rows_at_a_time, heights.rows() - i))));
   return out;
 }
 
 }  // namespace
 
 TEST_CASE("a survey is the same to the last bit however many rows come at a time", "[survey][law]") {
-  const Field z = random_field({37, 23}, 1);
-  const HeightSurvey whole = surveyed(z, 37);
-  for (Index rows : {1, 5, 36}) {
-    CHECK(surveyed(z, rows).mean() == whole.mean());
-    CHECK(surveyed(z, rows).rms() == whole.rms());
+  for (Index columns : {23, 126, 129}) {
+    const Field z = random_field({37, columns}, 1);
+    const HeightSurvey whole = surveyed(z, 37);
+    for (Index rows : {1, 5, 36}) {
+      CHECK(surveyed(z, rows).mean() == whole.mean());
+      CHECK(surveyed(z, rows).rms() == whole.rms());
+    }
+    CHECK(whole.low() == z.minCoeff());
+    CHECK(whole.high() == z.maxCoeff());
   }
-  CHECK(whole.low() == z.minCoeff());
-  CHECK(whole.high() == z.maxCoeff());
 }
 
 // Heights c ± 1 in equal number have the mean c and the rms 1. Each of n = 1000 is rounded to ε c / 2, which moves the

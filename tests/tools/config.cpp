@@ -80,7 +80,9 @@ TEST_CASE("a file of options that cannot be meant is refused in a line that name
   CHECK_THAT(refused("target\\n"), ContainsSubstring("target: "));
   CHECK_THAT(refused("level = 0.1 0.2\\n"), ContainsSubstring("level: "));
   CHECK_THAT(refused("man = true\\n"), ContainsSubstring("man: "));
-  CHECK(shell(draw + " --config absent.toml -o bad.nc").exit == 2);
+  const Outcome absent = shell(draw + " --config absent.toml -o bad.nc");
+  CHECK(absent.exit == 2);
+  CHECK_THAT(absent.error, ContainsSubstring("--config: 'absent.toml' cannot be read"));
 }
 
 TEST_CASE("a wrong value of the environment is named by its variable", "[config][contract]") {

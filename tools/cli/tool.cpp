@@ -195,6 +195,9 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
   return fail(usage_error, config_file() + ": " + in_words(e));
+} catch (const CLI::FileError&) {
+  return fail(usage_error,
+              origin("config") + ": '" + config_file() + "' cannot be read: name a file that is there");
 } catch (const CLI::Error& e) {
   return fail(usage_error, e.what());
 } catch (const ParameterError& e) {
