@@ -250,6 +250,7 @@ Rows height_rows(Sample& sample) {
   const auto [error, interval] = MomentAccuracy(sample);
   const double level = sample.measured().level;
   const std::string& unit = sample.units();
+  auto worth = [&](int k) { return std::isfinite(size.effective(k)) ? size.effective(k) : unknown; };
   Rows out{
       {"mean", level, unit, error.mean, "mean, subtracted from the heights below",
        Interval::about(level, (interval.mean.high - interval.mean.low) / 2)},
@@ -261,11 +262,13 @@ Rows height_rows(Sample& sample) {
       {"Sv", m.sv, unit, unknown, "deepest valley of the whole field"},
       {"Sz", m.sz(), unit, unknown, "maximum height Sp + Sv"},
       {"N", size.points(), "1", unknown, "points"},
-      {"N_eff_mean", size.effective(1), "1", unknown, "independent points with the same error of the mean"},
-      {"N_eff", size.effective(2), "1", unknown, "independent points with the same error of Sq"},
-      {"N_eff_Ssk", size.effective(3), "1", unknown, "independent points with the same error of Ssk"},
-      {"N_eff_Sku", size.effective(4), "1", unknown, "independent points with the same error of Sku"},
+      {"N_eff_mean", worth(1), "1", unknown, "independent points with the same error of the mean"},
+      {"N_eff", worth(2), "1", unknown, "independent points with the same error of Sq"},
+      {"N_eff_Ssk", worth(3), "1", unknown, "independent points with the same error of Ssk"},
+      {"N_eff_Sku", worth(4), "1", unknown, "independent points with the same error of Sku"},
   };
+  explain(out, out.size() - 4,
+          "the correlation that was found sums to zero, and no number of points has that error");
   if (!sample.pairs().complete())
     out.push_back({"N_missing", static_cast<double>(sample.grid().shape.cells()) - size.points(), "1",
                    unknown, "missing points, left out of everything"});

@@ -40,15 +40,19 @@ void for_each_character(std::string_view text, const auto& visit) {
   }
 }
 
-// Control characters of both sets, the ends of lines and paragraphs, marks and overrides of direction, the mark of byte order,
-// and the two that are none.
+// Control characters of both sets, the soft hyphen, the ends of lines and paragraphs, marks and overrides of direction, what
+// joins words without a trace, the mark of byte order, and the two that are none.
 bool speaks(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return first < 0x20 || first == 0x7f;
-  if (character.size() == 2) return (first == 0xc2 && character[1] < '\xa0') || character == "\u061c";
-  constexpr std::string_view others[] = {"\u200e", "\u200f", "\ufeff", "\xef\xbf\xbe", "\xef\xbf\xbf",
-                                         "\u2066", "\u2067", "\u2068", "\u2069"};
-  return (character >= "\u2028" && character <= "\u202e" && character.size() == 3) ||
+  if (character.size() == 2)
+    return (first == 0xc2 && character[1] < '\xa0') || character == "\u00ad" || character == "\u061c";
+  constexpr std::string_view others[] = {"\u200b", "\u200e",       "\u200f",
+                                         "\ufeff", "\xef\xbf\xbe", "\xef\xbf\xbf"};
+  const auto within = [&](std::string_view low, std::string_view high) {
+    return character.size() == 3 && character >= low && character <= high;
+  };
+  return within("\u2028", "\u202e") || within("\u2060", "\u206f") ||
          std::ranges::find(others, character) != std::end(others);
 }
 

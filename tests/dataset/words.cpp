@@ -44,6 +44,7 @@ TEST_CASE("a line ends nowhere, says nothing to a terminal and keeps its directi
                  "31m") == " 31m");  // and as the byte of it
   CHECK(one_line(std::string("a\0b", 3)) == "a b");
   CHECK(one_line("a\u2028b\u202ec\u2066d\u200fe\ufefff\uffff") == "a b c d e f ");
+  CHECK(one_line("a\u00adb\u2060c\u200bd") == "a b c d");
   CHECK(one_line("µm, σ × 17 … – 高さ 😀") == "µm, σ × 17 … – 高さ 😀");
 }
 

@@ -23,6 +23,7 @@ const std::string hard[] = {"'Ground' steel",
                             "50 % %s %g",
                             "-0.5037 (12)",
                             "\"quoted\" <b>&amp;</b>",
+                            "a ]]> b",
                             "µm σ × 17"};
 
 std::string in_shell(const std::string& text) {

@@ -80,9 +80,11 @@ bool succeeded(pid_t child) {
 
 // The first line of gnuplot's complaint that gives a reason; what follows it are consequences.
 std::string reason(const std::string& remarks) {
-  const auto begin = remarks.find("line ");
-  if (begin == remarks.npos) return "it gave no reason";
-  return remarks.substr(begin, remarks.find('\n', begin) - begin);
+  for (auto begin = remarks.find("line "); begin != remarks.npos; begin = remarks.find("line ", begin + 1)) {
+    const std::string line = remarks.substr(begin, remarks.find('\n', begin) - begin);
+    if (line.find("warning:") == line.npos) return line;  // of the locale
+  }
+  return "it gave no reason";
 }
 
 // A PDF says when it was made; spaces in place of it leave every other byte where it is.
@@ -91,6 +93,14 @@ void blank_date(std::string& bytes) {
   if (!bytes.starts_with("%PDF") || begin == bytes.npos) return;
   const auto end = bytes.find(')', begin);
   if (end != bytes.npos) bytes.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+}
+
+// In the text of XML ]]> ends what was never begun, and gnuplot leaves it.
+void escape_ends_of_sections(std::string& bytes) {
+  if (!bytes.starts_with("<?xml")) return;
+  constexpr std::string_view end = "]]>", escaped = "]]&gt;";
+  for (auto at = bytes.find(end); at != bytes.npos; at = bytes.find(end, at + escaped.size()))
+    bytes.replace(at, end.size(), escaped);
 }
 
 }  // namespace
@@ -162,6 +172,7 @@ Picture run_gnuplot(const Script& script) {
   const bool well = succeeded(spawn(redirection));
   Picture picture{output.content(), error.content()};
   blank_date(picture.bytes);
+  escape_ends_of_sections(picture.bytes);
   if (!well) throw std::runtime_error("gnuplot failed: " + reason(picture.remarks));
   if (picture.bytes.empty()) throw std::runtime_error("gnuplot drew nothing: " + reason(picture.remarks));
   return picture;
