@@ -53,6 +53,17 @@ TEST_CASE(
   CHECK(strips >= 4);
 }
 
+// The system's count of a process begins with the peak of the one that started it by vfork: 420 MB were told once.
+TEST_CASE("the peak of memory is the run's own, whoever started it", "[time][memory][contract]") {
+  const Outcome run = shell(draw +
+                            "-o small.nc; python3 -c 'import subprocess; held = b\"x\" * 400_000_000; "
+                            "subprocess.run([\"asperity-stats\", \"--time\", \"small.nc\"])'");
+  CAPTURE(run.error);
+  CHECK(run.exit == 0);
+  CHECK(run.error.find("peak memory") != run.error.npos);
+  CHECK(peak_of(run.error.substr(run.error.rfind("asperity-stats: "))) <= 200);
+}
+
 TEST_CASE("the option --time tells what a run took that failed or did not converge too", "[time][contract]") {
   const Outcome failed = shell("asperity-stats absent.nc --time");
   CHECK(failed.exit == 1);
