@@ -57,6 +57,13 @@ double covariance(const CorrelationPowers& powers, Shape h, double rho_h, Shape 
          2 * rho_h * c(g.nx, g.ny) + 2 * rho_h * rho_g * c(0, 0);
 }
 
+// S_k/N of (ρ - w)/(1 - w), of S_k/N of ρ: the binomial formula, where S_0/N is 1.
+std::array<double, 5> about_mean(const std::array<double, 5>& s) {
+  const double w = s[1], v = 1 - w;
+  return {s[0], w, (s[2] - w * w) / (v * v), (s[3] - 3 * w * s[2] + 2 * w * w * w) / (v * v * v),
+          (s[4] - 4 * w * s[3] + 6 * w * w * s[2] - 3 * w * w * w * w) / (v * v * v * v)};
+}
+
 Index longest(Index table, Index points) { return std::min(table, points / 4); }
 
 Index stride(Index lags, Index most) { return (lags + most - 1) / most; }
@@ -91,11 +98,13 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   complete_ = theory_of(grid);
   total_.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()));
   const double cells = static_cast<double>(grid.shape.cells());
+  const double w = complete_.sums[1], v = 1 - w;
   const LagField square(rho.half_plane().square());
-  variance_skewness_ =
-      8 * mean_of_triples(rho, grid) / (cells * cells) / std::pow(2 * complete_.sums[2], 1.5);
-  sku_skewness_ =
-      1728 * mean_of_triples(square, grid) / (cells * cells) / std::pow(24 * complete_.sums[4], 1.5);
+  const EffectiveSize size(rho, Pairs(grid));
+  variance_skewness_ = 8 * (mean_of_triples(rho, grid) / (cells * cells) - w * w * w) / (v * v * v) /
+                       std::pow(2 * complete_.sums[2], 1.5);
+  sku_skewness_ = 1728 * mean_of_triples(square, grid) / (cells * cells) /
+                  std::pow(24 * size.sum(4) / size.points(), 1.5);
 }
 
 void PrescriptionTest::Theory::operator+=(const Theory& other) {
@@ -117,6 +126,7 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
                                       shortest(size.least_effective()) + " on; take a larger field");
   if (!(out.sums[1] < 0.5))
     throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
+  out.sums = about_mean(out.sums);
   out.sku_bias = -6 * out.sums[2];
   if (translated_) {
     const TranslationErrors errors(translated_->heights, EffectiveSize(translated_->below, pairs));

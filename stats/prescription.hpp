@@ -1,7 +1,8 @@
 /// Has an ensemble of surfaces the rms height, skewness, kurtosis and autocorrelation that were prescribed?
 ///
 /// Over M surfaces of N points each, the means of four kinds of figures are compared with what they would be of
-/// Gaussian surfaces of the prescribed correlation ρ, S_k its sums (stats/effective_size.hpp), w = S_1/N:
+/// Gaussian surfaces of the prescribed correlation ρ. With w = S_1/N of it, heights about their own mean are correlated by
+/// (ρ - w)/(1 - w), exactly so where the surface is periodic, and S_k are the sums of that (stats/effective_size.hpp):
 ///     Sq²/(1 - w) - σ²                       standard error σ² √(2 S_2/(N M))                       (1)
 ///     Ssk                                    √(6 S_3/(N M))                                         (2)
 ///     Sku + 6 S_2/N - 3                      √(24 S_4/(N M))                                        (3)

@@ -102,6 +102,10 @@ AcfTable from_dataset(Dataset data) {
   target_of_table(out.half_plane);
   const Variable& variable = data.at(name);
   const Index middle = out.half_plane.cols() / 2;
+  const std::string &rows = variable.dimensions[0], &columns = variable.dimensions[1];
+  if (data.has(rows) != data.has(columns) && std::min(data.length(rows), data.length(columns)) > 1)
+    refuse("its lags " + (data.has(rows) ? columns : rows) +
+           " have no coordinate, which those beside them have");
   out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
                                 step_of(data, variable.dimensions[1], table.cols() / 2));
   out.rms = rms_of(out.half_plane(0, middle), unit_of(variable));

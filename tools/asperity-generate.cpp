@@ -98,9 +98,10 @@ void adopt_grid(const cli::Tool& tool, Options& o, const Dataset& data) {
 
 Synthesis synthesis_of(const cli::Tool& tool, const Options& o, Field kernel, Pointwise translation = {},
                        std::size_t beside = 0) {
-  return {std::move(kernel),
-          o.shape,
-          {o.periodic, Summation::cheapest, tool.thread_count(), tool.memory(), std::move(translation), beside}};
+  return {
+      std::move(kernel),
+      o.shape,
+      {o.periodic, Summation::cheapest, tool.thread_count(), tool.memory(), std::move(translation), beside}};
 }
 
 // What the tables of the kernel take while surfaces are drawn, once and once more for each of several datasets.
@@ -239,7 +240,8 @@ int main(int argc, char** argv) {
   declare(tool, options);
 
   return tool.run(argc, argv, [&] {
-    if (options.count > 1) cli::numbered("output", tool.output_name(), 0);
+    for (int k = 0; options.count > 1 && k < options.count; ++k)
+      tool.writes("count", cli::numbered("output", tool.output_name(), std::int64_t{options.first} + k));
     if (options.count > 1 && tool.given("--report"))
       throw cli::UsageError("report", "is of one surface; each dataset of an ensemble carries its own");
     cli::Exit code = cli::done;

@@ -14,6 +14,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/variable_units.hpp"
 #include "grid/error.hpp"
+#include "grid/words.hpp"
 #include "kernel_options.hpp"
 
 namespace asperity::cli {
@@ -108,6 +109,12 @@ inline KernelTables kernel_of(const Dataset& data) {
     throw DataError("acf_achieved", "its lags are not those of acf_target");
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
+  const double variance_of_kernel = tables.kernel.square().sum(),
+               told = translated ? 1 : tables.acf_achieved(0, tables.acf_achieved.cols() / 2);
+  if (!(std::abs(variance_of_kernel - told) <= 1e-6 * told))
+    throw DataError("kernel", "the sum of its squares, " + shortest(variance_of_kernel) +
+                                  ", is not the variance that it stands for, " + shortest(told) +
+                                  ": one of them was changed; solve for the kernel anew");
   tables.spacing = lag_spacing(data);
   return tables;
 }

@@ -79,6 +79,8 @@ double StressOptions::poisson_of(const Dataset& data) const {
   if (recorded == nullptr)
     throw UsageError("poisson", "is needed: the dataset has no attribute contact_poisson");
   const std::vector<double> both = numbers(*recorded);
+  if (std::holds_alternative<std::string>(*recorded) || both.empty() || both.size() > 2)
+    throw DataError("contact_poisson", "it must be one number, or one of each body");
   if (body > static_cast<int>(both.size()))
     throw UsageError("body", fmt::format("{}: the dataset knows Poisson's ratio of {}", body, both.size()));
   const double out = both[static_cast<std::size_t>(body - 1)];

@@ -151,6 +151,9 @@ void let_ascend(Dataset& dataset) {
 
 Dataset in_own_order(Dataset dataset) {
   if (swap_axes(dataset, "y", "x")) name_axes(dataset);
+  constexpr std::pair<const char*, const char*> tables[] = {
+      {"l", "k"}, {"q", "p"}, {"lag_y", "lag_x"}, {"wave_number_y", "wave_number_x"}};
+  for (const auto& [slow, fast] : tables) swap_axes(dataset, slow, fast);
   if (Variable* z = vertical(dataset, "up")) {
     turn(*z, "down", "depth below the surface");
     if (descends(*z)) reverse_along(dataset, "z");

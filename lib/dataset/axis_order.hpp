@@ -5,6 +5,7 @@
 ///     volume            name(z, x, y)                  name(z, y, x)
 ///     z                 depth, positive = "down"       height -depth, positive = "up", the deepest layer first
 ///     x, y              axis = "X", "Y"                without, for VTK takes these for longitude and latitude
+///     table             name(k, l), name(p, q), …      name(l, k), name(q, p), …, as a program that transposes all writes
 ///     coordinates       ascending                      of rasters often descending
 ///
 /// VTK and ParaView make NetCDF's last dimension their first axis, and place a z that is positive upwards where it is:
@@ -20,7 +21,7 @@
 
 namespace asperity {
 
-/// Of any dataset: every variable whose last dimensions are (y, x) comes to lie on (x, y), a z that is positive
+/// Of any dataset: every variable whose last dimensions are (y, x) comes to lie on (x, y), likewise tables, a z that is positive
 /// upwards becomes a depth, and its layers run downwards. Where x, y, a depth, a lag or a wave number descends, it and all
 /// that lies on it are turned around, each value at its coordinate; a line in front of `history` and one of the notes say so.
 Dataset in_own_order(Dataset dataset);

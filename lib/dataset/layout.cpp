@@ -53,6 +53,17 @@ double settled_length(const Variable& axis, const std::vector<double>& points) {
   return coarser || !agrees(length, axis, points) ? of_points : length;
 }
 
+// Of a single point the length tells the size, unless it is that of the points which actual_range still tells of.
+void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points) {
+  const Values* told = axis.attributes.find("actual_range");
+  if (points.size() != 1 || told == nullptr || count(*told) != 2) return;
+  const std::vector<double> range = numbers(*told);
+  if (std::abs(range[1] - range[0]) <= 1e-6 * std::abs(axis.attributes.number("length", 0))) return;
+  throw DataError(axis.name,
+                  "its one point was cut from those of its actual_range, whose length is not its own: "
+                  "correct length and actual_range, or cut by asperity-convert --crop");
+}
+
 // An axis must be evenly spaced, whatever its length is taken from.
 AxisExtent extent_of(const Variable& axis) {
   const auto n = static_cast<double>(count(axis.values));
@@ -64,6 +75,7 @@ AxisExtent extent_of(const Variable& axis) {
   const std::vector<double> values = present_numbers(axis);
   if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
     throw DataError(axis.name, "a point of it is missing or infinite");
+  refuse_part_of_axis(axis, values);
   const double length = settled_length(axis, values);
   const double step = values.size() > 1 ? (values.back() - values.front()) / (n - 1) : length;
   if (!std::isfinite(step) || step == 0)

@@ -53,7 +53,9 @@ Unit known(const std::string& name) {
   const ut_system* const all = units();
   if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; })) return nullptr;
   require_room(room_for_unit);
-  return Unit(ut_parse(all, utf8_of(name).c_str(), UT_UTF8));
+  const std::size_t first = std::min(name.find_first_not_of(' '), name.size()),
+                    behind = name.find_last_not_of(' ') + 1;  // of writers of fixed widths
+  return Unit(ut_parse(all, utf8_of(name.substr(first, behind - first)).c_str(), UT_UTF8));
 }
 
 Unit parse(const std::string& name) {

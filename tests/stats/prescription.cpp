@@ -85,18 +85,20 @@ TEST_CASE("surfaces with missing points are refused no more often than stated, a
   CHECK(rejected(prescription({4, 3}), {5, 3}, 16, 5, false, 0.2) == 1);
 }
 
-// The error of Sq is σ √(S_2/2N): as that of a complete field of the points that are there, where they are independent.
+// Of n independent heights about their own mean S_2/N is 1/(n - 1), as of a sample variance, and S_3/N (n - 2)/(n - 1)².
 TEST_CASE("the standard errors of a mean are those of the points that each surface has",
           "[prescription][exact]") {
   PrescriptionTest test(prescription({1, 1}), grid(40, 30));
-  double variance = 0;
+  double second = 0, third = 0;
   for (unsigned m = 0; m < 3; ++m) {
     const Field z = with_holes(white_noise({40, 30}, m), 0.1 + 0.2 * m, m);
     test.add(z, grid(40, 30));
-    variance += 1 / (2 * static_cast<double>((!z.isNaN()).count())) / 9;
+    const auto n = static_cast<double>((!z.isNaN()).count());
+    second += 1 / (n - 1) / 9;
+    third += (n - 2) / std::pow(n - 1, 2) / 9;
   }
-  CHECK(test.claims()[0].standard_error == Approx(std::sqrt(variance)).epsilon(1e-12));
-  CHECK(test.claims()[1].standard_error == Approx(std::sqrt(12 * variance)).epsilon(1e-12));
+  CHECK(test.claims()[0].standard_error == Approx(std::sqrt(second / 2)).epsilon(1e-12));
+  CHECK(test.claims()[1].standard_error == Approx(std::sqrt(6 * third)).epsilon(1e-12));
 }
 
 // GSL's incomplete gamma function once ended the program here: a skewness of 1e-3, and of 40 errors.

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <toml++/toml.h>
 
+#include <fmt/format.h>
+
 #include "cli/table.hpp"
 
 namespace asperity::cli {
@@ -93,20 +95,24 @@ bool is_number(const std::string& word) {
 
 // ---- writing ----
 
-std::string toml(const std::string& value) {
-  if (is_number(value)) return value;
+// A text that looks like a number is none: a file "1.50" would come back as "1.5".
+std::string toml(const CLI::Option& option, const std::string& value) {
+  const std::string& kind = option.get_type_name();
+  if ((kind == "N" || kind == "NUMBER") && is_number(value)) return value;
   std::string out = "\"";
-  for (char c : value)
-    if (c == '"' || c == '\\')
-      out += std::string("\\") + c;
+  for (const char c : value) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f)
+      out += fmt::format("\\u{:04X}", code);
     else
-      out += c == '\n' ? "\\n" : c == '\t' ? "\\t" : std::string(1, c);
+      out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  }
   return out + "\"";
 }
 
-std::string toml(const std::vector<std::string>& values) {
+std::string toml(const CLI::Option& option, const std::vector<std::string>& values) {
   std::string out;
-  for (const std::string& value : values) out += (out.empty() ? "" : ", ") + toml(value);
+  for (const std::string& value : values) out += (out.empty() ? "" : ", ") + toml(option, value);
   return "[" + out + "]";
 }
 
@@ -116,10 +122,13 @@ std::string line_of(const CLI::Option& option) {
   if (option.count() > 0) {
     if (is_flag(option)) return key + (option.as<bool>() ? " = true\n" : " = false\n");
     const std::vector<std::string>& given = option.results();
-    return key + " = " + (option.get_items_expected_max() > 1 ? toml(given) : toml(given.front())) + "\n";
+    return key + " = " +
+           (option.get_items_expected_max() > 1 ? toml(option, given) : toml(option, given.front())) + "\n";
   }
   if (is_flag(option)) return "# " + key + " = false\n";
-  return option.get_default_str().empty() ? "" : "# " + key + " = " + toml(option.get_default_str()) + "\n";
+  return option.get_default_str().empty()
+             ? ""
+             : "# " + key + " = " + toml(option, option.get_default_str()) + "\n";
 }
 
 }  // namespace

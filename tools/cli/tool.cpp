@@ -86,7 +86,8 @@ std::uint64_t Tool::seed_value() {
 std::vector<std::string> Tool::environment() const {
   std::vector<std::string> out;
   for (const CLI::Option* option : app_.get_options()) {
-    if (option->get_lnames().empty() || !option->get_configurable() || names(arguments_, *option)) continue;
+    const bool told_so = option->get_configurable() || option == app_.get_config_ptr();
+    if (option->get_lnames().empty() || !told_so || names(arguments_, *option)) continue;
     const std::string& key = option->get_lnames().front();
     if (const char* value = std::getenv(environment_name(key).c_str()))
       out.push_back("--" + key + "=" + value);
@@ -175,6 +176,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   result_is_dataset_ = writes_dataset_ && !writes_table_;
   if (writes_dataset_ || writes_table_) writes("output", output_);
   if (!report_.empty()) writes("report", report_);
+  if (!config_file().empty()) reads(config_file());
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
     return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " --help tells more)");
   return body();
@@ -252,23 +254,23 @@ void Tool::require_memory(double bytes, const std::string& option, const std::st
 }
 
 void Tool::writes(const std::string& option, const std::string& name) {
-  const Identity own = identity_of_output(name);
-  for (const Output& other : outputs_)
-    if ((name == "-" && other.name == "-") || (!own.empty() && own == identity_of_output(other.name)))
-      throw UsageError(option,
-                       "'" + name + "' is where --" + other.option + " goes too: give it another name");
+  Identity own = identity_of_output(name);
+  if (own.empty() && name == "-") own = name;
+  const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
+  if (!alone && !own.empty())
+    throw UsageError(option,
+                     "'" + name + "' is where --" + other->second.option + " goes too: give it another name");
   require_writable(name);
-  outputs_.push_back({option, name});
 }
 
 void Tool::reads(const std::string& name, bool passed_on) const {
   const Identity own = identity_of_input(name);
-  if (own.empty()) return;
-  for (const auto& [option, output] : outputs_) {
-    const bool replaced = place_of(output).kind == Place::Kind::file;
-    if (own != identity_of_output(output) || (passed_on && replaced && option == "output")) continue;
-    throw UsageError(option, "'" + output + "' is read by this run, and would be lost: give it another name");
-  }
+  const auto same = outputs_.find(own);
+  if (own.empty() || same == outputs_.end()) return;
+  const auto& [option, output] = same->second;
+  const bool replaced = place_of(output).kind == Place::Kind::file;
+  if (passed_on && replaced && option == "output") return;
+  throw UsageError(option, "'" + output + "' is read by this run, and would be lost: give it another name");
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

@@ -24,6 +24,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -189,7 +190,7 @@ class Tool {
   struct Output {
     std::string option, name;
   };
-  std::vector<Output> outputs_;
+  std::map<std::string, Output> outputs_;  ///< by what they are (cli/place.hpp)
   const CLI::Option* may_be_empty_ = nullptr;
   InputFormat format_;
   std::size_t memory_ = half_of_memory();

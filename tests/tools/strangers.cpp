@@ -1,0 +1,136 @@
+// What strangers found in the tools as they are typed: one test for each fault.
+#include <fstream>
+
+#include "dataset/layout.hpp"
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const std::string draw =
+    "asperity-generate --shape 24x20 --size 24um,20um --rq 0.1um --length 3um --seed 1 -q ";
+
+void refused(const std::string& line, int code, const std::string& words) {
+  const Outcome run = shell(line);
+  CAPTURE(line, run.error);
+  CHECK(run.exit == code);
+  CHECK(lines(run.error) == 1);
+  CHECK_THAT(run.error, ContainsSubstring(words));
+}
+
+}  // namespace
+
+TEST_CASE("an ensemble takes the place neither of what it is drawn from nor of its own members",
+          "[strangers][outputs][contract]") {
+  REQUIRE(
+      shell(draw + "-o s_1.nc; cp s_1.nc kept.nc; asperity-kernel --length 3px -o k_0.nc; ln -s t1.nc t0.nc")
+          .exit == 0);
+  refused(
+      "asperity-generate --marginal s_1.nc --length 3px --rq 1um --size 1mm --shape 24x20 --seed 1 --count 2 "
+      "-o s_%d.nc",
+      2, "'s_1.nc' is read by this run");
+  refused("asperity-generate --kernel k_0.nc --rq 1um --size 1mm --shape 24x20 --seed 1 --count 2 -o k_%d.nc",
+          2, "'k_0.nc' is read by this run");
+  refused(draw + "--count 2 -o t%d.nc", 2, "'t1.nc' is where --count goes too");
+  CHECK(shell("cmp s_1.nc kept.nc").exit == 0);
+}
+
+TEST_CASE("a file of options is not written over", "[strangers][outputs][contract]") {
+  REQUIRE(shell("echo 'level = \"plane\"' > options.txt; " + draw + "-o g.nc").exit == 0);
+  refused("asperity-stats --config options.txt g.nc -o options.txt", 2, "'options.txt' is read by this run");
+  REQUIRE(shell("echo 'seed = 3' > seed.json").exit == 0);
+  refused(
+      "asperity-generate --shape 8x8 --size 1mm --rq 1um --length 3px -o h.nc --report seed.json --config "
+      "seed.json",
+      2, "--report: 'seed.json' is read by this run");
+}
+
+TEST_CASE("ASPERITY_CONFIG names a file of options as --config does", "[strangers][config][contract]") {
+  REQUIRE(shell("echo 'level = \"plane\"' > plane.toml; " + draw + "-o g.nc").exit == 0);
+  const Outcome by_option = shell("asperity-stats g.nc --config plane.toml"),
+                by_variable = shell("ASPERITY_CONFIG=plane.toml asperity-stats g.nc");
+  CHECK(by_option.out == by_variable.out);
+  CHECK(by_option.out != shell("asperity-stats g.nc").out);
+  refused("ASPERITY_CONFIG=absent.toml asperity-stats g.nc", 2,
+          "ASPERITY_CONFIG: 'absent.toml' cannot be read");
+  refused("ASPERITY_CONFIG= asperity-stats g.nc", 2, "is empty");
+}
+
+TEST_CASE("texts that look like numbers come back from --dump-config as they were",
+          "[strangers][config][law]") {
+  for (const std::string title : {"1.50", "1e5", "20251231235959999999", "a\rb", "tab\there"}) {
+    std::ofstream(scratch("title.txt"), std::ios::binary) << title;
+    const Outcome run = shell(
+        "asperity-plot g.nc --kind map -o p.svg --title \"$(cat title.txt)\" --dump-config > d.toml && "
+        "asperity-plot --config d.toml --dump-config | cmp - d.toml");
+    CAPTURE(title, run.error);
+    CHECK(run.exit == 0);
+  }
+}
+
+TEST_CASE("a row that was cut from a surface does not keep the width of the whole", "[strangers][contract]") {
+  Dataset data;
+  set_grid(data, {{16, 1}, 1e-6, 72e-6});
+  set_field(data, "heights", 1e-7 * random_field({16, 1}, 1), {"m", "height"});
+  write_dataset(data, "row.nc");
+  CHECK(shell("asperity-stats row.nc -q").exit == 0);
+  data.find("y")->attributes.set_values("actual_range", Values(std::vector<double>{-3.45e-5, 3.45e-5}));
+  write_dataset(data, "row.nc");
+  refused("asperity-stats row.nc -q", 4, "y: its one point was cut from those of its actual_range");
+}
+
+TEST_CASE(
+    "a kernel and its tables are read as they are meant, transposed too, or refused where they were changed",
+    "[strangers][kernel][contract]") {
+  REQUIRE(shell("asperity-kernel --length 2um,3um --spacing 1um --rq 0.1um -o k.nc").exit == 0);
+  const std::string use = "asperity-generate --shape 24x20 --seed 1 -q --no-history --kernel ";
+  const Dataset kernel = read_dataset("k.nc");
+  Dataset turned = kernel;
+  Variable& values = *turned.find("kernel");
+  const Field across = table_of(kernel, "kernel").transpose();
+  values.dimensions = {"l", "k"};
+  values.values = std::vector<double>(across.data(), across.data() + across.size());
+  write_dataset(turned, "turned.nc");
+  REQUIRE(shell(use + "k.nc -o a.nc; " + use + "turned.nc -o b.nc").exit == 0);
+  CHECK((field_of(read_dataset("a.nc"), "heights") == field_of(read_dataset("b.nc"), "heights")).all());
+
+  Dataset doubled = kernel;
+  for (double& v : std::get<std::vector<double>>(doubled.find("kernel")->values)) v *= 2;
+  write_dataset(doubled, "doubled.nc");
+  refused(use + "doubled.nc -o c.nc", 4, "kernel: the sum of its squares, ");
+  Dataset half = kernel;
+  half.erase("p");
+  write_dataset(half, "half.nc");
+  refused("asperity-generate --acf half.nc --shape 24x20 --size 24um,20um --seed 1 -q -o c.nc", 4,
+          "have no coordinate");
+}
+
+TEST_CASE("Poisson's ratio of a dataset is a number or two", "[strangers][stress][contract]") {
+  REQUIRE(shell("asperity-contact --smooth --shape 16x16 --size 3mm --radius 50mm --young 200GPa --poisson "
+                "0.3 --load 1kN "
+                "-q -o p.nc")
+              .exit == 0);
+  for (const Values& wrong : {Values(std::string("abc")), Values(std::vector<double>{0.3, 0.3, 0.3})}) {
+    Dataset data = read_dataset("p.nc");
+    data.attributes.set_values("contact_poisson", wrong);
+    write_dataset(data, "q.nc");
+    refused("asperity-stress q.nc --depths 0:0.1mm:3 -q -o s.nc", 4,
+            "contact_poisson: it must be one number");
+  }
+}
+
+// The standard errors and the bias of Sku were those of heights about a mean that is known: refused by 8 of 8 seeds.
+TEST_CASE("periodic surfaces whose correlation is as long as they are have the kurtosis prescribed",
+          "[strangers][validate][statistics]") {
+  for (int seed = 1; seed <= 4; ++seed) {
+    const Outcome run =
+        shell("asperity-generate --shape 48x48 --size 48um --rq 1um --periodic --length 30px --seed " +
+              std::to_string(seed) + " --count 60 -q -o 'v_%02d.nc' && asperity-validate -q v_*.nc");
+    CAPTURE(seed, run.out, run.error);
+    CHECK(run.exit == 0);
+  }
+}
