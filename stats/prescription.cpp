@@ -26,6 +26,9 @@ constexpr double patches_per_degree = 10;  // of the t law whose tails the figur
 constexpr double degrees_of_spread =
     0.75;  // a surface, less one: figures are more skewed than Student's law knows
 
+// Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has this skewness at the most.
+constexpr double most_skewed = 1.6;
+
 // The score of probabilities below and above, whichever is the smaller.
 double normal_score(double below, double above) {
   const double score = above < below ? gsl_cdf_ugaussian_Qinv(above) : gsl_cdf_ugaussian_Pinv(below);
@@ -34,8 +37,7 @@ double normal_score(double below, double above) {
 
 // Of the gamma law of mean 0, variance 1 and this skewness, by Wilson and Hilferty's cube root; below 1e-6 it is z. The cube
 // root holds from one degree on (below 2/9 the least value of all would score high), which a skewness of √8 stands for. With
-// five patches or more Sq's is below; Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has
-// a skewness of 1.6 at the most.
+// five patches or more Sq's is below.
 double gamma_score(double z, double skewness) {
   if (std::abs(skewness) < 1e-6) return z;
   if (skewness < 0) return -gamma_score(-z, -skewness);
@@ -103,8 +105,8 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   const EffectiveSize size(rho, Pairs(grid));
   variance_skewness_ = 8 * (mean_of_triples(rho, grid) / (cells * cells) - w * w * w) / (v * v * v) /
                        std::pow(2 * complete_.sums[2], 1.5);
-  sku_skewness_ = 1728 * mean_of_triples(square, grid) / (cells * cells) /
-                  std::pow(24 * size.sum(4) / size.points(), 1.5);
+  sku_skewness_ = std::min(most_skewed, 1728 * mean_of_triples(square, grid) / (cells * cells) /
+                                            std::pow(24 * size.sum(4) / size.points(), 1.5));
 }
 
 void PrescriptionTest::Theory::operator+=(const Theory& other) {
