@@ -29,6 +29,9 @@ constexpr double degrees_of_spread =
 // Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has this skewness at the most.
 constexpr double most_skewed = 1.6;
 
+constexpr double most_of_mean =
+    0.1;  // of the variance, of a translation, whose biases are about a known mean
+
 // The score of probabilities below and above, whichever is the smaller.
 double normal_score(double below, double above) {
   const double score = above < below ? gsl_cdf_ugaussian_Qinv(above) : gsl_cdf_ugaussian_Pinv(below);
@@ -128,6 +131,12 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
                                       shortest(size.least_effective()) + " on; take a larger field");
   if (!(out.sums[1] < 0.5))
     throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
+  if (translated_ && !(out.sums[1] < most_of_mean))
+    throw DataError(
+        "acf_target",
+        "it reaches too far for the field, whose mean takes " + shortest(std::round(100 * out.sums[1])) +
+            " % of the variance: of heights that are not Gaussian the biases of Ssk and Sku are known "
+            "below 10 %; take a larger field");
   out.sums = about_mean(out.sums);
   out.sku_bias = -6 * out.sums[2];
   if (translated_) {

@@ -26,7 +26,8 @@
 /// of the same means stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation,
 /// Johnson's of the two that are prescribed (stats/translation_error.hpp).
 ///
-/// Theory holds from N/S_2 = 5 on; a surface that is worth less is refused.
+/// Theory holds from N/S_2 = 5 on; a surface that is worth less is refused. So is one of heights that are not Gaussian where
+/// w is a tenth or more: the biases of a translation are those about a mean that is known.
 ///
 /// Points that are missing, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs
 /// that a surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; the
