@@ -2,7 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(GSL 2.7 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(SUNDIALS 6.4 REQUIRED CONFIG COMPONENTS kinsol nvecserial sunlinsolspgmr)
+find_package(SUNDIALS 6.4 REQUIRED CONFIG COMPONENTS kinsol sunlinsolspgmr)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -5,16 +5,15 @@ include(CMakePackageConfigHelpers)
 
 get_property(tools GLOBAL PROPERTY ASPERITY_TOOLS)
 install(TARGETS ${tools} COMPONENT tools)
-install(TARGETS asperity asperity_stats EXPORT Asperity
+install(TARGETS asperity asperity_io asperity_stats EXPORT Asperity
   LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity COMPONENT development)
-set_target_properties(asperity_stats PROPERTIES EXPORT_NAME stats)
 
 # Tools find the libraries wherever the tree is moved to.
 file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
-set_target_properties(asperity_stats PROPERTIES INSTALL_RPATH $ORIGIN)
+set_target_properties(asperity_io asperity_stats PROPERTIES INSTALL_RPATH $ORIGIN)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Asperity)
 install(EXPORT Asperity NAMESPACE Asperity:: FILE AsperityTargets.cmake DESTINATION ${package_folder} COMPONENT development)
@@ -26,10 +25,10 @@ install(FILES ${PROJECT_BINARY_DIR}/AsperityConfig.cmake ${PROJECT_BINARY_DIR}/A
 
 # A static library passes on what it stands on; a shared one has it linked.
 set(pc_requires "eigen3 >= 3.4")
-set(pc_libraries "-lasperity_stats -lasperity -pthread")
+set(pc_libraries "-lasperity_stats -lasperity_io -lasperity -pthread")
 if(NOT BUILD_SHARED_LIBS)
   string(APPEND pc_requires ", gsl, fftw3, netcdf, libzip, libmd, pugixml, zlib, fmt")
-  string(APPEND pc_libraries " -ludunits2 -lsundials_kinsol -lsundials_nvecserial -lsundials_sunlinsolspgmr")
+  string(APPEND pc_libraries " -ludunits2 -lsundials_kinsol -lsundials_sunlinsolspgmr")
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake DESTINATION ${package_folder} COMPONENT development)
 endif()
 set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

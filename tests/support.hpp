@@ -17,7 +17,7 @@ inline auto ContainsSubstring(const std::string& text) { return Catch::Matchers:
 #include <limits>
 #include <random>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity::test {
 

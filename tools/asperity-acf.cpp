@@ -1,10 +1,10 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
-#include "acf_lengths.hpp"
-#include "cli/lineage.hpp"
-#include "cli/output_name.hpp"
-#include "marginal_dataset.hpp"
-#include "stats/moments.hpp"
-#include "stats/structure_function.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/spatial/structure_function.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/output_name.hpp"
+#include "tools/measure/acf_lengths.hpp"
+#include "tools/surface/marginal_dataset.hpp"
 
 using namespace asperity;
 

@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
-#include "cli/lineage.hpp"
-#include "cli/progress.hpp"
-#include "cli/stream.hpp"
 #include "contact/doubts.hpp"
 #include "contact/influence.hpp"
 #include "contact/stiffness.hpp"
 #include "contact/sweep.hpp"
-#include "contact_record.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/contact/record.hpp"
 
 using namespace asperity;
 

@@ -4,18 +4,18 @@
 #include <utility>
 #include <vector>
 
-#include "cli/lineage.hpp"
-#include "cli/output_name.hpp"
-#include "cli/series.hpp"
-#include "cli/stream.hpp"
-#include "cli/tool.hpp"
+#include "core/error.hpp"
 #include "dataset/axis_order.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
 #include "formats/vti.hpp"
-#include "grid/error.hpp"
-#include "map_options.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/output_name.hpp"
+#include "tools/cli/series.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/cli/tool.hpp"
+#include "tools/convert/map_options.hpp"
 
 using namespace asperity;
 

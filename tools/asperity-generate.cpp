@@ -5,13 +5,13 @@
 
 #include "acf/kernel_cost.hpp"
 #include "acf/table.hpp"
-#include "cli/progress.hpp"
-#include "cli/stream.hpp"
 #include "dataset/netcdf.hpp"
-#include "drawing.hpp"
-#include "kernel_period.hpp"
-#include "kernel_prospect.hpp"
 #include "marginal/prescribed.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/surface/drawing.hpp"
+#include "tools/surface/kernel_period.hpp"
+#include "tools/surface/kernel_prospect.hpp"
 
 using namespace asperity;
 

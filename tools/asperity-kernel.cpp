@@ -1,6 +1,6 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
-#include "cli/stream.hpp"
-#include "kernel_prospect.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/surface/kernel_prospect.hpp"
 
 using namespace asperity;
 

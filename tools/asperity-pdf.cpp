@@ -1,11 +1,11 @@
 // The distribution of heights beside the Gaussian of the same mean and rms height.
 #include <cmath>
 
-#include "cli/table.hpp"
-#include "measured.hpp"
-#include "stats/distribution.hpp"
-#include "stats/kernel_density.hpp"
-#include "stats/quantile_plot.hpp"
+#include "stats/height/distribution.hpp"
+#include "stats/height/kernel_density.hpp"
+#include "stats/height/quantile_plot.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/measure/measured.hpp"
 
 using namespace asperity;
 

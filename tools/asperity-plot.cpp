@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <sstream>
 
-#include "cli/place.hpp"
-#include "cli/stream.hpp"
-#include "cli/tool.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
-#include "plot/gnuplot.hpp"
-#include "plot/kinds.hpp"
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "tools/cli/place.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/cli/tool.hpp"
+#include "tools/plot/gnuplot.hpp"
+#include "tools/plot/kinds.hpp"
 
 using namespace asperity;
 

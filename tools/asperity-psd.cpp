@@ -1,12 +1,12 @@
 // Power spectral densities of a surface, of its profiles, and over rings.
 #include <numbers>
 
-#include "cli/lineage.hpp"
-#include "cli/output_name.hpp"
-#include "cli/table.hpp"
-#include "grid_words.hpp"
-#include "measured.hpp"
-#include "stats/spectrum.hpp"
+#include "stats/spectrum/spectrum.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/output_name.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/measure/measured.hpp"
+#include "tools/surface/grid_words.hpp"
 
 using namespace asperity;
 

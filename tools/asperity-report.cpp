@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <functional>
 
-#include "cli/output_name.hpp"
-#include "cli/stream.hpp"
-#include "cli/tool.hpp"
-#include "grid/error.hpp"
-#include "plot/gnuplot.hpp"
-#include "report/page.hpp"
+#include "core/error.hpp"
+#include "tools/cli/output_name.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/cli/tool.hpp"
+#include "tools/plot/gnuplot.hpp"
+#include "tools/report/page.hpp"
 
 using namespace asperity;
 

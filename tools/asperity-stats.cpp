@@ -6,10 +6,10 @@
 #include <system_error>
 #include <utility>
 
-#include "ensemble_input.hpp"
-#include "grid/words.hpp"
-#include "stats_ensemble.hpp"
-#include "stats_groups.hpp"
+#include "core/words.hpp"
+#include "tools/measure/ensemble_input.hpp"
+#include "tools/measure/ensemble_rows.hpp"
+#include "tools/measure/groups.hpp"
 
 using namespace asperity;
 

@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "cli/lineage.hpp"
-#include "cli/progress.hpp"
-#include "cli/record.hpp"
-#include "cli/stream.hpp"
-#include "grid/stopwatch.hpp"
-#include "grid/words.hpp"
-#include "stress_record.hpp"
-#include "stress_warning.hpp"
-#include "stress_writer.hpp"
+#include "core/stopwatch.hpp"
+#include "core/words.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/record.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/stress/record.hpp"
+#include "tools/stress/warning.hpp"
+#include "tools/stress/writer.hpp"
 
 using namespace asperity;
 

@@ -3,14 +3,14 @@
 #include <optional>
 
 #include "acf/kernel.hpp"
-#include "acf_table.hpp"
-#include "cli/table.hpp"
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
-#include "ensemble_input.hpp"
-#include "grid/words.hpp"
 #include "marginal/prescribed.hpp"
-#include "measured.hpp"
-#include "stats/prescription.hpp"
+#include "stats/hypothesis/prescription.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/measure/ensemble_input.hpp"
+#include "tools/measure/measured.hpp"
+#include "tools/surface/acf_table.hpp"
 
 using namespace asperity;
 

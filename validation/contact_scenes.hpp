@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -3,7 +3,7 @@
 /// Of FIELDS fields of 128 × 128 points, in per cent, those whose interval holds the truth of the mean, Sa, Sq, Ssk and
 /// Sku. Fields are white noise averaged over w × w neighbours and translated by Johnson's distribution of this skewness and
 /// kurtosis. `law` says what the errors rest on: "drawn", that distribution and the correlation below it
-/// (stats/translation_error.hpp); "evident", what the field itself shows of both; "gaussian", the intervals of Gaussian
+/// (stats/uncertainty/translation_error.hpp); "evident", what the field itself shows of both; "gaussian", the intervals of Gaussian
 /// heights with the correlation estimated, for comparison. The standard error of a count is √(0.05 · 0.95 / FIELDS).
 ///
 ///     heights_coverage [FIELDS]     400 unless given
@@ -12,9 +12,9 @@
 #include <cstdlib>
 
 #include "acf/kernel.hpp"
-#include "stats/acf.hpp"
-#include "stats/moment_interval.hpp"
-#include "stats/translation_error.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
+#include "stats/uncertainty/translation_error.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 

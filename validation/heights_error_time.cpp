@@ -12,11 +12,11 @@
 ///     heights_error_time [SURFACES]
 #include <cstdlib>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"
-#include "stats/acf.hpp"
-#include "stats/ensemble.hpp"
+#include "stats/hypothesis/ensemble.hpp"
+#include "stats/spatial/acf.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "marginal/johnson.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"

@@ -2,13 +2,13 @@
 #include <random>
 
 #include "stability.hpp"
-#include "stats/acf.hpp"
-#include "stats/effective_size.hpp"
-#include "stats/form.hpp"
-#include "stats/material_ratio.hpp"
-#include "stats/moments.hpp"
-#include "stats/slopes.hpp"
-#include "stats/spectrum.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/height/material_ratio.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/spectrum/spectrum.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {
 namespace {

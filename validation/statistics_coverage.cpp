@@ -4,12 +4,12 @@
 ///     statistics_coverage [FIELDS [TABLE]]     fields a row, 400 unless given; moments, lengths, alarms or cost alone
 ///
 /// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval
-/// (stats/moment_interval.hpp) that holds the truth, with the `correlation` known or estimated from the same field.
+/// (stats/uncertainty/moment_interval.hpp) that holds the truth, with the `correlation` known or estimated from the same field.
 /// Fields are white noise averaged over w × w neighbours, w the `width`, of correlation (1 - |p|/w)(1 - |q|/w); and such
 /// with an exponential correlation of that length. The standard error of a count is √(0.05 · 0.95 / FIELDS), 1.1 % for
 /// 400.
 ///
-/// Second table: the same of Sal and of the lengths along x at 1/e and 10 % (stats/length_interval.hpp), and how many of
+/// Second table: the same of Sal and of the lengths along x at 1/e and 10 % (stats/uncertainty/length_interval.hpp), and how many of
 /// these intervals lie wholly below and above the truth.
 ///
 /// Third table: surfaces, or ensembles of them, that are as prescribed and yet fail at a stated 1 and 5 %, in per cent of
@@ -27,14 +27,14 @@
 
 #include <fmt/format.h>
 
-#include "stats/acf.hpp"
-#include "stats/acf_length.hpp"
-#include "stats/acf_lobe.hpp"
-#include "stats/effective_size.hpp"
-#include "stats/length_interval.hpp"
-#include "stats/moment_interval.hpp"
-#include "stats/moments.hpp"
-#include "stats/prescription.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/hypothesis/prescription.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/spatial/acf_lobe.hpp"
+#include "stats/uncertainty/effective_size.hpp"
+#include "stats/uncertainty/length_interval.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
 #include "timing.hpp"
 
 using namespace asperity;

@@ -20,7 +20,7 @@
 
 #include <fmt/format.h>
 
-#include "grid/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

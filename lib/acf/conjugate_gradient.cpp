@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <gsl/gsl_poly.h>
 
-#include "grid/stopwatch.hpp"
-#include "grid/words.hpp"
+#include "core/stopwatch.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

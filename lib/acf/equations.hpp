@@ -38,7 +38,7 @@
 
 #include "acf/nonlinear_system.hpp"
 #include "acf/target.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {

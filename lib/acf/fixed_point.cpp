@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "acf/kinsol.hpp"
-#include "grid/stopwatch.hpp"
-#include "grid/words.hpp"
+#include "core/stopwatch.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

@@ -8,7 +8,7 @@
 #include "acf/kernel_cost.hpp"
 #include "acf/search.hpp"
 #include "acf/wording.hpp"
-#include "grid/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 
 namespace asperity {
 namespace {

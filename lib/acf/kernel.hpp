@@ -36,7 +36,7 @@
 
 #include "acf/iteration_step.hpp"
 #include "acf/target.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -8,8 +8,8 @@
 #include <sundials/sundials_version.h>
 
 #include "acf/nonlinear_system.hpp"
-#include "grid/field.hpp"
-#include "grid/room.hpp"
+#include "core/field.hpp"
+#include "core/room.hpp"
 
 namespace asperity {
 

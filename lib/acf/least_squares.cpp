@@ -8,7 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multilarge_nlinear.h>
 
-#include "grid/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 
 namespace asperity {
 namespace {

@@ -16,7 +16,7 @@
 /// Cost      (1) one addition a lag of R; (2) one real transform there and back, 24 bytes a point of the torus.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "acf/target.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

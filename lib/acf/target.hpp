@@ -40,9 +40,9 @@
 #include <string_view>
 #include <type_traits>
 
-#include "grid/error.hpp"
-#include "grid/field.hpp"
-#include "grid/words.hpp"
+#include "core/error.hpp"
+#include "core/field.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

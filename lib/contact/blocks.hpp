@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "grid/field.hpp"
-#include "grid/parallel.hpp"
+#include "core/field.hpp"
+#include "core/parallel.hpp"
 
 namespace asperity {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "grid/error.hpp"
-#include "grid/poisson.hpp"
+#include "core/error.hpp"
+#include "core/poisson.hpp"
 
 namespace asperity {
 

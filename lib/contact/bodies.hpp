@@ -19,7 +19,7 @@
 #include <array>
 #include <limits>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "contact/hertz.hpp"
-#include "grid/words.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

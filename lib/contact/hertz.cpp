@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gsl/gsl_sf_ellint.h>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 namespace {

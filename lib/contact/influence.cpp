@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grid/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {

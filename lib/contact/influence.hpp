@@ -32,7 +32,7 @@
 #include <memory>
 
 #include "contact/elastic_operator.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

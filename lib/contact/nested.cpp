@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grid/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace asperity {
 

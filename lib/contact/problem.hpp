@@ -31,7 +31,7 @@
 #include <optional>
 
 #include "contact/blocks.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

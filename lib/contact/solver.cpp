@@ -11,9 +11,9 @@
 #include "contact/problem.hpp"
 #include "contact/stiffness.hpp"
 #include "contact/windowed.hpp"
-#include "grid/error.hpp"
-#include "grid/stopwatch.hpp"
-#include "grid/words.hpp"
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

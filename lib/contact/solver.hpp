@@ -35,7 +35,7 @@
 #include <vector>
 
 #include "contact/elastic_operator.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 /// windows grow by union and margin, and are cut where the domain ends.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

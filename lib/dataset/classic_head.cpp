@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "dataset/rest.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 namespace {

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.hpp"
 #include "dataset/axis_order.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

@@ -7,12 +7,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/error.hpp"
+#include "core/large_pages.hpp"
+#include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
 #include "dataset/variable_units.hpp"
-#include "grid/error.hpp"
-#include "grid/large_pages.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/field.hpp"
 #include "dataset/dataset.hpp"
-#include "grid/field.hpp"
 
 namespace asperity {
 

@@ -9,9 +9,9 @@
 
 #include <netcdf.h>
 
+#include "core/error.hpp"
+#include "core/large_pages.hpp"
 #include "dataset/dataset.hpp"
-#include "grid/error.hpp"
-#include "grid/large_pages.hpp"
 
 namespace asperity::netcdf {
 

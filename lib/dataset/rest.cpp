@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 

@@ -9,8 +9,8 @@
 
 #include <udunits2.h>
 
-#include "grid/room.hpp"
-#include "grid/words.hpp"
+#include "core/room.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

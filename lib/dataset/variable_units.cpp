@@ -5,9 +5,9 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

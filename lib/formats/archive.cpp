@@ -7,9 +7,9 @@
 
 #include <zip.h>
 
+#include "core/error.hpp"
 #include "dataset/rest.hpp"
 #include "formats/gzip.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

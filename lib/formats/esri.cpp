@@ -3,10 +3,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "formats/head.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

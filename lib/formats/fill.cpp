@@ -6,7 +6,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,7 @@
 /// Cost      n missing points in the plane: n^1.5 operations, n log n memory.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "formats/esri.hpp"
 #include "formats/gsf.hpp"
 #include "formats/gwyddion_text.hpp"
@@ -11,7 +12,6 @@
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/x3p.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

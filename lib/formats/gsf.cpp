@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/rest.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

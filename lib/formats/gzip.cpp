@@ -4,8 +4,8 @@
 #include <limits>
 #include <zlib.h>
 
+#include "core/error.hpp"
 #include "dataset/rest.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/text_numbers.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

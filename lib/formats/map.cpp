@@ -3,11 +3,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "dataset/variable_units.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

@@ -14,9 +14,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/field.hpp"
+#include "core/memory_bound.hpp"
 #include "dataset/dataset.hpp"
-#include "grid/field.hpp"
-#include "grid/memory_bound.hpp"
 
 namespace asperity {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/raster.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/gzip.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

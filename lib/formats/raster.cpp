@@ -6,9 +6,9 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/rest.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/field.hpp"
 #include "formats/map.hpp"
-#include "grid/field.hpp"
 
 namespace asperity {
 

@@ -6,13 +6,13 @@
 #include <cstring>
 #include <limits>
 
+#include "core/error.hpp"
 #include "dataset/rest.hpp"
 #include "formats/format.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

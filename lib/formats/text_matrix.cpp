@@ -1,10 +1,10 @@
 #include "formats/text_matrix.hpp"
 
+#include "core/error.hpp"
 #include "dataset/rest.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_points.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/text_numbers.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

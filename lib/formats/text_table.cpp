@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

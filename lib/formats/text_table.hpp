@@ -19,8 +19,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/field.hpp"
 #include "formats/map.hpp"
-#include "grid/field.hpp"
 
 namespace asperity {
 

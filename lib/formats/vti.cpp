@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/variable_units.hpp"
 #include "formats/map.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 
 namespace asperity {
 namespace {

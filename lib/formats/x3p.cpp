@@ -7,10 +7,10 @@
 #include <md5.h>
 #include <pugixml.hpp>
 
+#include "core/error.hpp"
 #include "formats/archive.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
-#include "grid/error.hpp"
 
 namespace asperity {
 namespace {

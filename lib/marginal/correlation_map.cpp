@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "marginal/hermite.hpp"
+#include "math/hermite.hpp"
 
 namespace asperity {
 namespace {

@@ -39,7 +39,7 @@
 #include <span>
 #include <string_view>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 

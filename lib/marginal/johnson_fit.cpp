@@ -3,9 +3,9 @@
 #include <limits>
 #include <string>
 
-#include "marginal/bracketed_root.hpp"
 #include "marginal/johnson.hpp"
 #include "marginal/johnson_moments.hpp"
+#include "math/bracketed_root.hpp"
 
 namespace asperity {
 

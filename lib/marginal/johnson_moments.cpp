@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

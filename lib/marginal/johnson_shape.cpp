@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "marginal/bracketed_root.hpp"
+#include "math/bracketed_root.hpp"
 
 namespace asperity {
 namespace {

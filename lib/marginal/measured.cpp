@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "grid/error.hpp"
-#include "grid/words.hpp"
+#include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

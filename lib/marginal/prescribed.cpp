@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "acf/wording.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "marginal/johnson.hpp"
 
 namespace asperity {

@@ -22,7 +22,7 @@
 #pragma once
 
 #include "acf/kernel.hpp"
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "marginal/translation.hpp"
 
 namespace asperity {

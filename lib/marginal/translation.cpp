@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "marginal/johnson.hpp"
 
 namespace asperity {

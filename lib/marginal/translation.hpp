@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "grid/pointwise.hpp"
+#include "core/pointwise.hpp"
 #include "marginal/height_moments.hpp"
 
 namespace asperity {

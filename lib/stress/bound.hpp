@@ -9,7 +9,7 @@
 /// the norm is below a sixth of them, and raised by a percent; finer lattices find 5e-4 more at the most, for any ν.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/friction.hpp"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/resolution.hpp"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 

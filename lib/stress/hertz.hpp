@@ -33,7 +33,7 @@
 /// [3] K. L. Johnson, Contact Mechanics, Cambridge 1985, section 7.1.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/component.hpp"
 #include "stress/friction.hpp"
 

@@ -28,7 +28,7 @@
 #include <memory>
 #include <vector>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/component.hpp"
 #include "transform/plan.hpp"
 

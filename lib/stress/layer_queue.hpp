@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "grid/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace asperity {
 

@@ -29,7 +29,7 @@
 #include <memory>
 #include <vector>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/component.hpp"
 #include "stress/depth_levels.hpp"
 #include "stress/friction.hpp"

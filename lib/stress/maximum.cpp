@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "grid/parallel.hpp"
+#include "core/parallel.hpp"
 #include "stress/von_mises.hpp"
 
 namespace asperity {

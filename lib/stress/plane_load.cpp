@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grid/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace asperity {
 namespace {

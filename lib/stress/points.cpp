@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "stress/influence.hpp"
 #include "stress/wave.hpp"
 

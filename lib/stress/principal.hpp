@@ -22,7 +22,7 @@
 /// [1] D. Eberly, A robust eigensolver for 3 × 3 symmetric matrices, Geometric Tools 2014.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/layers.hpp"
 
 namespace asperity {

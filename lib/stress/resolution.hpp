@@ -15,7 +15,7 @@
 /// Cost      32 layers of 128 × 128 cells down to 51 of them half, 64 of 512 × 512 a fifth of those in full.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/interpolation.hpp"
 #include "transform/pruned.hpp"
 

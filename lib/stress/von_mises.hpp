@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "stress/layers.hpp"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 
 #include <limits>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

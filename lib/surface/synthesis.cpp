@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "grid/error.hpp"
-#include "grid/parallel.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
 
 namespace asperity {
 namespace {

@@ -27,8 +27,8 @@
 #include <functional>
 #include <limits>
 
-#include "grid/field.hpp"
-#include "surface/noise.hpp"
+#include "core/field.hpp"
+#include "math/noise.hpp"
 #include "surface/tile_filter.hpp"
 
 namespace asperity {

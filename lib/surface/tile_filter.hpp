@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

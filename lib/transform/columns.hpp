@@ -4,7 +4,7 @@
 /// Cost: a pass over both, a tenth to a fifth of the transform of the columns.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

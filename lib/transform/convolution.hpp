@@ -13,7 +13,7 @@
 #include <functional>
 #include <memory>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/pruned.hpp"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 /// several times as long. Accuracy: ε log2 n of Σ|x|.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

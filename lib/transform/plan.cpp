@@ -10,7 +10,7 @@
 
 #include <fftw3.h>
 
-#include "grid/room.hpp"
+#include "core/room.hpp"
 
 namespace asperity {
 namespace {

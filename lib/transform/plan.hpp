@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

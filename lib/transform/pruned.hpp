@@ -13,7 +13,7 @@
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 #pragma once
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/plan.hpp"
 #include "transform/rows.hpp"
 

@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 #include "transform/mirrored.hpp"
 #include "transform/plan.hpp"
 

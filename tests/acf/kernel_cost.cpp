@@ -1,7 +1,7 @@
 #include "acf/kernel_cost.hpp"
 
 #include "acf/table.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -5,8 +5,8 @@
 #include "acf/kernel.hpp"
 #include "acf/projections.hpp"
 #include "acf/table.hpp"
+#include "math/noise.hpp"
 #include "support.hpp"
-#include "surface/noise.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

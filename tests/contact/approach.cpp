@@ -1,4 +1,4 @@
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;

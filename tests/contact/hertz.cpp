@@ -1,5 +1,5 @@
 // The closed forms of lib/contact/hertz.hpp against their textbook form, their limits, and solved contacts.
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;

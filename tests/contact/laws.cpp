@@ -1,6 +1,6 @@
 #include <string>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;

@@ -1,7 +1,7 @@
 #include "contact/sweep.hpp"
 
 #include "contact/flattening.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;

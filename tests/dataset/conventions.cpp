@@ -5,11 +5,11 @@
 #include <fstream>
 #include <unistd.h>
 
+#include "core/error.hpp"
 #include "dataset/axis_order.hpp"
 #include "dataset/field_file.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "grid/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

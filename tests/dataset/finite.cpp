@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "grid/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <unistd.h>
 
+#include "core/error.hpp"
 #include "dataset/field_file.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
-#include "grid/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -4,9 +4,9 @@
 #include <random>
 #include <sstream>
 
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "grid/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

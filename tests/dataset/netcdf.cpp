@@ -5,7 +5,7 @@
 #include <limits>
 #include <pthread.h>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -1,5 +1,5 @@
 // Numbers, counts and other people's text in lines that are read.
-#include "grid/words.hpp"
+#include "core/words.hpp"
 
 #include <cmath>
 #include <limits>

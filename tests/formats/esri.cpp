@@ -1,6 +1,6 @@
 #include "formats/esri.hpp"
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

@@ -1,8 +1,8 @@
 #include "formats/format.hpp"
 
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "formats/raster.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

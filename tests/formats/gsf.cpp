@@ -1,6 +1,6 @@
 #include "formats/gsf.hpp"
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

@@ -1,8 +1,8 @@
 // What reading takes is known from a file's head, and refused before it is taken.
+#include "core/error.hpp"
 #include "formats/gzip.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 #include "x3p_archives.hpp"
 

@@ -1,7 +1,7 @@
 #include "formats/npy.hpp"
 
+#include "core/error.hpp"
 #include "formats/raster.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

@@ -2,9 +2,9 @@
 
 #include <zlib.h>
 
+#include "core/error.hpp"
 #include "formats/gzip.hpp"
 #include "formats/raster.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

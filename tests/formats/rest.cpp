@@ -2,11 +2,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/error.hpp"
 #include "formats/format.hpp"
 #include "formats/nrrd.hpp"
 #include "formats/sdf.hpp"
 #include "formats/text_matrix.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

@@ -2,8 +2,8 @@
 
 #include <bit>
 
+#include "core/error.hpp"
 #include "formats/raster.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

@@ -1,9 +1,9 @@
+#include "core/error.hpp"
 #include "formats/format.hpp"
 #include "formats/gwyddion_text.hpp"
 #include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

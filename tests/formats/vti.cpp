@@ -9,11 +9,11 @@
 
 #include <pugixml.hpp>
 
+#include "core/error.hpp"
 #include "dataset/axis_order.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/raster.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 
 using namespace asperity;

@@ -1,7 +1,7 @@
 #include "formats/x3p.hpp"
 
+#include "core/error.hpp"
 #include "formats/archive.hpp"
-#include "grid/error.hpp"
 #include "maps.hpp"
 #include "x3p_archives.hpp"
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "cli/apart.hpp"
+#include "core/error.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
-#include "grid/error.hpp"
+#include "tools/cli/apart.hpp"
 
 // UDUNITS' lexer forgets a few bytes of a unit that it does not understand. The leak sanitizer asks.
 extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions() { return "leak:libudunits2"; }

@@ -1,14 +1,14 @@
 // Surfaces of prescribed skewness, kurtosis and autocorrelation, drawn and counted.
-#include "stats/ensemble.hpp"
+#include "stats/hypothesis/ensemble.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
-#include "marginal/hermite.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"
-#include "stats/acf.hpp"
-#include "stats/effective_size.hpp"
+#include "math/hermite.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 #include "support.hpp"
 #include "surface/synthesis.hpp"
 
@@ -100,7 +100,7 @@ TEST_CASE(
 
 // Kolmogorov and Smirnov's difference of the distributions, in the errors that correlated heights have: the share of
 // heights below g(x) is that of y below x, whose indicator has the Hermite coefficients φ(x) h_{k-1}(x)/√k, so that by
-// stats/effective_size.hpp (1)
+// stats/uncertainty/effective_size.hpp (1)
 //     Var = φ(x)² Σ_k h_{k-1}(x)² S_k/(k N M).
 // The largest of 99 quantiles, were they independent, leaves 4.4 standard errors with probability 1e-3.
 TEST_CASE(

@@ -2,7 +2,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

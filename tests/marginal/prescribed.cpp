@@ -1,6 +1,6 @@
 #include "marginal/prescribed.hpp"
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "marginal/johnson.hpp"
 #include "support.hpp"
 

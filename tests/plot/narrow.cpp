@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "grid/error.hpp"
-#include "plot/scale.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
+#include "tools/plot/scale.hpp"
 
 using namespace asperity;
 using namespace asperity::plot;

@@ -1,8 +1,8 @@
 // Figures of surfaces of one row or one point.
 #include "dataset/layout.hpp"
-#include "plot/gnuplot.hpp"
 #include "support.hpp"
 #include "tools/files.hpp"
+#include "tools/plot/gnuplot.hpp"
 #include "tools/shell.hpp"
 
 using namespace asperity;

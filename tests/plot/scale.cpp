@@ -1,9 +1,9 @@
-#include "plot/scale.hpp"
+#include "tools/plot/scale.hpp"
 
 #include <cstdlib>
 
-#include "plot/gnuplot.hpp"
 #include "support.hpp"
+#include "tools/plot/gnuplot.hpp"
 
 using namespace asperity;
 using namespace asperity::plot;

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/table.hpp"
 #include "dataset/layout.hpp"
 #include "support.hpp"
+#include "tools/cli/table.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 

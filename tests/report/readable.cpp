@@ -1,10 +1,10 @@
-#include "report/readable.hpp"
+#include "tools/report/readable.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "report/html.hpp"
 #include "support.hpp"
+#include "tools/report/html.hpp"
 
 using namespace asperity;
 using namespace asperity::report;

@@ -1,9 +1,9 @@
-#include "stats/acf.hpp"
+#include "stats/spatial/acf.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf_error.hpp"
-#include "stats/acf_length.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/uncertainty/acf_error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,8 +1,8 @@
-#include "stats/acf_lobe.hpp"
+#include "stats/spatial/acf_lobe.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf_length.hpp"
+#include "stats/spatial/acf_length.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,10 +1,10 @@
-#include "stats/derivative_error.hpp"
+#include "stats/hybrid/derivative_error.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf.hpp"
-#include "stats/slopes.hpp"
-#include "stats/spectral_moments.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
+#include "stats/spatial/acf.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

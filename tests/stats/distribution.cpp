@@ -1,9 +1,9 @@
-#include "stats/distribution.hpp"
+#include "stats/height/distribution.hpp"
 
 #include <gsl/gsl_cdf.h>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,7 +1,7 @@
-#include "stats/effective_size.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 
 #include "fields.hpp"
-#include "stats/acf.hpp"
+#include "stats/spatial/acf.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,6 +1,6 @@
-#include "stats/ensemble.hpp"
+#include "stats/hypothesis/ensemble.hpp"
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

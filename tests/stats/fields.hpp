@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "stats/lag_field.hpp"
+#include "stats/spatial/lag_field.hpp"
 #include "support.hpp"
 #include "transform/plan.hpp"
 

@@ -1,13 +1,13 @@
 // What is left of heights without their form, and of waves after the Gaussian filter.
-#include "stats/form.hpp"
+#include "stats/filter/form.hpp"
 
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/gaussian_filter.hpp"
-#include "stats/moments.hpp"
+#include "stats/filter/gaussian_filter.hpp"
+#include "stats/height/moments.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

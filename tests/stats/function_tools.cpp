@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "drawn_surface.hpp"
-#include "stats/pairs.hpp"
+#include "stats/spatial/pairs.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,10 +1,10 @@
-#include "stats/gaussianity.hpp"
+#include "stats/hypothesis/gaussianity.hpp"
 
 #include <gsl/gsl_cdf.h>
 
 #include "fields.hpp"
-#include "marginal/hermite.hpp"
-#include "stats/weighted_chi_squared.hpp"
+#include "math/hermite.hpp"
+#include "stats/uncertainty/weighted_chi_squared.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,13 +1,13 @@
 // Intervals that hold their estimates, over surfaces of many kinds.
-#include "stats/interval.hpp"
+#include "stats/uncertainty/interval.hpp"
 
 #include "fields.hpp"
-#include "stats/acf.hpp"
-#include "stats/acf_length.hpp"
-#include "stats/acf_lobe.hpp"
-#include "stats/derivative_error.hpp"
-#include "stats/length_interval.hpp"
-#include "stats/moment_interval.hpp"
+#include "stats/hybrid/derivative_error.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/spatial/acf_lobe.hpp"
+#include "stats/uncertainty/length_interval.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

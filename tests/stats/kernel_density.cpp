@@ -1,7 +1,7 @@
-#include "stats/kernel_density.hpp"
+#include "stats/height/kernel_density.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

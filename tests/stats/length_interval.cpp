@@ -1,9 +1,9 @@
-#include "stats/length_interval.hpp"
+#include "stats/uncertainty/length_interval.hpp"
 
 #include "fields.hpp"
-#include "stats/acf.hpp"
-#include "stats/acf_length.hpp"
-#include "stats/acf_lobe.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/spatial/acf_lobe.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,4 +1,4 @@
-#include "stats/material_ratio.hpp"
+#include "stats/height/material_ratio.hpp"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

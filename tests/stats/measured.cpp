@@ -5,11 +5,11 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "fields.hpp"
-#include "stats/acf.hpp"
-#include "stats/moments.hpp"
-#include "stats/slopes.hpp"
-#include "stats/spectral_moments.hpp"
-#include "stats/structure_function.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/spatial/structure_function.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,19 +1,19 @@
 // Missing points are left out: every statistic of a field with holes beside a sum over what is there.
-#include "stats/missing.hpp"
+#include "stats/filter/missing.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "holes.hpp"
-#include "stats/distribution.hpp"
-#include "stats/form.hpp"
-#include "stats/gaussian_filter.hpp"
-#include "stats/material_ratio.hpp"
-#include "stats/moments.hpp"
-#include "stats/slopes.hpp"
-#include "stats/spectral_moments.hpp"
-#include "stats/summits.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/filter/gaussian_filter.hpp"
+#include "stats/height/distribution.hpp"
+#include "stats/height/material_ratio.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
+#include "stats/hybrid/summits.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

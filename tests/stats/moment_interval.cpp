@@ -1,11 +1,11 @@
-#include "stats/moment_interval.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
 
 #include <gsl/gsl_cdf.h>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf.hpp"
-#include "stats/acf_error.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/acf_error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,10 +1,10 @@
-#include "stats/moments.hpp"
+#include "stats/height/moments.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/form.hpp"
+#include "stats/filter/form.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -4,13 +4,13 @@
 #include <limits>
 #include <numeric>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf.hpp"
-#include "stats/acf_error.hpp"
-#include "stats/correlation_powers.hpp"
-#include "stats/moment_interval.hpp"
-#include "stats/prescription.hpp"
+#include "stats/hypothesis/prescription.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/acf_error.hpp"
+#include "stats/uncertainty/correlation_powers.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,9 +1,9 @@
-#include "stats/prescription.hpp"
+#include "stats/hypothesis/prescription.hpp"
 
 #include <limits>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 #include "holes.hpp"
 
 using namespace asperity;

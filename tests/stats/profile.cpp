@@ -1,10 +1,10 @@
 // Profile parameters of waves in closed form, and of random fields against the spread over an ensemble.
-#include "stats/profile.hpp"
+#include "stats/profile/profile.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf.hpp"
-#include "stats/effective_size.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,9 +1,9 @@
-#include "stats/quantile_plot.hpp"
+#include "stats/height/quantile_plot.hpp"
 
 #include <gsl/gsl_cdf.h>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

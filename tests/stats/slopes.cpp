@@ -1,9 +1,9 @@
-#include "stats/slopes.hpp"
+#include "stats/hybrid/slopes.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

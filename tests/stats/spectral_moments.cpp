@@ -1,8 +1,8 @@
-#include "stats/spectral_moments.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
-#include "stats/acf.hpp"
+#include "stats/spatial/acf.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

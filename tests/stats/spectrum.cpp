@@ -1,10 +1,10 @@
-#include "stats/spectrum.hpp"
+#include "stats/spectrum/spectrum.hpp"
 
 #include <gsl/gsl_cdf.h>
 
 #include "fields.hpp"
-#include "stats/acf.hpp"
-#include "stats/texture_direction.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/spectrum/texture_direction.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

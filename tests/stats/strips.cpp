@@ -2,21 +2,21 @@
 #include <algorithm>
 #include <vector>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "holes.hpp"
-#include "stats/effective_size.hpp"
-#include "stats/form.hpp"
-#include "stats/gaussianity.hpp"
-#include "stats/height_runs.hpp"
-#include "stats/material_ratio.hpp"
-#include "stats/missing.hpp"
-#include "stats/moments.hpp"
-#include "stats/profile.hpp"
-#include "stats/selection.hpp"
-#include "stats/slopes.hpp"
-#include "stats/spectral_moments.hpp"
-#include "stats/strip_acf.hpp"
-#include "stats/summits.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/filter/missing.hpp"
+#include "stats/filter/selection.hpp"
+#include "stats/height/height_runs.hpp"
+#include "stats/height/material_ratio.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
+#include "stats/hybrid/summits.hpp"
+#include "stats/hypothesis/gaussianity.hpp"
+#include "stats/profile/profile.hpp"
+#include "stats/spatial/strip_acf.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,7 +1,7 @@
-#include "stats/structure_function.hpp"
+#include "stats/spatial/structure_function.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

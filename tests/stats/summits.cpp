@@ -1,7 +1,7 @@
-#include "stats/summits.hpp"
+#include "stats/hybrid/summits.hpp"
 
+#include "core/error.hpp"
 #include "fields.hpp"
-#include "grid/error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

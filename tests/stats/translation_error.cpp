@@ -1,8 +1,8 @@
-#include "stats/translation_error.hpp"
+#include "stats/uncertainty/translation_error.hpp"
 
 #include "fields.hpp"
-#include "stats/ensemble.hpp"
-#include "stats/moment_interval.hpp"
+#include "stats/hypothesis/ensemble.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,4 +1,4 @@
-#include "stats/weighted_chi_squared.hpp"
+#include "stats/uncertainty/weighted_chi_squared.hpp"
 
 #include <gsl/gsl_cdf.h>
 

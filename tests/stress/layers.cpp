@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "layer.hpp"
 #include "stress/hertz.hpp"
 #include "stress/influence.hpp"

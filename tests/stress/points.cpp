@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "layer.hpp"
 #include "stress/influence.hpp"
 #include "stress/section.hpp"

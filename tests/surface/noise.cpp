@@ -1,4 +1,4 @@
-#include "surface/noise.hpp"
+#include "math/noise.hpp"
 
 #include <numbers>
 #include <vector>

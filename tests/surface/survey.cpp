@@ -1,6 +1,6 @@
 #include "surface/survey.hpp"
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

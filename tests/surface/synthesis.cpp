@@ -1,6 +1,6 @@
 #include "surface/synthesis.hpp"
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

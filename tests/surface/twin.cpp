@@ -5,9 +5,9 @@
 #include "acf/kernel.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "stats/acf.hpp"
-#include "stats/acf_error.hpp"
-#include "stats/form.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/acf_error.hpp"
 #include "support.hpp"
 #include "surface/synthesis.hpp"
 

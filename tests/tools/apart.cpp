@@ -1,4 +1,4 @@
-#include "cli/apart.hpp"
+#include "tools/cli/apart.hpp"
 
 #include <csignal>
 #include <ctime>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -4,9 +4,9 @@
 #include <limits>
 #include <string>
 
-#include "cli/table.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
+#include "tools/cli/table.hpp"
 #include "tools/files.hpp"
 
 using namespace asperity;

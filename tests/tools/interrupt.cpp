@@ -5,8 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/stream.hpp"
 #include "support.hpp"
+#include "tools/cli/stream.hpp"
 #include "tools/files.hpp"
 
 using namespace asperity;

@@ -1,5 +1,5 @@
 // What rests on what in a dataset: a result that is replaced takes with it all that was computed from it.
-#include "cli/lineage.hpp"
+#include "tools/cli/lineage.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,5 +1,5 @@
 // A file holds the format that its name promises.
-#include "cli/output_name.hpp"
+#include "tools/cli/output_name.hpp"
 
 #include "support.hpp"
 #include "tools/files.hpp"

@@ -1,4 +1,4 @@
-#include "cli/quantity.hpp"
+#include "tools/cli/quantity.hpp"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // What the texts of files do to messages, tables, JSON and the files of other programs; and how messages count.
-#include "grid/words.hpp"
+#include "core/words.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "cli/apart.hpp"
+#include "tools/cli/apart.hpp"
 
 #include <array>
 #include <bit>
@@ -20,7 +20,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -1,10 +1,10 @@
-#include "cli/completion.hpp"
+#include "tools/cli/completion.hpp"
 
 #include <algorithm>
 #include <sstream>
 #include <vector>
 
-#include "cli/config.hpp"
+#include "tools/cli/config.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/config.hpp"
+#include "tools/cli/config.hpp"
 
 #include <algorithm>
 #include <regex>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/table.hpp"
+#include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -1,9 +1,9 @@
-#include "cli/dataset_stream.hpp"
+#include "tools/cli/dataset_stream.hpp"
 
 #include <stdexcept>
 
-#include "cli/output_name.hpp"
 #include "dataset/netcdf.hpp"
+#include "tools/cli/output_name.hpp"
 
 namespace asperity::cli {
 

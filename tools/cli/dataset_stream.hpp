@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <span>
 
-#include "cli/stream.hpp"
 #include "dataset/dataset.hpp"
+#include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/input_format.hpp"
+#include "tools/cli/input_format.hpp"
 
 #include <algorithm>
 

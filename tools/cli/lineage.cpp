@@ -1,4 +1,4 @@
-#include "cli/lineage.hpp"
+#include "tools/cli/lineage.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -22,7 +22,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/tool.hpp"
+#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/man.hpp"
+#include "tools/cli/man.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/config.hpp"
-#include "cli/record.hpp"
+#include "tools/cli/config.hpp"
+#include "tools/cli/record.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cli/tool.hpp"
+#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 

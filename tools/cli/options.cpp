@@ -5,12 +5,12 @@
 #include <memory>
 #include <sstream>
 
-#include "cli/completion.hpp"
-#include "cli/config.hpp"
-#include "cli/man.hpp"
-#include "cli/record.hpp"
-#include "cli/table.hpp"
-#include "cli/tool.hpp"
+#include "tools/cli/completion.hpp"
+#include "tools/cli/config.hpp"
+#include "tools/cli/man.hpp"
+#include "tools/cli/record.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/output_name.hpp"
+#include "tools/cli/output_name.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/error.hpp"
 #include "formats/format.hpp"
-#include "grid/error.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/place.hpp"
+#include "tools/cli/place.hpp"
 
 #include <charconv>
 #include <fcntl.h>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/tool.hpp"
-#include "grid/stopwatch.hpp"
+#include "core/stopwatch.hpp"
+#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 

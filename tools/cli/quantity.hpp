@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "grid/error.hpp"
-#include "grid/field.hpp"
+#include "core/error.hpp"
+#include "core/field.hpp"
 
 namespace asperity::cli {
 

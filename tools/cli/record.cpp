@@ -1,4 +1,4 @@
-#include "cli/record.hpp"
+#include "tools/cli/record.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "acf/nonlinear_system.hpp"
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/netcdf.hpp"
-#include "grid/error.hpp"
-#include "grid/words.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity::cli {

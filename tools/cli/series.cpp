@@ -1,10 +1,10 @@
-#include "cli/series.hpp"
+#include "tools/cli/series.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "cli/quantity.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
+#include "tools/cli/quantity.hpp"
 
 namespace asperity::cli {
 namespace {

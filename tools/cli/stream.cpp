@@ -1,4 +1,4 @@
-#include "cli/stream.hpp"
+#include "tools/cli/stream.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -11,8 +11,8 @@
 #include <unistd.h>
 #include <utility>
 
-#include "cli/place.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
+#include "tools/cli/place.hpp"
 
 namespace asperity::cli {
 namespace {

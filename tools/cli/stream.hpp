@@ -13,9 +13,9 @@
 #include <string>
 #include <string_view>
 
-#include "cli/temporary.hpp"
+#include "core/memory_bound.hpp"
 #include "dataset/bytes.hpp"
-#include "grid/memory_bound.hpp"
+#include "tools/cli/temporary.hpp"
 
 namespace asperity::cli {
 

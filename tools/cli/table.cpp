@@ -1,4 +1,4 @@
-#include "cli/table.hpp"
+#include "tools/cli/table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/output_name.hpp"
-#include "cli/tool.hpp"
-#include "grid/error.hpp"
+#include "core/error.hpp"
+#include "tools/cli/output_name.hpp"
+#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 namespace {

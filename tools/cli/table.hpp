@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "grid/words.hpp"
-#include "stats/interval.hpp"
+#include "core/words.hpp"
+#include "stats/uncertainty/interval.hpp"
 
 namespace asperity::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/temporary.hpp"
+#include "tools/cli/temporary.hpp"
 
 #include <array>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "cli/tool.hpp"
+#include "tools/cli/tool.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +14,18 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "cli/apart.hpp"
-#include "cli/config.hpp"
-#include "cli/output_name.hpp"
-#include "cli/place.hpp"
-#include "cli/progress.hpp"
-#include "cli/record.hpp"
-#include "cli/stream.hpp"
-#include "cli/usage.hpp"
+#include "core/parallel.hpp"
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "grid/parallel.hpp"
-#include "grid/words.hpp"
+#include "tools/cli/apart.hpp"
+#include "tools/cli/config.hpp"
+#include "tools/cli/output_name.hpp"
+#include "tools/cli/place.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/record.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/cli/usage.hpp"
 
 namespace asperity::cli {
 namespace {

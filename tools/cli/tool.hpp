@@ -31,12 +31,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/input_format.hpp"
-#include "cli/memory.hpp"
-#include "cli/quantity.hpp"
+#include "core/memory_bound.hpp"
+#include "core/stopwatch.hpp"
 #include "dataset/dataset.hpp"
-#include "grid/memory_bound.hpp"
-#include "grid/stopwatch.hpp"
+#include "tools/cli/input_format.hpp"
+#include "tools/cli/memory.hpp"
+#include "tools/cli/quantity.hpp"
 
 namespace asperity::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/usage.hpp"
+#include "tools/cli/usage.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/quantity.hpp"
+#include "tools/cli/quantity.hpp"
 
 namespace asperity::cli {
 namespace {

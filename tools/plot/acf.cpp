@@ -1,17 +1,17 @@
-#include "stats/acf.hpp"
+#include "stats/spatial/acf.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/variable_units.hpp"
-#include "grid/error.hpp"
-#include "plot/kinds.hpp"
-#include "plot/source.hpp"
-#include "stats/acf_error.hpp"
-#include "stats/acf_length.hpp"
-#include "stats/effective_size.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/uncertainty/acf_error.hpp"
+#include "stats/uncertainty/effective_size.hpp"
+#include "tools/plot/kinds.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "grid/error.hpp"
-#include "plot/kinds.hpp"
-#include "plot/plan_view.hpp"
-#include "plot/source.hpp"
+#include "core/error.hpp"
+#include "tools/plot/kinds.hpp"
+#include "tools/plot/plan_view.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {

@@ -1,9 +1,9 @@
-#include "plot/figure.hpp"
+#include "tools/plot/figure.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity::plot {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "plot/gnuplot.hpp"
-#include "plot/request.hpp"
-#include "plot/scale.hpp"
+#include "tools/plot/gnuplot.hpp"
+#include "tools/plot/request.hpp"
+#include "tools/plot/scale.hpp"
 
 namespace asperity::plot {
 

@@ -1,4 +1,4 @@
-#include "plot/gnuplot.hpp"
+#include "tools/plot/gnuplot.hpp"
 
 #include <cctype>
 #include <cerrno>
@@ -10,7 +10,7 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "grid/words.hpp"
+#include "core/words.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it, but not in a header
 

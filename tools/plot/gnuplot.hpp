@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity::plot {
 

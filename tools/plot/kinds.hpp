@@ -1,8 +1,8 @@
 /// The kinds of figures, each a script for gnuplot.
 #pragma once
 
-#include "plot/figure.hpp"
-#include "plot/request.hpp"
+#include "tools/plot/figure.hpp"
+#include "tools/plot/request.hpp"
 
 namespace asperity::plot {
 

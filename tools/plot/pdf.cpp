@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "dataset/layout.hpp"
-#include "plot/kinds.hpp"
-#include "plot/source.hpp"
-#include "stats/acf.hpp"
-#include "stats/distribution.hpp"
+#include "stats/height/distribution.hpp"
+#include "stats/spatial/acf.hpp"
+#include "tools/plot/kinds.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {

@@ -1,8 +1,8 @@
 /// A field seen from above, as maps and states of contact draw it: a panel a case, both axes to one scale.
 #pragma once
 
-#include "plot/figure.hpp"
-#include "plot/source.hpp"
+#include "tools/plot/figure.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "grid/error.hpp"
-#include "plot/kinds.hpp"
-#include "plot/source.hpp"
+#include "tools/plot/kinds.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dataset/dataset.hpp"
-#include "plot/scale.hpp"
+#include "tools/plot/scale.hpp"
 
 namespace asperity::plot {
 

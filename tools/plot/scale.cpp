@@ -1,4 +1,4 @@
-#include "plot/scale.hpp"
+#include "tools/plot/scale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "grid/error.hpp"
+#include "core/error.hpp"
 
 namespace asperity::plot {
 namespace {

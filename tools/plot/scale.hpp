@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grid/field.hpp"
+#include "core/field.hpp"
 
 namespace asperity::plot {
 

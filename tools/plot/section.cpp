@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/variable_units.hpp"
-#include "grid/error.hpp"
-#include "plot/kinds.hpp"
-#include "plot/source.hpp"
+#include "tools/plot/kinds.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {

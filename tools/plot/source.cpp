@@ -1,15 +1,15 @@
-#include "plot/source.hpp"
+#include "tools/plot/source.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "cli/quantity.hpp"
+#include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/variable_units.hpp"
-#include "grid/error.hpp"
+#include "tools/cli/quantity.hpp"
 
 namespace asperity::plot {
 namespace {

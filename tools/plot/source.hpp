@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "plot/request.hpp"
+#include "tools/plot/request.hpp"
 
 namespace asperity::plot {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "grid/error.hpp"
-#include "plot/kinds.hpp"
-#include "plot/source.hpp"
+#include "core/error.hpp"
+#include "tools/plot/kinds.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {

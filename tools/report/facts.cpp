@@ -1,4 +1,4 @@
-#include "report/facts.hpp"
+#include "tools/report/facts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
-#include "report/readable.hpp"
+#include "tools/report/readable.hpp"
 
 namespace asperity::report {
 namespace {

@@ -1,8 +1,8 @@
-#include "report/html.hpp"
+#include "tools/report/html.hpp"
 
 #include <fmt/format.h>
 
-#include "grid/words.hpp"
+#include "core/words.hpp"
 
 namespace asperity::report {
 namespace {

@@ -1,19 +1,19 @@
-#include "report/page.hpp"
+#include "tools/report/page.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "cli/lineage.hpp"
-#include "cli/record.hpp"
 #include "dataset/layout.hpp"
-#include "report/facts.hpp"
-#include "report/html.hpp"
-#include "report/pictures.hpp"
-#include "report/readable.hpp"
-#include "report/style.hpp"
-#include "report/tables.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/record.hpp"
+#include "tools/report/facts.hpp"
+#include "tools/report/html.hpp"
+#include "tools/report/pictures.hpp"
+#include "tools/report/readable.hpp"
+#include "tools/report/style.hpp"
+#include "tools/report/tables.hpp"
 
 namespace asperity::report {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/tool.hpp"
-#include "plot/request.hpp"
-#include "stats_groups.hpp"
+#include "tools/cli/tool.hpp"
+#include "tools/measure/groups.hpp"
+#include "tools/plot/request.hpp"
 
 namespace asperity::report {
 

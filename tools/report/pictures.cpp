@@ -1,8 +1,8 @@
-#include "report/pictures.hpp"
+#include "tools/report/pictures.hpp"
 
-#include "grid/error.hpp"
-#include "plot/gnuplot.hpp"
-#include "plot/kinds.hpp"
+#include "core/error.hpp"
+#include "tools/plot/gnuplot.hpp"
+#include "tools/plot/kinds.hpp"
 
 namespace asperity::report {
 namespace {

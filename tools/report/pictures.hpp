@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plot/request.hpp"
+#include "tools/plot/request.hpp"
 
 namespace asperity::report {
 

@@ -1,4 +1,4 @@
-#include "report/readable.hpp"
+#include "tools/report/readable.hpp"
 
 #include <algorithm>
 #include <array>

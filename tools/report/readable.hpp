@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "cli/table.hpp"
-#include "plot/scale.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/plot/scale.hpp"
 
 namespace asperity::report {
 

@@ -1,4 +1,4 @@
-#include "report/tables.hpp"
+#include "tools/report/tables.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
-#include "report/html.hpp"
-#include "report/readable.hpp"
+#include "tools/report/html.hpp"
+#include "tools/report/readable.hpp"
 
 namespace asperity::report {
 namespace {

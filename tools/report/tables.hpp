@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/table.hpp"
 #include "dataset/dataset.hpp"
-#include "report/facts.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/report/facts.hpp"
 
 namespace asperity::report {
 

@@ -1,0 +1,53 @@
+/// Loops over independent pieces on several threads.
+///
+/// The pieces are dealt out in contiguous runs, one a thread, and nothing is reduced across threads: a result
+/// never depends on the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "core/field.hpp"
+
+namespace asperity {
+
+/// Threads for a request on the command line: 0 stands for all that the machine has.
+inline int resolve_threads(int requested) {
+  return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Calls run(begin, end, worker) on contiguous runs that cover [0, count); worker < threads tells buffers
+/// apart. Costs about 30 µs a thread: call it on pieces that take longer. Rethrows the first exception. A thread that
+/// cannot be started, for want of memory for its stack, leaves its run to the one that calls.
+template <class Run>
+void parallel_ranges(Index count, int threads, Run run) {
+  const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));
+  if (workers == 1) {
+    run(Index{0}, count, 0);
+    return;
+  }
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(workers));
+  {
+    std::vector<std::jthread> pool;
+    auto guarded = [&](Index w) {
+      try {
+        run(w * count / workers, (w + 1) * count / workers, static_cast<int>(w));
+      } catch (...) {
+        failures[static_cast<std::size_t>(w)] = std::current_exception();
+      }
+    };
+    for (Index w = 1; w < workers; ++w) try {
+        pool.emplace_back(guarded, w);
+      } catch (const std::system_error&) {
+        guarded(w);
+      }
+    guarded(0);
+  }
+  for (const auto& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace asperity

@@ -1,0 +1,150 @@
+#include "stats/filter/form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include "core/error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double least_pivot = 1e-10;  // of (3), of the largest: three passes then reach round-off
+
+// Column a is P_a over n points: xP_{a-1} without what the columns before it hold, twice for the last digits.
+Eigen::MatrixXd gram_polynomials(Index n, int degree) {
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(n, -1, 1);
+  Eigen::MatrixXd p(n, std::min<Index>(degree + 1, n));
+  p.col(0).setConstant(1 / std::sqrt(static_cast<double>(n)));
+  for (Index a = 1; a < p.cols(); ++a) {
+    Eigen::VectorXd next = x * p.col(a - 1).array();
+    for (int pass = 0; pass < 2; ++pass) next -= p.leftCols(a) * (p.leftCols(a).transpose() * next).eval();
+    p.col(a) = next.normalized();
+  }
+  return p;
+}
+
+Mean mean_of_valid(const Field& z) {
+  MeanSum sum;
+  sum.add(z);
+  return sum.mean();
+}
+
+}  // namespace
+
+void MeanSum::add(const Field& strip) {
+  if (!base_) {
+    if (strip.isNaN().all()) return;
+    base_ = first_valid(strip);
+  }
+  for (Index i = 0; i < strip.rows(); ++i) {
+    const ValidSum row = sum_of_valid(strip.row(i) - *base_);
+    total_.sum += row.sum;
+    total_.count += row.count;
+  }
+}
+
+Mean MeanSum::mean() const {
+  if (!base_) throw DataError("heights", "every point is missing");
+  return {*base_, total_.sum / total_.count};
+}
+
+Mean mean_above_base(const Field& z) {
+  const double base = first_valid(z), above = (z - base).rowwise().mean().mean();
+  return std::isnan(above) ? mean_of_valid(z) : Mean{base, above};
+}
+
+FormFit::FormFit(Shape field, int degree) : degree_(degree) {
+  if (degree < 0 || degree > largest_form_degree)
+    throw ParameterError(
+        "level", std::to_string(degree) + " is no degree from 0 to " + std::to_string(largest_form_degree));
+  along_x_ = gram_polynomials(field.nx, degree);
+  along_y_ = gram_polynomials(field.ny, degree);
+  for (Index a = 0; a < along_x_.cols(); ++a)
+    for (Index b = 0; b < along_y_.cols() && a + b <= degree; ++b) terms_.push_back({a, b});
+  const auto n = static_cast<Index>(terms_.size());
+  gram_ = Eigen::MatrixXd::Zero(n, n);
+  sums_ = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+}
+
+void FormFit::add(const Field& strip, Index first) {
+  const auto rows = along_x_.middleRows(first, strip.rows());
+  Eigen::MatrixXd sums = rows.transpose() * (strip.matrix() * along_y_);
+  const bool complete = !sums.hasNaN();
+  if (!complete) {
+    sums = rows.transpose() * (zero_filled(strip).matrix() * along_y_);
+    missing_ = true;
+  }
+  sums_ += sums;
+  if (steps_.empty()) gram_ += products(strip, first, complete);
+}
+
+// What a strip adds to (3), the sum over j of a row first.
+Eigen::MatrixXd FormFit::products(const Field& strip, Index first, bool complete) const {
+  const auto n = static_cast<Index>(terms_.size());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
+  auto add = [&](auto&& of_x, const Eigen::MatrixXd& of_y) {
+    for (Index s = 0; s < n; ++s)
+      for (Index t = 0; t <= s; ++t) {
+        const Term u = terms_[static_cast<std::size_t>(s)], v = terms_[static_cast<std::size_t>(t)];
+        out(s, t) += of_x(u.a, v.a) * of_y(u.b, v.b);
+      }
+  };
+  const auto rows = along_x_.middleRows(first, strip.rows());
+  if (complete) {
+    const Eigen::MatrixXd of_x = rows.transpose() * rows;
+    add(of_x, Eigen::MatrixXd::Identity(along_y_.cols(), along_y_.cols()));
+    return out;
+  }
+  const Field valid = validity(strip);
+  for (Index i = 0; i < strip.rows(); ++i) {
+    const auto weights = valid.row(i).matrix().transpose().asDiagonal();
+    add([&](Index a, Index a2) { return rows(i, a) * rows(i, a2); },
+        along_y_.transpose() * weights * along_y_);
+  }
+  return out;
+}
+
+void FormFit::end_pass() {
+  Eigen::VectorXd right(static_cast<Index>(terms_.size()));
+  for (Index t = 0; const Term& term : terms_) right(t++) = sums_(term.a, term.b);
+  if (missing_) {
+    const Eigen::LDLT<Eigen::MatrixXd> products(gram_);
+    const Eigen::ArrayXd pivots = products.vectorD();
+    if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+      throw ParameterError("level", std::to_string(degree_) +
+                                        ": the points that are not missing do not determine a form of this "
+                                        "degree");
+    right = products.solve(right);
+  }
+  Eigen::MatrixXd step = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+  for (Index t = 0; const Term& term : terms_) step(term.a, term.b) = right(t++);
+  steps_.push_back(std::move(step));
+  sums_.setZero();
+}
+
+void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::size_t pass) const {
+  const auto along_x = along_x_.middleRows(row, heights.rows()),
+             along_y = along_y_.middleRows(column, heights.cols());
+  for (; pass < steps_.size(); ++pass) heights.matrix() -= along_x * (steps_[pass] * along_y.transpose());
+}
+
+Field without_form(const Field& z, int degree) {
+  FormFit fit(shape_of(z), degree);
+  Field heights = z - first_valid(z);
+  const double level = heights.rowwise().mean().mean();
+  heights -= std::isnan(level) ? mean_of_valid(heights).value() : level;
+  if (degree == 0) return heights;
+  for (std::size_t pass = 0; !fit.done(); ++pass) {
+    fit.add(heights, 0);
+    fit.end_pass();
+    fit.remove(heights, 0, 0, pass);
+  }
+  return heights;
+}
+
+}  // namespace asperity

@@ -1,0 +1,77 @@
+#include "stats/height/distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+
+#include "core/error.hpp"
+#include "math/hermite.hpp"
+
+namespace asperity {
+namespace {
+
+// Φ(b) - Φ(a) without cancellation in the upper tail.
+double gaussian_share(double a, double b) {
+  return a > 0 ? gsl_cdf_ugaussian_Q(a) - gsl_cdf_ugaussian_Q(b)
+               : gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
+}
+
+// (3) for first = 1, (4) for first = 3.
+double count_variance(double a, double b, double share, const EffectiveSize& size, int first) {
+  HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
+  double dropped = 0;
+  auto weight = [&](int k) {
+    const double c = at_a.next() - at_b.next(), w = c * c / k;
+    if (k >= first) return w;
+    dropped += w;
+    return 0.0;
+  };
+  const double all = share * (1 - share);
+  const double kept = size.variance_of_mean(weight, all);
+  const double beyond = dropped * size.sum(EffectiveSize::powers) / size.points();
+  return size.points() * size.points() * std::max(kept - beyond, 0.0);
+}
+
+void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSize& size) {
+  const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
+  const double share = gaussian_share(a, b);
+  bin.expected = size.points() * share;
+  bin.count_error = std::sqrt(count_variance(a, b, share, size, 1));
+  bin.misfit_error = std::sqrt(count_variance(a, b, share, size, 3));
+}
+
+}  // namespace
+
+int scott_bins(const Moments& moments, double points) {
+  const double width = std::cbrt(24 / std::numbers::inv_sqrtpi / points) * moments.sq;
+  return static_cast<int>(std::clamp(std::ceil(moments.sz() / width), 1.0, std::min(points, 1e6)));
+}
+
+std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins) {
+  if (bins < 1) throw ParameterError("bins", "value " + std::to_string(bins) + " is below 1");
+  const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
+               width = (z.maxCoeff<Eigen::PropagateNumbers>() - lowest) / bins;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  if (!(width >= epsilon * z.isNaN().select(0, z).abs().maxCoeff()))
+    throw DataError("heights", "their range is too narrow for " + std::to_string(bins) +
+                                   " bins: doubles do not tell their edges apart");
+  std::vector<Bin> out(static_cast<std::size_t>(bins));
+  for (std::size_t b = 0; b < out.size(); ++b) {
+    out[b].lower = lowest + static_cast<double>(b) * width;
+    out[b].upper = lowest + static_cast<double>(b + 1) * width;
+  }
+  for (const double height : z.reshaped<Eigen::RowMajor>()) {
+    if (std::isnan(height)) continue;
+    const auto b = static_cast<std::size_t>((height - lowest) / width);
+    out[std::min(b, out.size() - 1)].count += 1;
+  }
+  for (Bin& bin : out) compare_with_gaussian(bin, moments, size);
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,134 @@
+#include "stats/height/kernel_density.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gsl/gsl_randist.h>
+
+#include "core/error.hpp"
+#include "math/hermite.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr int terms = 14;
+constexpr double cell_width = 0.5, reach = 9;  // in bandwidths; φ(9) is 1e-18
+
+// (6): the moments of cells from `lowest` on.
+class Cells {
+ public:
+  Cells(const Field& z, double lowest, double highest, double bandwidth)
+      : lowest_(lowest),
+        bandwidth_(bandwidth),
+        moments_(static_cast<std::size_t>((highest - lowest) / (cell_width * bandwidth)) + 1) {
+    for (const double height : z.reshaped<Eigen::RowMajor>())
+      if (!std::isnan(height)) add(height);
+    for (auto& m : moments_) {
+      double root = 1;  // √k!
+      for (int k = 0; k < terms; m[static_cast<std::size_t>(k)] /= root, root *= std::sqrt(++k)) {
+      }
+    }
+  }
+
+  double count() const { return count_; }
+  /// Σ φ((t - z_i)/h).
+  double sum(double t) const {
+    const double place = (t - lowest_) / (cell_width * bandwidth_);
+    const auto first = std::max(0.0, std::floor(place - reach / cell_width));
+    double sum = 0;
+    for (auto c = static_cast<std::size_t>(first);
+         c < moments_.size() && static_cast<double>(c) <= place + reach / cell_width; ++c) {
+      const double u = (t - centre(c)) / bandwidth_;
+      HermiteFunction hermite(u, gsl_ran_ugaussian_pdf(u));
+      for (const double m : moments_[c]) sum += m * hermite.next();
+    }
+    return sum;
+  }
+
+ private:
+  double centre(std::size_t cell) const {
+    return lowest_ + (static_cast<double>(cell) + 0.5) * cell_width * bandwidth_;
+  }
+  void add(double height) {
+    const auto cell = static_cast<std::size_t>((height - lowest_) / (cell_width * bandwidth_));
+    auto& m = moments_[std::min(cell, moments_.size() - 1)];
+    const double d = (height - centre(std::min(cell, moments_.size() - 1))) / bandwidth_;
+    double power = 1;
+    for (double& sum : m) {
+      sum += power;
+      power *= d;
+    }
+    ++count_;
+  }
+
+  double lowest_, bandwidth_, count_ = 0;
+  std::vector<std::array<double, terms>> moments_;
+};
+
+// (3)–(5) at t, all in units of Sq.
+struct GaussianLaw {
+  double expected, error, misfit_error;
+
+  GaussianLaw(double t, double h, const EffectiveSize& size) {
+    const double s = std::hypot(1, h);
+    expected = gsl_ran_gaussian_pdf(t, s);
+    const double square =
+        gsl_ran_gaussian_pdf(t, std::sqrt(1 + h * h / 2)) * std::numbers::inv_sqrtpi / (2 * h);
+    error = std::sqrt(variance(t / s, s, square - expected * expected, size, 1));
+    misfit_error = std::sqrt(variance(t / s, s, square - expected * expected, size, 3));
+  }
+
+ private:
+  // `total`: Σ_{k≥1} c_k²/k!
+  static double variance(double x, double s, double total, const EffectiveSize& size, int first) {
+    HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
+    double power = 1 / s, dropped = 0;
+    hermite.next();
+    auto weight = [&](int k) {
+      power /= s;
+      const double w = std::pow(hermite.next() * power, 2);
+      if (k >= first) return w;
+      dropped += w;
+      return 0.0;
+    };
+    const double kept = size.variance_of_mean(weight, total);
+    return std::max(kept - dropped * size.sum(EffectiveSize::powers) / size.points(), 0.0);
+  }
+};
+
+void check(double bandwidth, double range, int points) {
+  if (points < 2) throw ParameterError("points", "value " + std::to_string(points) + " is below 2");
+  if (!(bandwidth > 0 && bandwidth >= least_bandwidth * range && std::isfinite(bandwidth)))
+    throw ParameterError("bandwidth", "is not finite, or below 1e-5 of the range of heights");
+}
+
+}  // namespace
+
+double silverman_bandwidth(const Moments& moments, double points) {
+  return std::pow(4 / (3 * points), 0.2) * moments.sq;
+}
+
+std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments, const EffectiveSize& size,
+                                         double bandwidth, int points) {
+  const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
+               highest = z.maxCoeff<Eigen::PropagateNumbers>();
+  check(bandwidth, highest - lowest, points);
+  const Cells cells(z, lowest, highest, bandwidth);
+  std::vector<DensityPoint> out(static_cast<std::size_t>(points));
+  const double from = lowest - 3 * bandwidth, step = (highest - lowest + 6 * bandwidth) / (points - 1);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double t = from + static_cast<double>(i) * step;
+    const GaussianLaw law((t - moments.mean) / moments.sq, bandwidth / moments.sq, size);
+    out[i] = {.height = t,
+              .density = cells.sum(t) / (cells.count() * bandwidth),
+              .density_error = law.error / moments.sq,
+              .gaussian = law.expected / moments.sq,
+              .misfit_error = law.misfit_error / moments.sq};
+  }
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,182 @@
+#include "stats/height/material_ratio.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/words.hpp"
+#include "math/hermite.hpp"
+#include "stats/filter/missing.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double core_share = 0.4;
+
+// Those that are there; runs are sorted by a thread each and merged pairwise.
+std::vector<double> sorted_descending(const Field& z, int threads) {
+  std::vector<double> heights(z.data(), z.data() + z.size());
+  if (has_missing(z)) std::erase_if(heights, [](double height) { return std::isnan(height); });
+  const auto n = static_cast<Index>(heights.size()),
+             runs = std::clamp<Index>(threads, 1, std::max<Index>(n, 1));
+  auto at = [&](Index run) { return heights.begin() + std::min(run, runs) * n / runs; };
+  parallel_ranges(runs, threads, [&](Index begin, Index end, int) {
+    for (Index r = begin; r < end; ++r) std::sort(at(r), at(r + 1), std::greater<>());
+  });
+  for (Index width = 1; width < runs; width *= 2)
+    for (Index r = 0; r + width < runs; r += 2 * width)
+      std::inplace_merge(at(r), at(r + width), at(r + 2 * width), std::greater<>());
+  return heights;
+}
+
+void check_share(double ratio) {
+  if (!(ratio >= 0 && ratio <= 1))
+    throw ParameterError("material-ratio", "value " + shortest(ratio) + " is outside 0 to 1");
+}
+
+// A straight piece of the curve: rank and height at either end.
+struct Piece {
+  double from, to, above, below;
+
+  double width() const { return to - from; }
+  double mean() const { return 0.5 * (above + below); }
+  // ∫ (t - origin) c dt / width.
+  double moment(double origin) const {
+    return ((2 * from + to - 3 * origin) * above + (from + 2 * to - 3 * origin) * below) / 6;
+  }
+};
+
+}  // namespace
+
+MaterialRatioCurve::MaterialRatioCurve(const Field& z, int threads)
+    : descending_(sorted_descending(z, threads)) {
+  check();
+}
+
+MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightRun>& ascending) {
+  double rank = 0;
+  auto add = [&](double at, double height) {
+    ranks_.push_back(at);
+    descending_.push_back(height);
+  };
+  for (auto run = ascending.rbegin(); run != ascending.rend(); ++run) {
+    add(rank, run->highest);
+    if (run->count > 1) add(rank + run->count - 1, run->lowest);
+    rank += run->count;
+  }
+  check();
+}
+
+void MaterialRatioCurve::check() const {
+  if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs two heights");
+}
+
+std::size_t MaterialRatioCurve::piece_at(double rank) const {
+  if (ranks_.empty()) return static_cast<std::size_t>(std::clamp(std::floor(rank), 0.0, last() - 1));
+  return static_cast<std::size_t>(std::upper_bound(ranks_.begin() + 1, ranks_.end() - 1, rank) -
+                                  ranks_.begin() - 1);
+}
+
+double MaterialRatioCurve::within(std::size_t k, double rank) const {
+  const double fraction = (rank - rank_of(k)) / (rank_of(k + 1) - rank_of(k));
+  return descending_[k] + fraction * (descending_[k + 1] - descending_[k]);
+}
+
+double MaterialRatioCurve::height(double ratio) const {
+  check_share(ratio);
+  return at(ratio * last());
+}
+
+double MaterialRatioCurve::ratio(double height) const {
+  const auto below = std::lower_bound(descending_.begin(), descending_.end(), height, std::greater<>());
+  if (below == descending_.begin()) return 0;
+  if (below == descending_.end()) return 1;
+  const auto k = static_cast<std::size_t>(below - 1 - descending_.begin());
+  const double fraction = (descending_[k] - height) / (descending_[k] - *below);
+  return (rank_of(k) + fraction * (rank_of(k + 1) - rank_of(k))) / last();
+}
+
+template <class Visit>
+void MaterialRatioCurve::segments(double from, double to, Visit visit) const {
+  const double begin = from * last(), stop = to * last();
+  for (std::size_t k = piece_at(begin); k + 1 < descending_.size() && rank_of(k) < stop; ++k) {
+    const double first = std::max(begin, rank_of(k)), end = std::min(stop, rank_of(k + 1));
+    visit(Piece{first, end, within(k, first), within(k, end)});
+  }
+}
+
+// ∫ (c - level) dp.
+double MaterialRatioCurve::area(double from, double to, double level) const {
+  long double sum = 0;
+  segments(from, to, [&](const Piece& piece) { sum += piece.width() * (piece.mean() - level); });
+  return static_cast<double>(sum) / last();
+}
+
+// The fall over the core's width changes its slope only where either end passes a corner of the curve.
+double MaterialRatioCurve::core_start() const {
+  const double span = core_share * last(), room = last() - span;
+  double best = 0, least = std::numeric_limits<double>::infinity();
+  auto consider = [&](double start) {
+    if (start < 0 || start > room) return;
+    const double fall = at(start) - at(start + span);
+    if (fall < least || (fall == least && start < best)) least = fall, best = start;
+  };
+  for (std::size_t k = 0; k < descending_.size(); ++k) {
+    consider(rank_of(k));
+    consider(rank_of(k) - span);
+  }
+  return best / last();
+}
+
+CoreParameters MaterialRatioCurve::core() const {
+  const double start = core_start(), stop = start + core_share, middle = (start + 0.5 * core_share) * last();
+  long double level = 0, tilt = 0;
+  segments(start, stop, [&](const Piece& piece) {
+    level += piece.width() * piece.mean();
+    tilt += piece.width() * piece.moment(middle);
+  });
+  const double width = core_share * last(), centre = static_cast<double>(level) / width;
+  const double slope = 12 * static_cast<double>(tilt) / (width * width * width);  // per rank, ≤ 0
+  const double upper = centre - slope * middle, lower = centre + slope * (last() - middle);
+
+  CoreParameters out{.sk = upper - lower, .smr1 = ratio(upper), .smr2 = ratio(lower)};
+  if (out.smr1 > 0) out.spk = 2 / out.smr1 * area(0, out.smr1, upper);
+  if (out.smr2 < 1) out.svk = -2 / (1 - out.smr2) * area(out.smr2, 1, lower);
+  return out;
+}
+
+double MaterialRatioCurve::material_volume(double ratio) const { return area(0, ratio, height(ratio)); }
+
+double MaterialRatioCurve::void_volume(double ratio) const { return 0 - area(ratio, 1, height(ratio)); }
+
+VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
+  check_share(p);
+  check_share(q);
+  if (p > q)
+    throw ParameterError("material-ratio", "value " + shortest(p) + " is above the second, " + shortest(q));
+  const double peak = material_volume(p), dale = void_volume(q);
+  return {.vmp = peak, .vmc = material_volume(q) - peak, .vvc = void_volume(p) - dale, .vvv = dale};
+}
+
+double material_height_error(double ratio, const Moments& moments, const EffectiveSize& size, Fitted fitted) {
+  check_share(ratio);
+  if (ratio == 0 || ratio == 1) return std::numeric_limits<double>::infinity();
+  const double a = gsl_cdf_ugaussian_Qinv(ratio), density = gsl_ran_ugaussian_pdf(a);
+  const bool sq_fitted = fitted == Fitted::mean_and_sq;
+  HermiteFunction hermite(a, 1.0);
+  auto weight = [&](int k) {
+    const double h = hermite.next();
+    return k == 1 || (k == 2 && sq_fitted) ? 0 : h * h / k;
+  };
+  const double all = ratio * (1 - ratio) / (density * density) - 1 - (sq_fitted ? a * a / 2 : 0);
+  return moments.sq * std::sqrt(size.variance_of_mean(weight, all));
+}
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+/// Height parameters of a surface, by ISO 25178-2.
+///
+/// With heights d measured from the mean of all N points that are not missing, the mean plane of order 0,
+///     Sa  = 1/N Σ |d|                    arithmetic mean height
+///     Sq  = √(1/N Σ d²)                  root mean square height
+///     Ssk = 1/N Σ d³ / Sq³               skewness
+///     Sku = 1/N Σ d⁴ / Sq⁴               kurtosis, 3 for a Gaussian surface
+///     Sp, Sv, Sz = Sp + Sv               highest peak, deepest valley, both ≥ 0, maximum height
+/// All are population moments, of divisor N, over the whole field. The profile parameters Ra and Rq of
+/// ISO 21920-2 are the same means over a profile; its Rp, Rv and Rz are means over sampling lengths.
+///
+/// Accuracy  Two passes about a shifted origin (stats/filter/form.hpp), row sums added to row sums: a relative error
+///           below ε (nx + ny) in Sa and Sq, whatever the offset.
+/// Cost      two passes over the data, a small part of one transform. GSL's gsl_stats_* compute the same
+///           numbers by recurrences in long double, a division per point and moment; a test compares the two.
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+#include "core/field.hpp"
+#include "stats/filter/form.hpp"
+
+namespace asperity {
+
+/// All in the unit of the field, ssk and sku pure numbers.
+struct Moments {
+  double mean = 0;
+  double sa = 0, sq = 0;
+  double ssk = 0, sku = 0;
+  double sp = 0, sv = 0;
+
+  double sz() const { return sp + sv; }
+};
+
+/// The sums of a field that comes in strips.
+class MomentSums {
+ public:
+  /// `mean` is that of the whole field.
+  explicit MomentSums(const Mean& mean) : mean_(mean) {}
+  void add(const Field& strip);
+  /// Throws DataError(variable, …) when every height is the same: skewness and kurtosis then have no value; or when
+  /// fourth powers of the heights are no numbers of their own any more, Sq below 1e-77 or heights above 1e77.
+  Moments moments(std::string_view variable) const;
+
+ private:
+  Mean mean_;
+  double count_ = 0, absolute_ = 0, second_ = 0, third_ = 0, fourth_ = 0;
+  double highest_ = -std::numeric_limits<double>::infinity(),
+         lowest_ = std::numeric_limits<double>::infinity();
+};
+
+Moments moments(const Field& z, std::string_view variable = "heights");
+
+}  // namespace asperity

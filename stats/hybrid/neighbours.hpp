@@ -1,0 +1,78 @@
+/// Means over neighbouring points of a field, row by row.
+///
+/// On a periodic grid every point has all neighbours: a row continues with its first points, the last row
+/// with the first one. Otherwise only points that have them are visited. Sums are taken a row at a time and
+/// the rows' sums added up in order: a result depends neither on the number of threads, nor on the strips in which a
+/// field too large for memory comes. What a missing height enters, a side, a cell, a stencil, is NaN and is left
+/// out, of the mean's divisor too (stats/filter/missing.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/parallel.hpp"
+#include "stats/filter/missing.hpp"
+
+namespace asperity {
+
+using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
+
+/// Whole rows of a field: `own` of its rows, and behind them, for their neighbours, the next ones. On a periodic grid
+/// the first rows are next to the last one; a strip of all rows needs none behind it.
+struct Strip {
+  const Field& z;
+  Grid grid;  ///< of the whole field
+  Index own;
+
+  static Strip whole(const Field& z, const Grid& grid) { return {z, grid, z.rows()}; }
+  bool closed() const { return grid.periodic && z.rows() == grid.shape.nx; }
+};
+
+/// Rows of a strip, with `margin` points more at the end where the field repeats itself.
+class NeighbourRows {
+ public:
+  NeighbourRows(const Strip& strip, Index margin)
+      : z_(strip.z),
+        rows_(std::min(strip.own, z_.rows() + (strip.closed() ? margin : 0) - margin)),
+        columns_(z_.cols() - (strip.grid.periodic ? 0 : margin)),
+        margin_(strip.grid.periodic ? margin : 0) {}
+
+  /// How many rows have `margin` more behind them, and how many points of a row.
+  Index rows() const { return std::max<Index>(0, rows_); }
+  Index columns() const { return std::max<Index>(0, columns_); }
+  /// Row i, 0 ≤ i < rows() + margin, of columns() + margin points.
+  Row operator()(Index i) const {
+    Row out(z_.cols() + margin_);
+    out.head(z_.cols()) = z_.row(i % z_.rows());
+    for (Index j = 0; j < margin_; ++j) out(z_.cols() + j) = z_(i % z_.rows(), j % z_.cols());
+    return out;
+  }
+
+ private:
+  const Field& z_;
+  Index rows_, columns_, margin_;
+};
+
+/// Sums of what is there, and how much is there.
+template <std::size_t K>
+using RowSums = std::array<ValidSum, K>;
+
+inline double mean_of(const ValidSum& sum) { return sum.sum / sum.count; }
+
+/// Adds Σ_i sum(i) over `rows` rows, each of K sums along row i, to the total.
+template <std::size_t K, class Sum>
+void add_rows(RowSums<K>& total, Index rows, int threads, Sum sum) {
+  std::vector<RowSums<K>> of_rows(static_cast<std::size_t>(rows));
+  parallel_ranges(rows, threads, [&](Index begin, Index end, int) {
+    for (Index i = begin; i < end; ++i) of_rows[static_cast<std::size_t>(i)] = sum(i);
+  });
+  for (const RowSums<K>& row : of_rows)
+    for (std::size_t k = 0; k < K; ++k) {
+      total[k].sum += row[k].sum;
+      total[k].count += row[k].count;
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,102 @@
+#include "stats/hybrid/spectral_moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "stats/filter/form.hpp"
+
+namespace asperity {
+namespace {
+
+enum Sum { s00, s20, s11, s02, s40, s31, s22, s13, s04 };
+using Sums = RowSums<9>;
+
+// Point j of a stencil is column j + 1 of its rows, which all have the points to either side.
+struct Stencil {
+  const Row &before, &here, &after;
+
+  Index points() const { return here.size() - 2; }
+  auto middle(const Row& row) const { return row.segment(1, points()); }
+  auto left(const Row& row) const { return row.head(points()); }
+  auto right(const Row& row) const { return row.tail(points()); }
+  Row zxx() const { return middle(before) - 2 * middle(here) + middle(after); }
+  Row zyy() const { return left(here) - 2 * middle(here) + right(here); }
+  Row zxy() const { return 0.25 * (right(after) - left(after) - right(before) + left(before)); }
+};
+
+// z(i+1) - z(i) of all points of a row that the field has.
+void add_slopes_along_x(Sums& out, const Row& here, const Row& after, Index ny, Index sides) {
+  const Row step = after - here;
+  out[s20] = sum_of_valid(step.head(ny).square());
+  out[s11] =
+      sum_of_valid((step.head(sides) + step.segment(1, sides)) *
+                   (here.segment(1, sides) - here.head(sides) + after.segment(1, sides) - after.head(sides)));
+  out[s11].sum *= 0.25;
+}
+
+void add_mixed_derivatives(Sums& out, const Stencil& stencil) {
+  const Row zxx = stencil.zxx(), zyy = stencil.zyy(), zxy = stencil.zxy();
+  out[s31] = sum_of_valid(zxx * zxy);
+  out[s22] = sum_of_valid(zxx * zyy);
+  out[s13] = sum_of_valid(zxy * zyy);
+}
+
+}  // namespace
+
+ProfileSpectralMoments SpectralMoments::along(double angle) const {
+  auto along_axis = [](double part) { return std::abs(part) < 1e-15 ? 0 : part; };  // cos of a rounded π/2
+  const double c = along_axis(std::cos(angle)), s = along_axis(std::sin(angle));
+  return {.m0 = m00,
+          .m2 = c * c * m20 + 2 * c * s * m11 + s * s * m02,
+          .m4 = c * c * c * c * m40 + 4 * c * c * c * s * m31 + 6 * c * c * s * s * m22 +
+                4 * c * s * s * s * m13 + s * s * s * s * m04};
+}
+
+ProfileSpectralMoments SpectralMoments::isotropic() const {
+  return {.m0 = m00, .m2 = std::sqrt(m20 * m02), .m4 = std::sqrt(m40 * m04)};
+}
+
+void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
+  const NeighbourRows sides(strip, 1), curves(strip, 2);
+  const Index ny = strip.z.cols();
+  add_rows(sums_, strip.own, threads, [&](Index i) {
+    const Row here = curves(i);
+    Sums out{};
+    out[s00] = sum_of_valid((here.head(ny) - level).square());
+    out[s02] = sum_of_valid((here.segment(1, sides.columns()) - here.head(sides.columns())).square());
+    out[s04] = sum_of_valid(Stencil{here, here, here}.zyy().square());
+    if (i >= sides.rows()) return out;
+    const Row after = curves(i + 1);
+    add_slopes_along_x(out, here, after, ny, sides.columns());
+    if (i >= curves.rows()) return out;
+    const Row second = curves(i + 2);
+    out[s40] = sum_of_valid((here - 2 * after + second).head(ny).square());
+    add_mixed_derivatives(out, {here, after, second});
+    return out;
+  });
+}
+
+SpectralMoments SpectralMomentSums::moments(const Grid& grid) const {
+  if (!(sums_[s31].count > 0))
+    throw DataError("heights", "second derivatives need 3 x 3 points, none of them missing");
+  const double x = 1 / grid.dx, y = 1 / grid.dy;
+  return {.m00 = mean_of(sums_[s00]),
+          .m20 = x * x * mean_of(sums_[s20]),
+          .m11 = x * y * mean_of(sums_[s11]),
+          .m02 = y * y * mean_of(sums_[s02]),
+          .m40 = x * x * x * x * mean_of(sums_[s40]),
+          .m31 = x * x * x * y * mean_of(sums_[s31]),
+          .m22 = x * x * y * y * mean_of(sums_[s22]),
+          .m13 = x * y * y * y * mean_of(sums_[s13]),
+          .m04 = y * y * y * y * mean_of(sums_[s04])};
+}
+
+SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) {
+  SpectralMomentSums sums;
+  if (std::min(z.rows(), z.cols()) > (grid.periodic ? 0 : 2))
+    sums.add(Strip::whole(z, grid), mean(z), threads);
+  return sums.moments(grid);
+}
+
+}  // namespace asperity

@@ -1,0 +1,194 @@
+#include "stats/hypothesis/gaussianity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+
+#include "stats/filter/missing.hpp"
+#include "stats/uncertainty/weighted_chi_squared.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double reach = 6;
+constexpr Index supremum_nodes = 97, integral_nodes = 193;
+
+Eigen::ArrayXd line(Index nodes) { return Eigen::ArrayXd::LinSpaced(nodes, -reach, reach); }
+
+int bins_for(const EffectiveSize& size) {
+  const double effective = size.points() / std::max(size.sum(3), 1.0);
+  return static_cast<int>(std::clamp(2 * std::pow(effective, 0.4), 6.0, 64.0));
+}
+
+EffectiveSize independent(const EffectiveSize& size) {
+  const Grid grid{{static_cast<Index>(size.points()), 1}, 1, 1, false};
+  return EffectiveSize(LagField(Field::Ones(1, 1)), grid);
+}
+
+Eigen::ArrayXd eigenvalues(const Eigen::MatrixXd& form) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(form, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+std::vector<double> sorted(const Field& z, const Moments& moments) {
+  std::vector<double> x(z.data(), z.data() + z.size());
+  if (has_missing(z)) std::erase_if(x, [](double height) { return std::isnan(height); });
+  for (double& value : x) value = (value - moments.mean) / moments.sq;
+  std::ranges::sort(x);
+  return x;
+}
+
+// ln Φ(x); below -37, where Φ is near the smallest double, by its asymptote.
+double log_gaussian(double x) {
+  return x > -37 ? std::log(gsl_cdf_ugaussian_P(x))
+                 : -0.5 * x * x - std::log(-x * std::sqrt(2 * std::numbers::pi)) - 1 / (x * x);
+}
+
+double kolmogorov_smirnov(double n, const auto& for_each_run) {
+  double largest = 0;
+  for_each_run([&](const HeightRun& run, double below) {
+    const double low = gsl_cdf_ugaussian_P(run.lowest),
+                 high = run.count > 1 ? gsl_cdf_ugaussian_P(run.highest) : low;
+    largest = std::max({largest, low - below / n, (below + 1) / n - low, high - (below + run.count - 1) / n,
+                        (below + run.count) / n - high});
+  });
+  return std::sqrt(n) * largest;
+}
+
+// What x_i adds to -(3), i from 0.
+double anderson_darling_term(double i, double n, double x) {
+  const double rank = (2 * i + 1) / n;
+  return rank * log_gaussian(x) + (2 - rank) * log_gaussian(-x) + 1;
+}
+
+// The terms of a run are those of a parabola through the first, the middle and the last.
+double anderson_darling(double n, const auto& for_each_run) {
+  double sum = 0;
+  for_each_run([&](const HeightRun& run, double below) {
+    const double m = run.count, first = anderson_darling_term(below, n, run.lowest);
+    if (m == 1) {
+      sum += first;
+      return;
+    }
+    const double last = anderson_darling_term(below + m - 1, n, run.highest),
+                 middle = anderson_darling_term(below + (m - 1) / 2, n, 0.5 * (run.lowest + run.highest));
+    sum += m * (middle + (first + last - 2 * middle) * (m + 1) / (6 * (m - 1)));
+  });
+  return -sum;
+}
+
+// How many heights lie below each edge between B bins.
+std::vector<double> counts_below_edges(double n, const auto& for_each_run, int bins) {
+  std::vector<double> counts;
+  auto edge = [&] { return gsl_cdf_ugaussian_Pinv(static_cast<double>(counts.size() + 1) / bins); };
+  double at = edge();
+  for_each_run([&](const HeightRun& run, double below) {
+    for (; static_cast<int>(counts.size()) < bins - 1 && at <= run.highest; at = edge())
+      counts.push_back(at <= run.lowest ? below
+                                        : below + std::ceil((at - run.lowest) / (run.highest - run.lowest) *
+                                                            (run.count - 1)));
+  });
+  counts.resize(static_cast<std::size_t>(bins - 1), n);
+  return counts;
+}
+
+double pearson(double n, const auto& for_each_run, int bins) {
+  const double expected = n / bins;
+  double sum = 0, lower = 0;
+  std::vector<double> edges = counts_below_edges(n, for_each_run, bins);
+  edges.push_back(n);
+  for (const double upper : edges) {
+    sum += std::pow(upper - lower - expected, 2) / expected;
+    lower = upper;
+  }
+  return sum;
+}
+
+}  // namespace
+
+// The weights of ∫ D² φ/(Φ(1-Φ)) dx.
+Eigen::ArrayXd anderson_darling_weights(const EffectiveSize& size) {
+  const Eigen::ArrayXd x = line(integral_nodes);
+  const double step = 2 * reach / static_cast<double>(integral_nodes - 1);
+  const Eigen::VectorXd root = x.unaryExpr([step](double at) {
+    return std::sqrt(step * gsl_ran_ugaussian_pdf(at) / (gsl_cdf_ugaussian_P(at) * gsl_cdf_ugaussian_Q(at)));
+  });
+  return eigenvalues(root.asDiagonal() * fitted_process_covariance(x, size) * root.asDiagonal());
+}
+
+// The weights of B Σ (D(upper) - D(lower))², D = 0 at both ends.
+Eigen::ArrayXd pearson_weights(const EffectiveSize& size, int bins) {
+  const Eigen::ArrayXd edges = Eigen::ArrayXd::NullaryExpr(
+      bins - 1, [=](Index a) { return gsl_cdf_ugaussian_Pinv(static_cast<double>(a + 1) / bins); });
+  Eigen::MatrixXd difference = Eigen::MatrixXd::Zero(bins, bins - 1);
+  difference.diagonal().setOnes();
+  difference.diagonal(-1).setConstant(-1);
+  return eigenvalues(bins * difference * fitted_process_covariance(edges, size) * difference.transpose());
+}
+
+GaussianityTest::Laws::Laws(const EffectiveSize& size, int bins)
+    : points(size.points()),
+      sums{1, size.sum(1), size.sum(2), size.sum(3), size.sum(4)},
+      anderson_darling(anderson_darling_weights(size)),
+      pearson(pearson_weights(size, bins)),
+      supremum(line(supremum_nodes), fitted_process_covariance(line(supremum_nodes), size),
+               size.sum(EffectiveSize::powers)) {}
+
+// Of a correlation whose S_3 or S_4 vanishes the moment has no error to this order, and is left out.
+double GaussianityTest::Laws::jarque_bera(const Moments& moments) const {
+  auto squared_score = [](double deviation, double variance) {
+    return variance > 0 ? deviation * deviation / variance : 0;
+  };
+  return squared_score(moments.ssk, 6 * sums[3] / points) +
+         squared_score(moments.sku - 3 + 6 * sums[2] / points, 24 * sums[4] / points);
+}
+
+double GaussianityTest::Laws::jarque_bera_p(double statistic) const {
+  const int degrees = (sums[3] > 0) + (sums[4] > 0);
+  return degrees == 2 ? std::exp(-statistic / 2) : degrees == 1 ? std::erfc(std::sqrt(statistic / 2)) : 1;
+}
+
+GaussianityTest::GaussianityTest(const EffectiveSize& size)
+    : bins_(bins_for(size)), laws_(size, bins_), naive_(independent(size), bins_) {}
+
+std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_each_run,
+                                                    const Moments& moments) const {
+  const double jb = laws_.jarque_bera(moments), ks = kolmogorov_smirnov(n, for_each_run),
+               ad = anderson_darling(n, for_each_run), chi = pearson(n, for_each_run, bins_);
+  return {{
+      {"Jarque-Bera", jb, laws_.jarque_bera_p(jb), naive_.jarque_bera_p(naive_.jarque_bera(moments))},
+      {"Kolmogorov-Smirnov", ks, laws_.supremum.exceedance(ks), naive_.supremum.exceedance(ks)},
+      {"Anderson-Darling", ad, weighted_chi_squared_exceedance(laws_.anderson_darling, ad),
+       weighted_chi_squared_exceedance(naive_.anderson_darling, ad)},
+      {"Pearson chi-squared", chi, weighted_chi_squared_exceedance(laws_.pearson, chi),
+       weighted_chi_squared_exceedance(naive_.pearson, chi)},
+  }};
+}
+
+std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {
+  const std::vector<double> x = sorted(z, moments);
+  auto for_each_run = [&](auto visit) {
+    for (double below = 0; const double height : x) visit(HeightRun{1, height, height}, below++);
+  };
+  return judge(static_cast<double>(x.size()), for_each_run, moments);
+}
+
+std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const std::vector<HeightRun>& ascending,
+                                                         const Moments& moments) const {
+  auto normalised = [&](double height) { return (height - moments.mean) / moments.sq; };
+  auto for_each_run = [&](auto visit) {
+    double below = 0;
+    for (const auto& [count, lowest, highest] : ascending) {
+      visit(HeightRun{count, normalised(lowest), normalised(highest)}, below);
+      below += count;
+    }
+    return below;
+  };
+  return judge(for_each_run([](const HeightRun&, double) {}), for_each_run, moments);
+}
+
+}  // namespace asperity

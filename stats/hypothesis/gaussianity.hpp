@@ -1,0 +1,89 @@
+/// Four tests of whether heights are Gaussian, which allow for their correlation.
+///
+/// Against the Gaussian with the field's own mean and rms height, x = (z - z̄)/Sq sorted to x_1 ≤ … ≤ x_N:
+///     Jarque–Bera         JB = Ssk²/(6 S_3/N) + (Sku - 3 + 6 S_2/N)²/(24 S_4/N)                     (1)
+///     Kolmogorov–Smirnov  √N sup |F_N - Φ|                                                          (2)
+///     Anderson–Darling    A² = -N - 1/N Σ (2i-1) [ln Φ(x_i) + ln(1 - Φ(x_{N+1-i}))]                 (3)
+///     Pearson's χ²        Σ (c - N/B)²/(N/B) over B bins of equal probability                       (4)
+/// Published tables of all four hold for independent heights. Those of a surface are not: of a field whose
+/// neighbours say nearly the same, the tables reject what is Gaussian. The laws used instead, where the heights
+/// are a Gaussian field of sums S_k (stats/uncertainty/effective_size.hpp):
+///     JB   χ² of 2 degrees; -6 S_2/N is what Sku falls short of 3 in a finite field
+///     KS   the supremum of the process D (stats/uncertainty/empirical_process.hpp), simulated
+///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights the eigenvalues
+///          of D's covariance by the trapezoidal rule over |x| ≤ 6
+///     χ²   the sum of squared differences of D over the bins, such a sum too: neither B - 1 nor B - 3 degrees,
+///          for the fit is of the heights, not of the counts (Chernoff and Lehmann)
+/// `naive_p` is the p-value of the same laws with S_k = 1, independent heights; of JB the statistic too changes.
+///
+/// Bins: B = 2 (N/S_3)^{2/5} (Mann and Wald), 6 ≤ B ≤ 64.
+///
+/// Symbols   F_N  empirical distribution     Φ  the Gaussian's      c  count of a bin      N  points
+/// Accuracy  The laws are limits for many independent patches, N/S_2 ≫ 1. At 5 % false alarms of 300 fields each
+///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/hypothesis/gaussianity.cpp). Inside the
+///           limits: p to 3e-4 for A², 1e-9 of itself for χ², √(p(1-p)/8192) for KS, none below 1/8193. With S_k from
+///           an estimate the error of the estimate comes on top. By runs (stats/height/height_runs.hpp), s the largest
+///           share of the heights in one, w its cell's width at the mean per Sq: KS within √N s, A² within 15 √N w KS,
+///           χ² within 4 B s [√(N χ²) + B s N], were all heights of all runs at one end; scattered, far closer.
+/// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms, by runs 6 a run.
+///
+/// C. M. Jarque, A. K. Bera, Int. Stat. Rev. 55 (1987) 163-172; T. W. Anderson, D. A. Darling, Ann. Math. Stat.
+/// 23 (1952) 193-212; H. W. Lilliefors, J. Am. Stat. Assoc. 62 (1967) 399-402; H. Chernoff, E. L. Lehmann,
+/// Ann. Math. Stat. 25 (1954) 579-586; H. B. Mann, A. Wald, Ann. Math. Stat. 13 (1942) 306-317.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/field.hpp"
+#include "stats/height/height_runs.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/uncertainty/effective_size.hpp"
+#include "stats/uncertainty/empirical_process.hpp"
+
+namespace asperity {
+
+/// The weights of A²'s law, and those of χ² over B bins.
+Eigen::ArrayXd anderson_darling_weights(const EffectiveSize& size);
+Eigen::ArrayXd pearson_weights(const EffectiveSize& size, int bins);
+
+struct GoodnessOfFit {
+  std::string_view test;
+  double statistic = 0;  ///< (1)–(4)
+  double p = 0;          ///< of a Gaussian field of this correlation
+  double naive_p = 0;    ///< of independent heights
+};
+
+class GaussianityTest {
+ public:
+  explicit GaussianityTest(const EffectiveSize& size);
+
+  int bins() const { return bins_; }
+  /// `moments` are z's, whose missing points are left out. The tests in the order (1)–(4).
+  std::array<GoodnessOfFit, 4> operator()(const Field& z, const Moments& moments) const;
+  /// Of a field that came in strips.
+  std::array<GoodnessOfFit, 4> operator()(const std::vector<HeightRun>& ascending,
+                                          const Moments& moments) const;
+
+ private:
+  /// What the p-values of one correlation rest on.
+  struct Laws {
+    Laws(const EffectiveSize& size, int bins);
+
+    double jarque_bera(const Moments& moments) const;
+    double jarque_bera_p(double statistic) const;
+
+    double points;
+    std::array<double, 5> sums{};              ///< S_0…S_4
+    Eigen::ArrayXd anderson_darling, pearson;  ///< weights
+    SupremumLaw supremum;
+  };
+
+  std::array<GoodnessOfFit, 4> judge(double n, const auto& for_each_run, const Moments& moments) const;
+
+  int bins_;
+  Laws laws_, naive_;
+};
+
+}  // namespace asperity

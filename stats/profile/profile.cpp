@@ -1,0 +1,182 @@
+#include "stats/profile/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "stats/filter/missing.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// (1) of heights above their mean.
+void add_moments(ProfileParameters& out, const Eigen::ArrayXd& z) {
+  const ValidSum square = sum_of_valid(z.square());
+  const double n = square.count, q = std::sqrt(square.sum / n);
+  out[profile_a] = sum_of_valid(z.abs()).sum / n;
+  out[profile_q] = q;
+  if (!(q > 0)) return;
+  out[profile_sk] = sum_of_valid(z.cube()).sum / (n * q * q * q);
+  out[profile_ku] = sum_of_valid(z.square().square()).sum / (n * q * q * q * q);
+}
+
+// Peaks and valleys of whole sections, each of which may lack some of its points, not all.
+void add_extremes(ProfileParameters& out, const Eigen::ArrayXd& z, double points_in_section) {
+  const double n = static_cast<double>(z.size());
+  const auto sections = static_cast<Index>(std::max(1.0, n / points_in_section * (1 + 1e-12)));
+  double peaks = 0, valleys = 0, count = 0;
+  for (Index s = 0; s < sections; ++s) {
+    auto edge = [&](Index k) {
+      return std::min(z.size(), static_cast<Index>(
+                                    std::llround(static_cast<double>(k) * std::min(points_in_section, n))));
+    };
+    const auto heights = z.segment(edge(s), edge(s + 1) - edge(s));
+    if (heights.isNaN().all()) continue;
+    peaks += heights.maxCoeff<Eigen::PropagateNumbers>();
+    valleys -= heights.minCoeff<Eigen::PropagateNumbers>();
+    ++count;
+  }
+  out[profile_p] = peaks / count;
+  out[profile_v] = valleys / count;
+  out[profile_z] = out[profile_p] + out[profile_v];
+  out[profile_t] = z.maxCoeff<Eigen::PropagateNumbers>() - z.minCoeff<Eigen::PropagateNumbers>();
+}
+
+// (2).
+double rms_slope(const Eigen::ArrayXd& z, double step, bool periodic) {
+  if (periodic) {
+    const Index margin = std::min<Index>(3, z.size());
+    Eigen::ArrayXd around(z.size() + 2 * margin);
+    around << z.tail(margin), z, z.head(margin);
+    return rms_slope(around, step, false);
+  }
+  const Index n = z.size() - 6;
+  if (n < 1) return none;
+  auto at = [&](Index shift) { return z.segment(3 + shift, n); };
+  const Eigen::ArrayXd slope = (at(3) - at(-3) - 9 * (at(2) - at(-2)) + 45 * (at(1) - at(-1))) / (60 * step);
+  const ValidSum square = sum_of_valid(slope.square());
+  return square.count > 0 ? std::sqrt(square.sum / square.count) : none;
+}
+
+// Walks along a profile and sums the lengths of its elements, in samples.
+class Elements {
+ public:
+  explicit Elements(double threshold) : threshold_(threshold) {}
+
+  void add(double sample, double height) {
+    if (std::isnan(height)) {
+      *this = Elements(threshold_, sum_, count_);
+      return;
+    }
+    if (before_ * height < 0 || (height == 0 && before_ != 0)) cross(sample - height / (height - before_));
+    if (std::abs(height) > threshold_) reach(height > 0 ? 1 : -1);
+    before_ = height;
+  }
+  double mean() const { return count_ > 0 ? sum_ / count_ : none; }
+
+ private:
+  Elements(double threshold, double sum, double count) : threshold_(threshold), sum_(sum), count_(count) {}
+
+  void cross(double at) {
+    if (std::isnan(first_)) first_ = at;
+    last_ = at;
+  }
+  // A hill (side 1) or a dale (-1): if it is not the one that was, the crossings since then end an element.
+  void reach(int side) {
+    if (side_ != 0 && side != side_) {
+      double& former = end_[side > 0 ? 1 : 0];
+      const double end = 0.5 * (first_ + last_);
+      if (!std::isnan(former)) sum_ += end - former, ++count_;
+      former = end;
+    }
+    side_ = side;
+    first_ = none;
+  }
+
+  double threshold_, sum_ = 0, count_ = 0;
+  double before_ = 0, first_ = none, last_ = none;
+  double end_[2] = {none, none};  // where the last element ended, downwards and upwards
+  int side_ = 0;
+};
+
+double element_spacing(const Eigen::ArrayXd& z, double step, double threshold) {
+  Elements elements(threshold);
+  for (Index i = 0; i < z.size(); ++i) elements.add(static_cast<double>(i), z(i));
+  return step * elements.mean();
+}
+
+// c of (4) for one k; lags p run along the profiles, j across.
+double profiles_worth_one(const LagField& rho, const Pairs& pairs, Axis1D along, int k) {
+  double all = 0, same = 0;
+  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
+    const double term = weight * std::pow(rho(p, q), k);
+    all += term;
+    if ((along == Axis1D::x ? q : p) == 0) same += term;
+  });
+  return same > 0 ? std::max(1.0, all / same) : none;
+}
+
+double standard_error(double spread, double m, double c) {
+  return m > 2 * c ? spread * std::sqrt(c / (m - c)) : none;
+}
+
+}  // namespace
+
+ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
+                                     bool periodic) {
+  ProfileParameters out = ProfileParameters::Constant(none);
+  const ValidSum sum = sum_of_valid(heights);
+  if (sum.count < 2) return out;
+  const Eigen::ArrayXd z = heights - sum.sum / sum.count;
+  add_moments(out, z);
+  add_extremes(out, z, section / step);
+  out[profile_dq] = rms_slope(z, step, periodic);
+  out[profile_sm] = element_spacing(z, step, 0.1 * out[profile_z]);
+  return out;
+}
+
+ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section)
+    : grid_(grid), along_(along), section_(section) {
+  const double length = along == Axis1D::x ? grid.size_x() : grid.size_y();
+  if (std::isfinite(section) && section > length * (1 + 1e-12))
+    throw ParameterError("lambda-c",
+                         shortest(section) + " m: longer than the profiles, " + shortest(length) + " m");
+}
+
+void ProfileSums::add(const Field& heights) {
+  const bool x = along_ == Axis1D::x;
+  const double step = x ? grid_.dx : grid_.dy;
+  for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
+    const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
+    profiles_.add(profile_parameters(profile, step, section_, grid_.periodic));
+  }
+}
+
+ProfileAverages ProfileSums::averages(const Pairs& pairs, const LagField& rho) const {
+  const Eigen::ArrayXd count = profiles_.count();
+  ProfileAverages out{.mean = profiles_.mean(),
+                      .spread = profiles_.spread() * ((count - 1) / count).sqrt(),
+                      .standard_error = {},
+                      .profiles = count[profile_q],
+                      .independent = count[profile_q] / profiles_worth_one(rho, pairs, along_, 2)};
+  for (int parameter = 0; parameter < profile_parameters_count; ++parameter) {
+    const int k = parameter == profile_sk ? 3 : parameter == profile_ku ? 4 : 2;
+    out.standard_error[parameter] =
+        standard_error(out.spread[parameter], count[parameter], profiles_worth_one(rho, pairs, along_, k));
+  }
+  return out;
+}
+
+ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
+                                 const LagField& rho) {
+  ProfileSums sums(pairs.grid(), along, section);
+  sums.add(z);
+  return sums.averages(pairs, rho);
+}
+
+}  // namespace asperity

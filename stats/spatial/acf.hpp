@@ -1,0 +1,48 @@
+/// The autocorrelation of a measured surface, at every lag up to (P, Q), by the fast Fourier transform.
+///
+/// With heights d = z - level,
+///     C(p,q) = Σ d(i,j) d(i+p, j+q)                                                                (1)
+/// over all pairs of points (stats/spatial/lag_sums.hpp). The estimate is
+///     R(p,q) = C(p,q) / ((nx - |p|)(ny - |q|)),      unbiased, the default,                        (2)
+///     R(p,q) = C(p,q) / (nx ny),                     biased: positive definite, smaller far out,   (3)
+/// and on a periodic grid, where every point has a partner at every lag, C(p,q)/(nx ny), both at once. Where heights
+/// are missing, (1) is summed over the pairs that are there, the level is the mean of the heights that are there, and
+///     R(p,q) = C(p,q) / n(p,q),   or C(p,q) / n(0,0),                                              (4)
+/// n(p,q) the number of these pairs (stats/spatial/pairs.hpp). At a lag without a pair the unbiased R is not a number: it is
+/// not known.
+///
+/// Symbols   z  heights [m]      R  autocorrelation [m²], R(0,0) = Sq²      p, q  lags [samples]
+/// Accuracy  Round-off ε log2(N) Σd²/N. As an estimate, (2) is unbiased when the level is known; the field's
+///           own mean in its place lowers every lag by about Var[z̄] = σ² Σρ / N (stats/uncertainty/effective_size.hpp).
+/// Cost      one pruned transform there and back, padded only as far as the lags asked for; with missing heights
+///           another one, at all lags.
+///
+/// G. M. Jenkins, D. G. Watts, Spectral analysis and its applications, Holden-Day (1968), ch. 5.
+#pragma once
+
+#include <optional>
+
+#include "core/field.hpp"
+#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
+
+namespace asperity {
+
+struct AcfParameters {
+  Shape max_lag = {};   ///< P, Q [samples]; at most the field less one point, half of it when periodic
+  bool biased = false;  ///< (3) in place of (2)
+  std::optional<double> level = {};  ///< known mean height [m]; otherwise the field's mean
+  int threads = 1;
+
+  /// Throws ParameterError("max-lag", …).
+  void check(const Grid& grid) const;
+};
+
+/// Half the field in either direction: beyond, few independent pairs are left.
+Shape default_max_lag(const Grid& grid);
+
+LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters);
+/// With the pairs that the field holds, where they are known.
+LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters);
+
+}  // namespace asperity

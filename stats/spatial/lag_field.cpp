@@ -1,0 +1,44 @@
+#include "stats/spatial/lag_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace asperity {
+
+LagField::LagField(Field half_plane) : values_(std::move(half_plane)) {
+  if (values_.rows() < 1 || values_.cols() % 2 == 0)
+    throw DataError("acf", "a half-plane of lags has at least one row and an odd number of columns");
+}
+
+double LagField::operator()(Index p, Index q) const {
+  if (p < 0) return (*this)(-p, -q);
+  return p <= max_p() && std::abs(q) <= max_q() ? values_(p, max_q() + q) : 0.0;
+}
+
+Shape LagField::reach() const {
+  Shape out{0, 0};
+  for (Index p = 0; p < values_.rows(); ++p)
+    for (Index column = 0; column < values_.cols(); ++column)
+      if (values_(p, column) != 0) out = {p, std::max(out.ny, std::abs(column - max_q()))};
+  return out;
+}
+
+LagField LagField::within(Shape max_lag) const {
+  const Index p = std::min(max_lag.nx, max_p()), q = std::min(max_lag.ny, max_q());
+  return LagField(values_.block(0, max_q() - q, p + 1, 2 * q + 1));
+}
+
+Eigen::ArrayXd LagField::along_x() const { return values_.col(max_q()); }
+
+Eigen::ArrayXd LagField::along_y() const { return values_.row(0).tail(max_q() + 1).transpose(); }
+
+LagField LagField::normalised() const {
+  const double variance = (*this)(0, 0);
+  if (!(variance > 0)) throw DataError("acf", "the variance R(0,0) is not positive");
+  return LagField(values_ / variance);
+}
+
+}  // namespace asperity

@@ -1,0 +1,36 @@
+/// Functions of the lag, such as an autocorrelation R(p,q), on the half-plane 0 ≤ p ≤ P, |q| ≤ Q.
+///
+/// A real field's autocorrelation is even under point reflection, R(-p,-q) = R(p,q), so that the half-plane
+/// holds all of it. It need not be even in p and q separately: R(p,-q) ≠ R(p,q) where the lay is oblique.
+#pragma once
+
+#include "core/field.hpp"
+
+namespace asperity {
+
+class LagField {
+ public:
+  /// `half_plane` is (P+1) × (2Q+1), row p, column Q + q.
+  explicit LagField(Field half_plane);
+
+  Index max_p() const { return values_.rows() - 1; }
+  Index max_q() const { return values_.cols() / 2; }
+  /// The value at any lag, zero beyond P and Q.
+  double operator()(Index p, Index q) const;
+  /// The farthest |p| and |q| of lags that are not zero.
+  Shape reach() const;
+  /// The lags up to these, or as far as there are any.
+  LagField within(Shape max_lag) const;
+  /// Row p, column Q + q.
+  const Field& half_plane() const { return values_; }
+
+  Eigen::ArrayXd along_x() const;  ///< R(p,0), p = 0…P
+  Eigen::ArrayXd along_y() const;  ///< R(0,q), q = 0…Q
+  /// R(p,q)/R(0,0). Throws DataError("acf", …) when R(0,0) is not positive.
+  LagField normalised() const;
+
+ private:
+  Field values_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,61 @@
+#include "stats/spatial/lag_sums.hpp"
+
+#include "core/parallel.hpp"
+#include "transform/pruned.hpp"
+
+namespace asperity {
+namespace {
+
+// Room for the longest lag beside the field: nothing wraps onto a lag asked for.
+Shape torus_for(const Grid& grid, Shape max_lag) {
+  if (grid.periodic) return grid.shape;
+  return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
+}
+
+void to_power(Complex* block, Index n) {
+  for (Index k = 0; k < n; ++k) block[k] = std::norm(block[k]);
+}
+
+// The half spectrum, in y, of C(p, ·) for every row p.
+HalfSpectrum correlate(const PrunedTransform& transform, const Field& f, int threads) {
+  HalfSpectrum half = transform.half_spectrum();
+  transform.forward_rows(f, half, threads);
+  parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
+    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size())), work(block.size());
+    for (Index b = begin; b < end; ++b) {
+      transform.forward_block(half, b, block.data(), work.data());
+      to_power(block.data(), transform.block_size());
+      transform.inverse_block(block.data(), b, half, work.data());
+    }
+  });
+  return half;
+}
+
+// (1) times the torus' cells. Negative lags stand at the end of a row.
+Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag, int threads) {
+  constexpr Index group = RowTransform::rows;
+  const Index period = transform.torus().ny, rows = max_lag.nx + 1;
+  Field sums(rows, 2 * max_lag.ny + 1);
+  parallel_ranges((rows + group - 1) / group, threads, [&](Index begin, Index end, int) {
+    Field lags(group, period);
+    RowTransform::Work work = transform.row_work();
+    for (Index first = begin * group; first < std::min(end * group, rows); first += group) {
+      const Index count = std::min(group, rows - first);
+      transform.inverse_group(half, first, count, period, lags.data(), period, work);
+      sums.block(first, max_lag.ny, count, max_lag.ny + 1) = lags.topLeftCorner(count, max_lag.ny + 1);
+      sums.block(first, 0, count, max_lag.ny) = lags.topRightCorner(count, max_lag.ny);
+    }
+  });
+  return sums;
+}
+
+}  // namespace
+
+Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
+  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
+  Field sums = half_plane(transform, correlate(transform, f, threads), max_lag, threads);
+  sums /= static_cast<double>(transform.torus().cells());
+  return sums;
+}
+
+}  // namespace asperity

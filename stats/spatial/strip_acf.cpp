@@ -1,0 +1,64 @@
+#include "stats/spatial/strip_acf.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "stats/filter/missing.hpp"
+#include "stats/spatial/lag_sums.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double told = 0.1;
+
+// n of a strip without missing points.
+Field complete_pairs(const Grid& strip, Shape max_lag) {
+  return Field::NullaryExpr(max_lag.nx + 1, 2 * max_lag.ny + 1, [&](Index p, Index column) {
+    return overlap(strip, p, column - max_lag.ny) * static_cast<double>(strip.shape.cells());
+  });
+}
+
+}  // namespace
+
+StripAutocorrelation::StripAutocorrelation(const Grid& grid, Index rows, int threads)
+    : grid_(grid),
+      max_lag_{std::min(rows, grid.shape.nx) / 2, grid.shape.ny / 2},
+      threads_(threads),
+      sums_(Field::Zero(max_lag_.nx + 1, 2 * max_lag_.ny + 1)),
+      counts_(sums_),
+      complete_(sums_) {}
+
+void StripAutocorrelation::add(const Field& strip) {
+  const Grid open{shape_of(strip), grid_.dx, grid_.dy, false};
+  const Shape lags{std::min(max_lag_.nx, strip.rows() - 1), max_lag_.ny};
+  const bool missing = has_missing(strip);
+  const Field complete = complete_pairs(open, lags);
+  sums_.topRows(lags.nx + 1) += lag_sums(missing ? zero_filled(strip) : strip, open, lags, threads_);
+  complete_.topRows(lags.nx + 1) += complete;
+  if (missing)
+    counts_.topRows(lags.nx + 1) += lag_sums(validity(strip), open, lags, threads_).round();
+  else
+    counts_.topRows(lags.nx + 1) += complete;
+  missing_ = missing_ || missing;
+}
+
+LagField StripAutocorrelation::estimate() const {
+  return LagField((counts_ > 0.5).select(sums_ / counts_, std::numeric_limits<double>::quiet_NaN()));
+}
+
+Pairs StripAutocorrelation::pairs() const {
+  if (!missing_) return Pairs(grid_);
+  const double cells = static_cast<double>(grid_.shape.cells());
+  return Pairs(grid_, LagField(Field::NullaryExpr(counts_.rows(), counts_.cols(), [&](Index p, Index column) {
+                 return counts_(p, column) / complete_(p, column) * overlap(grid_, p, column - max_lag_.ny) *
+                        cells;
+               })));
+}
+
+bool StripAutocorrelation::reaches_beyond(const LagField& correlation) const {
+  const Index outside = correlation.max_p() + 1 - max_lag_.nx;
+  return max_lag_.nx < grid_.shape.nx / 2 && outside > 0 &&
+         (correlation.half_plane().bottomRows(outside).abs() > told * correlation(0, 0)).any();
+}
+
+}  // namespace asperity

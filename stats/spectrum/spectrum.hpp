@@ -1,0 +1,76 @@
+/// Power spectral densities: of the surface, radial, and of its profiles.
+///
+/// With heights d on nx × ny points, the wave numbers qx = 2πp/Lx, qy = 2πq/Ly, and a window w whose mean
+/// square is W,
+///     C(qx,qy) = (ΔxΔy)²/(Lx Ly W) |Σ w d exp(-i(qx x + qy y))|²                          [m⁴]         (1)
+///     1/(Lx Ly) Σ C = Σ (w d)²/(nx ny W), without a window Sq², over all nx ny wave numbers            (2)
+/// (Parseval; in the limit Sq² = 1/(2π)² ∫∫ C dqx dqy). The PSD of the profiles along x is their mean, and
+/// along y likewise,
+///     C1(qx) = Δx²/(Lx W) mean_j |Σ_i w d exp(-i qx x)|² = 1/Ly Σ_qy C(qx,qy)             [m³]         (3)
+///     1/Lx Σ C1 = Sq² over all nx wave numbers, of both signs;
+/// its window acts along the profile alone. The radial PSD is the mean of C over rings of a width of
+/// 2π/min(Lx,Ly) up to the smaller of the largest wave numbers π/Δx, π/Δy.
+///
+/// A field that is not periodic leaks: its edges, joined, are a step of C ~ 1/q². Hann's window
+/// 1 - cos(2πx/Lx), and the same in y, ends that at the price of 1.5 wave numbers of resolution.
+///
+/// Missing heights are given the mean, and W is the mean of w² over all points with the missing ones counted as zero:
+/// (2) is then Sq² of the points that are there. The mask's own spectrum is convolved with that of the surface: holes
+/// leak as edges do. Of points missing here and there, independently, a share g, the expectation of C is
+///     (1-g) C + g Sq² ΔxΔy,                                                                           (4)
+/// a floor of white noise, below which the surface's short waves cannot be seen.
+///
+/// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
+///           qx, qy  wave numbers [rad/m]
+/// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
+///           C. The mean over a ring of n of them, half of which are the other half again, has the variance
+///           I/n² Σ C², over a row of n, none of them twice, half of that; estimated without bias. I is 1, and
+///           35/18 for each axis with Hann's window, whose neighbours share power; with missing points
+///           N Σ w⁴/(Σ w²)² over those that are there.
+/// Cost      one real transform.
+///
+/// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
+/// F. J. Harris, Proc. IEEE 66 (1978) 51-83, for windows.
+#pragma once
+
+#include <vector>
+
+#include "core/field.hpp"
+#include "stats/spatial/lag_field.hpp"
+
+namespace asperity {
+
+enum class DataWindow { none, hann };
+
+/// Windows along either axis.
+struct DataWindows {
+  DataWindow x = DataWindow::hann, y = DataWindow::hann;
+};
+
+/// None on a periodic grid, Hann's on any other.
+DataWindows default_windows(const Grid& grid);
+
+/// I of the variance of means over wave numbers.
+double spectrum_inflation(const Field& d, DataWindows windows);
+
+/// (1) over the half-plane of wave numbers p ≥ 0. Sums over all wave numbers: for_each_lag on the periodic
+/// grid.
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
+
+/// A PSD over one wave number.
+struct SpectrumPoint {
+  double wave_number = 0;  ///< [rad/m]; of a ring their mean
+  double density = 0;      ///< [m³] of profiles, [m⁴] of rings
+  double standard_error = 0;
+  double count = 0;  ///< wave numbers (qx,qy) that went into it, of both signs
+};
+
+enum class Axis1D { x, y };
+
+/// (3) for wave numbers ≥ 0.
+std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
+                                            int threads = 1);
+/// Of (1), for rings from the first on; `inflation` is I.
+std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation);
+
+}  // namespace asperity

@@ -1,0 +1,124 @@
+#include "stats/uncertainty/length_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gsl/gsl_cdf.h>
+
+#include "stats/height/quantiles.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/spatial/acf_lobe.hpp"
+#include "stats/uncertainty/gaussian_maximum.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double beyond = std::numeric_limits<double>::infinity();
+constexpr int directions = 12;
+
+// Open above; none where even the lower end lies beyond the lags.
+Interval held(double length, double low, double high) {
+  return low < beyond ? Interval::of(length, low, high) : Interval();
+}
+
+// (1).
+LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
+  const double share = std::min(size.sum(1) / size.points(), 0.5), b = share / (1 - share);
+  return LagField((rho.half_plane() + b) / (1 + b));
+}
+
+// What the field's mean leaves of the errors that a known correlation gives.
+double left_by_mean(const EffectiveSize& size) {
+  return std::sqrt(1 - std::min(std::pow(size.sum(1), 2) / (size.points() * size.sum(2)), 0.5));
+}
+
+// By how much the errors of what stands out of the noise are too small.
+double lost_in_noise(const EffectiveSize& size, const EffectiveSize& admitted) {
+  return std::pow(std::max(1.0, size.sum(2) / admitted.sum(2)), 0.25);
+}
+
+double normal_quantile(double tail) { return gsl_cdf_ugaussian_Qinv(tail); }
+double t_quantile(double tail, double degrees) { return student_quantile(tail, std::max(degrees, 1.0)); }
+
+}  // namespace
+
+LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,
+                                 const std::optional<LagField>& known)
+    : LengthIntervals(estimate.normalised(), significant_lags(estimate, pairs), pairs, known) {}
+
+LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
+                                 const std::optional<LagField>& known)
+    : rho_(rho),
+      freed_(rho),
+      grid_(pairs.grid()),
+      error_(known ? *known : admitted, pairs),
+      strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
+  const EffectiveSize size = known ? EffectiveSize(*known, pairs) : EffectiveSize::of_estimate(rho, pairs);
+  freed_ = freed_of_mean(rho, size);
+  degrees_ = size.degrees();
+  const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSize(admitted, pairs));
+  strays_ = LagField(strays_.half_plane() * more);
+}
+
+LagField LengthIntervals::band(double u) const {
+  return LagField(freed_.half_plane() + u * strays_.half_plane());
+}
+
+Interval LengthIntervals::along(double angle, double level, double confidence) const {
+  const double u = normal_quantile((1 - confidence) / 2);
+  auto length = [&](const LagField& rho) {
+    const auto crossing = first_crossing(rho, grid_, angle, level);
+    return crossing ? crossing->lag : beyond;
+  };
+  return held(length(rho_), length(band(-u)), length(band(u)));
+}
+
+double LengthIntervals::length_of(Decay decay, const LagField& rho, double level) const {
+  const CentralLobe lobe = central_lobe(rho, grid_, level);
+  const auto& reach = decay == Decay::fastest ? lobe.fastest : lobe.slowest;
+  return reach ? reach->length : beyond;
+}
+
+std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) const {
+  std::vector<Reached> out;
+  for (int direction = 0; direction < directions; ++direction) {
+    const double angle = std::numbers::pi * direction / directions;
+    if (const auto at = first_crossing(freed_, grid_, angle, level))
+      out.push_back({nearest_lag(grid_, angle, at->lag), at->lag});
+  }
+  return out;
+}
+
+double LengthIntervals::quantile_of_extreme(const std::vector<Reached>& reached, double tail) const {
+  const double wider = t_quantile(tail, degrees_) / normal_quantile(tail);
+  if (reached.size() < 2) return wider * normal_quantile(tail);
+  std::vector<Shape> lags;
+  lags.reserve(reached.size());
+  for (const Reached& r : reached) lags.push_back(r.lag);
+  return wider * GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
+}
+
+double LengthIntervals::strayed(Decay decay, double level, double tail) const {
+  const double side = decay == Decay::fastest ? 1 : -1;
+  for (std::vector<Reached> reached = all_around(level);;) {
+    const double end = length_of(decay, band(side * quantile_of_extreme(reached, tail)), level);
+    if (std::erase_if(reached, [&](const Reached& r) { return side * (r.length - end) > 0; }) == 0)
+      return end;
+  }
+}
+
+Interval LengthIntervals::fastest(double level, double confidence) const {
+  const double tail = 1 - confidence, u = normal_quantile(tail / 2);
+  return held(length_of(Decay::fastest, rho_, level), length_of(Decay::fastest, band(-u), level),
+              strayed(Decay::fastest, level, tail));
+}
+
+Interval LengthIntervals::slowest(double level, double confidence) const {
+  const double tail = 1 - confidence, u = normal_quantile(tail / 2);
+  return held(length_of(Decay::slowest, rho_, level), strayed(Decay::slowest, level, tail),
+              length_of(Decay::slowest, band(u), level));
+}
+
+}  // namespace asperity

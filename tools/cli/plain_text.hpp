@@ -1,0 +1,34 @@
+/// Words in plain text, separated by blanks, tabs, commas or semicolons; tables of numbers are read by formats/text_table.hpp.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace asperity::cli {
+
+inline std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view separators = " \t,;\r";
+  std::vector<std::string_view> words;
+  for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(separators, end);
+  }
+  return words;
+}
+
+/// Throws DataError(variable, …) that names the line where the word is no finite number.
+inline double number_of(std::string_view word, std::size_t line, const std::string& variable) {
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
+    throw DataError(variable, "line " + std::to_string(line) + " does not hold finite numbers alone");
+  return value;
+}
+
+}  // namespace asperity::cli

@@ -1,0 +1,51 @@
+/// What asperity-contact can be told, checked as far as the command line alone allows.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contact/bodies.hpp"
+#include "contact/solver.hpp"
+#include "tools/cli/tool.hpp"
+
+namespace asperity::cli {
+
+struct ContactOptions {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double flat = std::numeric_limits<double>::infinity();
+
+  std::string input = "-", variable = "heights", counter, boundary;
+  bool smooth = false;
+  Shape shape;
+  std::array<double, 2> size{none, none};
+
+  Bodies bodies{.young = {none, none}, .poisson = {none, none}};
+  std::string radius_option = "radius";  ///< the one that gave the radii
+
+  ContactParameters contact;  ///< of a sweep with its first load
+  std::vector<double> loads;  ///< of a sweep; empty: one contact is solved and written
+  std::string each;           ///< pattern of a sweep's datasets
+  bool unload = false;
+
+  bool sweeps() const { return !loads.empty(); }
+  void declare(Tool& tool);
+  /// After parsing: throws ParameterError when options do not go together or are out of bounds.
+  void check(Tool& tool);
+
+ private:
+  void declare_surface(Tool& tool);
+  void declare_bodies(Tool& tool);
+  void declare_load(Tool& tool);
+  void check_load(const Tool& tool);
+  void check_streams(Tool& tool) const;
+
+  std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};
+  double load_ = none, approach_ = none, yield_ = none;
+  std::string loads_;
+};
+
+/// "10N:5kN:20", twenty loads from the one to the other at equal ratios, or "10N,20N,50N".
+std::vector<double> parse_loads(const std::string& text);
+
+}  // namespace asperity::cli

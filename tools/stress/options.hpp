@@ -1,0 +1,38 @@
+/// What asperity-stress can be told.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "dataset/dataset.hpp"
+#include "stress/layers.hpp"
+#include "tools/cli/tool.hpp"
+
+namespace asperity::cli {
+
+struct StressOptions {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  std::string depths, section, components = "von_mises";
+  double above = none;
+  bool maximum = false;
+  std::string points;
+  double poisson = none, friction = 0;
+  std::string friction_angle = "0deg";
+  int body = 1;
+  std::string resolution = "adapted";
+
+  void declare(Tool& tool);
+  /// After parsing: throws ParameterError when options do not go together or are out of bounds.
+  void check(Tool& tool) const;
+
+  /// From the options or the dataset; ParameterError where neither tells.
+  double poisson_of(const Dataset& data) const;
+  Friction sliding() const;
+  DepthResolution depth_resolution() const {
+    return resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
+  }
+};
+
+}  // namespace asperity::cli

@@ -1,0 +1,216 @@
+#include "tools/surface/acf_table.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "acf/table.hpp"
+#include "core/words.hpp"
+#include "dataset/netcdf.hpp"
+#include "dataset/units.hpp"
+#include "dataset/variable_units.hpp"
+#include "formats/text_table.hpp"
+#include "tools/cli/plain_text.hpp"
+#include "tools/cli/stream.hpp"
+
+namespace asperity::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw DataError("acf", message); }
+
+bool counts_samples(const std::string& unit) { return unit.empty() || unit == "1" || unit == "px"; }
+
+double factor(const std::string& unit, const char* to) {
+  try {
+    return unit_factor(unit, to);
+  } catch (const std::invalid_argument& e) {
+    refuse(e.what());
+  }
+}
+
+// The rms height of a table in `unit`, none where that is no square of a length.
+double rms_of(double variance, const std::string& unit) {
+  if (counts_samples(unit)) return NAN;
+  try {
+    return std::sqrt(variance * unit_factor(unit, "m2"));
+  } catch (const std::invalid_argument&) {
+    return NAN;
+  }
+}
+
+// ---- datasets ----
+
+// The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or has one
+// point only.
+std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
+  const Variable* axis = data.find(name);
+  if (axis == nullptr) return std::nullopt;
+  const auto metres = [&] {
+    try {
+      return lags_of(*axis);
+    } catch (const DataError& e) {
+      refuse("its lags " + name + ": " + e.what());
+    }
+  }();
+  const std::vector<double> lags = metres ? *metres : numbers(axis->values);
+  const auto n = static_cast<Index>(lags.size());
+  const double step = n > 1 ? (lags.back() - lags.front()) / static_cast<double>(n - 1) : 1;
+  for (Index i = 0; i < n; ++i)
+    if (!(step > 0 && std::abs(lags[static_cast<std::size_t>(i)] - static_cast<double>(i - origin) * step) <=
+                          1e-3 * step))
+      refuse("the lags " + name + " are not evenly spaced " + (origin > 0 ? "around 0" : "from 0"));
+  if (n < 2 || !metres) return std::nullopt;
+  return step;
+}
+
+// From the lags or from the grid, which must agree; a profile takes the step that is known for both.
+Spacing spacing_of_lags(const Dataset& data, std::optional<double> dx, std::optional<double> dy) {
+  if (data.has("x") && data.has("y")) {
+    const Grid grid = grid_of(data);
+    for (const auto& [lag, spacing] : {std::pair(dx, grid.dx), std::pair(dy, grid.dy)})
+      if (lag && std::abs(*lag / spacing - 1) > 1e-6)
+        refuse("its lags have a step of " + format_quantity(*lag, "m") + ", the grid one of " +
+               format_quantity(spacing, "m"));
+    return std::array{grid.dx, grid.dy};
+  }
+  if (!dx && !dy) return std::nullopt;
+  return std::array{dx.value_or(dy.value_or(1)), dy.value_or(dx.value_or(1))};
+}
+
+// The period of the surface that the table was measured on, or is the target of, where it has all lags of that.
+std::optional<Shape> period_of(const Dataset& data, const std::string& name, const Field& half_plane) {
+  std::optional<Shape> period = kernel_period(data);
+  if (name == "acf") {
+    if (!data.has("x") || !data.has("y")) return std::nullopt;
+    const Grid grid = grid_of(data);
+    if (!grid.periodic) return std::nullopt;
+    period = grid.shape;
+  }
+  const bool all =
+      period && half_plane.rows() == period->nx / 2 + 1 && half_plane.cols() == period->ny / 2 * 2 + 1;
+  return all ? period : std::nullopt;
+}
+
+AcfTable from_dataset(Dataset data) {
+  const std::string name = data.has("acf") ? "acf" : "acf_target";
+  if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
+  AcfTable out;
+  const Field table = table_of(data, name, Missing::not_a_number);
+  out.half_plane = known_lags(table);
+  out.left_out = name == "acf" && out.half_plane.size() < table.size();
+  target_of_table(out.half_plane);
+  const Variable& variable = data.at(name);
+  const Index middle = out.half_plane.cols() / 2;
+  const std::string &rows = variable.dimensions[0], &columns = variable.dimensions[1];
+  if (data.has(rows) != data.has(columns) && std::min(data.length(rows), data.length(columns)) > 1)
+    refuse("its lags " + (data.has(rows) ? columns : rows) +
+           " have no coordinate, which those beside them have");
+  out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
+                                step_of(data, variable.dimensions[1], table.cols() / 2));
+  out.rms = rms_of(out.half_plane(0, middle), unit_of(variable));
+  if (name == "acf") {
+    if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
+    out.heights = measured_with_acf(data);
+  }
+  out.period = period_of(data, name, out.half_plane);
+  out.dataset = std::move(data);
+  return out;
+}
+
+// ---- text ----
+
+struct HeadedColumn {
+  std::string name, unit;
+};
+
+// "# lag_x [um]  acf": the columns with their units.
+std::vector<HeadedColumn> columns_of(std::string_view header) {
+  std::vector<HeadedColumn> columns;
+  for (std::string_view word : words_of(header)) {
+    if (word.starts_with('[') && word.ends_with(']') && !columns.empty()) {
+      columns.back().unit = word.substr(1, word.size() - 2);
+    } else {
+      columns.push_back({std::string(word), {}});
+    }
+  }
+  return columns;
+}
+
+std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::string_view name) {
+  const auto found = std::ranges::find(columns, name, &HeadedColumn::name);
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+struct Text {
+  std::vector<HeadedColumn> columns;  // of the header, if there is one
+  Field rows;
+};
+
+// Of the last comment that names them.
+std::vector<HeadedColumn> columns_in(std::string_view bytes) {
+  std::vector<HeadedColumn> out;
+  while (!bytes.empty()) {
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+    if (!line.starts_with('#')) continue;
+    const auto columns = columns_of(line.substr(1));
+    if (place(columns, "acf") && (place(columns, "lag_x") || place(columns, "lag_y"))) out = columns;
+  }
+  return out;
+}
+
+Text parse(std::string_view bytes, const MemoryBound& memory) {
+  Reading reading;
+  reading.memory = memory;
+  Text text{columns_in(bytes), matrix_of(bytes, "acf", 1, reading)};
+  const auto named = static_cast<Index>(text.columns.size()), columns = text.rows.cols();
+  if (named > 0 && columns != named)
+    refuse("its lines have " + counted(columns, "number") + ", its header " + counted(named, "name"));
+  if (text.rows.isNaN().any()) refuse("a number is missing in it");
+  return text;
+}
+
+AcfTable from_matrix(const Text& text) {
+  AcfTable out;
+  out.half_plane = half_plane_of_quadrant(text.rows);
+  target_of_table(out.half_plane);
+  return out;
+}
+
+AcfTable from_columns(const Text& text) {
+  const auto x = place(text.columns, "lag_x"), y = place(text.columns, "lag_y"),
+             r = place(text.columns, "acf");
+  if (!x || !y) refuse(std::string("its header names no column ") + (x ? "lag_y" : "lag_x"));
+  const std::string &unit_x = text.columns[*x].unit, &unit_y = text.columns[*y].unit;
+  if (counts_samples(unit_x) != counts_samples(unit_y))
+    refuse("one lag has a unit of length, the other none");
+  std::vector<LagValue> values;
+  const auto column = [&](std::size_t c) { return text.rows.col(static_cast<Index>(c)); };
+  for (Index i = 0; i < text.rows.rows(); ++i)
+    values.push_back({column(*x)(i), column(*y)(i), column(*r)(i)});
+  const LagTable lags = table_of_lags(values);
+  AcfTable out;
+  out.half_plane = lags.half_plane;
+  target_of_table(out.half_plane);
+  auto step = [](double value, const std::string& unit) -> std::optional<double> {
+    if (std::isnan(value) || counts_samples(unit)) return std::nullopt;
+    return value * factor(unit, "m");
+  };
+  out.spacing = spacing_of_lags({}, step(lags.step_x, unit_x), step(lags.step_y, unit_y));
+  out.rms = rms_of(lags.half_plane(0, lags.half_plane.cols() / 2), text.columns[*r].unit);
+  return out;
+}
+
+}  // namespace
+
+AcfTable read_acf_table(const std::string& name, const MemoryBound& memory) {
+  const Bytes bytes = read_all(name, memory);
+  const MemoryBound left = memory.beside(bytes.size());
+  if (looks_like_netcdf(bytes)) return from_dataset(decode_netcdf(bytes, left));
+  const Text text = parse(bytes, left);
+  return text.columns.empty() ? from_matrix(text) : from_columns(text);
+}
+
+}  // namespace asperity::cli

@@ -1,0 +1,35 @@
+/// A table of an autocorrelation as the option --acf reads it.
+///
+/// A dataset      `acf` as asperity-acf writes it, else `acf_target` of a kernel or a drawn surface.
+/// A column text  one lag a line under a header that names the columns, others being ignored:
+///                # lag_x [um]  lag_y [um]  acf [1]
+///                px, 1 or no unit at all count samples; m2 or um2 make the values heights squared.
+/// A matrix       R(p,q) of a quadrant, p = 0… down the lines, q = 0… along them, in samples; the surface
+///                is then one of R even in p and q.
+/// Numbers are separated by blanks, tabs, commas or semicolons; lines that begin with # are comments.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "core/memory_bound.hpp"
+#include "dataset/dataset.hpp"
+#include "tools/surface/kernel_dataset.hpp"
+#include "tools/surface/marginal_dataset.hpp"
+
+namespace asperity::cli {
+
+struct AcfTable {
+  Field half_plane;                  ///< R(p,q), p = 0… (rows), q = -Q…Q (columns), in any unit
+  bool left_out = false;             ///< lags at its ends that hold no numbers, as without pairs
+  Spacing spacing;                   ///< of the lags [m], where it is known
+  double rms = NAN;                  ///< [m], where it is known
+  HeightsWithAcf heights = {};       ///< whose autocorrelation it is
+  std::optional<Shape> period = {};  ///< of a periodic surface, where the table has all of its lags
+  Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from
+};
+
+/// "-" is standard input. Throws DataError("acf", …).
+AcfTable read_acf_table(const std::string& name, const MemoryBound& memory);
+
+}  // namespace asperity::cli

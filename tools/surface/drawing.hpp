@@ -1,0 +1,27 @@
+/// One surface, drawn and written: whole in memory where it fits, else strip by strip as it is made.
+///
+/// The dataset says the range of the heights in front of them, and `exact_rq` needs their moments before the first of
+/// them can go. A surface in memory tells both; one that does not fit is drawn twice, once for these and once for the
+/// file. A regular file needs no first pass for the range alone: it is entered when the last strip is written. The
+/// bytes are the same each way.
+#pragma once
+
+#include "surface/synthesis.hpp"
+#include "tools/cli/tool.hpp"
+
+namespace asperity::cli {
+
+struct Drawing {
+  const Synthesis& synthesis;
+  WhiteNoise noise;
+  double rms;          ///< of the ensemble [m]
+  bool exact_rq;       ///< give the heights mean zero and this rms
+  bool with_noise;     ///< write noise(x, y) too
+  std::size_t memory;  ///< bytes that the work and, where it fits, the surface may take
+  std::function<void(double share)> progress;  ///< told how much of it is done
+
+  /// Into the file of this name; `data` has the grid and the kernel.
+  void write(const Tool& tool, Dataset data, const std::string& name) const;
+};
+
+}  // namespace asperity::cli

@@ -1,0 +1,174 @@
+#include "tools/surface/kernel_period.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "acf/kernel_cost.hpp"
+#include "acf/periodic.hpp"
+#include "acf/wording.hpp"
+#include "marginal/predistortion.hpp"
+#include "stats/uncertainty/effective_size.hpp"
+#include "transform/plan.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr double told_change = 1e-3;     // of the variance
+constexpr double least_variance = 0.01;  // of the one asked for
+constexpr double largest_offset = 0.5;   // share of the variance
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// The torus of the kernel along an axis: the period where the lags go around it, else wide enough for what is beside them.
+Index side(Index lags, Index period) {
+  return 2 * lags - 1 >= period ? period : std::min(period, fast_length(2 * lags));
+}
+
+// More lags of a half plane, which hold `fill`.
+Field extended(const Field& half_plane, Shape lags, double fill) {
+  Field out = Field::Constant(lags.nx, lags.ny, fill);
+  out.block(0, (lags.ny - half_plane.cols()) / 2, half_plane.rows(), half_plane.cols()) = half_plane;
+  return out;
+}
+
+// Fewer lags of a half plane.
+Field within(const Field& half_plane, Shape lags) {
+  return half_plane.block(0, (half_plane.cols() - lags.ny) / 2, lags.nx, lags.ny);
+}
+
+// What was asked for; where nothing was, what the kernel made of it.
+Field asked_for(const KernelTables& tables) {
+  return tables.acf_target.isNaN().select(tables.acf_achieved, tables.acf_target) /
+         (tables.rms() * tables.rms());
+}
+
+// What a surface can be given: what was asked for where the table holds all of it, else what the kernel has.
+Field had(const KernelTables& tables, const Attributes& a) {
+  const bool all = a.number("kernel_error", unknown) <= a.number("kernel_acf_tolerance", 1e-3);
+  return all ? asked_for(tables) : (tables.acf_achieved / (tables.rms() * tables.rms())).eval();
+}
+
+double variance(const Field& half_plane) { return half_plane(0, half_plane.cols() / 2); }
+
+std::string around(Shape surface) {
+  return "the correlation reaches around the surface of " + text(surface) + " points";
+}
+
+void refuse_offset(const Field& correlation, Shape surface) {
+  if (surface.cells() <= 1) return;
+  const EffectiveSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
+  const double offset = size.sum(1) / size.points();
+  if (offset > largest_offset)
+    throw UsageError(
+        "periodic",
+        around(surface) + fmt::format(": {:.0f} % of the variance would be one offset of all heights; "
+                                      "take shorter lengths or a larger surface",
+                                      100 * offset));
+}
+
+void refuse_rest(double left, Shape surface) {
+  if (!(left >= least_variance))
+    throw UsageError(
+        "periodic", around(surface) + fmt::format(": its sum over the periods leaves {:.2g} of the variance, "
+                                                  "the error of a kernel; take another size or length",
+                                                  left));
+}
+
+void tell_change(const Tool& tool, double change, Shape surface) {
+  if (change <= told_change) return;
+  const bool profile = std::min(surface.nx, surface.ny) == 1;
+  tool.warn("--periodic: " + around(surface) + " and changes the autocorrelation by up to " +
+            fmt::format("{:.2g}", change) +
+            " of the variance: it is the sum over the periods, of the rms height asked for" +
+            (profile ? "; --lags of 1 across the profile keep that of the profile" : ""));
+}
+
+// What the solution on the plane has left on record, of the kernel that has taken its place.
+void record(Attributes& a, double error) {
+  a.set("kernel_method", name_of(Method::spectral));
+  a.set("kernel_answer", name_of(Method::spectral));
+  a.set("kernel_reason", "the root of the spectrum on the period");
+  for (const char* name : {"kernel_residual", "kernel_change", "kernel_error", "kernel_mirrored_error"})
+    a.set(name, error);
+  a.set("kernel_tail", 0.0);
+  a.erase("kernel_solver");
+}
+
+// The lags that a period has: of those beyond half of it the autocorrelation is that of others.
+void cut(KernelTables& tables, Attributes& a, Shape surface) {
+  const Index rows = std::min(tables.acf_target.rows(), surface.nx / 2 + 1),
+              columns = std::min(tables.acf_target.cols(), surface.ny / 2 * 2 + 1);
+  if (rows == tables.acf_target.rows() && columns == tables.acf_target.cols()) return;
+  for (Field* table : {&tables.acf_target, &tables.acf_achieved}) *table = within(*table, {rows, columns});
+  a.set("kernel_error", largest_error(tables));
+}
+
+}  // namespace
+
+KernelTables on_period(const Field& correlation, Shape period, double rms,
+                       const std::optional<Marginal>& marginal, double memory) {
+  const Shape torus{side(correlation.rows(), period.nx), side(correlation.cols() / 2 + 1, period.ny)};
+  check_memory(periodic_kernel_cost(torus), memory, torus);
+  const std::optional<CorrelationMap> map =
+      marginal ? std::optional<CorrelationMap>(marginal->translation) : std::nullopt;
+  const Field kernel = periodic_kernel(
+      map ? correlation.unaryExpr([&](double r) { return map->inverse(r); }).eval() : correlation, torus);
+  Field drawn = periodic_sum(autocorrelation(kernel, kernel.rows(), 2 * kernel.cols() - 1), period);
+  if (map) drawn = drawn.unaryExpr([&](double rho) { return (*map)(std::clamp(rho, -1.0, 1.0)); }).eval();
+  KernelTables out;
+  out.kernel = kernel * (marginal ? 1 : rms);
+  out.acf_target = extended(correlation, shape_of(drawn), unknown) * (rms * rms);
+  out.acf_achieved = drawn * (rms * rms);
+  out.translated = marginal.has_value();
+  out.period = period;
+  return out;
+}
+
+double largest_error(const KernelTables& tables) {
+  const auto known = !tables.acf_target.isNaN();
+  return known.select((tables.acf_achieved - tables.acf_target).abs(), 0).maxCoeff() /
+         variance(tables.acf_target);
+}
+
+Exit wrap_kernel(const Tool& tool, Dataset& data, KernelTables& tables, Shape surface, double memory) {
+  if (tables.period) return done;
+  Attributes& a = data.attributes;
+  if (!reaches_around(shape_of(tables.kernel), surface)) {
+    cut(tables, a, surface);
+    return done;
+  }
+  const Field alone = asked_for(tables), asked = periodic_sum(alone, surface),
+              sum = periodic_sum(had(tables, a), surface), correlation = sum / variance(sum);
+  refuse_rest(std::min(variance(sum), variance(asked)), surface);
+  refuse_offset(correlation, surface);
+  const Field target =
+      within(tables.acf_target, shape_of(asked)).isNaN().select(unknown, asked / variance(asked));
+  KernelTables wrapped = on_period(correlation, surface, tables.rms(), marginal_of(data), memory);
+  wrapped.acf_target =
+      extended(target, shape_of(wrapped.acf_achieved), unknown) * (tables.rms() * tables.rms());
+  wrapped.has_height = tables.has_height;
+  wrapped.spacing = tables.spacing;
+  tables = std::move(wrapped);
+  const double error = largest_error(tables), tolerance = a.number("kernel_acf_tolerance", 1e-3);
+  const bool worse = error > tolerance && a.number("kernel_error", 0) <= tolerance;
+  record(a, error);
+  tell_change(tool, (correlation - within(alone, shape_of(correlation))).abs().maxCoeff(), surface);
+  if (!worse) return done;
+  a.set("kernel_converged", 0);
+  tool.warn("kernel: the error over the period, " + number(error) +
+            " of the variance, exceeds --acf-tolerance " + number(tolerance));
+  return not_converged;
+}
+
+void check_period(const KernelTables& tables, Shape surface, bool periodic) {
+  if (!tables.period || (periodic && *tables.period == surface)) return;
+  const std::string words = "the kernel is that of periodic surfaces of " + text(*tables.period) + " points";
+  if (periodic) throw UsageError("shape", text(surface) + ": " + words);
+  throw UsageError("periodic", "is required: " + words +
+                                   "; for others, solve for one of --length, or of fewer lags of its table "
+                                   "(asperity-acf --max-lag)");
+}
+
+}  // namespace asperity::cli

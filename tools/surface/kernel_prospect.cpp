@@ -1,0 +1,132 @@
+#include "tools/surface/kernel_prospect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "acf/kernel_cost.hpp"
+#include "acf/wording.hpp"
+#include "marginal/johnson_shape.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr double told_share = 0.5;    // of the variance, in one offset
+constexpr double told_rest = 0.01;    // of a correlation, a sample away
+constexpr double told_dataset = 1e8;  // bytes
+constexpr double near_bound = 3;      // Sq
+constexpr double at_bound = 0.25;     // Sq, of a peak
+
+const char* axes(bool x, bool y) { return x && y ? "x and y" : x ? "x" : "y"; }
+
+void tell_short(const Tool& tool, const Target& target, Shape surface) {
+  if (target.known || !target.reach) return;
+  const Shape fallen = target.reach(told_rest);
+  const bool x = fallen.nx == 1 && surface.nx != 1, y = fallen.ny == 1 && surface.ny != 1;
+  if (x || y)
+    tool.warn(
+        fmt::format("--length is far below a sample along {}: neighbouring heights correlate by less than "
+                    "{:g}, as white noise; take finer samples",
+                    axes(x, y), told_rest));
+}
+
+// "+1.1 Sq (436nm)"
+std::string in_rms(double z, const Wanted& wanted) {
+  const std::string height =
+      wanted.has_height ? " (" + format_quantity(std::stod(number(z * wanted.request.rms)), "m") + ")" : "";
+  return fmt::format("{:+.3g} Sq", z) + height;
+}
+
+void tell_heights(const Tool& tool, const Wanted& wanted) {
+  if (!wanted.marginal || wanted.marginal->measured) return;
+  const auto [low, high, peaks] =
+      shape_of(johnson_with(wanted.marginal->skewness, wanted.marginal->kurtosis));
+  const bool floor = low > -near_bound, ceiling = high < near_bound;
+  if (!floor && !ceiling) return;
+  std::string bounds = floor ? in_rms(low, wanted) : "";
+  if (ceiling) bounds += (floor ? " and " : "") + in_rms(high, wanted);
+  const std::string words =
+      "heights are bounded at " + bounds + ", Johnson's " + wanted.marginal->translation.family;
+  const bool at_floor = peaks.front() - low < at_bound, at_ceiling = high - peaks.back() < at_bound;
+  if (peaks.size() > 1)
+    tool.warn(fmt::format("{}, and have two peaks, at {:+.3g} and {:+.3g} Sq; a larger --kurtosis has one",
+                          words, peaks.front(), peaks.back()));
+  else if (at_floor || at_ceiling)
+    tool.warn(fmt::format(
+        "{}, and J-shaped: the density is largest {:.2g} Sq from its {} end; a larger --kurtosis "
+        "moves the peak inside",
+        words, at_floor ? peaks.front() - low : high - peaks.back(), at_floor ? "lower" : "upper"));
+  else
+    tool.note(words);
+}
+
+// The lags that a search may come to: those at the tolerance, where a correlation falls so slowly that these are far
+// beyond the first, as of self-affine surfaces.
+Shape most_lags(const KernelRequest& request) {
+  constexpr double slow = 2.5;  // times as many; 1.7 of exponentials, 3.4 of self-affine surfaces
+  const Shape first = first_lags(request);
+  if (request.lags != Shape{} || !request.target.reach) return first;
+  const Shape far = request.target.reach(std::min(request.acf_tolerance, 0.5));
+  return static_cast<double>(far.cells()) > slow * static_cast<double>(first.cells()) ? far : first;
+}
+
+void tell_cost(const Tool& tool, const KernelRequest& request) {
+  check_memory(request, first_lags(request), kernel_cost(first_lags(request)));
+  const Shape lags = most_lags(request);
+  constexpr Index widest = 13;  // torus of a table of long waves, the fourth that is tried
+  const KernelCost most = request.target.known ? wider_kernel_cost(lags, widest) : wider_kernel_cost(lags);
+  if (most.dataset > told_dataset)
+    tool.warn(fmt::format(
+        "a kernel of {} lags may take minutes, {:.2g}GB of memory and {:.2g}GB of the dataset; {} "
+        "take less",
+        text(lags), most.memory / 1e9, most.dataset / 1e9,
+        request.target.known ? "fewer lags of the table (asperity-acf --max-lag) or a larger "
+                               "--acf-tolerance"
+                             : "shorter lengths, wider samples or a larger --acf-tolerance"));
+}
+
+}  // namespace
+
+double mean_correlation(const Target& target, Shape surface) {
+  const Index step_x = (surface.nx + 63) / 64, step_y = (surface.ny + 63) / 64;
+  double sum = 0, weights = 0;
+  for (Index p = 0; p < surface.nx; p += step_x)
+    for (Index q = -((surface.ny - 1) / step_y) * step_y; q < surface.ny; q += step_y) {
+      const double weight = (p > 0 ? 2 : 1) * (1 - static_cast<double>(p) / static_cast<double>(surface.nx)) *
+                            (1 - std::abs(static_cast<double>(q)) / static_cast<double>(surface.ny));
+      const bool inside = !target.known || (p < target.known->nx && std::abs(q) < target.known->ny);
+      if (inside) sum += weight * target(static_cast<double>(p), static_cast<double>(q));
+      weights += weight;
+    }
+  return sum / weights;
+}
+
+void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option) {
+  if (surface.cells() <= 1) return;
+  const double mean = mean_correlation(target, surface);
+  if (mean > told_share)
+    throw UsageError(
+        option, fmt::format("too long a correlation for the surface: {:.0f} % of the variance would be one "
+                            "offset of all heights; take a shorter one or a larger surface, to be cut by "
+                            "asperity-convert --crop",
+                            100 * mean));
+  const double along_x = mean_correlation(target, {surface.nx, 1}),
+               along_y = mean_correlation(target, {1, surface.ny});
+  const bool x = surface.nx > 1 && along_x > told_share, y = surface.ny > 1 && along_y > told_share;
+  if (x || y)
+    tool.warn(fmt::format(
+        "the correlation reaches across the surface along {}: heights correlate by {:.2g} there on "
+        "average, which one surface does not average out",
+        axes(x, y), x ? along_x : along_y));
+}
+
+void foresee(const Tool& tool, const Wanted& wanted, Shape surface) {
+  const Target& target = wanted.request.target;
+  foresee_extent(tool, target, surface, target.known ? "acf" : "length");
+  tell_short(tool, target, surface);
+  tell_cost(tool, wanted.request);
+  tell_heights(tool, wanted);
+}
+
+}  // namespace asperity::cli

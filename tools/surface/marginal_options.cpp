@@ -1,0 +1,135 @@
+#include "tools/surface/marginal_options.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "acf/wording.hpp"
+#include "core/error.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/netcdf.hpp"
+#include "tools/cli/plain_text.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/cli/table.hpp"
+
+namespace asperity::cli {
+namespace {
+
+// The value of a quantity in a table of asperity-stats, text or JSON; NAN where there is none.
+double quantity_in(std::string_view bytes, const std::string& name) {
+  if (bytes.starts_with('{')) {
+    const auto table = nlohmann::json::parse(bytes, nullptr, false);
+    const auto row = table.is_object() ? table.find(name) : table.end();
+    if (table.is_discarded() || row == table.end() || !row->contains("value")) return NAN;
+    return (*row)["value"].is_number() ? (*row)["value"].get<double>() : NAN;
+  }
+  for (std::size_t line = 1; !bytes.empty(); ++line) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    const auto words = words_of(bytes.substr(0, end));
+    if (words.size() > 1 && words[0] == name) return number_of(words[1], line, "marginal");
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+  return NAN;
+}
+
+std::optional<HeightMoments> moments_in(std::string_view bytes) {
+  constexpr std::size_t largest_table = 1 << 20;  // bytes, of asperity-stats: some kB as a rule
+  if (looks_like_netcdf(bytes) || bytes.size() > largest_table) return std::nullopt;
+  const HeightMoments found{0, 1, quantity_in(bytes, "Ssk"), quantity_in(bytes, "Sku")};
+  if (std::isnan(found.skewness) || std::isnan(found.kurtosis)) return std::nullopt;
+  return found;
+}
+
+// The heights of a dataset or a map that are there, of a text too.
+std::vector<double> heights_in(std::string_view bytes, const std::string& name,
+                               const MemoryBound& memory) try {
+  const InputFormat any;
+  const Field field = any.netcdf(bytes)
+                          ? field_of(any.dataset(bytes, name, memory), "heights", Missing::not_a_number)
+                          : any.map(bytes, name, memory).values;
+  std::vector<double> out(field.data(), field.data() + field.size());
+  std::erase_if(out, [](double z) { return std::isnan(z); });
+  return out;
+} catch (const DataError& error) {
+  throw DataError("marginal", error.name == "map" ? error.what() : error.name + ": " + error.what());
+}
+
+// Johnson's; none where they are Gaussian.
+std::optional<Marginal> johnson(const Tool& tool, const PrescribedHeights& prescribed) {
+  Translation translation = prescribed.translation();
+  if (translation.family == "normal") return std::nullopt;
+  const double kurtosis = prescribed.feasible().kurtosis;
+  tell_kurtosis(tool, prescribed, kurtosis);
+  return Marginal{std::move(translation), prescribed.skewness, kurtosis};
+}
+
+}  // namespace
+
+void MarginalOptions::declare(Tool& tool) {
+  const std::string group = "Heights";
+  tool.number("--skewness", skewness, "Skewness of the heights; negative where valleys are deep", group);
+  tool.number(
+      "--kurtosis", kurtosis,
+      "Kurtosis of the heights, 3 for a Gaussian, above SKEWNESS^2 + 1; absent: 3 + 1.5 SKEWNESS^2, that "
+      "of the gamma family. Far below that the heights are J-shaped or have two peaks, which is said",
+      group);
+  tool.text(
+      "--marginal", marginal, "NAME|FILE",
+      "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone takes "
+      "those that asperity-acf found with --acf; measured, the quantiles of --acf by asperity-acf "
+      "--quantiles; or that of FILE: the heights of a dataset or a text, or, as by johnson, the Ssk and Sku "
+      "of a table of asperity-stats",
+      group);
+}
+
+std::string MarginalOptions::given(const Tool& tool) {
+  for (const char* option : {"skewness", "kurtosis", "marginal"})
+    if (tool.given(std::string("--") + option)) return option;
+  return {};
+}
+
+bool MarginalOptions::chosen_by_moments(const Tool& tool) const {
+  const bool given = tool.given("--skewness") || tool.given("--kurtosis");
+  if (given && tool.given("--marginal") && marginal != "johnson")
+    throw UsageError(tool.given("--skewness") ? "skewness" : "kurtosis",
+                     "does not go together with --marginal " + marginal);
+  return given;
+}
+
+std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, const HeightsWithAcf& table,
+                                                          Infeasible answer) const {
+  if (chosen_by_moments(tool))
+    return PrescribedHeights{skewness, tool.given("--kurtosis") ? kurtosis : gamma_kurtosis(skewness),
+                             answer};
+  if (marginal == "gaussian") return std::nullopt;
+  if (marginal != "johnson")
+    throw UsageError("marginal",
+                     marginal + ": --method filter takes moments alone, --skewness and --kurtosis");
+  if (std::isnan(table.skewness) || std::isnan(table.kurtosis))
+    throw UsageError("marginal", "johnson: takes --skewness and --kurtosis, or --acf from asperity-acf");
+  return PrescribedHeights{table.skewness, table.kurtosis, answer};
+}
+
+std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsWithAcf& table,
+                                                Infeasible answer) const {
+  if (chosen_by_moments(tool) || marginal == "gaussian" || marginal == "johnson") {
+    const auto prescribed = moments(tool, table, answer);
+    return prescribed ? johnson(tool, *prescribed) : std::nullopt;
+  }
+  if (marginal == "measured") {
+    if (!table.measured) throw UsageError("marginal", "measured: takes --acf from asperity-acf --quantiles");
+    return Marginal::of(*table.measured);
+  }
+  if (marginal == "-" && stdin_is_terminal())
+    throw UsageError("marginal", "no input: pipe heights in or name a file");
+  tool.reads(marginal);
+  const Bytes bytes = read_all(marginal, tool.memory_bound());
+  if (const auto found = moments_in(bytes)) return johnson(tool, {found->skewness, found->kurtosis, answer});
+  return Marginal::of(MeasuredHeights::of(heights_in(bytes, marginal, tool.memory_bound())));
+}
+
+void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {
+  if (std::abs(kurtosis - prescribed.kurtosis) > 1e-6 * kurtosis)
+    tool.warn("no heights of skewness " + shortest(prescribed.skewness) + " have the kurtosis " +
+              shortest(prescribed.kurtosis) + " in this way; " + number(kurtosis) + " takes its place");
+}
+
+}  // namespace asperity::cli
