@@ -41,7 +41,7 @@ std::string version() { return ASPERITY_VERSION; }
 
 std::string source() { return "Asperity " + version() + " (" + libraries() + ")"; }
 
-std::string quoted(const std::string& argument) {
+std::string shell_word(const std::string& argument) {
   const bool plain = !argument.empty() && argument.find_first_not_of(
                                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                               "0123456789-_=+./,:@%") == std::string::npos;

@@ -17,7 +17,7 @@ std::string source();
 std::string version();
 
 /// An argument as a shell would need it.
-std::string quoted(const std::string& argument);
+std::string shell_word(const std::string& argument);
 /// The seconds since 1970 that SOURCE_DATE_EPOCH asks for, where it is set. Throws ParameterError("SOURCE_DATE_EPOCH", …)
 /// unless they are a whole number from 0 on within the year 9999.
 std::optional<std::time_t> source_date();

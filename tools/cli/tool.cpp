@@ -100,7 +100,7 @@ void Tool::parse(int argc, char** argv) {
   app_.footer(footer());
   arguments_.assign(argv + 1, argv + argc);
   command_line_ = name_;
-  for (const std::string& a : arguments_) command_line_ += " " + quoted(a);
+  for (const std::string& a : arguments_) command_line_ += " " + shell_word(a);
   environment_ = environment();
   refuse_empty_values();
   std::vector<std::string> all = with_empty_values(environment_);

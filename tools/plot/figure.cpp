@@ -153,10 +153,10 @@ void Figure::panel(std::size_t number, const std::string& label) {
   script.line("set bmargin at screen {}\nset tmargin at screen {}", screen_y(y0),
               screen_y(y0 + panel_height_));
   if (sheet_.comparison)
-    script.line("set label {} at screen {},{} center noenhanced", quoted(label),
+    script.line("set label {} at screen {},{} center noenhanced", gnuplot_string(label),
                 screen_x(x0 + 0.5 * panel_width_), screen_y(y0 + panel_height_ + 0.8 * em_));
   if (is_last() && !title_.empty())
-    script.line("set label {} at screen {},{} center noenhanced", quoted(title_),
+    script.line("set label {} at screen {},{} center noenhanced", gnuplot_string(title_),
                 screen_x(left_ + 0.5 * panels_wide()), screen_y(static_cast<double>(pixels_.ny) - 1.3 * em_));
 }
 
@@ -165,7 +165,7 @@ void Figure::x_axis(Range given, const std::string& label) {
   const double most = std::max(2.0, em_wide() / 3.2);
   script.line("set xrange [{}:{}]", range.low, range.high);
   script.line("set xtics {} format '%g'", round_step(range.width(), most));
-  script.line("set label {} {} at screen {},{} center noenhanced", x_label_tag, quoted(label),
+  script.line("set label {} {} at screen {},{} center noenhanced", x_label_tag, gnuplot_string(label),
               screen_x(panel_x_ + 0.5 * panel_width_), screen_y(panel_y_ - (sheet_.bottom - 0.8) * em_));
   if (sheet_.comparison && panel_ + sheet_.columns < sheet_.panels)
     script.line("set xtics format ''\nunset label {}", x_label_tag);
@@ -176,7 +176,7 @@ void Figure::y_axis(Range given, const std::string& label, bool downwards) {
   const double most = std::max(2.0, em_high() / 1.8);
   script.line("set yrange [{}:{}]", downwards ? range.high : range.low, downwards ? range.low : range.high);
   script.line("set ytics {} format '%g'", round_step(range.width(), std::min(most, 8.0)));
-  script.line("set label {} {} at screen {},{} rotate by 90 center noenhanced", y_label_tag, quoted(label),
+  script.line("set label {} {} at screen {},{} rotate by 90 center noenhanced", y_label_tag, gnuplot_string(label),
               screen_x(panel_x_ - (sheet_.left - 0.9) * em_), screen_y(panel_y_ + 0.5 * panel_height_));
   if (sheet_.comparison && panel_ % sheet_.columns > 0)
     script.line("set ytics format ''\nunset label {}", y_label_tag);
@@ -202,7 +202,7 @@ void Figure::colour_bar(Range shown, const Unit& unit, const std::string& quanti
   script.line("set colorbox vertical user origin screen {},{} size screen {},{} front", screen_x(x),
               screen_y(middle - 0.5 * high), screen_x(bar_width * em_), screen_y(high));
   script.line("set cbtics {} format '%g' scale 0.5", step);
-  script.line("set label {} at screen {},{} rotate by 90 center noenhanced", quoted(unit.label(quantity)),
+  script.line("set label {} at screen {},{} rotate by 90 center noenhanced", gnuplot_string(unit.label(quantity)),
               screen_x(label_x), screen_y(middle));
 }
 
@@ -221,7 +221,7 @@ void Figure::legend_line(const LegendLine& line, double y) {
   double x =
       length <= wide ? left_ + 0.5 * (wide - length) : 0.5 * (static_cast<double>(pixels_.nx) - length);
   for (const LegendEntry& e : line) {
-    script.line("set label {} at screen {},{} left noenhanced", quoted(e.name),
+    script.line("set label {} at screen {},{} left noenhanced", gnuplot_string(e.name),
                 screen_x(x + key_length * em_), screen_y(y));
     legend_key(e, x, y);
     x += (length_of(e) + legend_gap) * em_;

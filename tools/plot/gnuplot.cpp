@@ -151,7 +151,7 @@ void Script::draw(std::string_view verb, const std::vector<Layer>& layers) {
 }
 
 // After \056 gnuplot takes a further digit for one more of the number.
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
   std::string out = "\"";
   bool as_number = false;
   for (const char c : one_line(text)) {

@@ -1,7 +1,7 @@
 /// Pictures through gnuplot, the only door to that program.
 ///
 /// A script is text with the numbers of each plot inline, as doubles in binary: nothing is rounded, nothing
-/// passes through a shell or a named file. User's text enters only through quoted(), whose digits leave gnuplot nothing to
+/// passes through a shell or a named file. User's text enters only through gnuplot_string(), whose digits leave gnuplot nothing to
 /// read a command, a macro or the end of a string from, and without enhanced text.
 ///
 /// T. Williams, C. Kelley et al., gnuplot 5.4: an interactive plotting program (2020).
@@ -50,7 +50,7 @@ class Script {
 
 /// Text as a gnuplot string in double quotes, one line of UTF-8 (grid/words.hpp): of ASCII all but letters, blanks and most digits by
 /// their octal numbers. (In single quotes gnuplot 5.4 misreads a pair of them at either end.)
-std::string quoted(std::string_view text);
+std::string gnuplot_string(std::string_view text);
 
 struct Picture {
   std::string bytes;

@@ -57,7 +57,7 @@ std::string tics(Range values, double step, double scale, const Unit& unit) {
   }
   std::string out;
   for (const double v : at)
-    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", quoted(brief(v)), v * unit.factor * scale);
+    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", gnuplot_string(brief(v)), v * unit.factor * scale);
   return out;
 }
 
@@ -133,10 +133,10 @@ void set_axes(Figure& figure, const Relief& relief, const Patch& p, bool first) 
   const double step = round_step(p.y.width() / unit, 4), corner = (p.y.low + 0.06 * p.y.width()) / unit;
   script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
   script.line("set ztics ({})", tics(relief.values, step_of_heights(figure, relief, p), scale, relief.value));
-  script.line("set xlabel {} noenhanced offset 0,-0.3", quoted(relief.length.label("x")));
-  script.line("set ylabel {} noenhanced offset 0,-0.3", quoted(relief.length.label("y")));
+  script.line("set xlabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("x")));
+  script.line("set ylabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("y")));
   script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
-              quoted(first ? relief.value.label(relief.quantity.name) : ""));
+              gnuplot_string(first ? relief.value.label(relief.quantity.name) : ""));
 }
 
 }  // namespace
