@@ -81,7 +81,7 @@ TEST_CASE("heights are coloured evenly about their mean, pressures from zero", "
 
 // In single quotes, doubled inside, gnuplot misread a text that begins or ends with one.
 TEST_CASE("a quoted text ends where its quote ends, whatever it holds", "[gnuplot][contract]") {
-  CHECK(quoted("it's `date` \"x\" \\") == R"("it\047s \140date\140 \042x\042 \134")");
-  CHECK(quoted("a\nset output 'x'") == R"("a set output \047x\047")");
-  CHECK(quoted("17 37.58 u") == R"("17 37\056\065\070 u")");
+  CHECK(gnuplot_string("it's `date` \"x\" \\") == R"("it\047s \140date\140 \042x\042 \134")");
+  CHECK(gnuplot_string("a\nset output 'x'") == R"("a set output \047x\047")");
+  CHECK(gnuplot_string("17 37.58 u") == R"("17 37\056\065\070 u")");
 }
