@@ -114,7 +114,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
   SweepDoubts in_doubt;
   int code = cli::done, number = 0;
   warn(tool, doubts(scene.grid, options.bodies));
-  press_in_turn(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
+  solve_load_sequence(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
     ++number;
     account.next();
     table.rows.push_back(cli::load_row(c));

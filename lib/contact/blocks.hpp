@@ -18,6 +18,14 @@ struct Block {
 
   auto of(const Field& f) const { return Eigen::Map<const Eigen::ArrayXd>(f.data() + begin, size); }
   auto of(Field& f) const { return Eigen::Map<Eigen::ArrayXd>(f.data() + begin, size); }
+  template <class T>
+  auto of(const std::vector<T>& v) const {
+    return Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>(v.data() + begin, size);
+  }
+  template <class T>
+  auto of(std::vector<T>& v) const {
+    return Eigen::Map<Eigen::Array<T, Eigen::Dynamic, 1>>(v.data() + begin, size);
+  }
 };
 
 /// Blocks of `cells` cells; how many depends on nothing else.

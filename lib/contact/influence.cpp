@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "transform/convolution.hpp"
 
@@ -96,10 +97,13 @@ class HalfSpace final : public ElasticOperator {
   std::shared_ptr<ElasticOperator> windowed(Shape least) override {
     const Shape torus = padded_torus(least);
     const Grid window{{torus.nx / 2, torus.ny / 2}, grid_.dx, grid_.dy};
-    if (4 * torus.cells() > 3 * padded_torus(shape()).cells() || !covers(shape(), window.shape))
+    auto exceeds = [](Shape a, double share, Shape b) {
+      return static_cast<double>(a.cells()) > share * static_cast<double>(b.cells());
+    };
+    if (exceeds(torus, calibration::largest_window, padded_torus(shape())) || !covers(shape(), window.shape))
       return nullptr;
     if (window_ && covers(window_->shape(), least) &&
-        2 * window_->shape().cells() <= 3 * window.shape.cells())
+        !exceeds(window_->shape(), calibration::shared_window, window.shape))
       return window_;
     setup_ = setup_seconds();
     return window_ = std::make_shared<HalfSpace>(window, modulus_, threads_, work_);

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "contact/calibration.hpp"
 #include "core/parallel.hpp"
 
 namespace asperity {
 
 bool can_coarsen(Shape shape) {
-  constexpr Index least = 32;
-  return shape.nx % 2 == 0 && shape.ny % 2 == 0 && std::min(shape.nx, shape.ny) / 2 >= least;
+  return shape.nx % 2 == 0 && shape.ny % 2 == 0 &&
+         std::min(shape.nx, shape.ny) / 2 >= calibration::least_side;
 }
 
 ContactProblem coarsened(const ContactProblem& problem) {

@@ -1,6 +1,7 @@
 #include "contact/stiffness.hpp"
 
-#include "contact/guarded.hpp"
+#include "contact/counted_operator.hpp"
+#include "contact/subspace_cg.hpp"
 
 namespace asperity {
 namespace {
@@ -21,8 +22,7 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   ContactProblem problem{
       .h = Field::Zero(pressure.rows(), pressure.cols()), .cap = limit_pressure, .threads = threads};
   const Field& none = problem.h;
-  Face free;
-  free.set(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
+  const FreeSet free(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
   if (free.cells == 0) return {.value = 0, .residual = 0};
   CountedOperator counted(body);
   if (free.cells == static_cast<double>(pressure.size()) && !answers_constant(counted, shape_of(pressure)))
@@ -30,14 +30,13 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
 
   problem.approach = 1;  // of K q
   Trial trial;
-  FaceGradients gradients(counted, problem, trial);
-  gradients.begin(free, none, none);
-  while (gradients.largest() > stiffness_tolerance / 2 && counted.convolutions < convolutions &&
-         gradients.step()) {
+  SubspaceCG cg(counted, problem, free, none, none, trial);
+  while (cg.residual().largest > stiffness_tolerance / 2 && counted.convolutions < convolutions &&
+         cg.step()) {
   }
   counted.apply(trial.p, trial.g);
-  gradients.begin(free, trial.p, trial.g);  // looks at the fresh u
-  Stiffness out{.residual = gradients.largest(),
+  const SubspaceCG fresh(counted, problem, free, trial.p, trial.g, trial);
+  Stiffness out{.residual = fresh.residual().largest,
                 .convolutions = counted.convolutions,
                 .preconditionings = counted.preconditionings};
   if (out.residual <= stiffness_tolerance)
