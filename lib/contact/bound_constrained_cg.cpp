@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "contact/calibration.hpp"
-#include "contact/counted_operator.hpp"
 #include "contact/projection.hpp"
 #include "contact/stagnation.hpp"
 #include "contact/subspace_cg.hpp"
@@ -16,13 +15,16 @@ namespace {
 using namespace calibration;
 
 // The iterate, and what the steps to the next one work with.
-struct Iteration {
-  CountedOperator influence;
+struct Iteration : ContactSolution {
+  ElasticOperator& influence;
   ContactProblem& problem;
-  Field p, g;  // g = h + K p
-  ContactResidual residual = {};
   int updates = 0;  // of g by recurrence
   Trial trial = {};
+
+  void apply(const Field& pressure, Field& displacement) {
+    ++convolutions;
+    influence.apply(pressure, displacement);
+  }
 };
 
 // Projected gradient steps to come.
@@ -39,7 +41,7 @@ GradientSteps gradient_steps(const ContactProblem& problem, int count) {
 // g = h + K p, the load restored to round-off first.
 void refresh(Iteration& x) {
   clip_and_rescale(x.problem, x.p);
-  x.influence.apply(x.p, x.g);
+  x.apply(x.p, x.g);
   x.g += x.problem.h;
   x.updates = 0;
 }
@@ -55,7 +57,7 @@ void scale_to_least_energy(Iteration& x) {
 }
 
 Iteration first_iterate(ElasticOperator& influence, ContactProblem& problem, ContactStart start) {
-  Iteration x{CountedOperator(influence), problem, std::move(start.p), std::move(start.g)};
+  Iteration x{{std::move(start.p), std::move(start.g)}, influence, problem};
   if (x.g.size() > 0) return x;
   if (!clip_and_rescale(problem, x.p)) project(problem, x.p);
   refresh(x);
@@ -78,7 +80,7 @@ std::optional<ContactStop> end(const Iteration& x, double tolerance, double conv
   if (x.residual.epsilon <= tolerance) return ContactStop::converged;
   const int rounds = gain.add(x.residual.epsilon);
   if (gain.mark() < round_off_floor && rounds > rounds_without_gain) return ContactStop::round_off;
-  if (x.influence.convolutions >= convolutions) return ContactStop::convolution_limit;
+  if (x.convolutions >= convolutions) return ContactStop::convolution_limit;
   return {};
 }
 
@@ -91,7 +93,7 @@ struct Line {
 Line line_to_trial(Iteration& x) {
   Trial& trial = x.trial;
   trial.d = trial.p - x.p;
-  x.influence.apply(trial.d, trial.q);
+  x.apply(trial.d, trial.q);
   const Eigen::Array2d sums = x.problem.blocks().sum([&](Block b) {
     const auto d = b.of(trial.d);
     return Eigen::Array2d(((b.of(x.g) - x.residual.approach) * d).sum(), (d * b.of(trial.q)).sum());
@@ -153,6 +155,8 @@ int subspace_step(Iteration& x, double tolerance) {
   if (free.cells < (x.problem.approach ? 1 : 2)) return steps_at_start;
   SubspaceCG cg(x.influence, x.problem, free, x.p, x.g, x.trial);
   minimise(cg, goal * tolerance * x.residual.scale);
+  x.convolutions += cg.applications();
+  x.preconditionings += cg.applications();
   if (cg.steps() == 0) return steps_after_failure;
   if (cg.out_of_bounds()) return guarded_step(x);
   std::swap(x.p, x.trial.p);
@@ -171,16 +175,12 @@ ContactSolution minimise(ElasticOperator& influence, ContactProblem& problem, Co
   while (true) {
     if (x.updates >= updates_of_gap) refresh(x);
     evaluate(x);
-    if (observe) observe(x.residual, x.influence.convolutions);
-    if (const auto stop = end(x, tolerance, convolutions, gain))
-      return {std::move(x.p),
-              std::move(x.g),
-              x.updates == 0,
-              x.residual,
-              *stop,
-              static_cast<double>(x.influence.convolutions),
-              static_cast<double>(x.influence.preconditionings)};
-
+    if (observe) observe(x.residual, x.convolutions);
+    if (const auto stop = end(x, tolerance, convolutions, gain)) {
+      x.stop = *stop;
+      x.fresh = x.updates == 0;
+      return x;
+    }
     if (gradient.left > 0) {
       gradient_step(x, gradient);
     } else if (halving.add(x.residual.epsilon) >= rounds_to_halve) {

@@ -43,7 +43,7 @@ struct ContactSolution {
   Field p;            ///< [Pa]
   Field g;            ///< h + K p [m]
   bool fresh = true;  ///< g comes from one convolution, not from recurrences
-  ContactResidual residual;
+  ContactResidual residual = {};
   ContactStop stop = ContactStop::converged;
   double convolutions = 0, preconditionings = 0;  ///< applications of K and of M
 };

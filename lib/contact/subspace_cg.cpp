@@ -75,6 +75,7 @@ SubspaceResidual SubspaceCG::residual(Block b) {
 
 bool SubspaceCG::step() {
   const Blocks blocks = problem_.blocks();
+  ++applications_;
   influence_.precondition(trial_.q, trial_.q);
   const Sums z = blocks.sum([&, level = mean_gap_](Block b) {
     const auto in_set = b.of(free_.mask);

@@ -61,6 +61,8 @@ class SubspaceCG {
   bool step();
 
   int steps() const { return steps_; }
+  /// Of K, and as many of M: a step that is refused has taken them too.
+  int applications() const { return applications_; }
   const SubspaceResidual& residual() const { return residual_; }
   /// Whether a pressure is out of its bounds.
   bool out_of_bounds() const;
@@ -80,7 +82,7 @@ class SubspaceCG {
   Trial& trial_;
   double mean_gap_, zr_old_ = 1;
   SubspaceResidual residual_;
-  int steps_ = 0;
+  int steps_ = 0, applications_ = 0;
 };
 
 }  // namespace asperity
