@@ -1,6 +1,7 @@
 /// The scenes of the contact tests.
 #pragma once
 
+#include <limits>
 #include <numbers>
 
 #include "contact/bodies.hpp"
@@ -12,14 +13,22 @@
 namespace asperity::test {
 
 inline constexpr double pi = std::numbers::pi;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two steel spheres: p₀ = 2724.3224 MPa, a = 0.9361090 mm, δ = 35.052006 µm under 5000 N.
 inline const Bodies spheres{.radius = {50e-3, 50e-3}};
 inline constexpr double load = 5000;
+/// A limit pressure between Hertz's and that of rough peaks [Pa].
+inline constexpr double limit = 3.6e9;
 inline const double modulus = spheres.composite_modulus();
 
 inline Grid square(Index n, double side = 3e-3) {
   return {{n, n}, side / static_cast<double>(n), side / static_cast<double>(n)};
+}
+
+inline Grid periodic(Grid grid) {
+  grid.periodic = true;
+  return grid;
 }
 
 /// Forty random waves of 1 to 16 periods a side, amplitudes falling as 1/k; unit rms, periodic.

@@ -9,8 +9,6 @@ using namespace asperity::test;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Contact press_stiff(const Grid& grid, const Field& gap, ContactParameters parameters) {
   parameters.stiffness = true;
   parameters.tolerance = std::min(parameters.tolerance, 1e-10);
@@ -19,11 +17,6 @@ Contact press_stiff(const Grid& grid, const Field& gap, ContactParameters parame
 
 Contact sink_stiff(const Grid& grid, const Field& gap, double approach, double limit) {
   return press_stiff(grid, gap, {.approach = approach, .limit_pressure = limit, .tolerance = 1e-12});
-}
-
-Grid periodic(Grid grid) {
-  grid.periodic = true;
-  return grid;
 }
 
 struct Scene {
