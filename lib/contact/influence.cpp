@@ -7,19 +7,13 @@
 
 #include "contact/calibration.hpp"
 #include "core/stopwatch.hpp"
+#include "math/asinh_difference.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-// asinh((y+b)/|w|) - asinh((y-b)/|w|), without cancellation where both have one sign.
-double asinh_difference(double w, double y, double b) {
-  const double above = y + b, below = y - b;
-  if (above * below <= 0) return std::asinh(above / std::abs(w)) - std::asinh(below / std::abs(w));
-  return std::asinh(4 * b * y / (above * std::hypot(below, w) + below * std::hypot(above, w)));
-}
 
 double edge(double w, double y, double b) { return w == 0 ? 0 : w * asinh_difference(w, y, b); }
 
