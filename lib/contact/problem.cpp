@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What one pass over p and g collects.
-struct Extent {
+struct Totals {
   double sum = 0;                                 // Σp
   double free_gap = 0;                            // Σ g over the free cells
   double lowest_open = infinity;                  // min g over p = 0
@@ -22,7 +22,7 @@ struct Extent {
   double max_pressure = 0;
   double free = 0, plastic = 0;  // cells
 
-  void operator+=(const Extent& other) {
+  void operator+=(const Totals& other) {
     sum += other.sum;
     free_gap += other.free_gap;
     lowest_open = std::min(lowest_open, other.lowest_open);
@@ -41,7 +41,7 @@ struct Extent {
   }
 };
 
-Extent extent(const ContactProblem& problem, const Field& p, const Field& g) {
+Totals totals(const ContactProblem& problem, const Field& p, const Field& g) {
   return problem.blocks().sum([&, cap = problem.cap](Block block) {
     const auto pb = block.of(p), gb = block.of(g), hb = block.of(problem.h);
     double sum = 0, free_gap = 0, free = 0, plastic = 0, max_pressure = 0;
@@ -61,7 +61,7 @@ Extent extent(const ContactProblem& problem, const Field& p, const Field& g) {
       highest = std::max(highest, u);
       max_pressure = std::max(max_pressure, pi);
     }
-    return Extent{sum, free_gap, lowest_open, highest_plastic, lowest, highest, max_pressure, free, plastic};
+    return Totals{sum, free_gap, lowest_open, highest_plastic, lowest, highest, max_pressure, free, plastic};
   });
 }
 
@@ -98,7 +98,7 @@ void check_carried(const char* name, double load, const Grid& grid, double cap) 
 }
 
 ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g) {
-  const Extent found = extent(problem, p, g);
+  const Totals found = totals(problem, p, g);
   ContactResidual out;
   out.approach = problem.approach ? *problem.approach : found.approach();
   out.scale = std::max(found.highest - found.lowest,

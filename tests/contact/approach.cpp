@@ -1,4 +1,3 @@
-#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;
@@ -34,12 +33,7 @@ Contact sink(const Case& c, double approach) {
 }
 
 std::string refusal(const Case& c, double approach) {
-  try {
-    sink(c, approach);
-  } catch (const ParameterError& error) {
-    return error.name + ": " + error.what();
-  }
-  return "";
+  return test::refusal([&] { sink(c, approach); });
 }
 
 }  // namespace

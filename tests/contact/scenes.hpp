@@ -8,6 +8,7 @@
 #include "contact/hertz.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 namespace asperity::test {
@@ -49,6 +50,15 @@ inline Field random_waves(Shape shape, unsigned seed) {
   }
   z -= z.mean();
   return z / std::sqrt(z.square().mean());
+}
+
+/// "name: words" of what refuses a call, or nothing.
+template <class Call>
+std::string refusal(Call call) try {
+  call();
+  return "";
+} catch (const ParameterError& error) {
+  return error.name + ": " + error.what();
 }
 
 inline Contact press(const Grid& grid, const Field& gap, ContactParameters parameters = {}) {

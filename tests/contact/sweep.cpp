@@ -1,7 +1,6 @@
 #include "contact/sweep.hpp"
 
 #include "contact/flattening.hpp"
-#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;
@@ -19,12 +18,7 @@ std::vector<Contact> sweep(const Grid& grid, const Field& gap, ContactParameters
 
 std::string refusal(const std::vector<double>& loads, ContactParameters parameters = {}) {
   const Grid grid = square(32);
-  try {
-    sweep(grid, undeformed_gap(grid, spheres), parameters, loads);
-  } catch (const ParameterError& error) {
-    return error.name;
-  }
-  return "";
+  return test::refusal([&] { sweep(grid, undeformed_gap(grid, spheres), parameters, loads); });
 }
 
 }  // namespace
@@ -54,11 +48,11 @@ TEST_CASE("loads pressed in turn end in the solutions of each alone, the first a
 
 TEST_CASE("loads that do not increase or that nothing carries are refused before the first",
           "[sweep][contract]") {
-  CHECK(refusal({10, 10}) == "loads");
-  CHECK(refusal({10, 5}) == "loads");
-  CHECK(refusal({10, INFINITY}) == "loads");
-  CHECK(refusal({10, 5000}, {.limit_pressure = 1e8}) == "loads");
-  CHECK(refusal({-1, 5}) == "load");
+  CHECK(refusal({10, 10}).starts_with("loads: "));
+  CHECK(refusal({10, 5}).starts_with("loads: "));
+  CHECK(refusal({10, INFINITY}).starts_with("loads: "));
+  CHECK(refusal({10, 5000}, {.limit_pressure = 1e8}).starts_with("loads: "));
+  CHECK(refusal({-1, 5}).starts_with("load: "));
   CHECK(refusal({10, 500}, {.limit_pressure = 1e8}).empty());
 }
 
