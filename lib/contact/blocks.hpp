@@ -33,8 +33,6 @@ class Blocks {
  public:
   Blocks(Index cells, int threads) : cells_(cells), threads_(cells < worth_a_thread ? 1 : threads) {}
 
-  Index cells() const { return cells_; }
-
   /// visit(block) returns the block's part; the parts are added by +=, in order.
   template <class Visit>
   auto sum(Visit visit) const {

@@ -6,7 +6,6 @@
 
 #include "contact/calibration.hpp"
 #include "contact/projection.hpp"
-#include "contact/stagnation.hpp"
 #include "contact/subspace_cg.hpp"
 
 namespace asperity {

@@ -25,6 +25,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
@@ -50,6 +51,25 @@ struct ContactSolution {
 
 /// Told of every round.
 using ContactObserver = std::function<void(const ContactResidual&, double convolutions)>;
+
+/// Counts the rounds since a number last fell below a share of its mark, which is then set to it.
+class Stagnation {
+ public:
+  explicit Stagnation(double share) : share_(share) {}
+
+  /// Of one more round.
+  int add(double value) {
+    if (!(value < share_ * mark_)) return ++rounds_;
+    restart(value);
+    return 0;
+  }
+  void restart(double mark) { mark_ = mark, rounds_ = 0; }
+  double mark() const { return mark_; }
+
+ private:
+  double share_, mark_ = std::numeric_limits<double>::infinity();
+  int rounds_ = 0;
+};
 
 /// Ends at this ε, after about so many convolutions, or at round-off. Shifts the problem's datum where round-off
 /// demands it.

@@ -3,6 +3,8 @@
 /// Windows grow by union and margin, and are cut where the domain ends.
 #pragma once
 
+#include <algorithm>
+
 #include "core/extent.hpp"
 #include "core/field.hpp"
 
@@ -22,15 +24,37 @@ struct ContactWindow {
 inline ContactWindow whole(Shape shape) { return {{0, shape.nx}, {0, shape.ny}}; }
 
 /// The least window that holds both.
-ContactWindow united(const ContactWindow& a, const ContactWindow& b);
-/// More cells on each side, within the domain.
-ContactWindow widened(const ContactWindow& window, Index cells, Shape domain);
-/// About the same middle, larger, within the domain; `shape` covers the window's.
-ContactWindow enlarged(const ContactWindow& window, Shape shape, Shape domain);
+inline ContactWindow united(const ContactWindow& a, const ContactWindow& b) {
+  if (a.empty() || b.empty()) return a.empty() ? b : a;
+  auto along = [](Extent one, Extent other) -> Extent {
+    const Index first = std::min(one.first, other.first);
+    return {first, std::max(one.end(), other.end()) - first};
+  };
+  return {along(a.x, b.x), along(a.y, b.y)};
+}
 
-/// The least window that holds the cells where p > 0.
-ContactWindow contact_window(const Field& p);
-/// The least window that holds the cells where g < δ: whatever is not yet in contact wants to be.
-ContactWindow overlap_window(const Field& g, double approach);
+/// More cells on each side, within the domain.
+inline ContactWindow widened(const ContactWindow& window, Index cells, Shape domain) {
+  auto along = [cells](Extent held, Index n) -> Extent {
+    const Index first = std::max<Index>(held.first - cells, 0);
+    return {first, std::min(held.end() + cells, n) - first};
+  };
+  return {along(window.x, domain.nx), along(window.y, domain.ny)};
+}
+
+/// About the same middle, larger, within the domain; `shape` covers the window's.
+inline ContactWindow enlarged(const ContactWindow& window, Shape shape, Shape domain) {
+  auto along = [](Extent held, Index count, Index n) -> Extent {
+    return {std::clamp<Index>(held.first - (count - held.count) / 2, 0, n - count), count};
+  };
+  return {along(window.x, shape.nx, domain.nx), along(window.y, shape.ny, domain.ny)};
+}
+
+/// The least window of the cells where holds(value): p > 0, or g < δ, which wants to be in contact.
+template <class Holds>
+ContactWindow window_of(const Field& f, Holds holds) {
+  const auto [x, y] = extents(f, holds);
+  return {x, y};
+}
 
 }  // namespace asperity

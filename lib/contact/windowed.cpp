@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "contact/projection.hpp"
-#include "contact/stagnation.hpp"
 
 namespace asperity {
 namespace {
@@ -87,7 +86,8 @@ WindowedSolution minimise_on_window(ElasticOperator& influence, ContactProblem& 
                                     bool near, const WindowedLimits& limits, const ContactObserver& observe) {
   WindowedSolution x;
   x.p = pushed_back(problem, std::move(start));
-  x.body = body_around(contact_window(x.p), influence, problem, limits.margin_part);
+  x.body =
+      body_around(window_of(x.p, [](double p) { return p > 0; }), influence, problem, limits.margin_part);
   Stagnation gain(1);
   for (;; near = true) {
     minimise_on_body(influence, problem, near, limits, observe, x);
@@ -100,7 +100,8 @@ WindowedSolution minimise_on_window(ElasticOperator& influence, ContactProblem& 
     // At round-off the iteration may end far from its best: then it goes on for some rounds.
     const bool no_gain = gain.add(epsilon) > grid_rounds_without_gain;
     const bool exhausted = epsilon < round_off_floor && (x.stop == ContactStop::round_off || no_gain);
-    const ContactWindow contact = united(x.body.contact, overlap_window(x.g, x.residual.approach));
+    const auto overlaps = [approach = x.residual.approach](double g) { return g < approach; };
+    const ContactWindow contact = united(x.body.contact, window_of(x.g, overlaps));
     if (united(x.body.window, contact) != x.body.window) {
       x.body = body_around(contact, influence, problem, limits.margin_part);
     } else if (exhausted) {

@@ -39,12 +39,13 @@ Field two_peaks(const Grid& grid) {
 }  // namespace
 
 TEST_CASE("the least window of a contact holds its cells and no other row or column", "[window][exact]") {
+  const auto contact = [](double value) { return value > 0; };
   Field p = Field::Zero(9, 12);
-  CHECK(contact_window(p).empty());
+  CHECK(window_of(p, contact).empty());
   p(2, 7) = p(5, 4) = p(3, 9) = 1;
-  CHECK(contact_window(p) == ContactWindow{{2, 4}, {4, 6}});
-  CHECK(overlap_window(1 - p, 0.5) == ContactWindow{{2, 4}, {4, 6}});
-  CHECK(contact_window(Field::Ones(9, 12)) == whole({9, 12}));
+  CHECK(window_of(p, contact) == ContactWindow{{2, 4}, {4, 6}});
+  CHECK(window_of(1 - p, [](double gap) { return gap < 0.5; }) == ContactWindow{{2, 4}, {4, 6}});
+  CHECK(window_of(Field::Ones(9, 12), contact) == whole({9, 12}));
 }
 
 TEST_CASE("on a period the extent is of the fewest lines that hold all", "[window][exact]") {
