@@ -19,9 +19,9 @@ using namespace asperity;
 namespace {
 
 // How the solution goes on, for a terminal.
-class Account {
+class ProgressCounter {
  public:
-  Account(const cli::Tool& tool, const cli::ContactOptions& options)
+  ProgressCounter(const cli::Tool& tool, const cli::ContactOptions& options)
       : progress_(tool),
         rounds_(tool, {"grid", "convolutions", "residual", "area [mm2]", "greatest [MPa]"}),
         tolerance_(options.contact.tolerance),
@@ -105,7 +105,7 @@ int press(cli::Tool& tool, const cli::ContactOptions& options) {
   return told_exit(tool, options, contact, "");
 }
 
-int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account) {
+int sweep(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& counter) {
   const cli::ContactScene scene = cli::read_scene(tool, options);
   const auto influence =
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
@@ -114,19 +114,20 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, Account& account)
   SweepDoubts in_doubt;
   int code = cli::done, number = 0;
   warn(tool, doubts(scene.grid, options.bodies));
-  press_in_turn(scene.grid, scene.gap, *influence, options.contact, options.loads, [&](const Contact& c) {
-    ++number;
-    account.next();
-    table.rows.push_back(cli::load_row(c));
-    const std::string load = cli::format_quantity(c.load, "N");
-    in_doubt.add(tool, doubts(scene.grid, options.bodies, c), load);
-    code = std::max(code, told_exit(tool, options, c, load + ": "));
-    if (options.each.empty()) return;
-    cli::ContactScene one = scene;
-    cli::record(one, options, c);
-    if (number == 1) before.tell(tool, one.data, "pressure");
-    tool.write(one.data, cli::numbered("each", options.each, number));
-  });
+  solve_load_sequence(scene.grid, scene.gap, *influence, options.contact, options.loads,
+                      [&](const Contact& c) {
+                        ++number;
+                        counter.next();
+                        table.rows.push_back(cli::load_row(c));
+                        const std::string load = cli::format_quantity(c.load, "N");
+                        in_doubt.add(tool, doubts(scene.grid, options.bodies, c), load);
+                        code = std::max(code, told_exit(tool, options, c, load + ": "));
+                        if (options.each.empty()) return;
+                        cli::ContactScene one = scene;
+                        cli::record(one, options, c);
+                        if (number == 1) before.tell(tool, one.data, "pressure");
+                        tool.write(one.data, cli::numbered("each", options.each, number));
+                      });
   cli::print(tool, table);
   in_doubt.tell(tool);
   return code;
@@ -149,9 +150,9 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     options.check(tool);
-    Account account(tool, options);
+    ProgressCounter counter(tool, options);
     if (tool.verbose() || tool.shows_progress())
-      options.contact.progress = [&](const ContactProgress& p) { account.add(p); };
-    return options.sweeps() ? sweep(tool, options, account) : press(tool, options);
+      options.contact.progress = [&](const ContactProgress& p) { counter.add(p); };
+    return options.sweeps() ? sweep(tool, options, counter) : press(tool, options);
   });
 }

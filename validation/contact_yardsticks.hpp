@@ -4,7 +4,7 @@
 /// off, let cells that overlap back in, and rescale. g follows by recurrence where nothing was cut, so that most
 /// steps take one application of K (theirs take two). With a limit pressure the cut is made there too.
 ///
-/// The spectral projected gradient [2] is what contact/guarded.hpp falls back on, here alone: one application of K a
+/// The spectral projected gradient [2] is what contact/bound_constrained_cg.hpp falls back on, here alone: one application of K a
 /// step.
 ///
 /// [1] I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219.

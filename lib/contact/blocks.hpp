@@ -18,14 +18,20 @@ struct Block {
 
   auto of(const Field& f) const { return Eigen::Map<const Eigen::ArrayXd>(f.data() + begin, size); }
   auto of(Field& f) const { return Eigen::Map<Eigen::ArrayXd>(f.data() + begin, size); }
+  template <class T>
+  auto of(const std::vector<T>& v) const {
+    return Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>(v.data() + begin, size);
+  }
+  template <class T>
+  auto of(std::vector<T>& v) const {
+    return Eigen::Map<Eigen::Array<T, Eigen::Dynamic, 1>>(v.data() + begin, size);
+  }
 };
 
 /// Blocks of `cells` cells; how many depends on nothing else.
 class Blocks {
  public:
   Blocks(Index cells, int threads) : cells_(cells), threads_(cells < worth_a_thread ? 1 : threads) {}
-
-  Index cells() const { return cells_; }
 
   /// visit(block) returns the block's part; the parts are added by +=, in order.
   template <class Visit>

@@ -26,7 +26,7 @@ inline constexpr double hardness = 3;
 inline Field plastic_flattening(const Contact& contact) {
   Field out = (-contact.gap).max(0.0);
   for (Index i = 0; i < out.size(); ++i)
-    if (contact.state[static_cast<std::size_t>(i)] != Contact::at_limit) out.data()[i] = 0;
+    if (contact.state[static_cast<std::size_t>(i)] != Contact::plastic) out.data()[i] = 0;
   return out;
 }
 

@@ -5,20 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/calibration.hpp"
 #include "core/stopwatch.hpp"
+#include "math/asinh_difference.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-// asinh((y+b)/|w|) - asinh((y-b)/|w|), without cancellation where both have one sign.
-double asinh_difference(double w, double y, double b) {
-  const double above = y + b, below = y - b;
-  if (above * below <= 0) return std::asinh(above / std::abs(w)) - std::asinh(below / std::abs(w));
-  return std::asinh(4 * b * y / (above * std::hypot(below, w) + below * std::hypot(above, w)));
-}
 
 double edge(double w, double y, double b) { return w == 0 ? 0 : w * asinh_difference(w, y, b); }
 
@@ -70,36 +65,62 @@ Field love_symbol(const Grid& grid, Shape torus, double composite_modulus, int t
       threads);
 }
 
-// A torus about as large as the field, for nearest images.
-Shape unpadded_torus(Shape field) { return {fast_length(field.nx, 2), fast_length(field.ny, 2)}; }
+// |q| of (3).
+Field wave_numbers(const Grid& grid) {
+  const double qx = 2 * pi / grid.size_x(), qy = 2 * pi / grid.size_y();
+  return Field::NullaryExpr(grid.shape.nx / 2 + 1, grid.shape.ny / 2 + 1, [=](Index i, Index j) {
+    return std::hypot(qx * static_cast<double>(i), qy * static_cast<double>(j));
+  });
+}
+
+// The mean of 1/|q| over the torus, 0 at q = 0: the displacement of a cell under itself.
+double mean_inverse(const Field& q, Shape torus) {
+  auto images = [](Index k, Index n) { return k == 0 || 2 * k == n ? 1.0 : 2.0; };
+  double sum = 0;
+  for (Index i = 0; i < q.rows(); ++i)
+    for (Index j = 0; j < q.cols(); ++j)
+      if (q(i, j) > 0) sum += images(i, torus.nx) * images(j, torus.ny) / q(i, j);
+  return sum / static_cast<double>(torus.cells());
+}
+
+double self_influence_of(const Grid& grid, double modulus) {
+  return grid.periodic ? 2 / modulus * mean_inverse(wave_numbers(grid), grid.shape)
+                       : love_integral(0, 0, grid.dx / 2, grid.dy / 2) / (pi * modulus);
+}
 
 using WorkSpace = std::shared_ptr<HalfSpectrum>;
 
 class HalfSpace final : public ElasticOperator {
  public:
   HalfSpace(const Grid& grid, double modulus, int threads, WorkSpace work)
-      : grid_(grid), modulus_(modulus), threads_(threads), work_(std::move(work)) {}
+      : grid_(grid),
+        modulus_(modulus),
+        self_(self_influence_of(grid, modulus)),
+        threads_(threads),
+        work_(std::move(work)) {}
 
   Shape shape() const override { return grid_.shape; }
   void apply(const Field& p, Field& u) override { made(influence_, &HalfSpace::influence).apply(p, u); }
   void precondition(const Field& r, Field& z) override { made(inverse_, &HalfSpace::inverse).apply(r, z); }
-  double self_influence() const override {
-    return love_integral(0, 0, grid_.dx / 2, grid_.dy / 2) / (pi * modulus_);
-  }
+  double self_influence() const override { return self_; }
   double setup_seconds() const override { return setup_ + (window_ ? window_->setup_seconds() : 0); }
 
   std::unique_ptr<ElasticOperator> coarsened() const override {
-    const Grid coarse{{shape().nx / 2, shape().ny / 2}, 2 * grid_.dx, 2 * grid_.dy};
+    const Grid coarse{{shape().nx / 2, shape().ny / 2}, 2 * grid_.dx, 2 * grid_.dy, grid_.periodic};
     return std::make_unique<HalfSpace>(coarse, modulus_, threads_, work_);
   }
 
   std::shared_ptr<ElasticOperator> windowed(Shape least) override {
+    if (grid_.periodic) return nullptr;
     const Shape torus = padded_torus(least);
     const Grid window{{torus.nx / 2, torus.ny / 2}, grid_.dx, grid_.dy};
-    if (4 * torus.cells() > 3 * padded_torus(shape()).cells() || !covers(shape(), window.shape))
+    auto exceeds = [](Shape a, double share, Shape b) {
+      return static_cast<double>(a.cells()) > share * static_cast<double>(b.cells());
+    };
+    if (exceeds(torus, calibration::largest_window, padded_torus(shape())) || !covers(shape(), window.shape))
       return nullptr;
     if (window_ && covers(window_->shape(), least) &&
-        2 * window_->shape().cells() <= 3 * window.shape.cells())
+        !exceeds(window_->shape(), calibration::shared_window, window.shape))
       return window_;
     setup_ = setup_seconds();
     return window_ = std::make_shared<HalfSpace>(window, modulus_, threads_, work_);
@@ -119,76 +140,33 @@ class HalfSpace final : public ElasticOperator {
     return *convolution;
   }
 
+  Convolution convolution(Shape torus, const Field& symbol) const {
+    return std::make_unique<EvenConvolution>(shape(), torus, symbol, threads_, work_);
+  }
+
   Convolution influence() const {
+    if (grid_.periodic) {
+      const Field q = wave_numbers(grid_);
+      return convolution(shape(), (q > 0).select(2 / (modulus_ * q), 0));
+    }
     const Shape torus = padded_torus(shape());
-    return std::make_unique<EvenConvolution>(shape(), torus, symbol(torus), threads_, work_);
+    return convolution(torus, love_symbol(grid_, torus, modulus_, threads_));
   }
 
-  // The symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
+  // Love's symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
   Convolution inverse() const {
-    const Shape torus = unpadded_torus(shape());
-    return std::make_unique<EvenConvolution>(
-        shape(), torus, symbol(torus).max(1e-3 * self_influence()).inverse(), threads_, work_);
+    if (grid_.periodic) return convolution(shape(), modulus_ / 2 * wave_numbers(grid_));
+    const Shape torus{fast_length(shape().nx, 2), fast_length(shape().ny, 2)};
+    return convolution(torus, love_symbol(grid_, torus, modulus_, threads_).max(1e-3 * self_).inverse());
   }
-
-  Field symbol(Shape torus) const { return love_symbol(grid_, torus, modulus_, threads_); }
 
   Grid grid_;
-  double modulus_;
+  double modulus_, self_;
   int threads_;
   WorkSpace work_;
   Convolution influence_, inverse_;
   std::shared_ptr<HalfSpace> window_;
   double setup_ = 0;
-};
-
-class PeriodicHalfSpace final : public ElasticOperator {
- public:
-  PeriodicHalfSpace(const Grid& grid, double composite_modulus, int threads)
-      : PeriodicHalfSpace(grid, composite_modulus, threads, wave_numbers(grid)) {}
-
-  Shape shape() const override { return grid_.shape; }
-  void apply(const Field& p, Field& u) override { influence_.apply(p, u); }
-  void precondition(const Field& r, Field& z) override { inverse_.apply(r, z); }
-  double self_influence() const override { return self_; }
-
-  std::unique_ptr<ElasticOperator> coarsened() const override {
-    const Grid coarse{{grid_.shape.nx / 2, grid_.shape.ny / 2}, 2 * grid_.dx, 2 * grid_.dy, true};
-    return std::make_unique<PeriodicHalfSpace>(coarse, modulus_, threads_);
-  }
-
- private:
-  PeriodicHalfSpace(const Grid& grid, double modulus, int threads, const Field& q)
-      : grid_(grid),
-        modulus_(modulus),
-        threads_(threads),
-        self_(2 / modulus * mean_inverse(q, grid.shape)),
-        influence_(grid.shape, grid.shape, (q > 0).select(2 / (modulus * q), 0), threads, work_),
-        inverse_(grid.shape, grid.shape, modulus / 2 * q, threads, work_) {}
-
-  static Field wave_numbers(const Grid& grid) {
-    const double qx = 2 * pi / grid.size_x(), qy = 2 * pi / grid.size_y();
-    return Field::NullaryExpr(grid.shape.nx / 2 + 1, grid.shape.ny / 2 + 1, [=](Index i, Index j) {
-      return std::hypot(qx * static_cast<double>(i), qy * static_cast<double>(j));
-    });
-  }
-
-  // The mean of 1/|q| over the torus, 0 at q = 0: the displacement of a cell under itself.
-  static double mean_inverse(const Field& q, Shape torus) {
-    auto images = [](Index k, Index n) { return k == 0 || 2 * k == n ? 1.0 : 2.0; };
-    double sum = 0;
-    for (Index i = 0; i < q.rows(); ++i)
-      for (Index j = 0; j < q.cols(); ++j)
-        if (q(i, j) > 0) sum += images(i, torus.nx) * images(j, torus.ny) / q(i, j);
-    return sum / static_cast<double>(torus.cells());
-  }
-
-  Grid grid_;
-  double modulus_;
-  int threads_;
-  double self_;
-  WorkSpace work_ = std::make_shared<HalfSpectrum>();
-  EvenConvolution influence_, inverse_;
 };
 
 }  // namespace
@@ -203,7 +181,6 @@ double love_integral(double x, double y, double a, double b) {
 }
 
 std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads) {
-  if (grid.periodic) return std::make_unique<PeriodicHalfSpace>(grid, composite_modulus, threads);
   return std::make_unique<HalfSpace>(grid, composite_modulus, threads, std::make_shared<HalfSpectrum>());
 }
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "contact/calibration.hpp"
 #include "core/parallel.hpp"
 
 namespace asperity {
 
 bool can_coarsen(Shape shape) {
-  constexpr Index least = 32;
-  return shape.nx % 2 == 0 && shape.ny % 2 == 0 && std::min(shape.nx, shape.ny) / 2 >= least;
+  return shape.nx % 2 == 0 && shape.ny % 2 == 0 &&
+         std::min(shape.nx, shape.ny) / 2 >= calibration::least_side;
 }
 
 ContactProblem coarsened(const ContactProblem& problem) {
@@ -20,8 +21,8 @@ ContactProblem coarsened(const ContactProblem& problem) {
   parallel_ranges(coarse.h.rows(), problem.threads, [&](Index begin, Index end, int) {
     for (Index i = begin; i < end; ++i)
       for (Index j = 0; j < coarse.h.cols(); ++j) {
-        const double *upper = &h(2 * i, 2 * j), *lower = &h(2 * i + 1, 2 * j);
-        coarse.h(i, j) = (upper[0] + upper[1] + lower[0] + lower[1]) / 4;
+        const auto four = h.block<2, 2>(2 * i, 2 * j);
+        coarse.h(i, j) = (four(0, 0) + four(0, 1) + four(1, 0) + four(1, 1)) / 4;
       }
   });
   return coarse;

@@ -3,61 +3,65 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
 namespace asperity {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What one pass over p and g collects.
-struct Extent {
+struct Totals {
   double sum = 0;                                 // Σp
   double free_gap = 0;                            // Σ g over the free cells
   double lowest_open = infinity;                  // min g over p = 0
-  double highest_limited = -infinity;             // max g over p = c
+  double highest_plastic = -infinity;             // max g over p = c
   double lowest = infinity, highest = -infinity;  // of u
   double max_pressure = 0;
-  double free = 0, at_limit = 0;  // cells
+  double free = 0, plastic = 0;  // cells
 
-  void operator+=(const Extent& other) {
+  void operator+=(const Totals& other) {
     sum += other.sum;
     free_gap += other.free_gap;
     lowest_open = std::min(lowest_open, other.lowest_open);
-    highest_limited = std::max(highest_limited, other.highest_limited);
+    highest_plastic = std::max(highest_plastic, other.highest_plastic);
     lowest = std::min(lowest, other.lowest);
     highest = std::max(highest, other.highest);
     max_pressure = std::max(max_pressure, other.max_pressure);
     free += other.free;
-    at_limit += other.at_limit;
+    plastic += other.plastic;
   }
 
   double approach() const {
     if (free > 0) return free_gap / free;
-    if (at_limit == 0) return lowest_open;
-    return std::isfinite(lowest_open) ? (highest_limited + lowest_open) / 2 : highest_limited;
+    if (plastic == 0) return lowest_open;
+    return std::isfinite(lowest_open) ? (highest_plastic + lowest_open) / 2 : highest_plastic;
   }
 };
 
-Extent extent(const ContactProblem& problem, const Field& p, const Field& g) {
+Totals totals(const ContactProblem& problem, const Field& p, const Field& g) {
   return problem.blocks().sum([&, cap = problem.cap](Block block) {
-    const double *pb = block.of(p).data(), *gb = block.of(g).data(), *hb = block.of(problem.h).data();
-    double sum = 0, free_gap = 0, free = 0, at_limit = 0, max_pressure = 0;
-    double lowest_open = infinity, highest_limited = -infinity, lowest = infinity, highest = -infinity;
-#pragma omp simd reduction(+ : sum, free_gap, free, at_limit) reduction(min : lowest, lowest_open) \
-    reduction(max : max_pressure, highest, highest_limited)
+    const auto pb = block.of(p), gb = block.of(g), hb = block.of(problem.h);
+    double sum = 0, free_gap = 0, free = 0, plastic = 0, max_pressure = 0;
+    double lowest_open = infinity, highest_plastic = -infinity, lowest = infinity, highest = -infinity;
+#pragma omp simd reduction(+ : sum, free_gap, free, plastic) reduction(min : lowest, lowest_open) \
+    reduction(max : max_pressure, highest, highest_plastic)
     for (Index i = 0; i < block.size; ++i) {
       const double pi = pb[i], gi = gb[i], u = gi - hb[i];
-      const int open = pi <= 0, limited = pi >= cap, is_free = (open | limited) ^ 1;
+      const int open = pi <= 0, at_cap = pi >= cap, is_free = (open | at_cap) ^ 1;
       sum += pi;
       free += is_free;
-      at_limit += limited;
+      plastic += at_cap;
       free_gap += is_free * gi;
       lowest_open = std::min(lowest_open, open != 0 ? gi : infinity);
-      highest_limited = std::max(highest_limited, limited != 0 ? gi : -infinity);
+      highest_plastic = std::max(highest_plastic, at_cap != 0 ? gi : -infinity);
       lowest = std::min(lowest, u);
       highest = std::max(highest, u);
       max_pressure = std::max(max_pressure, pi);
     }
-    return Extent{sum, free_gap, lowest_open, highest_limited, lowest, highest, max_pressure, free, at_limit};
+    return Totals{sum, free_gap, lowest_open, highest_plastic, lowest, highest, max_pressure, free, plastic};
   });
 }
 
@@ -84,8 +88,17 @@ void ContactProblem::shift(double by) {
   if (approach) *approach -= by;
 }
 
+void check_carried(const char* name, double load, const Grid& grid, double cap) {
+  constexpr double round_off = 1e-12;
+  const double largest = cap * grid.size_x() * grid.size_y();
+  if (load > largest * (1 + round_off))
+    throw ParameterError(
+        name, fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N", load,
+                          largest));
+}
+
 ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g) {
-  const Extent found = extent(problem, p, g);
+  const Totals found = totals(problem, p, g);
   ContactResidual out;
   out.approach = problem.approach ? *problem.approach : found.approach();
   out.scale = std::max(found.highest - found.lowest,
@@ -93,7 +106,7 @@ ContactResidual contact_residual(const ContactProblem& problem, const Field& p, 
   out.sum = found.sum;
   out.max_pressure = found.max_pressure;
   out.free = static_cast<Index>(found.free);
-  out.at_limit = static_cast<Index>(found.at_limit);
+  out.plastic = static_cast<Index>(found.plastic);
   const double w = largest_violation(problem, p, g, out.approach);
   out.epsilon = w > 0 ? w / out.scale : 0;
   return out;

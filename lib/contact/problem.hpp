@@ -60,10 +60,13 @@ struct ContactResidual {
   double sum = 0;           ///< Σp [Pa]
   double max_pressure = 0;  ///< [Pa]
   Index free = 0;           ///< cells with 0 < p < c
-  Index at_limit = 0;       ///< cells with p = c
+  Index plastic = 0;        ///< cells with p = c
 
-  Index contact() const { return free + at_limit; }
+  Index contact() const { return free + plastic; }
 };
+
+/// Throws ParameterError(name) for a load [N] that c on every cell does not carry.
+void check_carried(const char* name, double load, const Grid& grid, double cap);
 
 /// (4), δ and what comes with them, for g = h + K p.
 ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g);

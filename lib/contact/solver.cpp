@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "contact/calibration.hpp"
 #include "contact/influence.hpp"
 #include "contact/nested.hpp"
 #include "contact/problem.hpp"
@@ -18,18 +19,7 @@
 namespace asperity {
 namespace {
 
-constexpr double coarse_tolerance = 1e-3;
-constexpr double load_round_off = 1e-12;
-constexpr Index near_margin = 32,
-                warm_margin = 12;  // parts of the contact, about a start of another grid or load
-
-void check_load(const Grid& grid, const ContactParameters& parameters) {
-  const double largest = parameters.limit_pressure * grid.size_x() * grid.size_y();
-  if (parameters.load > largest * (1 + load_round_off))
-    throw ParameterError(
-        "load", fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N",
-                            parameters.load, largest));
-}
+using namespace calibration;
 
 void check_approach(const Grid& grid, const Field& gap, const ContactParameters& parameters) {
   const double approach = *parameters.approach, touch = gap.minCoeff(), mean = gap.mean();
@@ -57,7 +47,7 @@ ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& 
   if (parameters.approach)
     check_approach(grid, gap, parameters);
   else
-    check_load(grid, parameters);
+    check_carried("load", parameters.load, grid, parameters.limit_pressure);
   check_start(grid, parameters.start);
   ContactProblem problem{std::move(gap),
                          parameters.load / grid.cell_area(),
@@ -69,25 +59,22 @@ ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& 
   return problem;
 }
 
-// One grid of the nested start, the finest first.
+// A coarser grid.
 struct Level {
-  ElasticOperator* influence;
+  std::unique_ptr<ElasticOperator> influence;
   ContactProblem problem;
-  std::unique_ptr<ElasticOperator> owned;
 };
 
-std::vector<Level> make_levels(ElasticOperator& influence, ContactProblem problem, bool nested) {
+// From the second finest to the coarsest.
+std::vector<Level> coarser_levels(const ElasticOperator& influence, const ContactProblem& problem) {
   std::vector<Level> levels;
-  levels.push_back({&influence, std::move(problem), nullptr});
-  while (nested && can_coarsen(levels.back().influence->shape())) {
-    auto coarse = levels.back().influence->coarsened();
-    levels.push_back({coarse.get(), coarsened(levels.back().problem), nullptr});
-    levels.back().owned = std::move(coarse);
-  }
+  for (const ElasticOperator* finer = &influence; can_coarsen(finer->shape());
+       finer = levels.back().influence.get())
+    levels.push_back({finer->coarsened(), coarsened(levels.empty() ? problem : levels.back().problem)});
   return levels;
 }
 
-WindowedGradients::Observer observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
+ContactObserver observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
   if (!parameters.progress) return {};
   const double cell = grid.size_x() * grid.size_y() / static_cast<double>(shape.cells());
   return [&parameters, shape, cell, finest = shape == grid.shape](const ContactResidual& residual,
@@ -120,49 +107,61 @@ void check_range(const ContactParameters& parameters, bool finite) {
                                    parameters.approach.value_or(parameters.load), sunk ? "m" : "N"));
 }
 
-// Everything that the solution on the finest grid tells; its fields become the result's.
-void keep(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedGradients& solved,
-          const ContactParameters& parameters) {
-  const ContactResidual& residual = solved.residual();
-  const Blocks blocks = problem.blocks();
-  contact.pressure = std::move(solved.pressure());
-  contact.gap = std::move(solved.gap());
+// The fields of a solution, and what they sum up to.
+void set_fields(Contact& contact, const Grid& grid, ContactProblem& problem, WindowedSolution& solved,
+                const ContactParameters& parameters) {
+  const double approach = solved.residual.approach;
+  contact.pressure = std::move(solved.p);
+  contact.gap = std::move(solved.g);
   contact.displacement = std::move(problem.h);  // of g = h + K p, until the pass
   contact.state.resize(static_cast<std::size_t>(grid.shape.cells()));
-  const Eigen::Array3d sums = blocks.sum([&](Block b) {
+  const Eigen::Array3d sums = Blocks(grid.shape.cells(), problem.threads).sum([&](Block b) {
     const auto p = b.of(std::as_const(contact.pressure));
     auto g = b.of(contact.gap), u = b.of(contact.displacement);
     u = g - u;
-    g -= residual.approach;
-    std::transform(p.begin(), p.end(), contact.state.begin() + b.begin, [&](double x) {
-      return x <= 0 ? Contact::open : problem.is_free(x) ? Contact::elastic : Contact::at_limit;
+    g -= approach;
+    std::transform(p.begin(), p.end(), b.of(contact.state).begin(), [&](double x) {
+      return x <= 0 ? Contact::open : problem.is_free(x) ? Contact::elastic : Contact::plastic;
     });
     return Eigen::Array3d(p.sum(), g.max(0.0).sum(), u.sum());
   });
   check_range(parameters, sums.isFinite().all());
-  contact.approach = residual.approach + problem.datum;
-  contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
-  contact.max_pressure = residual.max_pressure;
-  contact.residual = residual.epsilon;
-  contact.area = static_cast<double>(residual.contact()) * grid.cell_area();
-  contact.plastic_area = static_cast<double>(residual.at_limit) * grid.cell_area();
   contact.load = sums[0] * grid.cell_area();
   contact.load_error = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
+  contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
 }
 
-// dQ/dδ of a solution, on the window that holds it; of what is none it is not known.
-void add_stiffness(Contact& contact, const Grid& grid, WindowedGradients& solved,
+void set_result(Contact& contact, const Grid& grid, const ContactProblem& problem,
+                const WindowedSolution& solved, const ContactParameters& parameters) {
+  const ContactResidual& residual = solved.residual;
+  contact.converged = solved.stop == ContactStop::converged;
+  contact.reason = describe(solved.stop, residual.epsilon, parameters);
+  contact.residual = residual.epsilon;
+  contact.approach = residual.approach + problem.datum;
+  contact.max_pressure = residual.max_pressure;
+  contact.area = static_cast<double>(residual.contact()) * grid.cell_area();
+  contact.plastic_area = static_cast<double>(residual.plastic) * grid.cell_area();
+}
+
+void count(Contact& contact, double convolutions, double preconditionings, double share) {
+  contact.convolutions += share * convolutions;
+  contact.preconditionings += share * preconditionings;
+}
+
+double share_of(Shape part, const Grid& grid) {
+  return static_cast<double>(part.cells()) / static_cast<double>(grid.shape.cells());
+}
+
+// dQ/dδ of a solution, on the window that holds it.
+void add_stiffness(Contact& contact, const Grid& grid, ElasticOperator& influence, const WindowBody& body,
                    const ContactParameters& parameters) {
-  if (!contact.converged) return;
-  const Window& window = solved.window();
-  const double share = static_cast<double>(window.shape.cells()) / static_cast<double>(grid.shape.cells());
-  const Stiffness found =
-      contact_stiffness(solved.body(), window.of(contact.pressure), parameters.limit_pressure,
-                        grid.cell_area(), parameters.max_convolutions / share, parameters.threads);
+  const double share = share_of(body.window.shape(), grid);
+  const Stiffness found = contact_stiffness(
+      body.influence ? *body.influence : influence, body.window.of(contact.pressure),
+      parameters.limit_pressure, grid.cell_area(), parameters.max_convolutions / share, parameters.threads);
   contact.stiffness = found.value;
   contact.stiffness_residual = found.residual;
-  contact.convolutions += share * found.convolutions;
-  contact.preconditionings += share * found.preconditionings;
+  count(contact, found.convolutions, found.preconditionings, share);
 }
 
 Field flat_start(const ContactProblem& problem) {
@@ -170,40 +169,43 @@ Field flat_start(const ContactProblem& problem) {
                          problem.sum / static_cast<double>(problem.h.size()));
 }
 
-// Counts a level's work by its share of the finest cells; returns its solution.
-Field solve_level(Contact& contact, Level& level, Field start, bool near, WindowedGradients::Limits limits,
-                  const Grid& grid, const ContactParameters& parameters, bool finest) {
-  const Shape shape = level.influence->shape();
-  WindowedGradients gradients(*level.influence, level.problem, limits);
-  const ContactStop stop = gradients.solve(std::move(start), near, observer(grid, shape, parameters));
-  const double share = static_cast<double>(shape.cells()) / static_cast<double>(grid.shape.cells());
-  contact.convolutions += share * gradients.convolutions();
-  contact.preconditionings += share * gradients.preconditionings();
-  if (!finest) return std::move(gradients.pressure());
-  contact.converged = stop == ContactStop::converged;
-  contact.reason = describe(stop, gradients.residual().epsilon, parameters);
-  keep(contact, grid, level.problem, gradients, parameters);
-  if (parameters.stiffness) add_stiffness(contact, grid, gradients, parameters);
-  return {};
+// From the coarsest grid to the second finest, each starting from the solution before it.
+Field nested_start(Contact& contact, const Grid& grid, std::vector<Level> levels,
+                   const ContactParameters& parameters) {
+  const WindowedLimits limits{std::max(coarse_tolerance, parameters.tolerance), coarse_convolutions, false};
+  Field start = flat_start(levels.back().problem);
+  for (bool near = false; !levels.empty(); levels.pop_back(), near = true) {
+    auto& [influence, problem] = levels.back();
+    const Shape shape = influence->shape();
+    const WindowedSolution solved = minimise_on_window(*influence, problem, std::move(start), near, limits,
+                                                       observer(grid, shape, parameters));
+    count(contact, solved.convolutions, solved.preconditionings, share_of(shape, grid));
+    start = prolonged(solved.p, grid.periodic, parameters.threads);
+    contact.setup_seconds += influence->setup_seconds();
+  }
+  return start;
 }
 
-// From the coarsest grid to the finest, each starting from the solution before it.
-void solve_levels(Contact& contact, const Grid& grid, std::vector<Level> levels,
-                  const ContactParameters& parameters) {
+void solve(Contact& contact, const Grid& grid, ElasticOperator& influence, ContactProblem problem,
+           const ContactParameters& parameters) {
   const bool warm = parameters.start.size() > 0;
-  Field start = warm ? parameters.start : flat_start(levels.back().problem);
-  bool near = warm;
-  for (; levels.size() > 1; levels.pop_back(), near = true) {
-    const WindowedGradients::Limits limits{std::max(coarse_tolerance, parameters.tolerance), 400, false};
-    Level& level = levels.back();
-    start = prolonged(solve_level(contact, level, std::move(start), near, limits, grid, parameters, false),
-                      grid.periodic, parameters.threads);
-    contact.setup_seconds += level.influence->setup_seconds();
-  }
-  const WindowedGradients::Limits limits{parameters.tolerance,
-                                         static_cast<double>(parameters.max_convolutions), true,
-                                         warm ? warm_margin : near_margin};
-  solve_level(contact, levels.front(), std::move(start), near, limits, grid, parameters, true);
+  std::vector<Level> levels;
+  if (parameters.nested_start && !warm) levels = coarser_levels(influence, problem);
+  contact.levels = 1 + static_cast<int>(levels.size());
+  const bool near = warm || !levels.empty();
+  Field start = warm             ? parameters.start
+                : levels.empty() ? flat_start(problem)
+                                 : nested_start(contact, grid, std::move(levels), parameters);
+
+  const WindowedLimits limits{parameters.tolerance, static_cast<double>(parameters.max_convolutions), true,
+                              warm ? warm_margin_part : margin_part};
+  WindowedSolution solved = minimise_on_window(influence, problem, std::move(start), near, limits,
+                                               observer(grid, grid.shape, parameters));
+  count(contact, solved.convolutions, solved.preconditionings, 1);
+  set_result(contact, grid, problem, solved, parameters);
+  set_fields(contact, grid, problem, solved, parameters);
+  if (parameters.stiffness && contact.converged)
+    add_stiffness(contact, grid, influence, solved.body, parameters);
 }
 
 }  // namespace
@@ -239,11 +241,8 @@ Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& i
   Contact contact;
   const Stopwatch watch;
   const double setup_before = influence.setup_seconds();
-  std::vector<Level> levels =
-      make_levels(influence, make_problem(grid, std::move(undeformed_gap), influence, parameters),
-                  parameters.nested_start && parameters.start.size() == 0);
-  contact.levels = static_cast<int>(levels.size());
-  solve_levels(contact, grid, std::move(levels), parameters);
+  ContactProblem problem = make_problem(grid, std::move(undeformed_gap), influence, parameters);
+  solve(contact, grid, influence, std::move(problem), parameters);
   contact.setup_seconds += influence.setup_seconds() - setup_before;
   contact.seconds = watch.seconds() - contact.setup_seconds;
   return contact;

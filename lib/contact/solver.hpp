@@ -8,7 +8,7 @@
 ///     0 ≤ p ≤ p_Y,   Σ p ΔxΔy = Q,   gap = h + K p - δ,
 /// with gap ≥ 0 where p = 0 (open), gap = 0 where 0 < p < p_Y (elastic), gap ≤ 0 where p = p_Y (flattened
 /// plastically by -gap), and K of contact/influence.hpp. contact/problem.hpp states the residual ε,
-/// contact/guarded.hpp the iteration, contact/windowed.hpp where it runs. It starts from the solutions of
+/// contact/bound_constrained_cg.hpp the iteration, contact/windowed.hpp where it runs. It starts from the solutions of
 /// coarser grids (2 × 2 averages down to 32 cells a side), each to ε = 1e-3, or from a pressure that is given,
 /// as of a neighbouring load.
 ///
@@ -67,7 +67,7 @@ struct ContactParameters {
 };
 
 struct Contact {
-  enum State : std::int8_t { open = 0, elastic = 1, at_limit = 2 };
+  enum State : std::int8_t { open = 0, elastic = 1, plastic = 2 };
 
   Field pressure;                  ///< p [Pa]
   Field displacement;              ///< K p [m], into the bodies

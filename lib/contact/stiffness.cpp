@@ -1,6 +1,6 @@
 #include "contact/stiffness.hpp"
 
-#include "contact/guarded.hpp"
+#include "contact/subspace_cg.hpp"
 
 namespace asperity {
 namespace {
@@ -21,25 +21,24 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   ContactProblem problem{
       .h = Field::Zero(pressure.rows(), pressure.cols()), .cap = limit_pressure, .threads = threads};
   const Field& none = problem.h;
-  Face free;
-  free.set(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
+  const FreeSet free(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
   if (free.cells == 0) return {.value = 0, .residual = 0};
-  CountedOperator counted(body);
-  if (free.cells == static_cast<double>(pressure.size()) && !answers_constant(counted, shape_of(pressure)))
-    return {.value = infinity, .residual = 0, .convolutions = counted.convolutions};
+  const bool full = free.cells == static_cast<double>(pressure.size());
+  const int asked = full ? 1 : 0;
+  if (full && !answers_constant(body, shape_of(pressure)))
+    return {.value = infinity, .residual = 0, .convolutions = asked};
 
   problem.approach = 1;  // of K q
   Trial trial;
-  FaceGradients gradients(counted, problem, trial);
-  gradients.begin(free, none, none);
-  while (gradients.largest() > stiffness_tolerance / 2 && counted.convolutions < convolutions &&
-         gradients.step()) {
+  SubspaceCG cg(body, problem, free, none, none, trial);
+  while (cg.residual().largest > stiffness_tolerance / 2 && asked + cg.applications() < convolutions &&
+         cg.step()) {
   }
-  counted.apply(trial.p, trial.g);
-  gradients.begin(free, trial.p, trial.g);  // looks at the fresh u
-  Stiffness out{.residual = gradients.largest(),
-                .convolutions = counted.convolutions,
-                .preconditionings = counted.preconditionings};
+  body.apply(trial.p, trial.g);
+  const SubspaceCG fresh(body, problem, free, trial.p, trial.g, trial);
+  Stiffness out{.residual = fresh.residual().largest,
+                .convolutions = asked + cg.applications() + 1,
+                .preconditionings = cg.applications()};
   if (out.residual <= stiffness_tolerance)
     out.value = cell_area *
                 problem.blocks().sum([&](Block b) { return (b.of(trial.p) * (2 - b.of(trial.g))).sum(); });

@@ -4,7 +4,7 @@
 /// stays as it is, at 0 or at p_Y. So q = dp/dδ obeys
 ///     K q = 1 on C,   q = 0 elsewhere,                                                       (1)
 ///     S = dQ/dδ = ΔxΔy Σ q,                                                                   (2)
-/// the flat punch of the contact's outline, solved by preconditioned conjugate gradients on C (contact/face.hpp).
+/// the flat punch of the contact's outline, solved by preconditioned conjugate gradients on C (contact/subspace_cg.hpp).
 /// Of an approximate q with u = K q,
 ///     S ≈ ΔxΔy Σ q (2 - u)                                                                    (3)
 /// is low by ΔxΔy (q* - q)·K(q* - q), of the second order in the residual max|1 - u| on C; (2) errs by that residual

@@ -5,22 +5,18 @@
 
 #include <fmt/format.h>
 
+#include "contact/problem.hpp"
 #include "core/error.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double round_off = 1e-12;
-
-void check_loads(const std::vector<double>& loads, double largest) {
+void check_loads(std::span<const double> loads, const Grid& grid, double limit_pressure) {
   for (std::size_t i = 1; i < loads.size(); ++i)
     if (!(loads[i] > loads[i - 1] && std::isfinite(loads[i])))
       throw ParameterError("loads",
                            fmt::format("{} N is not above {} N, the one before", loads[i], loads[i - 1]));
-  if (loads.back() > largest * (1 + round_off))
-    throw ParameterError(
-        "loads", fmt::format("{} N is more than the limit pressure carries on the whole domain, {:.6g} N",
-                             loads.back(), largest));
+  check_carried("loads", loads.back(), grid, limit_pressure);
 }
 
 // (1), from one solution or from two; before the first it is empty.
@@ -43,22 +39,13 @@ class Prediction {
 
 }  // namespace
 
-std::vector<double> geometric_loads(double from, double to, int count) {
-  std::vector<double> loads;
-  loads.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    loads.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
-  loads.back() = to;
-  return loads;
-}
-
-void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
-                   ContactParameters parameters, const std::vector<double>& loads,
-                   const std::function<void(const Contact&)>& take) {
+void solve_load_sequence(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+                         ContactParameters parameters, std::span<const double> loads,
+                         const std::function<void(const Contact&)>& take) {
   if (loads.empty()) return;
   parameters.load = loads.front();
   parameters.check();
-  check_loads(loads, parameters.limit_pressure * grid.size_x() * grid.size_y());
+  check_loads(loads, grid, parameters.limit_pressure);
   Prediction prediction;
   for (double load : loads) {
     parameters.start = prediction.at(load);

@@ -15,21 +15,18 @@
 #pragma once
 
 #include <functional>
-#include <vector>
+#include <span>
 
 #include "contact/elastic_operator.hpp"
 #include "contact/solver.hpp"
 
 namespace asperity {
 
-/// `count` ≥ 2 loads from `from` to `to`, each the same multiple of the one before.
-std::vector<double> geometric_loads(double from, double to, int count);
-
 /// Presses with each of the loads, which increase, in place of parameters.load, and hands the solutions on as
 /// they come. Throws before the first: ParameterError("loads") when one is not above the load before it, or more
 /// than the limit pressure carries, and as ContactParameters::check does.
-void press_in_turn(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
-                   ContactParameters parameters, const std::vector<double>& loads,
-                   const std::function<void(const Contact&)>& take);
+void solve_load_sequence(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+                         ContactParameters parameters, std::span<const double> loads,
+                         const std::function<void(const Contact&)>& take);
 
 }  // namespace asperity

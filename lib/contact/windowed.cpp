@@ -7,106 +7,108 @@
 namespace asperity {
 namespace {
 
-constexpr Index least_margin = 4;
-constexpr double spare_cells = 1.25;  // of those that the limit pressure needs for the load
+using namespace calibration;
 
-ContactProblem on_window(const ContactProblem& problem, const Window& window) {
-  ContactProblem part = problem.without_gap();
-  part.h = window.of(problem.h);
-  return part;
+double share_of(Index cells, const ContactProblem& problem) {
+  return static_cast<double>(cells) / static_cast<double>(problem.h.size());
 }
 
 // Under a given approach a contact lies where the undeformed bodies overlap: a start for want of one that they
 // push back.
-void overlap(const ContactProblem& problem, Field& p) {
-  if (!problem.approach || ((*problem.approach - problem.h) * p).sum() > 0) return;
-  p = ((*problem.approach - problem.h) / problem.self_influence).max(0.0);
+Field pushed_back(const ContactProblem& problem, Field p) {
+  p = p.max(0.0);
+  if (!problem.approach || ((*problem.approach - problem.h) * p).sum() > 0) return p;
+  return ((*problem.approach - problem.h) / problem.self_influence).max(0.0);
+}
+
+// The least window of a contact that is worth a body of its own, else the whole.
+WindowBody body_around(const ContactWindow& contact, ElasticOperator& influence,
+                       const ContactProblem& problem, Index margin_part) {
+  const Shape domain = influence.shape();
+  WindowBody body{contact, whole(domain), nullptr};
+  if (contact.empty()) return body;
+  const Index margin = least_margin + std::max(contact.x.count, contact.y.count) / margin_part;
+  const ContactWindow least = widened(contact, margin, domain);
+  const bool carries = problem.approach ||
+                       spare_cells * problem.sum < problem.cap * static_cast<double>(least.shape().cells());
+  if (carries) body.influence = influence.windowed(least.shape());
+  if (body.influence) body.window = enlarged(least, body.influence->shape(), domain);
+  return body;
+}
+
+// On some of the cells; adds to x what it took, by their share.
+void minimise_on(ElasticOperator& influence, ContactProblem& problem, ContactStart start, double share,
+                 const WindowedLimits& limits, const ContactObserver& observe, ContactSolution& x) {
+  const double convolutions = x.convolutions, preconditionings = x.preconditionings;
+  ContactObserver shared;
+  if (observe)
+    shared = [&](const ContactResidual& residual, double done) {
+      observe(residual, convolutions + share * done);
+    };
+  x = minimise(influence, problem, std::move(start), limits.tolerance,
+               (limits.convolutions - convolutions) / share, shared);
+  x.convolutions = convolutions + share * x.convolutions;
+  x.preconditionings = preconditionings + share * x.preconditionings;
+}
+
+void minimise_on_body(ElasticOperator& influence, ContactProblem& problem, bool near,
+                      const WindowedLimits& limits, const ContactObserver& observe, WindowedSolution& x) {
+  ContactStart start{std::move(x.p), std::move(x.g), near};
+  if (!x.body.influence) return minimise_on(influence, problem, std::move(start), 1, limits, observe, x);
+
+  const ContactWindow& window = x.body.window;
+  ContactProblem part = problem.without_gap();
+  part.h = window.of(problem.h);
+  ContactStart inside{window.of(start.p), start.g.size() > 0 ? window.of(start.g) : Field(), near};
+  minimise_on(*x.body.influence, part, std::move(inside), share_of(part.h.size(), problem), limits, observe,
+              x);
+  window.put(x.p, start.p);
+  x.p = std::move(start.p);
+  x.g = std::move(start.g);
+  if (part.datum != problem.datum) problem.shift(part.datum - problem.datum);
+  x.fresh = false;
+}
+
+// ε of g = h + K p on the whole grid, the load restored to round-off.
+void confirm(ElasticOperator& influence, const ContactProblem& problem, ContactSolution& x) {
+  if (x.fresh) return;
+  clip_and_rescale(problem, x.p);
+  influence.apply(x.p, x.g);
+  x.g += problem.h;
+  ++x.convolutions;
+  x.residual = contact_residual(problem, x.p, x.g);
+  x.fresh = true;
 }
 
 }  // namespace
 
-ContactStop WindowedGradients::solve(Field start, bool near, const Observer& observe) {
-  p_ = std::move(start);
-  p_ = p_.max(0.0);
-  overlap(problem_, p_);
-  choose(contact_window(p_));
-  while (true) {
-    const ContactStop stop = minimise(near, observe);
-    if (is_whole() && !limits_.confirm) return stop;
-    confirm();
-    if (residual_.epsilon <= limits_.tolerance) return ContactStop::converged;
-    if (stop == ContactStop::convolution_limit) return stop;
-    const Window before = window_;
-    choose(united(contact_, overlap_window(g_, residual_.approach)));
-    if (at_round_off(stop) && window_ == before) return ContactStop::round_off;
-    near = true;
+WindowedSolution minimise_on_window(ElasticOperator& influence, ContactProblem& problem, Field start,
+                                    bool near, const WindowedLimits& limits, const ContactObserver& observe) {
+  WindowedSolution x;
+  x.p = pushed_back(problem, std::move(start));
+  x.body =
+      body_around(window_of(x.p, [](double p) { return p > 0; }), influence, problem, limits.margin_part);
+  Stagnation gain(1);
+  for (;; near = true) {
+    minimise_on_body(influence, problem, near, limits, observe, x);
+    if (!x.body.influence && !limits.confirm) return x;
+    confirm(influence, problem, x);
+    const double epsilon = x.residual.epsilon;
+    if (epsilon <= limits.tolerance) x.stop = ContactStop::converged;
+    if (epsilon <= limits.tolerance || x.stop == ContactStop::convolution_limit) return x;
+
+    // At round-off the iteration may end far from its best: then it goes on for some rounds.
+    const bool no_gain = gain.add(epsilon) > grid_rounds_without_gain;
+    const bool exhausted = epsilon < round_off_floor && (x.stop == ContactStop::round_off || no_gain);
+    const auto overlaps = [approach = x.residual.approach](double g) { return g < approach; };
+    const ContactWindow contact = united(x.body.contact, window_of(x.g, overlaps));
+    if (united(x.body.window, contact) != x.body.window) {
+      x.body = body_around(contact, influence, problem, limits.margin_part);
+    } else if (exhausted) {
+      x.stop = ContactStop::round_off;
+      return x;
+    }
   }
-}
-
-// W for a contact of this extent.
-void WindowedGradients::choose(const Window& contact) {
-  const Shape domain = influence_.shape();
-  if (!window_.empty() && united(window_, contact) == window_) return;
-  contact_ = contact;
-  on_window_.reset();
-  window_ = whole(domain);
-  if (contact.empty()) return;
-  const Index margin = least_margin + std::max(contact.shape.nx, contact.shape.ny) / limits_.margin_part;
-  const Window least = widened(contact, margin, domain);
-  const bool carries = problem_.approach ||
-                       spare_cells * problem_.sum < problem_.cap * static_cast<double>(least.shape.cells());
-  if (carries) on_window_ = influence_.windowed(least.shape);
-  if (on_window_) window_ = enlarged(least, on_window_->shape(), domain);
-}
-
-ContactStop WindowedGradients::minimise(bool near, const Observer& observe) {
-  if (is_whole()) return minimise(influence_, problem_, p_, g_, near, observe);
-  ContactProblem problem = on_window(problem_, window_);
-  Field p = window_.of(p_), g = g_.size() > 0 ? window_.of(g_) : Field();
-  const ContactStop stop = minimise(*on_window_, problem, p, g, near, observe);
-  window_.put(p, p_);
-  if (problem.datum != problem_.datum) problem_.shift(problem.datum - problem_.datum);
-  fresh_ = false;
-  return stop;
-}
-
-ContactStop WindowedGradients::minimise(ElasticOperator& influence, ContactProblem& problem, Field& p,
-                                        Field& g, bool near, const Observer& observe) {
-  const double share = static_cast<double>(p.size()) / static_cast<double>(problem_.h.size());
-  const double limit = (limits_.convolutions - convolutions_) / share;
-  GuardedGradients gradients(influence, problem, {limits_.tolerance, limit});
-  const ContactStop stop = gradients.solve(std::move(p), std::move(g), near,
-                                           [&](const ContactResidual& residual, const CountedOperator& work) {
-                                             if (observe)
-                                               observe(residual, convolutions_ + share * work.convolutions);
-                                           });
-  convolutions_ += share * gradients.work().convolutions;
-  preconditionings_ += share * gradients.work().preconditionings;
-  fresh_ = gradients.gap_is_fresh();
-  residual_ = gradients.residual();
-  p = std::move(gradients.pressure());
-  g = std::move(gradients.gap());
-  return stop;
-}
-
-// ε of g = h + K p on the whole grid, the load restored to round-off.
-void WindowedGradients::confirm() {
-  if (fresh_) return;
-  clip_and_rescale(problem_, p_);
-  influence_.apply(p_, g_);
-  g_ += problem_.h;
-  ++convolutions_;
-  residual_ = contact_residual(problem_, p_, g_);
-  fresh_ = true;
-}
-
-// ε of the grid is there, and the window says so or some rounds have not lowered it. At round-off the iteration may
-// end far from its best: then it goes on.
-bool WindowedGradients::at_round_off(ContactStop on_window) {
-  rounds_without_gain_ = residual_.epsilon < best_ ? 0 : rounds_without_gain_ + 1;
-  best_ = std::min(best_, residual_.epsilon);
-  return residual_.epsilon < round_off_floor &&
-         (on_window == ContactStop::round_off || rounds_without_gain_ > 3);
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "math/asinh_difference.hpp"
 #include "stress/corner.hpp"
 
 namespace asperity {
@@ -38,13 +39,9 @@ Tensor sheared_corner(double X, double Y, double z, double nu) {
           yz(z, r)};
 }
 
-// asinh(top/h) - asinh(bottom/h), top > bottom; `distance` stands for h = 0.
-double arsinh_step(double bottom, double top, double h, double distance) {
-  const double r1 = std::hypot(bottom, h), r2 = std::hypot(top, h);
-  if (bottom > 0) return std::log((top + r2) / (bottom + r1));
-  if (top < 0) return std::log((r1 - bottom) / (r2 - top));
-  if (h == 0) return arsinh_step(bottom, top, distance, distance);
-  return std::log((top + r2) / h) + std::log((r1 - bottom) / h);
+// Along an edge |y| ≤ b seen from (h, y); `distance` stands for h = 0 on the edge itself.
+double edge(double h, double y, double b, double distance) {
+  return asinh_difference(h == 0 && std::abs(y) <= b ? distance : h, y, b);
 }
 
 template <class Corner>
@@ -60,8 +57,8 @@ Tensor corner_sum(double x, double y, double a, double b, Corner corner) {
 
 Tensor sheared(double x, double y, double z, double a, double b, double nu) {
   Tensor sum = corner_sum(x, y, a, b, [&](double X, double Y) { return sheared_corner(X, Y, z, nu); });
-  auto L = [&](double X) { return arsinh_step(y - b, y + b, std::hypot(X, z), a / std::numbers::pi); };
-  auto L_turned = [&](double Y) { return arsinh_step(x - a, x + a, std::hypot(Y, z), b / std::numbers::pi); };
+  auto L = [&](double X) { return edge(std::hypot(X, z), y, b, a / std::numbers::pi); };
+  auto L_turned = [&](double Y) { return edge(std::hypot(Y, z), x, a, b / std::numbers::pi); };
   const double along = L(x + a) - L(x - a);
   sum[stress::xx] += 2 * along;
   sum[stress::yy] += 2 * nu * along;

@@ -1,12 +1,9 @@
-#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-constexpr double limit = 3.6e9;
 
 // A surface of its own for each kind of problem, and the load that is pressed on it.
 struct Case {
@@ -18,13 +15,11 @@ struct Case {
 
 std::vector<Case> cases() {
   const Grid grid = square(64);
-  Grid periodic = grid;
-  periodic.periodic = true;
   const Field waves = 1e-6 * random_waves(grid.shape, 3);
   return {{"smooth", grid, undeformed_gap(grid, spheres), {.load = load, .tolerance = 1e-10}},
           {"rough", grid, rough_gap(grid), {.load = load, .tolerance = 1e-10}},
           {"capped", grid, rough_gap(grid), {.load = load, .limit_pressure = limit, .tolerance = 1e-10}},
-          {"periodic", periodic, -waves, {.load = 500, .tolerance = 1e-10}},
+          {"periodic", periodic(grid), -waves, {.load = 500, .tolerance = 1e-10}},
           {"flat", grid, Field::Zero(64, 64), {.load = load, .tolerance = 1e-10}}};
 }
 
@@ -38,12 +33,7 @@ Contact sink(const Case& c, double approach) {
 }
 
 std::string refusal(const Case& c, double approach) {
-  try {
-    sink(c, approach);
-  } catch (const ParameterError& error) {
-    return error.name + ": " + error.what();
-  }
-  return "";
+  return test::refusal([&] { sink(c, approach); });
 }
 
 }  // namespace

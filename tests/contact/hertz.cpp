@@ -1,5 +1,4 @@
 // The closed forms of lib/contact/hertz.hpp against their textbook form, their limits, and solved contacts.
-#include "core/error.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;
@@ -136,42 +135,28 @@ TEST_CASE("a ball in a groove has the difference of their curvatures, and none i
   groove.check();
   CHECK(groove.curvature_x() == 1 / 5e-3);
   CHECK(groove.curvature_y() == Approx(1 / 5e-3 - 1 / 6e-3).epsilon(4 * epsilon));
-  auto refused = [](const Bodies& bodies) -> std::string {
-    try {
-      bodies.check();
-    } catch (const ParameterError& error) {
-      return error.name;
-    }
-    return "";
-  };
-  CHECK(refused({.radius = {Radii(5e-3), Radii(INFINITY, -4e-3)}}) == "radius-y");
-  CHECK(refused({.radius = {Radii(5e-3), Radii(-4e-3)}}) == "radius");
-  CHECK(refused({.radius = {Radii(0, 1), Radii()}}) == "radius-x");
-  CHECK(refused({.radius = {Radii(1, NAN), Radii()}}) == "radius-y");
+  auto refused = [](const Bodies& bodies) { return refusal([&] { bodies.check(); }); };
+  CHECK(refused({.radius = {Radii(5e-3), Radii(INFINITY, -4e-3)}}).starts_with("radius-y: "));
+  CHECK(refused({.radius = {Radii(5e-3), Radii(-4e-3)}}).starts_with("radius: "));
+  CHECK(refused({.radius = {Radii(0, 1), Radii()}}).starts_with("radius-x: "));
+  CHECK(refused({.radius = {Radii(1, NAN), Radii()}}).starts_with("radius-y: "));
 }
 
 // GSL's handler stands in these tests as in a user's program: outside the domain of R_D, or where a bracket has lost its
 // sign, it aborts the process. A cylinder did.
 TEST_CASE("bodies without a contact in a point are refused in one line and nothing is aborted",
           "[hertz][contract]") {
-  const double flat = std::numeric_limits<double>::infinity();
-  auto refusal = [](const Bodies& bodies, double load) -> std::string {
-    try {
-      hertz(bodies, load);
-    } catch (const ParameterError& error) {
-      return error.name;
-    }
-    return "";
-  };
-  const Radii none[] = {{50e-3, flat}, {flat, 50e-3}, {flat, flat}, {1e-160, 1e160}, {1e-310, 1}};
+  auto refused = [](const Bodies& bodies, double q) { return refusal([&] { hertz(bodies, q); }); };
+  const Radii none[] = {
+      {50e-3, infinity}, {infinity, 50e-3}, {infinity, infinity}, {1e-160, 1e160}, {1e-310, 1}};
   for (const Radii& radii : none) {
     CAPTURE(radii.x, radii.y);
     CHECK_FALSE(has_point_contact({.radius = {radii, Radii()}}));
-    CHECK(refusal({.radius = {radii, Radii()}}, 1000) == "radius");
+    CHECK(refused({.radius = {radii, Radii()}}, 1000).starts_with("radius: "));
   }
-  CHECK(refusal({.radius = {Radii(50e-3), Radii(-50e-3)}}, 1000) == "radius");
-  CHECK(refusal({.radius = {Radii(0, 1), Radii()}}, 1000) == "radius-x");
-  for (double q : {0.0, -1.0, flat, std::nan("")}) CHECK(refusal(spheres, q) == "load");
+  CHECK(refused({.radius = {Radii(50e-3), Radii(-50e-3)}}, 1000).starts_with("radius: "));
+  CHECK(refused({.radius = {Radii(0, 1), Radii()}}, 1000).starts_with("radius-x: "));
+  for (double q : {0.0, -1.0, infinity, std::nan("")}) CHECK(refused(spheres, q).starts_with("load: "));
 }
 
 // For k → 0 (1) is B/A = 1/(k² (ln 4/k - 1)) but for k² ln k.

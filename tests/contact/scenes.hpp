@@ -1,25 +1,35 @@
 /// The scenes of the contact tests.
 #pragma once
 
+#include <limits>
 #include <numbers>
 
 #include "contact/bodies.hpp"
 #include "contact/hertz.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
+#include "core/error.hpp"
 #include "support.hpp"
 
 namespace asperity::test {
 
 inline constexpr double pi = std::numbers::pi;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two steel spheres: p₀ = 2724.3224 MPa, a = 0.9361090 mm, δ = 35.052006 µm under 5000 N.
 inline const Bodies spheres{.radius = {50e-3, 50e-3}};
 inline constexpr double load = 5000;
+/// A limit pressure between Hertz's and that of rough peaks [Pa].
+inline constexpr double limit = 3.6e9;
 inline const double modulus = spheres.composite_modulus();
 
 inline Grid square(Index n, double side = 3e-3) {
   return {{n, n}, side / static_cast<double>(n), side / static_cast<double>(n)};
+}
+
+inline Grid periodic(Grid grid) {
+  grid.periodic = true;
+  return grid;
 }
 
 /// Forty random waves of 1 to 16 periods a side, amplitudes falling as 1/k; unit rms, periodic.
@@ -40,6 +50,15 @@ inline Field random_waves(Shape shape, unsigned seed) {
   }
   z -= z.mean();
   return z / std::sqrt(z.square().mean());
+}
+
+/// "name: words" of what refuses a call, or nothing.
+template <class Call>
+std::string refusal(Call call) try {
+  call();
+  return "";
+} catch (const ParameterError& error) {
+  return error.name + ": " + error.what();
 }
 
 inline Contact press(const Grid& grid, const Field& gap, ContactParameters parameters = {}) {

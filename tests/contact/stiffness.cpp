@@ -9,8 +9,6 @@ using namespace asperity::test;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Contact press_stiff(const Grid& grid, const Field& gap, ContactParameters parameters) {
   parameters.stiffness = true;
   parameters.tolerance = std::min(parameters.tolerance, 1e-10);
@@ -19,11 +17,6 @@ Contact press_stiff(const Grid& grid, const Field& gap, ContactParameters parame
 
 Contact sink_stiff(const Grid& grid, const Field& gap, double approach, double limit) {
   return press_stiff(grid, gap, {.approach = approach, .limit_pressure = limit, .tolerance = 1e-12});
-}
-
-Grid periodic(Grid grid) {
-  grid.periodic = true;
-  return grid;
 }
 
 struct Scene {
@@ -105,8 +98,8 @@ TEST_CASE("in forty rough sweeps stiffness is above 0 and its chords lie between
     const Field gap = grid.periodic ? -1e-7 * random_waves(grid.shape, seed) : rough_gap(grid, seed);
     const auto influence = make_influence(grid, modulus);
     std::vector<Contact> turns;
-    press_in_turn(grid, gap, *influence, {.tolerance = 1e-10, .stiffness = true}, {0.1, 1, 5, 30},
-                  [&](const Contact& c) { turns.push_back(c); });
+    solve_load_sequence(grid, gap, *influence, {.tolerance = 1e-10, .stiffness = true},
+                        std::array{0.1, 1.0, 5.0, 30.0}, [&](const Contact& c) { turns.push_back(c); });
     for (std::size_t i = 0; i < turns.size(); ++i) {
       CAPTURE(seed, i, turns[i].stiffness, turns[i].reason);
       CHECK(turns[i].converged);

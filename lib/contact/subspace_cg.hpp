@@ -1,8 +1,8 @@
-/// Conjugate gradients on a face of the bounds.
+/// Conjugate gradients on the cells that may change.
 ///
-/// A face holds the cells that may change: the free ones, and those at a bound whose gap drives them off it,
+/// These are the free ones, and those at a bound whose gap drives them off it,
 ///     F = {0 < p < c} ∪ {p = 0, g < δ} ∪ {p = c, g > δ}.                                        (1)
-/// On it the energy is least, bounds ignored, where g is even: r = mean_F(g) - g = 0. With P_F the projection
+/// On F the energy is least, bounds ignored, where g is even: r = mean_F(g) - g = 0. With P_F the projection
 /// that masks F and subtracts the mean over F, a step is
 ///     z = P_F M r,   β = z·r / (z·r)_old,   d = z + β d,                                        (2)
 ///     q = K d,   a = z·r / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
@@ -18,7 +18,6 @@
 /// 931-953.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -28,9 +27,9 @@
 namespace asperity {
 
 /// (1): 1 for the cells of F, 0 for the others. A byte each: the passes are bound by what they read.
-struct Face {
-  /// Builds the face of p and g, in the place of another.
-  void set(const ContactProblem& problem, const Field& p, const Field& g, double approach);
+struct FreeSet {
+  FreeSet(const ContactProblem& problem, const Field& p, const Field& g, double approach);
+
   std::vector<std::int8_t> mask;
   double cells = 0, gap_sum = 0;  ///< Σ g over F [m]
 };
@@ -43,49 +42,47 @@ struct Trial {
   Field q;  ///< K d [m]; M r between
 };
 
-/// |r|² and max|r|, of all cells or some.
-struct FaceResidual {
-  double squared = 0, largest = 0;
-  void operator+=(const FaceResidual& other) {
-    squared += other.squared;
-    largest = std::max(largest, other.largest);
-  }
+/// r of all cells or some.
+struct SubspaceResidual {
+  double squared = 0, largest = 0;  ///< |r|² [m²], max|r| [m]
+
+  void operator+=(const SubspaceResidual& other);
+  double norm() const;  ///< |r| [m]
 };
 
-class FaceGradients {
+class SubspaceCG {
  public:
-  /// Works in the fields of `trial`.
-  FaceGradients(ElasticOperator& influence, const ContactProblem& problem, Trial& trial)
-      : influence_(influence), problem_(problem), trial_(trial) {}
+  /// Starts from p and g = h + K p, on a set that outlives it. Works in the fields of `trial`, whose p and g are the
+  /// iterate.
+  SubspaceCG(ElasticOperator& influence, const ContactProblem& problem, const FreeSet& free, const Field& p,
+             const Field& g, Trial& trial);
 
-  /// Starts from p and g = h + K p.
-  void begin(const Face& face, const Field& p, const Field& g);
   /// (2). False, and p and g are as before, when the curvature along d or z·r is not positive.
   bool step();
 
   int steps() const { return steps_; }
-  double norm() const { return norm_; }        ///< |r|₂ [m]
-  double largest() const { return largest_; }  ///< max|r| [m]
+  /// Of K, and as many of M: a step that is refused has taken them too.
+  int applications() const { return applications_; }
+  const SubspaceResidual& residual() const { return residual_; }
   /// Whether a pressure is out of its bounds.
   bool out_of_bounds() const;
-  /// Whether the gap drives a cell off the bound on which the face keeps it.
-  bool face_too_small() const;
+  /// Whether the gap drives a cell off the bound on which F keeps it.
+  bool set_too_small() const;
 
  private:
-  const std::int8_t* mask(Block b) const { return face_->mask.data() + b.begin; }
   /// What P_F subtracts from a field whose sum over F this is.
-  double mean(double sum) const { return problem_.approach ? 0 : sum / face_->cells; }
-  FaceResidual residual(Block b);
-  void keep(const FaceResidual& residual);
+  double mean(double sum) const { return problem_.approach ? 0 : sum / free_.cells; }
+  SubspaceResidual residual(Block b);
   void turn(double mean_z, double beta);
   void advance(double a, double mean_q);
 
   ElasticOperator& influence_;
   const ContactProblem& problem_;
+  const FreeSet& free_;
   Trial& trial_;
-  const Face* face_ = nullptr;
-  double mean_gap_ = 0, zr_old_ = 1, norm_ = 0, largest_ = 0;
-  int steps_ = 0;
+  double mean_gap_, zr_old_ = 1;
+  SubspaceResidual residual_;
+  int steps_ = 0, applications_ = 0;
 };
 
 }  // namespace asperity

@@ -1,7 +1,8 @@
-#include "contact/face.hpp"
+#include "contact/subspace_cg.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -11,18 +12,18 @@ using Sums = Eigen::Array2d;
 
 }  // namespace
 
-void Face::set(const ContactProblem& problem, const Field& p, const Field& g, double approach) {
-  mask.resize(static_cast<std::size_t>(p.size()));
+FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, double approach)
+    : mask(static_cast<std::size_t>(p.size())) {
   const Sums sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
-    const double *pb = block.of(p).data(), *gb = block.of(g).data();
-    std::int8_t* in_face = mask.data() + block.begin;
+    const auto pb = block.of(p), gb = block.of(g);
+    auto in_set = block.of(mask);
     double count = 0, gap = 0;
 #pragma omp simd reduction(+ : count, gap)
     for (Index i = 0; i < block.size; ++i) {
       const bool pushed = gb[i] < approach;
       const bool pulled = gb[i] > approach;
       const bool in = pb[i] <= 0 ? pushed : pb[i] < cap || pulled;
-      in_face[i] = static_cast<std::int8_t>(in);
+      in_set[i] = static_cast<std::int8_t>(in);
       count += in ? 1.0 : 0.0;
       gap += in ? gb[i] : 0.0;
     }
@@ -32,27 +33,39 @@ void Face::set(const ContactProblem& problem, const Field& p, const Field& g, do
   gap_sum = sums[1];
 }
 
-void FaceGradients::begin(const Face& face, const Field& p, const Field& g) {
-  face_ = &face;
+void SubspaceResidual::operator+=(const SubspaceResidual& other) {
+  squared += other.squared;
+  largest = std::max(largest, other.largest);
+}
+
+double SubspaceResidual::norm() const { return std::sqrt(squared); }
+
+SubspaceCG::SubspaceCG(ElasticOperator& influence, const ContactProblem& problem, const FreeSet& free,
+                       const Field& p, const Field& g, Trial& trial)
+    : influence_(influence),
+      problem_(problem),
+      free_(free),
+      trial_(trial),
+      mean_gap_(problem.approach ? *problem.approach : mean(free.gap_sum)) {
   for (Field* field : {&trial_.p, &trial_.g, &trial_.d, &trial_.q}) field->resize(p.rows(), p.cols());
-  steps_ = 0;
-  mean_gap_ = problem_.approach ? *problem_.approach : mean(face.gap_sum);
-  keep(problem_.blocks().sum([&](Block b) {
+  residual_ = problem_.blocks().sum([&](Block b) {
     b.of(trial_.p) = b.of(p);
     b.of(trial_.g) = b.of(g);
     b.of(trial_.d).setZero();
     return residual(b);
-  }));
+  });
 }
 
 // r = P_F (-g), in the place of q.
-FaceResidual FaceGradients::residual(Block b) {
-  const std::int8_t* in_face = mask(b);
-  const double *g = b.of(trial_.g).data(), level = mean_gap_;
-  double *r = b.of(trial_.q).data(), squared = 0, largest = 0;
+SubspaceResidual SubspaceCG::residual(Block b) {
+  const auto in_set = b.of(free_.mask);
+  const auto g = b.of(std::as_const(trial_.g));
+  auto r = b.of(trial_.q);
+  const double level = mean_gap_;
+  double squared = 0, largest = 0;
 #pragma omp simd reduction(+ : squared) reduction(max : largest)
   for (Index i = 0; i < b.size; ++i) {
-    const double ri = in_face[i] * (level - g[i]);
+    const double ri = in_set[i] * (level - g[i]);
     r[i] = ri;
     squared += ri * ri;
     largest = std::max(largest, std::abs(ri));
@@ -60,21 +73,17 @@ FaceResidual FaceGradients::residual(Block b) {
   return {squared, largest};
 }
 
-void FaceGradients::keep(const FaceResidual& residual) {
-  norm_ = std::sqrt(residual.squared);
-  largest_ = residual.largest;
-}
-
-bool FaceGradients::step() {
+bool SubspaceCG::step() {
   const Blocks blocks = problem_.blocks();
+  ++applications_;
   influence_.precondition(trial_.q, trial_.q);
-  const Sums z = blocks.sum([&](Block b) {
-    const std::int8_t* in_face = mask(b);
-    const double *zb = b.of(trial_.q).data(), *g = b.of(trial_.g).data(), level = mean_gap_;
+  const Sums z = blocks.sum([&, level = mean_gap_](Block b) {
+    const auto in_set = b.of(free_.mask);
+    const auto zb = b.of(std::as_const(trial_.q)), g = b.of(std::as_const(trial_.g));
     double sum = 0, zr = 0;
 #pragma omp simd reduction(+ : sum, zr)
     for (Index i = 0; i < b.size; ++i) {
-      const double zi = in_face[i] * zb[i];
+      const double zi = in_set[i] * zb[i];
       sum += zi;
       zr += zi * (level - g[i]);
     }
@@ -85,13 +94,13 @@ bool FaceGradients::step() {
 
   influence_.apply(trial_.d, trial_.q);
   const Sums q = blocks.sum([&](Block b) {
-    const std::int8_t* in_face = mask(b);
-    const double *d = b.of(trial_.d).data(), *qb = b.of(trial_.q).data();
+    const auto in_set = b.of(free_.mask);
+    const auto d = b.of(std::as_const(trial_.d)), qb = b.of(std::as_const(trial_.q));
     double curvature = 0, sum = 0;
 #pragma omp simd reduction(+ : curvature, sum)
     for (Index i = 0; i < b.size; ++i) {
       curvature += d[i] * qb[i];
-      sum += in_face[i] * qb[i];
+      sum += in_set[i] * qb[i];
     }
     return Sums(curvature, sum);
   });
@@ -103,42 +112,42 @@ bool FaceGradients::step() {
 }
 
 // d = P_F z + β d.
-void FaceGradients::turn(double mean_z, double beta) {
+void SubspaceCG::turn(double mean_z, double beta) {
   problem_.blocks().each([&](Block b) {
-    const std::int8_t* in_face = mask(b);
-    const double* z = b.of(trial_.q).data();
-    double* d = b.of(trial_.d).data();
+    const auto in_set = b.of(free_.mask);
+    const auto z = b.of(std::as_const(trial_.q));
+    auto d = b.of(trial_.d);
 #pragma omp simd
-    for (Index i = 0; i < b.size; ++i) d[i] = in_face[i] * (z[i] - mean_z) + beta * d[i];
+    for (Index i = 0; i < b.size; ++i) d[i] = in_set[i] * (z[i] - mean_z) + beta * d[i];
   });
 }
 
 // p += a d, g += a q, r = P_F (r - a q).
-void FaceGradients::advance(double a, double mean_q) {
+void SubspaceCG::advance(double a, double mean_q) {
   mean_gap_ += a * mean_q;
-  keep(problem_.blocks().sum([&](Block b) {
+  residual_ = problem_.blocks().sum([&](Block b) {
     b.of(trial_.p) += a * b.of(trial_.d);
     b.of(trial_.g) += a * b.of(trial_.q);
     return residual(b);
-  }));
+  });
 }
 
-bool FaceGradients::out_of_bounds() const {
+bool SubspaceCG::out_of_bounds() const {
   return problem_.blocks().sum([&](Block b) {
     const auto p = b.of(trial_.p);
     return static_cast<int>(p.minCoeff() < 0 || (problem_.capped() && p.maxCoeff() > problem_.cap));
   }) > 0;
 }
 
-bool FaceGradients::face_too_small() const {
+bool SubspaceCG::set_too_small() const {
   return problem_.blocks().sum([&, cap = problem_.cap, level = mean_gap_](Block b) {
-    const std::int8_t* in_face = mask(b);
-    const double *p = b.of(trial_.p).data(), *g = b.of(trial_.g).data();
+    const auto in_set = b.of(free_.mask);
+    const auto p = b.of(std::as_const(trial_.p)), g = b.of(std::as_const(trial_.g));
     int driven = 0;
 #pragma omp simd reduction(+ : driven)
     for (Index i = 0; i < b.size; ++i) {
       const int off_zero = (p[i] <= 0) & (g[i] < level), off_cap = (p[i] >= cap) & (g[i] > level);
-      driven += (in_face[i] ^ 1) & (off_zero | off_cap);
+      driven += (in_set[i] ^ 1) & (off_zero | off_cap);
     }
     return driven;
   }) > 0;

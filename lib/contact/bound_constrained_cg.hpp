@@ -1,0 +1,79 @@
+/// Bound-constrained conjugate gradients: the contact problem on the cells of one operator.
+///
+///     p ← clip and rescale the start,  g ← h + K p;  under a given approach, the multiple of least energy
+///     until ε ≤ tolerance:
+///       subspace step F ← free cells and cells that want off their bound            contact/subspace_cg.hpp
+///                     minimise on F by preconditioned conjugate gradients
+///                     within bounds: take it.  Otherwise clip, rescale, and take it if the energy falls
+///                     as it should (guarded step); if not, go along it to the lowest point and
+///       gradient step p ← p + λ (Proj(p - α (g - δ)) - p),  λ = min(1, -(g-δ)·d / d·Kd)
+///                     a few times; also when ε has not halved in four rounds, or |F| < 2
+///
+/// Cells leave a bound all at once when F is built, or in a gradient step; they join one only in a
+/// guarded or a gradient step, and then exactly. Every iterate is feasible and the energy falls, so that the
+/// sets cannot cycle. The residual on F is not driven to zero: while no bound is violated the conjugate
+/// gradients go on, and once it has fallen to a quarter they stop at the first violation; they stop too where it
+/// has grown a thousandfold, for at round-off directions are noise that adds up.
+///
+/// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
+/// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells; six
+///           fields and a mask.
+///
+/// E. G. Birgin, J. M. Martínez, M. Raydan, Nonmonotone spectral projected gradient methods on convex sets,
+/// SIAM J. Optim. 10 (2000) 1196-1211; J. J. Moré, G. Toraldo, On the solution of large quadratic programming
+/// problems with bound constraints, SIAM J. Optim. 1 (1991) 93-113.
+#pragma once
+
+#include <functional>
+#include <limits>
+
+#include "contact/elastic_operator.hpp"
+#include "contact/problem.hpp"
+
+namespace asperity {
+
+enum class ContactStop { converged, convolution_limit, round_off };
+
+struct ContactStart {
+  Field p;            ///< [Pa]
+  Field g = {};       ///< h + K p [m]; made where it is empty
+  bool near = false;  ///< p is nearly the solution
+};
+
+struct ContactSolution {
+  Field p;            ///< [Pa]
+  Field g;            ///< h + K p [m]
+  bool fresh = true;  ///< g comes from one convolution, not from recurrences
+  ContactResidual residual = {};
+  ContactStop stop = ContactStop::converged;
+  double convolutions = 0, preconditionings = 0;  ///< applications of K and of M
+};
+
+/// Told of every round.
+using ContactObserver = std::function<void(const ContactResidual&, double convolutions)>;
+
+/// Counts the rounds since a number last fell below a share of its mark, which is then set to it.
+class Stagnation {
+ public:
+  explicit Stagnation(double share) : share_(share) {}
+
+  /// Of one more round.
+  int add(double value) {
+    if (!(value < share_ * mark_)) return ++rounds_;
+    restart(value);
+    return 0;
+  }
+  void restart(double mark) { mark_ = mark, rounds_ = 0; }
+  double mark() const { return mark_; }
+
+ private:
+  double share_, mark_ = std::numeric_limits<double>::infinity();
+  int rounds_ = 0;
+};
+
+/// Ends at this ε, after about so many convolutions, or at round-off. Shifts the problem's datum where round-off
+/// demands it.
+ContactSolution minimise(ElasticOperator& influence, ContactProblem& problem, ContactStart start,
+                         double tolerance, double convolutions, const ContactObserver& observe = {});
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+/// Where on a grid something is: the lines from the first to the last that hold any of it.
+///
+/// On a periodic grid they are the fewest lines in a row that hold all of it, and may go on beyond the edge.
+///
+/// Cost: one pass over the field.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "core/field.hpp"
+
+namespace asperity {
+
+/// A run of lines of one axis.
+struct Extent {
+  Index first = 0, count = 0;
+
+  Index end() const { return first + count; }
+  bool operator==(const Extent&) const = default;
+};
+
+using LineMask = Eigen::Array<bool, Eigen::Dynamic, 1>;
+
+/// From the first to the last line that is marked.
+inline Extent extent(const LineMask& marked, bool periodic) {
+  Index first = -1, last = -1, gap = 0, after_gap = 0;
+  for (Index k = 0; k < marked.size(); ++k) {
+    if (!marked(k)) continue;
+    if (first < 0) first = k;
+    if (last >= 0 && k - last - 1 > gap) gap = k - last - 1, after_gap = k;
+    last = k;
+  }
+  if (last < 0) return {};
+  const Extent inside{first, last - first + 1}, around{after_gap, marked.size() - gap};
+  return periodic && around.count < inside.count ? around : inside;
+}
+
+/// Along x and along y, of the cells where holds(value).
+template <class Holds>
+std::array<Extent, 2> extents(const Field& f, Holds holds, bool periodic = false) {
+  LineMask in_x = LineMask::Constant(f.rows(), false), in_y = LineMask::Constant(f.cols(), false);
+  for (Index i = 0; i < f.rows(); ++i) {
+    bool any = false;
+    for (Index j = 0; j < f.cols(); ++j) {
+      const bool held = holds(f(i, j));
+      any |= held;
+      in_y(j) |= held;
+    }
+    in_x(i) = any;
+  }
+  return {extent(in_x, periodic), extent(in_y, periodic)};
+}
+
+}  // namespace asperity
