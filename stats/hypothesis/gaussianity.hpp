@@ -45,8 +45,8 @@
 namespace asperity {
 
 /// The weights of A²'s law, and those of χ² over B bins.
-Eigen::ArrayXd anderson_darling_weights(const EffectiveSize& size);
-Eigen::ArrayXd pearson_weights(const EffectiveSize& size, int bins);
+Eigen::ArrayXd anderson_darling_weights(const EffectiveSampleSize& size);
+Eigen::ArrayXd pearson_weights(const EffectiveSampleSize& size, int bins);
 
 struct GoodnessOfFit {
   std::string_view test;
@@ -57,7 +57,7 @@ struct GoodnessOfFit {
 
 class GaussianityTest {
  public:
-  explicit GaussianityTest(const EffectiveSize& size);
+  explicit GaussianityTest(const EffectiveSampleSize& size);
 
   int bins() const { return bins_; }
   /// `moments` are z's, whose missing points are left out. The tests in the order (1)–(4).
@@ -68,8 +68,8 @@ class GaussianityTest {
 
  private:
   /// What the p-values of one correlation rest on.
-  struct Laws {
-    Laws(const EffectiveSize& size, int bins);
+  struct NullDistributions {
+    NullDistributions(const EffectiveSampleSize& size, int bins);
 
     double jarque_bera(const Moments& moments) const;
     double jarque_bera_p(double statistic) const;
@@ -77,13 +77,13 @@ class GaussianityTest {
     double points;
     std::array<double, 5> sums{};              ///< S_0…S_4
     Eigen::ArrayXd anderson_darling, pearson;  ///< weights
-    SupremumLaw supremum;
+    NullDistribution supremum;
   };
 
   std::array<GoodnessOfFit, 4> judge(double n, const auto& for_each_run, const Moments& moments) const;
 
   int bins_;
-  Laws laws_, naive_;
+  NullDistributions correlated_, independent_;
 };
 
 }  // namespace asperity

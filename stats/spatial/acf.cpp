@@ -19,7 +19,7 @@ void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads
   parallel_ranges(sums.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)
       for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
-        const double share = pairs.share(p, q);
+        const double share = pairs.pair_fraction(p, q);
         sums(p, max_lag.ny + q) = share > 0 ? sums(p, max_lag.ny + q) / share : no_pair;
       }
   });

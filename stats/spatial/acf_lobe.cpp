@@ -6,10 +6,9 @@
 #include <numbers>
 #include <string>
 
-#include <Eigen/LU>
-
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "math/linear_algebra.hpp"
 #include "stats/spatial/acf_length.hpp"
 
 namespace asperity {
@@ -88,7 +87,7 @@ std::optional<LobeEllipse> fitted_ellipse(const std::vector<Eigen::Vector2d>& po
     normal += row * row.transpose();
     right += row;
   }
-  const Eigen::Vector3d form = normal.fullPivLu().solve(right);
+  const Eigen::Vector3d form = solve(normal, right);
   const double middle = 0.5 * (form[0] + form[2]), spread = std::hypot(0.5 * (form[0] - form[2]), form[1]);
   if (!(middle - spread > 0)) return std::nullopt;
   const double across = 0.5 * std::atan2(2 * form[1], form[0] - form[2]);
@@ -108,9 +107,9 @@ CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
   const auto [nearest, farthest] = std::ranges::minmax_element(contour.points, nearer);
   const double edge =
       std::min(static_cast<double>(rho.max_p()) * grid.dx, static_cast<double>(rho.max_q()) * grid.dy);
-  if (!contour.open || nearest->norm() <= edge) out.fastest = reach(*nearest);
+  if (!contour.open || nearest->norm() <= edge) out.r_min = reach(*nearest);
   if (contour.open) return out;
-  out.slowest = reach(*farthest);
+  out.r_max = reach(*farthest);
   out.ellipse = fitted_ellipse(contour.points, nearest->norm());
   return out;
 }

@@ -42,13 +42,13 @@ struct LobeEllipse {
 };
 
 struct CentralLobe {
-  std::optional<Reach> fastest;        ///< (1); none when the lags end before
-  std::optional<Reach> slowest;        ///< none when the lobe reaches the longest lags
+  std::optional<Reach> r_min;          ///< (1); none when the lags end before
+  std::optional<Reach> r_max;          ///< none when the lobe reaches the longest lags
   std::optional<LobeEllipse> ellipse;  ///< (3); none when the lobe is open, or no ellipse
 
   /// (2).
   std::optional<double> aspect_ratio() const {
-    return fastest && slowest ? std::optional(fastest->length / slowest->length) : std::nullopt;
+    return r_min && r_max ? std::optional(r_min->length / r_max->length) : std::nullopt;
   }
 };
 

@@ -40,7 +40,7 @@ Pairs Pairs::of(const Field& z, const Grid& grid, int threads) {
   return {grid, LagField(lag_sums(validity(z), grid, longest_lags(grid), threads).round())};
 }
 
-double Pairs::share(Index p, Index q) const {
+double Pairs::pair_fraction(Index p, Index q) const {
   if (complete()) return overlap(grid_, p, q);
   if (grid_.periodic) p = folded(p, grid_.shape.nx), q = folded(q, grid_.shape.ny);
   return (*counts_)(p, q) / points_;
@@ -49,7 +49,7 @@ double Pairs::share(Index p, Index q) const {
 double Pairs::density(Index p, Index q) const {
   if (complete()) return 1;
   const double most = overlap(grid_, p, q);
-  return most > 0 ? share(p, q) / most : 0;
+  return most > 0 ? pair_fraction(p, q) / most : 0;
 }
 
 double overlap(const Grid& grid, Index p, Index q) {
@@ -60,7 +60,7 @@ LagField tapered(const LagField& rho, const Pairs& pairs) {
   const LagField inside = rho.within(longest_lags(pairs.grid()));
   return LagField(Field::NullaryExpr(inside.max_p() + 1, 2 * inside.max_q() + 1, [&](Index p, Index column) {
     const Index q = column - inside.max_q();
-    return inside(p, q) * std::sqrt(pairs.share(p, q));
+    return inside(p, q) * std::sqrt(pairs.pair_fraction(p, q));
   }));
 }
 
@@ -72,7 +72,7 @@ void for_each_lag(const LagField& lags, const Pairs& pairs,
               Q = grid.periodic ? std::min(lags.max_q(), ny / 2) : lags.max_q();
   for (Index p = 0; p <= P; ++p)
     for (Index q = -Q; q <= Q; ++q)
-      if (const double share = pairs.share(p, q); share > 0)
+      if (const double share = pairs.pair_fraction(p, q); share > 0)
         visit(p, q,
               (p > 0 ? 2 : 1) * share * half_period_share(p, nx, grid.periodic) *
                   half_period_share(q, ny, grid.periodic));

@@ -31,7 +31,7 @@ class Pairs {
   bool complete() const { return !counts_; }  ///< nothing is missing
   double points() const { return points_; }   ///< that are there
   /// n(p,q)/n(0,0); of a complete field its overlap with itself at the lag.
-  double share(Index p, Index q) const;
+  double pair_fraction(Index p, Index q) const;
   /// n(p,q) over what it were if nothing but the field's edges ended pairs, n(0,0) overlap(p,q); 1 for a complete field.
   double density(Index p, Index q) const;
 

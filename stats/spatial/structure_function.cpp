@@ -43,7 +43,7 @@ LagField over_valid_pairs(const Field& d, const Pairs& pairs, Shape max_lag, int
       estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
   return LagField(Field::NullaryExpr(both.rows(), both.cols(), [&](Index p, Index column) {
     const Index q = column - max_lag.ny;  // where no pair is, R is not a number
-    return both(p, column) / (pairs.share(p, q) * pairs.points()) - 2 * R(p, q);
+    return both(p, column) / (pairs.pair_fraction(p, q) * pairs.points()) - 2 * R(p, q);
   }));
 }
 

@@ -14,7 +14,7 @@ AcfError::AcfError(const LagField& correlation, const Pairs& pairs)
       if (const double rho = rho_(p, q); rho != 0) support_.push_back({p, q, rho});
 }
 
-double AcfError::pairs(Index p, Index q) const { return pairs_.share(p, q) * pairs_.points(); }
+double AcfError::pairs(Index p, Index q) const { return pairs_.pair_fraction(p, q) * pairs_.points(); }
 
 double AcfError::weight(Index p, Index q, Index k, Index l) const {
   const double there = pairs_.density(k, l);

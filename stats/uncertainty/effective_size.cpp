@@ -28,8 +28,8 @@ std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
     const bool zero = p == 0 && q == 0;
-    const double evidence =
-        zero ? std::numeric_limits<double>::infinity() : std::abs(value) * std::sqrt(pairs.share(p, q));
+    const double evidence = zero ? std::numeric_limits<double>::infinity()
+                                 : std::abs(value) * std::sqrt(pairs.pair_fraction(p, q));
     if (evidence > least) lags.push_back({p, q, value, weight, evidence});
   });
   std::ranges::make_heap(lags, weaker);
@@ -44,7 +44,7 @@ class Tail {
     for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
       if (admitted_(p / 2, q / 2) == 0) return;
       weight_ += weight;
-      if (p != 0 || q != 0) count_ += weight / pairs_.share(p, q);
+      if (p != 0 || q != 0) count_ += weight / pairs_.pair_fraction(p, q);
     });
   }
 
@@ -81,7 +81,8 @@ class Tail {
 
 }  // namespace
 
-EffectiveSize::EffectiveSize(const LagField& correlation, const Pairs& pairs) : points_(pairs.points()) {
+EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs)
+    : points_(pairs.points()) {
   const LagField rho = correlation.normalised();
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
@@ -91,12 +92,12 @@ EffectiveSize::EffectiveSize(const LagField& correlation, const Pairs& pairs) : 
   for (double& s : sums_) s = std::max(s, 0.0);
 }
 
-EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
+EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
   const Tail tail(rho, admitted, pairs);
   const double s1 = tail.first_sum(), lost = s1 / pairs.points(), b = lost / (1 - std::min(lost, 0.5));
   const Field& values = admitted.half_plane();
-  EffectiveSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
+  EffectiveSampleSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
   const double s2 = tail.second_sum(b), share = s2 / pairs.points();
   size.sums_[1] = s1 * (1 + lost_of_first * share);
   size.sums_[2] = s2 * (1 + lost_of_second * share);
@@ -104,7 +105,7 @@ EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Pairs& 
   return size;
 }
 
-double EffectiveSize::variance_of_mean(const std::function<double(int)>& weight, double total) const {
+double EffectiveSampleSize::variance_of_mean(const std::function<double(int)>& weight, double total) const {
   double variance = 0, rest = total;
   for (int k = 1; k <= powers; ++k) {
     const double w = weight(k);
@@ -130,7 +131,7 @@ LagField significant_lags(const LagField& estimate, const Pairs& pairs) {
   return LagField(std::move(admitted));
 }
 
-MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size) {
+MomentErrors standard_errors(const Moments& moments, const EffectiveSampleSize& size) {
   // (5), each weight from the one before.
   double w = 0;
   auto of_absolute = [&w](int k) {

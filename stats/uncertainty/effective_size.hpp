@@ -52,14 +52,14 @@
 
 namespace asperity {
 
-class EffectiveSize {
+class EffectiveSampleSize {
  public:
   static constexpr int powers = 512;
 
   /// The sums (2) of a known correlation, normalised or not.
-  EffectiveSize(const LagField& correlation, const Pairs& pairs);
+  EffectiveSampleSize(const LagField& correlation, const Pairs& pairs);
   /// The sums of an estimated one, as said above.
-  static EffectiveSize of_estimate(const LagField& estimate, const Pairs& pairs);
+  static EffectiveSampleSize of_estimate(const LagField& estimate, const Pairs& pairs);
 
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
@@ -84,6 +84,6 @@ LagField significant_lags(const LagField& estimate, const Pairs& pairs);
 struct MomentErrors {
   double mean = 0, sa = 0, sq = 0, ssk = 0, sku = 0;
 };
-MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size);
+MomentErrors standard_errors(const Moments& moments, const EffectiveSampleSize& size);
 
 }  // namespace asperity

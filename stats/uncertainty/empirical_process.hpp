@@ -12,7 +12,7 @@
 /// is that of independent heights, and all of the limit's roughness: D is a Brownian motion of variance S_∞ dΦ
 /// over short distances, which gives the largest |D| between two points as exactly as at them.
 ///
-/// Accuracy  (2) is exact for the k ≤ 512 that EffectiveSize holds, with S_512 for S_∞. Of the supremum, the
+/// Accuracy  (2) is exact for the k ≤ 512 that EffectiveSampleSize holds, with S_512 for S_∞. Of the supremum, the
 ///           simulation's: √(p(1-p)/8192), 0.0024 for p = 0.05.
 /// Cost      512 n² for (2) at n points; 8192 (n² + 24 n ns) for the supremum.
 ///
@@ -20,30 +20,18 @@
 /// independent heights; P. Breuer, P. Major, J. Multivar. Anal. 13 (1983) 425-441.
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
 
 #include "stats/uncertainty/effective_size.hpp"
+#include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 
 /// C(x_a, x_b) of (2).
-Eigen::MatrixXd fitted_process_covariance(const Eigen::ArrayXd& x, const EffectiveSize& size);
+Eigen::MatrixXd fitted_process_covariance(const Eigen::ArrayXd& x, const EffectiveSampleSize& size);
 
-/// The law of sup |D|, simulated with a fixed seed.
-class SupremumLaw {
- public:
-  static constexpr int draws = 8192;
-
-  /// `x` ascends over all of the Gaussian, `covariance` is (2) there, `roughness` is S_∞.
-  SupremumLaw(const Eigen::ArrayXd& x, const Eigen::MatrixXd& covariance, double roughness);
-
-  /// P(sup |D| ≥ value), from 1/(draws + 1) to 1.
-  double exceedance(double value) const;
-
- private:
-  std::vector<double> suprema_;  ///< ascending
-};
+/// Of sup |D|. `x` ascends over all of the Gaussian, `covariance` is (2) there, `roughness` is S_∞.
+NullDistribution supremum_distribution(const Eigen::ArrayXd& x, const Eigen::MatrixXd& covariance,
+                                       double roughness);
 
 }  // namespace asperity

@@ -10,7 +10,7 @@
 #include "stats/height/quantiles.hpp"
 #include "stats/spatial/acf_length.hpp"
 #include "stats/spatial/acf_lobe.hpp"
-#include "stats/uncertainty/gaussian_maximum.hpp"
+#include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 namespace {
@@ -24,18 +24,18 @@ Interval held(double length, double low, double high) {
 }
 
 // (1).
-LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
+LagField freed_of_mean(const LagField& rho, const EffectiveSampleSize& size) {
   const double share = std::min(size.sum(1) / size.points(), 0.5), b = share / (1 - share);
   return LagField((rho.half_plane() + b) / (1 + b));
 }
 
 // What the field's mean leaves of the errors that a known correlation gives.
-double left_by_mean(const EffectiveSize& size) {
+double left_by_mean(const EffectiveSampleSize& size) {
   return std::sqrt(1 - std::min(std::pow(size.sum(1), 2) / (size.points() * size.sum(2)), 0.5));
 }
 
 // By how much the errors of what stands out of the noise are too small.
-double lost_in_noise(const EffectiveSize& size, const EffectiveSize& admitted) {
+double lost_in_noise(const EffectiveSampleSize& size, const EffectiveSampleSize& admitted) {
   return std::pow(std::max(1.0, size.sum(2) / admitted.sum(2)), 0.25);
 }
 
@@ -55,10 +55,11 @@ LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, 
       grid_(pairs.grid()),
       error_(known ? *known : admitted, pairs),
       strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
-  const EffectiveSize size = known ? EffectiveSize(*known, pairs) : EffectiveSize::of_estimate(rho, pairs);
+  const EffectiveSampleSize size =
+      known ? EffectiveSampleSize(*known, pairs) : EffectiveSampleSize::of_estimate(rho, pairs);
   freed_ = freed_of_mean(rho, size);
   degrees_ = size.degrees();
-  const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSize(admitted, pairs));
+  const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSampleSize(admitted, pairs));
   strays_ = LagField(strays_.half_plane() * more);
 }
 
@@ -77,7 +78,7 @@ Interval LengthIntervals::along(double angle, double level, double confidence) c
 
 double LengthIntervals::length_of(Decay decay, const LagField& rho, double level) const {
   const CentralLobe lobe = central_lobe(rho, grid_, level);
-  const auto& reach = decay == Decay::fastest ? lobe.fastest : lobe.slowest;
+  const auto& reach = decay == Decay::r_min ? lobe.r_min : lobe.r_max;
   return reach ? reach->length : beyond;
 }
 
@@ -97,11 +98,11 @@ double LengthIntervals::quantile_of_extreme(const std::vector<Reached>& reached,
   std::vector<Shape> lags;
   lags.reserve(reached.size());
   for (const Reached& r : reached) lags.push_back(r.lag);
-  return wider * GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
+  return wider * NullDistribution::of_largest(error_.correlation(lags)).quantile(tail);
 }
 
 double LengthIntervals::strayed(Decay decay, double level, double tail) const {
-  const double side = decay == Decay::fastest ? 1 : -1;
+  const double side = decay == Decay::r_min ? 1 : -1;
   for (std::vector<Reached> reached = all_around(level);;) {
     const double end = length_of(decay, band(side * quantile_of_extreme(reached, tail)), level);
     if (std::erase_if(reached, [&](const Reached& r) { return side * (r.length - end) > 0; }) == 0)
@@ -109,16 +110,16 @@ double LengthIntervals::strayed(Decay decay, double level, double tail) const {
   }
 }
 
-Interval LengthIntervals::fastest(double level, double confidence) const {
+Interval LengthIntervals::r_min(double level, double confidence) const {
   const double tail = 1 - confidence, u = normal_quantile(tail / 2);
-  return held(length_of(Decay::fastest, rho_, level), length_of(Decay::fastest, band(-u), level),
-              strayed(Decay::fastest, level, tail));
+  return held(length_of(Decay::r_min, rho_, level), length_of(Decay::r_min, band(-u), level),
+              strayed(Decay::r_min, level, tail));
 }
 
-Interval LengthIntervals::slowest(double level, double confidence) const {
+Interval LengthIntervals::r_max(double level, double confidence) const {
   const double tail = 1 - confidence, u = normal_quantile(tail / 2);
-  return held(length_of(Decay::slowest, rho_, level), strayed(Decay::slowest, level, tail),
-              length_of(Decay::slowest, band(u), level));
+  return held(length_of(Decay::r_max, rho_, level), strayed(Decay::r_max, level, tail),
+              length_of(Decay::r_max, band(u), level));
 }
 
 }  // namespace asperity

@@ -49,9 +49,9 @@ class LengthIntervals {
   /// (2) in a direction, an angle from +x towards +y [rad], in metres; of a length that is beyond the lags open above.
   Interval along(double angle, double level, double confidence = 0.95) const;
   /// (2) of Sal.
-  Interval fastest(double level, double confidence = 0.95) const;
+  Interval r_min(double level, double confidence = 0.95) const;
   /// (2) of the slowest decay.
-  Interval slowest(double level, double confidence = 0.95) const;
+  Interval r_max(double level, double confidence = 0.95) const;
 
  private:
   LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
@@ -59,7 +59,7 @@ class LengthIntervals {
   /// ρ' + u SE at all lags.
   LagField band(double u) const;
   /// Sal of such a field, or its slowest decay; infinite where it lies beyond the lags.
-  enum class Decay { fastest, slowest };
+  enum class Decay { r_min, r_max };
   double length_of(Decay decay, const LagField& rho, double level) const;
   /// Where ρ' falls to a level in each of 12 directions.
   struct Reached {

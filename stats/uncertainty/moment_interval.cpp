@@ -50,17 +50,17 @@ double left_of(double second_order, double independent) {
   return std::max((1 - independent) / std::max(1 - second_order, 0.5), 0.75);
 }
 
-double share(const EffectiveSize& size, int k) { return size.sum(k) / size.points(); }
+double share(const EffectiveSampleSize& size, int k) { return size.sum(k) / size.points(); }
 
 // (4), (5); NaN, if the formula has no positive value.
-double skewness_error(const EffectiveSize& size) {
+double skewness_error(const EffectiveSampleSize& size) {
   const double n = size.effective(3);
   if (std::isinf(n)) return 0;
   const double independent = 6 * (n - 2) / ((n + 1) * (n + 3));
   return std::sqrt(independent *
                    left_of(second_order_of_ssk(share(size, 1), share(size, 2), share(size, 3)), -6 / n));
 }
-double kurtosis_error(const EffectiveSize& size) {
+double kurtosis_error(const EffectiveSampleSize& size) {
   const double n = size.effective(4);
   if (std::isinf(n)) return 0;
   if (!(n > 3)) return NAN;
@@ -72,7 +72,7 @@ double kurtosis_error(const EffectiveSize& size) {
 
 // (1) to (3), of any errors.
 MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& error,
-                                   const EffectiveSize& size, double tail) {
+                                   const EffectiveSampleSize& size, double tail) {
   const double patches = size.effective(2);
   const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
   const double t =
@@ -88,7 +88,7 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
 
 }  // namespace
 
-MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
+MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSampleSize& size, double level) {
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
   out.ssk = Interval::about(moments.ssk, u * skewness_error(size));
@@ -97,7 +97,7 @@ MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize
 }
 
 MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
-                                     const EffectiveSize& size, double level) {
+                                     const EffectiveSampleSize& size, double level) {
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   const MomentErrors error = errors.standard_errors(moments.sq);
   MomentIntervals out = intervals_of_scale(moments, error, size, tail);

@@ -23,7 +23,7 @@ struct Map {
   Field z;
 
   explicit Map(const char* name) {
-    std::ifstream file(std::string(ASPERITY_TEST_DATA) + "/" + name, std::ios::binary);
+    std::ifstream file(ASPERITY_TEST_DATA "/" + std::string(name), std::ios::binary);
     std::stringstream bytes;
     bytes << file.rdbuf();
     const Dataset data = decode_netcdf(bytes.str());

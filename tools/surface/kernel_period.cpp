@@ -58,7 +58,7 @@ std::string around(Shape surface) {
 
 void refuse_offset(const Field& correlation, Shape surface) {
   if (surface.cells() <= 1) return;
-  const EffectiveSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
+  const EffectiveSampleSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
   const double offset = size.sum(1) / size.points();
   if (offset > largest_offset)
     throw UsageError(

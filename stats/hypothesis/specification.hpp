@@ -58,11 +58,11 @@
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/correlation_powers.hpp"
-#include "stats/uncertainty/gaussian_maximum.hpp"
+#include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 
-struct Prescription {
+struct Specification {
   LagField correlation;  ///< normalised or not
   double sq = 0;         ///< rms height [m]; not finite: none is prescribed
   double ssk = 0, sku = 3;
@@ -74,7 +74,7 @@ struct Prescription {
 };
 
 /// One line of the answer.
-struct Claim {
+struct TestResult {
   std::string quantity;
   double prescribed = 0;
   double mean = 0;             ///< of the ensemble, bias removed
@@ -84,17 +84,17 @@ struct Claim {
   Index lag_x = 0, lag_y = 0;  ///< of the ACF: where it strays most [samples]
 };
 
-class PrescriptionTest {
+class SpecificationTest {
  public:
   /// Throws DataError("acf_target", …) where a surface is worth too little for theory.
-  PrescriptionTest(const Prescription& prescription, const Grid& grid);
+  SpecificationTest(const Specification& prescription, const Grid& grid);
 
   /// Throws DataError("heights", …) when the grid is not the first one's.
   void add(const Field& z, const Grid& grid);
   int surfaces() const { return surfaces_; }
   int lags() const { return static_cast<int>(lags_.size()); }
   /// Sq (where prescribed), Ssk, Sku, ACF. Throws ParameterError("errors", …) for the spread of a single surface.
-  std::vector<Claim> claims() const;
+  std::vector<TestResult> results() const;
 
  private:
   struct Lag {
@@ -103,10 +103,10 @@ class PrescriptionTest {
   };
   /// The normal score of a deviation of z standard errors.
   double score(double z, double skewness) const;
-  Claim height_claim() const;
-  Claim claim(const std::string& name, Index quantity, double prescribed, double mean, double theory,
-              double skewness) const;
-  Claim correlation_claim() const;
+  TestResult height_claim() const;
+  TestResult claim(const std::string& name, Index quantity, double prescribed, double mean, double theory,
+                   double skewness) const;
+  TestResult correlation_claim() const;
   double largest_score_p(double score) const;
   void choose_lags(const CorrelationPowers& powers);
   /// Of surfaces, one or the sum over many.
@@ -121,7 +121,7 @@ class PrescriptionTest {
   /// The mean S_k/N over the surfaces.
   double mean_sum(std::size_t k) const { return total_.sums[k] / surfaces_; }
 
-  Prescription prescription_;
+  Specification prescription_;
   /// Of heights that are not Gaussian: Johnson's translation, and the correlation of the field below it.
   struct Translated {
     Translation heights;
@@ -132,12 +132,12 @@ class PrescriptionTest {
   Theory complete_, total_;                          ///< of a surface that misses nothing; over all added
   double variance_skewness_ = 0, sku_skewness_ = 0;  ///< of one surface's
   std::vector<Lag> lags_;
-  GaussianMaximum largest_;  ///< of the errors of the lags
-  Ensemble ensemble_;        ///< Sq², Ssk, Sku, e(h) of each lag
+  NullDistribution largest_;  ///< of the errors of the lags
+  Ensemble ensemble_;         ///< Sq², Ssk, Sku, e(h) of each lag
   int surfaces_ = 0;
 };
 
 /// The p-value of all claims together, Bonferroni's.
-double joint_p(const std::vector<Claim>& claims);
+double joint_p(const std::vector<TestResult>& results);
 
 }  // namespace asperity

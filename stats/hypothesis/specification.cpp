@@ -1,4 +1,4 @@
-#include "stats/hypothesis/prescription.hpp"
+#include "stats/hypothesis/specification.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ Shape longest_lag(const LagField& rho, const Grid& grid) {
 
 }  // namespace
 
-void Prescription::check() const {
+void Specification::check() const {
   if (!(sku >= 1 + ssk * ssk))
     throw ParameterError("kurtosis",
                          "value " + shortest(sku) + " is below 1 + skewness², which no distribution has");
@@ -89,7 +89,7 @@ void Prescription::check() const {
                          "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
 }
 
-PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid& grid)
+SpecificationTest::SpecificationTest(const Specification& prescription, const Grid& grid)
     : prescription_(prescription), grid_(grid) {
   prescription_.check();
   prescription_.correlation = prescription.correlation.normalised();
@@ -105,23 +105,23 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   const double cells = static_cast<double>(grid.shape.cells());
   const double w = complete_.sums[1], v = 1 - w;
   const LagField square(rho.half_plane().square());
-  const EffectiveSize size(rho, Pairs(grid));
+  const EffectiveSampleSize size(rho, Pairs(grid));
   variance_skewness_ = 8 * (mean_of_triples(rho, grid) / (cells * cells) - w * w * w) / (v * v * v) /
                        std::pow(2 * complete_.sums[2], 1.5);
   sku_skewness_ = std::min(most_skewed, 1728 * mean_of_triples(square, grid) / (cells * cells) /
                                             std::pow(24 * size.sum(4) / size.points(), 1.5));
 }
 
-void PrescriptionTest::Theory::operator+=(const Theory& other) {
+void SpecificationTest::Theory::operator+=(const Theory& other) {
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += other.sums[k];
   ssk_bias += other.ssk_bias;
   sku_bias += other.sku_bias;
   lag_variances += other.lag_variances;
 }
 
-PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
+SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
   const LagField& rho = prescription_.correlation;
-  const EffectiveSize size(rho, pairs);
+  const EffectiveSampleSize size(rho, pairs);
   Theory out{.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()))};
   for (std::size_t k = 1; k <= 4; ++k) out.sums[k] = size.sum(static_cast<int>(k)) / size.points();
   if (!prescription_.spread && !size.tells_errors())
@@ -140,7 +140,7 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
   out.sums = about_mean(out.sums);
   out.sku_bias = -6 * out.sums[2];
   if (translated_) {
-    const TranslationErrors errors(translated_->heights, EffectiveSize(translated_->below, pairs));
+    const TranslationErrors errors(translated_->heights, EffectiveSampleSize(translated_->below, pairs));
     out.ssk_bias = errors.ssk_bias();
     out.sku_bias = errors.sku_bias();
   }
@@ -153,7 +153,7 @@ PrescriptionTest::Theory PrescriptionTest::theory_of(const Pairs& pairs) const {
   return out;
 }
 
-void PrescriptionTest::choose_lags(const CorrelationPowers& powers) {
+void SpecificationTest::choose_lags(const CorrelationPowers& powers) {
   const LagField& rho = prescription_.correlation;
   const double cells = static_cast<double>(grid_.shape.cells());
   const Shape most = longest_lag(rho, grid_);
@@ -172,10 +172,10 @@ void PrescriptionTest::choose_lags(const CorrelationPowers& powers) {
   });
   const Eigen::VectorXd scale = correlation.diagonal().cwiseSqrt().cwiseInverse();
   correlation = scale.asDiagonal() * correlation * scale.asDiagonal();
-  if (count > 0) largest_ = GaussianMaximum(correlation, GaussianMaximum::Of::magnitudes);
+  if (count > 0) largest_ = NullDistribution::of_largest_magnitude(correlation);
 }
 
-void PrescriptionTest::add(const Field& z, const Grid& grid) {
+void SpecificationTest::add(const Field& z, const Grid& grid) {
   auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
   if (shape_of(z) != grid_.shape || !same(grid.dx, grid_.dx) || !same(grid.dy, grid_.dy) ||
       grid.periodic != grid_.periodic)
@@ -196,7 +196,7 @@ void PrescriptionTest::add(const Field& z, const Grid& grid) {
   ++surfaces_;
 }
 
-double PrescriptionTest::score(double z, double skewness) const {
+double SpecificationTest::score(double z, double skewness) const {
   const double patches = surfaces_ / mean_sum(2);
   const double t = prescription_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
   const double degrees =
@@ -205,9 +205,9 @@ double PrescriptionTest::score(double z, double skewness) const {
   return normal_score(tails.below, tails.above);
 }
 
-Claim PrescriptionTest::claim(const std::string& name, Index quantity, double prescribed, double mean,
-                              double theory, double skewness) const {
-  Claim out{.quantity = name, .prescribed = prescribed, .mean = mean};
+TestResult SpecificationTest::claim(const std::string& name, Index quantity, double prescribed, double mean,
+                                    double theory, double skewness) const {
+  TestResult out{.quantity = name, .prescribed = prescribed, .mean = mean};
   out.standard_error =
       prescription_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
   out.z = (mean - prescribed) / out.standard_error;
@@ -216,19 +216,19 @@ Claim PrescriptionTest::claim(const std::string& name, Index quantity, double pr
 }
 
 // Tested as a variance, told as an rms height.
-Claim PrescriptionTest::height_claim() const {
+TestResult SpecificationTest::height_claim() const {
   const double variance = prescription_.sq * prescription_.sq, mean = ensemble_.mean()(0);
-  Claim out = claim("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_sum(2)), variance_skewness_);
+  TestResult out = claim("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_sum(2)), variance_skewness_);
   out.prescribed = prescription_.sq;
   out.mean = std::sqrt(mean);
   out.standard_error /= 2 * prescription_.sq;
   return out;
 }
 
-Claim PrescriptionTest::correlation_claim() const {
+TestResult SpecificationTest::correlation_claim() const {
   const Eigen::ArrayXd mean = ensemble_.mean() / ensemble_.mean()(0);
   const Eigen::ArrayXd spread = ensemble_.standard_error() / ensemble_.mean()(0);
-  Claim out{.quantity = "ACF", .p = 1};
+  TestResult out{.quantity = "ACF", .p = 1};
   double largest = -1;
   const Eigen::ArrayXd theory =
       total_.lag_variances.sqrt() / ensemble_.count().tail(total_.lag_variances.size());
@@ -244,18 +244,18 @@ Claim PrescriptionTest::correlation_claim() const {
   return out;
 }
 
-double PrescriptionTest::largest_score_p(double score) const {
+double SpecificationTest::largest_score_p(double score) const {
   const double sidak = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(score)));
   return prescription_.spread ? sidak : std::min(sidak, largest_.exceedance(score));
 }
 
-std::vector<Claim> PrescriptionTest::claims() const {
+std::vector<TestResult> SpecificationTest::results() const {
   if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
   if (prescription_.spread && surfaces_ < 2)
     throw ParameterError("errors",
                          "a single surface has no spread, which errors rest on where heights are not to be "
                          "Gaussian: name several");
-  std::vector<Claim> out;
+  std::vector<TestResult> out;
   if (std::isfinite(prescription_.sq)) out.push_back(height_claim());
   const Eigen::ArrayXd mean = ensemble_.mean();
   const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
@@ -265,10 +265,10 @@ std::vector<Claim> PrescriptionTest::claims() const {
   return out;
 }
 
-double joint_p(const std::vector<Claim>& claims) {
+double joint_p(const std::vector<TestResult>& results) {
   double least = 1;
-  for (const Claim& c : claims) least = std::min(least, c.p);
-  return std::min(1.0, least * static_cast<double>(claims.size()));
+  for (const TestResult& c : results) least = std::min(least, c.p);
+  return std::min(1.0, least * static_cast<double>(results.size()));
 }
 
 }  // namespace asperity
