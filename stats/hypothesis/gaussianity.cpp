@@ -127,9 +127,8 @@ Eigen::ArrayXd pearson_weights(const EffectiveSampleSize& size, int bins) {
                                difference.transpose());
 }
 
-GaussianityTest::NullDistributions::NullDistributions(const EffectiveSampleSize& size, int bins)
-    : points(size.points()),
-      sums{1, size.sum(1), size.sum(2), size.sum(3), size.sum(4)},
+GaussianityTest::NullDistributions::NullDistributions(const EffectiveSampleSize& of, int bins)
+    : size(of),
       anderson_darling(anderson_darling_weights(size)),
       pearson(pearson_weights(size, bins)),
       supremum(supremum_distribution(line(supremum_nodes),
@@ -141,12 +140,12 @@ double GaussianityTest::NullDistributions::jarque_bera(const Moments& moments) c
   auto squared_score = [](double deviation, double variance) {
     return variance > 0 ? deviation * deviation / variance : 0;
   };
-  return squared_score(moments.ssk, 6 * sums[3] / points) +
-         squared_score(moments.sku - 3 + 6 * sums[2] / points, 24 * sums[4] / points);
+  return squared_score(moments.ssk, 6 * size.sum(3) / size.points()) +
+         squared_score(moments.sku - 3 + 6 * size.sum(2) / size.points(), 24 * size.sum(4) / size.points());
 }
 
 double GaussianityTest::NullDistributions::jarque_bera_p(double statistic) const {
-  const int degrees = (sums[3] > 0) + (sums[4] > 0);
+  const int degrees = (size.sum(3) > 0) + (size.sum(4) > 0);
   return degrees == 2 ? std::exp(-statistic / 2) : degrees == 1 ? std::erfc(std::sqrt(statistic / 2)) : 1;
 }
 

@@ -69,13 +69,12 @@ class GaussianityTest {
  private:
   /// What the p-values of one correlation rest on.
   struct NullDistributions {
-    NullDistributions(const EffectiveSampleSize& size, int bins);
+    NullDistributions(const EffectiveSampleSize& of, int bins);
 
     double jarque_bera(const Moments& moments) const;
     double jarque_bera_p(double statistic) const;
 
-    double points;
-    std::array<double, 5> sums{};              ///< S_0…S_4
+    EffectiveSampleSize size;
     Eigen::ArrayXd anderson_darling, pearson;  ///< weights
     NullDistribution supremum;
   };

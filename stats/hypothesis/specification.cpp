@@ -20,17 +20,13 @@ namespace asperity {
 namespace {
 
 constexpr Index most_rows = 9, most_columns = 17;
-constexpr double least_density = 0.1;
-constexpr double most_score = 37;
+constexpr double least_density = 0.1, most_score = 37;
+constexpr double most_of_mean = 0.1;       // of the variance: a translation's biases are about a known mean
 constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
 constexpr double degrees_of_spread =
     0.75;  // a surface, less one: figures are more skewed than Student's law knows
-
 // Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has this skewness at the most.
 constexpr double most_skewed = 1.6;
-
-constexpr double most_of_mean =
-    0.1;  // of the variance, of a translation, whose biases are about a known mean
 
 // The score of probabilities below and above, whichever is the smaller.
 double normal_score(double below, double above) {
@@ -50,32 +46,18 @@ double gamma_score(double z, double skewness) {
 
 double two_sided(double score) { return 2 * gsl_cdf_ugaussian_Q(std::abs(score)); }
 
-// (5) and (6) but for their factors 8/N² and 1/N.
-double third_cumulant(const CorrelationPowers& powers, Index p, Index q, double rho) {
-  auto t = [&](Index k) { return powers.third(k * p, k * q); };
-  return (3 * t(1) + t(3)) / 4 - 1.5 * rho * (t(0) + t(2)) + 3 * rho * rho * t(1) - rho * rho * rho * t(0);
-}
-
-double covariance(const CorrelationPowers& powers, Shape h, double rho_h, Shape g, double rho_g) {
-  auto c = [&](Index p, Index q) { return powers.second(p, q); };
-  return c(h.nx - g.nx, h.ny - g.ny) + c(h.nx + g.nx, h.ny + g.ny) - 2 * rho_g * c(h.nx, h.ny) -
-         2 * rho_h * c(g.nx, g.ny) + 2 * rho_h * rho_g * c(0, 0);
-}
-
 // S_k/N of (ρ - w)/(1 - w), of S_k/N of ρ: the binomial formula, where S_0/N is 1.
-std::array<double, 5> about_mean(const std::array<double, 5>& s) {
-  const double w = s[1], v = 1 - w;
-  return {s[0], w, (s[2] - w * w) / (v * v), (s[3] - 3 * w * s[2] + 2 * w * w * w) / (v * v * v),
-          (s[4] - 4 * w * s[3] + 6 * w * w * s[2] - 3 * w * w * w * w) / (v * v * v * v)};
+Eigen::Array<double, 5, 1> about_mean(const EffectiveSampleSize& size) {
+  const double w = size.mean_power(1), v = 1 - w, s2 = size.mean_power(2), s3 = size.mean_power(3);
+  return {0, w, (s2 - w * w) / (v * v), (s3 - 3 * w * s2 + 2 * w * w * w) / (v * v * v),
+          (size.mean_power(4) - 4 * w * s3 + 6 * w * w * s2 - 3 * w * w * w * w) / (v * v * v * v)};
 }
-
-Index longest(Index table, Index points) { return std::min(table, points / 4); }
 
 Index stride(Index lags, Index most) { return (lags + most - 1) / most; }
 
 // R(h) at the lags that are tested needs no others.
 Shape longest_lag(const LagField& rho, const Grid& grid) {
-  return {longest(rho.max_p(), grid.shape.nx), longest(rho.max_q(), grid.shape.ny)};
+  return {std::min(rho.max_p(), grid.shape.nx / 4), std::min(rho.max_q(), grid.shape.ny / 4)};
 }
 
 }  // namespace
@@ -89,90 +71,91 @@ void Specification::check() const {
                          "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
 }
 
-SpecificationTest::SpecificationTest(const Specification& prescription, const Grid& grid)
-    : prescription_(prescription), grid_(grid) {
-  prescription_.check();
-  prescription_.correlation = prescription.correlation.normalised();
-  const LagField& rho = prescription_.correlation;
-  choose_lags(CorrelationPowers(tapered(rho, grid), grid));
-  if (prescription_.ssk != 0 || prescription_.sku != 3) {
-    const PrescribedHeights heights{prescription_.ssk, prescription_.sku, Infeasible::nearest};
+SpecificationTest::SpecificationTest(const Specification& asked, const Grid& grid)
+    : asked_(asked), grid_(grid) {
+  asked_.check();
+  asked_.correlation = asked.correlation.normalised();
+  choose_lags();
+  if (asked_.ssk != 0 || asked_.sku != 3) {
+    const PrescribedHeights heights{asked_.ssk, asked_.sku, Infeasible::nearest};
     const Translation g = heights.translation();
-    translated_ = Translated{g, underlying_correlation(rho, CorrelationMap(g))};
+    translated_ = Translated{g, underlying_correlation(asked_.correlation, CorrelationMap(g))};
   }
   complete_ = theory_of(grid);
-  total_.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()));
-  const double cells = static_cast<double>(grid.shape.cells());
-  const double w = complete_.sums[1], v = 1 - w;
-  const LagField square(rho.half_plane().square());
-  const EffectiveSampleSize size(rho, Pairs(grid));
-  variance_skewness_ = 8 * (mean_of_triples(rho, grid) / (cells * cells) - w * w * w) / (v * v * v) /
-                       std::pow(2 * complete_.sums[2], 1.5);
-  sku_skewness_ = std::min(most_skewed, 1728 * mean_of_triples(square, grid) / (cells * cells) /
-                                            std::pow(24 * size.sum(4) / size.points(), 1.5));
+  total_.lag_variances = Eigen::ArrayXd::Zero(complete_.lag_variances.size());
+  find_skewness();
 }
 
-void SpecificationTest::Theory::operator+=(const Theory& other) {
-  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += other.sums[k];
-  ssk_bias += other.ssk_bias;
-  sku_bias += other.sku_bias;
-  lag_variances += other.lag_variances;
-}
-
-SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
-  const LagField& rho = prescription_.correlation;
-  const EffectiveSampleSize size(rho, pairs);
-  Theory out{.lag_variances = Eigen::ArrayXd::Zero(static_cast<Index>(lags_.size()))};
-  for (std::size_t k = 1; k <= 4; ++k) out.sums[k] = size.sum(static_cast<int>(k)) / size.points();
-  if (!prescription_.spread && !size.tells_errors())
-    throw DataError("acf_target", "it reaches too far for the field, worth N_eff = " +
-                                      shortest(std::round(10 * size.effective(2)) / 10) +
-                                      " independent points: theory has errors from " +
-                                      shortest(size.least_effective()) + " on; take a larger field");
-  if (!(out.sums[1] < 0.5))
-    throw DataError("acf_target", "it reaches too far for the field, whose mean takes half of the variance");
-  if (translated_ && !(out.sums[1] < most_of_mean))
-    throw DataError(
-        "acf_target",
-        "it reaches too far for the field, whose mean takes " + shortest(std::round(100 * out.sums[1])) +
-            " % of the variance: of heights that are not Gaussian the biases of Ssk and Sku are known "
-            "below 10 %; take a larger field");
-  out.sums = about_mean(out.sums);
-  out.sku_bias = -6 * out.sums[2];
-  if (translated_) {
-    const TranslationErrors errors(translated_->heights, EffectiveSampleSize(translated_->below, pairs));
-    out.ssk_bias = errors.ssk_bias();
-    out.sku_bias = errors.sku_bias();
-  }
-  const AcfError errors(rho, pairs);
-  for (Index i = 0; const Lag& lag : lags_) {
-    if (pairs.density(lag.p, lag.q) > least_density)
-      out.lag_variances(i) = std::pow(errors.normalised(lag.p, lag.q), 2);
-    ++i;
-  }
-  return out;
-}
-
-void SpecificationTest::choose_lags(const CorrelationPowers& powers) {
-  const LagField& rho = prescription_.correlation;
+void SpecificationTest::choose_lags() {
+  const LagField& rho = asked_.correlation;
+  const CorrelationPowers powers(tapered(rho, grid_), grid_);
+  const Convolution c = [&](Index p, Index q) { return powers.second(p, q); };
   const double cells = static_cast<double>(grid_.shape.cells());
   const Shape most = longest_lag(rho, grid_);
   const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
   for (Index p = 0; p <= most.nx; p += dp)
     for (Index q = p == 0 ? dq : -(most.ny / dq) * dq; q <= most.ny; q += dq) {
-      const double at = rho(p, q), variance = covariance(powers, {p, q}, at, {p, q}, at);
-      if (!(variance > 1e-12 * powers.second(0, 0))) continue;
-      lags_.push_back(
-          {p, q, at, 8 * third_cumulant(powers, p, q, at) / (std::sqrt(cells) * std::pow(variance, 1.5))});
+      const CorrelatedLag h{{p, q}, rho(p, q)};
+      const double variance = bartlett_covariance(c, h, h);
+      if (!(variance > 1e-12 * c(0, 0))) continue;
+      lags_.push_back(h);
+      lag_skewness_.push_back(8 * powers.third_cumulant(h) / (std::sqrt(cells) * std::pow(variance, 1.5)));
     }
-  const auto count = static_cast<Index>(lags_.size());
-  Eigen::MatrixXd correlation = Eigen::MatrixXd::NullaryExpr(count, count, [&](Index a, Index b) {
-    const Lag &h = lags_[static_cast<std::size_t>(a)], &g = lags_[static_cast<std::size_t>(b)];
-    return covariance(powers, {h.p, h.q}, h.rho, {g.p, g.q}, g.rho);
-  });
-  const Eigen::VectorXd scale = correlation.diagonal().cwiseSqrt().cwiseInverse();
-  correlation = scale.asDiagonal() * correlation * scale.asDiagonal();
-  if (count > 0) largest_ = NullDistribution::of_largest_magnitude(correlation);
+  if (!lags_.empty()) largest_ = NullDistribution::of_largest_magnitude(bartlett_correlation(c, lags_));
+}
+
+void SpecificationTest::find_skewness() {
+  const LagField& rho = asked_.correlation;
+  const double cells = static_cast<double>(grid_.shape.cells());
+  const double w = complete_.mean_powers(1), v = 1 - w;
+  const LagField square(rho.half_plane().square());
+  const EffectiveSampleSize size(rho, Pairs(grid_));
+  variance_skewness_ = 8 * (mean_of_triples(rho, grid_) / (cells * cells) - w * w * w) / (v * v * v) /
+                       std::pow(2 * complete_.mean_powers(2), 1.5);
+  sku_skewness_ = std::min(most_skewed, 1728 * mean_of_triples(square, grid_) / (cells * cells) /
+                                            std::pow(24 * size.sum(4) / size.points(), 1.5));
+}
+
+void SpecificationTest::Theory::operator+=(const Theory& other) {
+  mean_powers += other.mean_powers;
+  ssk_bias += other.ssk_bias;
+  sku_bias += other.sku_bias;
+  lag_variances += other.lag_variances;
+}
+
+void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
+  auto refuse = [](const std::string& why) {
+    throw DataError("acf_target", "it reaches too far for the field, " + why);
+  };
+  if (!asked_.spread && !size.tells_errors())
+    refuse("worth N_eff = " + shortest(std::round(10 * size.effective(2)) / 10) +
+           " independent points: theory has errors from " + shortest(size.least_effective()) +
+           " on; take a larger field");
+  const double w = size.mean_power(1);
+  if (!(w < 0.5)) refuse("whose mean takes half of the variance");
+  if (translated_ && !(w < most_of_mean))
+    refuse("whose mean takes " + shortest(std::round(100 * w)) +
+           " % of the variance: of heights that are not Gaussian the biases of Ssk and Sku are known "
+           "below 10 %; take a larger field");
+}
+
+SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
+  const EffectiveSampleSize size(asked_.correlation, pairs);
+  check_reach(size);
+  Theory out{.mean_powers = about_mean(size), .lag_variances = Eigen::ArrayXd::Zero(lags())};
+  out.sku_bias = -6 * out.mean_powers(2);
+  if (translated_) {
+    const TranslationErrors errors(translated_->heights, EffectiveSampleSize(translated_->below, pairs));
+    out.ssk_bias = errors.ssk_bias();
+    out.sku_bias = errors.sku_bias();
+  }
+  const AcfError errors(asked_.correlation, pairs);
+  for (Index i = 0; const auto& [lag, rho] : lags_) {
+    if (pairs.density(lag.nx, lag.ny) > least_density)
+      out.lag_variances(i) = std::pow(errors.normalised(lag.nx, lag.ny), 2);
+    ++i;
+  }
+  return out;
 }
 
 void SpecificationTest::add(const Field& z, const Grid& grid) {
@@ -181,87 +164,84 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
       grid.periodic != grid_.periodic)
     throw DataError("heights", "the surface has another grid than the first one");
   const Moments m = moments(z);
-  const Pairs pairs = Pairs::of(z, grid_, prescription_.threads);
+  const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
   const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
   const LagField acf = estimate_autocorrelation(
-      z, pairs, {.max_lag = longest_lag(prescription_.correlation, grid_), .threads = prescription_.threads});
-  const double w = theory.sums[1], variance = acf(0, 0) / (1 - w);
-  const auto count = static_cast<Index>(lags_.size());
-  Eigen::ArrayXd values(3 + count);
+      z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = asked_.threads});
+  const double w = theory.mean_powers(1), variance = acf(0, 0) / (1 - w);
+  Eigen::ArrayXd values(3 + lags());
   values.head<3>() << variance, m.ssk, m.sku;
-  for (Index i = 0; const Lag& lag : lags_) values(3 + i++) = acf(lag.p, lag.q) - (lag.rho - w) * variance;
-  values.tail(count) = (theory.lag_variances > 0).select(values.tail(count), NAN);
+  for (Index i = 3; const auto& [lag, rho] : lags_) values(i++) = acf(lag.nx, lag.ny) - (rho - w) * variance;
+  values.tail(lags()) = (theory.lag_variances > 0).select(values.tail(lags()), NAN);
   ensemble_.add(values);
   total_ += theory;
   ++surfaces_;
 }
 
 double SpecificationTest::score(double z, double skewness) const {
-  const double patches = surfaces_ / mean_sum(2);
-  const double t = prescription_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
-  const double degrees =
-      prescription_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
+  const double patches = surfaces_ / mean_power(2);
+  const double t = asked_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
+  const double degrees = asked_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
   const StudentTails tails = student_tails(t, degrees);
   return normal_score(tails.below, tails.above);
 }
 
-TestResult SpecificationTest::claim(const std::string& name, Index quantity, double prescribed, double mean,
-                                    double theory, double skewness) const {
+TestResult SpecificationTest::result(const std::string& name, Index quantity, double prescribed, double mean,
+                                     double theory, double skewness) const {
   TestResult out{.quantity = name, .prescribed = prescribed, .mean = mean};
-  out.standard_error =
-      prescription_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
+  out.standard_error = asked_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
   out.z = (mean - prescribed) / out.standard_error;
   out.p = two_sided(score(out.z, skewness));
   return out;
 }
 
 // Tested as a variance, told as an rms height.
-TestResult SpecificationTest::height_claim() const {
-  const double variance = prescription_.sq * prescription_.sq, mean = ensemble_.mean()(0);
-  TestResult out = claim("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_sum(2)), variance_skewness_);
-  out.prescribed = prescription_.sq;
+TestResult SpecificationTest::height_result() const {
+  const double variance = asked_.sq * asked_.sq, mean = ensemble_.mean()(0);
+  TestResult out =
+      result("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_power(2)), variance_skewness_);
+  out.prescribed = asked_.sq;
   out.mean = std::sqrt(mean);
-  out.standard_error /= 2 * prescription_.sq;
+  out.standard_error /= 2 * asked_.sq;
   return out;
 }
 
-TestResult SpecificationTest::correlation_claim() const {
-  const Eigen::ArrayXd mean = ensemble_.mean() / ensemble_.mean()(0);
-  const Eigen::ArrayXd spread = ensemble_.standard_error() / ensemble_.mean()(0);
+TestResult SpecificationTest::correlation_result() const {
+  const double variance = ensemble_.mean()(0);
+  const Eigen::ArrayXd mean = ensemble_.mean().tail(lags()) / variance;
+  Eigen::ArrayXd error = ensemble_.standard_error().tail(lags()) / variance;
+  if (!asked_.spread) error = total_.lag_variances.sqrt() / ensemble_.count().tail(lags());
   TestResult out{.quantity = "ACF", .p = 1};
   double largest = -1;
-  const Eigen::ArrayXd theory =
-      total_.lag_variances.sqrt() / ensemble_.count().tail(total_.lag_variances.size());
-  for (Index i = 0; const Lag& lag : lags_) {
-    const double strayed = mean(3 + i), error = prescription_.spread ? spread(3 + i) : theory(i);
-    ++i;
-    if (!(error > 0)) continue;
-    const double strays = std::abs(score(strayed / error, lag.skewness));
-    if (strays > largest)
-      out = {"ACF", lag.rho, lag.rho + strayed, error, strayed / error, 1, lag.p, lag.q}, largest = strays;
+  for (Index i = 0; i < lags(); ++i) {
+    if (!(error(i) > 0)) continue;
+    const auto& [lag, rho] = lags_[static_cast<std::size_t>(i)];
+    const double z = mean(i) / error(i),
+                 strays = std::abs(score(z, lag_skewness_[static_cast<std::size_t>(i)]));
+    if (strays > largest) out = {"ACF", rho, rho + mean(i), error(i), z, 1, lag.nx, lag.ny}, largest = strays;
   }
-  out.p = largest < 0 ? 1 : largest_score_p(largest);
+  if (largest >= 0) out.p = largest_score_p(largest);
   return out;
 }
 
 double SpecificationTest::largest_score_p(double score) const {
   const double sidak = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(score)));
-  return prescription_.spread ? sidak : std::min(sidak, largest_.exceedance(score));
+  return asked_.spread ? sidak : std::min(sidak, largest_.exceedance(score));
 }
 
 std::vector<TestResult> SpecificationTest::results() const {
   if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
-  if (prescription_.spread && surfaces_ < 2)
+  if (asked_.spread && surfaces_ < 2)
     throw ParameterError("errors",
                          "a single surface has no spread, which errors rest on where heights are not to be "
                          "Gaussian: name several");
   std::vector<TestResult> out;
-  if (std::isfinite(prescription_.sq)) out.push_back(height_claim());
+  if (std::isfinite(asked_.sq)) out.push_back(height_result());
   const Eigen::ArrayXd mean = ensemble_.mean();
   const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
-  out.push_back(claim("Ssk", 1, prescription_.ssk, ssk, std::sqrt(6 * mean_sum(3)), 0));
-  out.push_back(claim("Sku", 2, prescription_.sku, sku, std::sqrt(24 * mean_sum(4)), sku_skewness_));
-  if (!lags_.empty()) out.push_back(correlation_claim());
+  out.push_back(result("Ssk", 1, asked_.ssk, ssk, std::sqrt(6 * mean_power(3)), 0));
+  out.push_back(result("Sku", 2, asked_.sku, sku, std::sqrt(24 * mean_power(4)), sku_skewness_));
+  if (!lags_.empty()) out.push_back(correlation_result());
   return out;
 }
 

@@ -47,7 +47,6 @@
 /// Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,10 +57,12 @@
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/correlation_powers.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 
+/// What surfaces were asked to have.
 struct Specification {
   LagField correlation;  ///< normalised or not
   double sq = 0;         ///< rms height [m]; not finite: none is prescribed
@@ -73,21 +74,21 @@ struct Specification {
   void check() const;
 };
 
-/// One line of the answer.
+/// Of one quantity.
 struct TestResult {
   std::string quantity;
   double prescribed = 0;
   double mean = 0;             ///< of the ensemble, bias removed
   double standard_error = 0;   ///< of the mean
   double z = 0;                ///< (mean - prescribed)/standard_error
-  double p = 0;                ///< of the claim alone; of all its lags for the ACF
+  double p = 0;                ///< of this quantity alone; of the ACF over all its lags
   Index lag_x = 0, lag_y = 0;  ///< of the ACF: where it strays most [samples]
 };
 
 class SpecificationTest {
  public:
   /// Throws DataError("acf_target", …) where a surface is worth too little for theory.
-  SpecificationTest(const Specification& prescription, const Grid& grid);
+  SpecificationTest(const Specification& asked, const Grid& grid);
 
   /// Throws DataError("heights", …) when the grid is not the first one's.
   void add(const Field& z, const Grid& grid);
@@ -97,47 +98,46 @@ class SpecificationTest {
   std::vector<TestResult> results() const;
 
  private:
-  struct Lag {
-    Index p, q;
-    double rho, skewness;  ///< skewness of one surface's e
-  };
-  /// The normal score of a deviation of z standard errors.
-  double score(double z, double skewness) const;
-  TestResult height_claim() const;
-  TestResult claim(const std::string& name, Index quantity, double prescribed, double mean, double theory,
-                   double skewness) const;
-  TestResult correlation_claim() const;
-  double largest_score_p(double score) const;
-  void choose_lags(const CorrelationPowers& powers);
   /// Of surfaces, one or the sum over many.
   struct Theory {
-    std::array<double, 5> sums{};  ///< S_k/N
+    Eigen::Array<double, 5, 1> mean_powers = Eigen::Array<double, 5, 1>::Zero();  ///< S_k/N
     double ssk_bias = 0, sku_bias = 0;
     Eigen::ArrayXd lag_variances;  ///< of e per σ⁴; 0 where a surface has too few pairs
 
     void operator+=(const Theory& other);
   };
-  Theory theory_of(const Pairs& pairs) const;
-  /// The mean S_k/N over the surfaces.
-  double mean_sum(std::size_t k) const { return total_.sums[k] / surfaces_; }
-
-  Specification prescription_;
   /// Of heights that are not Gaussian: Johnson's translation, and the correlation of the field below it.
   struct Translated {
     Translation heights;
     LagField below;
   };
-  std::optional<Translated> translated_;
+  void choose_lags();
+  void find_skewness();
+  void check_reach(const EffectiveSampleSize& size) const;
+  Theory theory_of(const Pairs& pairs) const;
+  /// The mean S_k/N over the surfaces.
+  double mean_power(Index k) const { return total_.mean_powers(k) / surfaces_; }
+  /// The normal score of a deviation of z standard errors.
+  double score(double z, double skewness) const;
+  TestResult height_result() const;
+  TestResult result(const std::string& name, Index quantity, double prescribed, double mean, double theory,
+                    double skewness) const;
+  TestResult correlation_result() const;
+  double largest_score_p(double score) const;
+
+  Specification asked_;
   Grid grid_;
-  Theory complete_, total_;                          ///< of a surface that misses nothing; over all added
+  std::optional<Translated> translated_;
+  std::vector<CorrelatedLag> lags_;
+  std::vector<double> lag_skewness_;                 ///< of e of one surface
   double variance_skewness_ = 0, sku_skewness_ = 0;  ///< of one surface's
-  std::vector<Lag> lags_;
-  NullDistribution largest_;  ///< of the errors of the lags
-  Ensemble ensemble_;         ///< Sq², Ssk, Sku, e(h) of each lag
+  NullDistribution largest_;                         ///< of the errors of the lags
+  Theory complete_, total_;                          ///< of a surface that misses nothing; over all added
+  Ensemble ensemble_;                                ///< Sq², Ssk, Sku, e(h) of each lag
   int surfaces_ = 0;
 };
 
-/// The p-value of all claims together, Bonferroni's.
+/// The p-value of all results together, Bonferroni's.
 double joint_p(const std::vector<TestResult>& results);
 
 }  // namespace asperity

@@ -19,8 +19,8 @@ void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads
   parallel_ranges(sums.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)
       for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
-        const double share = pairs.pair_fraction(p, q);
-        sums(p, max_lag.ny + q) = share > 0 ? sums(p, max_lag.ny + q) / share : no_pair;
+        const double fraction = pairs.pair_fraction(p, q);
+        sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : no_pair;
       }
   });
 }
@@ -28,7 +28,7 @@ void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads
 }  // namespace
 
 void AcfParameters::check(const Grid& grid) const {
-  const Shape most = grid.periodic ? default_max_lag(grid) : Shape{grid.shape.nx - 1, grid.shape.ny - 1};
+  const Shape most = longest_lags(grid);
   auto within = [](Index lag, Index bound) { return lag >= 0 && lag <= bound; };
   if (within(max_lag.nx, most.nx) && within(max_lag.ny, most.ny)) return;
   auto text = [](Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); };

@@ -1,6 +1,6 @@
 #include "stats/spatial/structure_function.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "core/error.hpp"
 #include "stats/filter/form.hpp"
@@ -36,15 +36,15 @@ LagField over_valid_pairs(const Field& d, const Pairs& pairs, Shape max_lag, int
   const Field u = zero_filled(d).square(), m = validity(d);
   const double scale = u.sum() / pairs.points();
   if (!(scale > 0)) throw DataError("heights", "every value is the same");
-  const Field both =
+  const LagField both(
       (lag_sums(u / scale + m, grid, max_lag, threads) - lag_sums(u / scale - m, grid, max_lag, threads)) *
-      (scale / 2);
+      (scale / 2));
   const LagField R =
       estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
-  return LagField(Field::NullaryExpr(both.rows(), both.cols(), [&](Index p, Index column) {
-    const Index q = column - max_lag.ny;  // where no pair is, R is not a number
-    return both(p, column) / (pairs.pair_fraction(p, q) * pairs.points()) - 2 * R(p, q);
-  }));
+  // Where no pair is, R is not a number.
+  return LagField::of(max_lag, [&](Index p, Index q) {
+    return both(p, q) / (pairs.pair_fraction(p, q) * pairs.points()) - 2 * R(p, q);
+  });
 }
 
 }  // namespace
@@ -60,16 +60,13 @@ LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int
   if (grid.periodic) return LagField(2 * (R(0, 0) - R.half_plane()));
 
   const PartialSums squares(d.square());
-  const auto [nx, ny] = grid.shape;
-  Field out(max_lag.nx + 1, 2 * max_lag.ny + 1);
-  for (Index p = 0; p <= max_lag.nx; ++p)
-    for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
-      const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0), rows = nx - p,
-                  columns = ny - right - left;
-      const double both = squares(0, left, rows, columns) + squares(p, right, rows, columns);
-      out(p, max_lag.ny + q) = both / static_cast<double>(rows * columns) - 2 * R(p, q);
-    }
-  return LagField(std::move(out));
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
+  return LagField::of(max_lag, [&](Index p, Index q) {
+    const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0), rows = nx - p,
+                columns = ny - right - left;
+    const double both = squares(0, left, rows, columns) + squares(p, right, rows, columns);
+    return both / static_cast<double>(rows * columns) - 2 * R(p, q);
+  });
 }
 
 }  // namespace asperity

@@ -23,6 +23,7 @@
 #include "core/field.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
+#include "stats/uncertainty/correlation_powers.hpp"
 
 namespace asperity {
 
@@ -37,15 +38,11 @@ class AcfError {
   /// (2) at all lags up to these, with w_h(k) = w_0(k): ρ is tapered by √w_0, of which c = ρ*ρ holds all sums,
   ///     n_h Var[R(h)/R(0)] = c(0) (1 + 2ρ(h)²) - 4ρ(h) c(h) + c(2h).                               (3)
   LagField normalised(Shape max_lag) const;
-  /// How the errors (2) of two lags of a field much longer than they are correlated, by Bartlett too, with c as in (3),
-  ///     C(h,g) ∝ c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0).                            (4)
+  /// How the errors (2) of two lags of a field much longer than they are correlated, by c of (3) and Bartlett's
+  /// covariance (stats/uncertainty/correlation_powers.hpp).
   Eigen::MatrixXd correlation(const std::vector<Shape>& lags) const;
 
  private:
-  struct Lag {
-    Index p, q;
-    double rho;
-  };
   /// The weight of distance (k,l) among the pairs at lag (p,q).
   double weight(Index p, Index q, Index k, Index l) const;
   double pairs(Index p, Index q) const;
@@ -53,7 +50,7 @@ class AcfError {
 
   LagField rho_;
   Pairs pairs_;
-  std::vector<Lag> support_;  ///< the whole plane's lags where ρ ≠ 0
+  std::vector<CorrelatedLag> support_;  ///< the whole plane's lags where ρ ≠ 0
 };
 
 }  // namespace asperity

@@ -40,6 +40,7 @@
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -64,6 +65,9 @@ class EffectiveSampleSize {
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
+  double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
+  double taken_by_mean() const { return std::min(mean_power(1), most_taken); }  ///< w
+  double bias_of_lags() const { return bias_of_lags(mean_power(1)); }           ///< b
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
   /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an estimate.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
@@ -73,6 +77,9 @@ class EffectiveSampleSize {
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:
+  static constexpr double most_taken = 0.5;
+  static double bias_of_lags(double w) { return std::min(w, most_taken) / (1 - std::min(w, most_taken)); }
+
   double points_, degrees_ = std::numeric_limits<double>::infinity();
   std::array<double, powers + 1> sums_{};
 };

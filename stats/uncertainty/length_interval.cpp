@@ -23,12 +23,6 @@ Interval held(double length, double low, double high) {
   return low < beyond ? Interval::of(length, low, high) : Interval();
 }
 
-// (1).
-LagField freed_of_mean(const LagField& rho, const EffectiveSampleSize& size) {
-  const double share = std::min(size.sum(1) / size.points(), 0.5), b = share / (1 - share);
-  return LagField((rho.half_plane() + b) / (1 + b));
-}
-
 // What the field's mean leaves of the errors that a known correlation gives.
 double left_by_mean(const EffectiveSampleSize& size) {
   return std::sqrt(1 - std::min(std::pow(size.sum(1), 2) / (size.points() * size.sum(2)), 0.5));
@@ -57,7 +51,8 @@ LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, 
       strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
   const EffectiveSampleSize size =
       known ? EffectiveSampleSize(*known, pairs) : EffectiveSampleSize::of_estimate(rho, pairs);
-  freed_ = freed_of_mean(rho, size);
+  const double b = size.bias_of_lags();
+  freed_ = LagField((rho.half_plane() + b) / (1 + b));
   degrees_ = size.degrees();
   const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSampleSize(admitted, pairs));
   strays_ = LagField(strays_.half_plane() * more);

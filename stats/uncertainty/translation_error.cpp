@@ -40,7 +40,7 @@ TranslationErrors::TranslationErrors(const Translation& g, const EffectiveSample
   h.next();
   for (int k = 1; k <= EffectiveSampleSize::powers; ++k) {
     const Means c = f.transpose() * h.next().matrix();
-    covariance_ += c * c.transpose() * (size.sum(k) / size.points());
+    covariance_ += c * c.transpose() * size.mean_power(k);
   }
 }
 

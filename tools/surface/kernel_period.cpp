@@ -59,7 +59,7 @@ std::string around(Shape surface) {
 void refuse_offset(const Field& correlation, Shape surface) {
   if (surface.cells() <= 1) return;
   const EffectiveSampleSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
-  const double offset = size.sum(1) / size.points();
+  const double offset = size.mean_power(1);
   if (offset > largest_offset)
     throw UsageError(
         "periodic",
