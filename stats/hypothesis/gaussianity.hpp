@@ -9,7 +9,7 @@
 /// neighbours say nearly the same, the tables reject what is Gaussian. The laws used instead, where the heights
 /// are a Gaussian field of sums S_k (stats/uncertainty/effective_size.hpp):
 ///     JB   χ² of 2 degrees; -6 S_2/N is what Sku falls short of 3 in a finite field
-///     KS   the supremum of the process D (stats/uncertainty/empirical_process.hpp), simulated
+///     KS   the supremum of the process D (stats/uncertainty/null_distribution.hpp), simulated
 ///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights the eigenvalues
 ///          of D's covariance by the trapezoidal rule over |x| ≤ 6
 ///     χ²   the sum of squared differences of D over the bins, such a sum too: neither B - 1 nor B - 3 degrees,
@@ -40,7 +40,7 @@
 #include "stats/height/height_runs.hpp"
 #include "stats/height/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "stats/uncertainty/empirical_process.hpp"
+#include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 

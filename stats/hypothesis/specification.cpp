@@ -12,7 +12,6 @@
 #include "stats/height/quantiles.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/acf_error.hpp"
-#include "stats/uncertainty/correlation_powers.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 

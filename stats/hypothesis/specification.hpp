@@ -12,7 +12,7 @@
 /// deviation in standard errors, is freed of it by the gamma law of the same three cumulants (Imhof; Wilson and
 /// Hilferty), and of the far tails, heavier than these tell, by Student's t of M N/(10 S_2) degrees, as was measured.
 /// The third cumulants of Sq² and, to first order, Sku are 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, C the correlations of the N points with
-/// each other and D their squares (stats/uncertainty/correlation_powers.hpp). With c = ρ*ρ and t = ρ*ρ*ρ of a ρ that is tapered so that they
+/// each other and D their squares (stats/uncertainty/acf_error.hpp). With c = ρ*ρ and t = ρ*ρ*ρ of a ρ that is tapered so that they
 /// are sums over the pairs and triples of the field (stats/spatial/pairs.hpp), those of e(h) and the covariance of e(h) with e(g) are
 ///     (8/N²) [(3t(h) + t(3h))/4 - (3/2)ρ(h)(t(0) + t(2h)) + 3ρ(h)²t(h) - ρ(h)³t(0)],               (5)
 ///     (1/N) [c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0)].                              (6)
@@ -56,7 +56,7 @@
 #include "stats/hypothesis/ensemble.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
-#include "stats/uncertainty/correlation_powers.hpp"
+#include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 

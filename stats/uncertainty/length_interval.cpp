@@ -9,7 +9,6 @@
 
 #include "stats/height/quantiles.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {

@@ -1,5 +1,3 @@
-#include "stats/spatial/acf_lobe.hpp"
-
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/spatial/acf_length.hpp"

@@ -3,7 +3,6 @@
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

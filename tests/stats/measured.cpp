@@ -9,7 +9,6 @@
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/spatial/structure_function.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -9,7 +9,6 @@
 #include "stats/hypothesis/specification.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/acf_error.hpp"
-#include "stats/uncertainty/correlation_powers.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/series.hpp"
 

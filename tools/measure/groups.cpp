@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "stats/spectrum/spectrum.hpp"
-#include "stats/spectrum/texture_direction.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/length_interval.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
