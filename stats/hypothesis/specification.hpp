@@ -1,45 +1,39 @@
 /// Has an ensemble of surfaces the rms height, skewness, kurtosis and autocorrelation that were prescribed?
 ///
-/// Over M surfaces of N points each, the means of four kinds of figures are compared with what they would be of
-/// Gaussian surfaces of the prescribed correlation ρ. With w = S_1/N of it, heights about their own mean are correlated by
-/// (ρ - w)/(1 - w), exactly so where the surface is periodic, and S_k are the sums of that (stats/uncertainty/effective_size.hpp):
+/// Over M surfaces of N points each, the means of four kinds of figures are compared with those of Gaussian surfaces of
+/// the prescribed correlation ρ. With w = S_1/N of it, heights about their own mean are correlated by (ρ - w)/(1 - w),
+/// exactly so where the surface is periodic, and S_k are the sums of that (stats/uncertainty/effective_size.hpp):
 ///     Sq²/(1 - w) - σ²                       standard error σ² √(2 S_2/(N M))                       (1)
 ///     Ssk                                    √(6 S_3/(N M))                                         (2)
 ///     Sku + 6 S_2/N - 3                      √(24 S_4/(N M))                                        (3)
-///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (2), over √M                      (4)
-/// The terms in w and 6 S_2/N undo the bias that the field's own mean and rms height bring; (4) is the ACF's
-/// shape, whatever its height. Each is a mean of quadratic or quartic forms of a Gaussian, hence skewed: z, the
-/// deviation in standard errors, is freed of it by the gamma law of the same three cumulants (Imhof; Wilson and
-/// Hilferty), and of the far tails, heavier than these tell, by Student's t of M N/(10 S_2) degrees, as was measured.
-/// The third cumulants of Sq² and, to first order, Sku are 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, C the correlations of the N points with
-/// each other and D their squares (stats/uncertainty/acf_error.hpp). With c = ρ*ρ and t = ρ*ρ*ρ of a ρ that is tapered so that they
-/// are sums over the pairs and triples of the field (stats/spatial/pairs.hpp), those of e(h) and the covariance of e(h) with e(g) are
-///     (8/N²) [(3t(h) + t(3h))/4 - (3/2)ρ(h)(t(0) + t(2h)) + 3ρ(h)²t(h) - ρ(h)³t(0)],               (5)
-///     (1/N) [c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0)].                              (6)
-/// The many lags are one claim: the p-value of the largest |score| is that of the largest of Gaussians correlated as
-/// (6), simulated with a fixed seed, or Šidák's bound 1 - (1 - p)^L where that is smaller; it holds for Gaussians
-/// of any correlation. Bonferroni over the K claims: the answer is "no" when the least p is below significance/K, so
-/// that it is falsely "no" no more often than the significance.
+///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (2), over √M          (4)
+/// The terms in w and 6 S_2/N undo the bias of the field's own mean and rms height; (4) is the ACF's shape, whatever its
+/// height. Each is a mean of quadratic or quartic forms of a Gaussian, hence skewed: z, the deviation in standard errors,
+/// is freed of that by the gamma law of the same three cumulants (Imhof; Wilson and Hilferty), and of the far tails,
+/// heavier than these tell, by Student's t of M N/(10 S_2) degrees, as was measured. The third cumulants of Sq² and, to
+/// first order, Sku are 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, C the correlations of the N points with each other and D their
+/// squares; those of e(h), and the covariances of e(h) with e(g): stats/uncertainty/acf_error.hpp, of a tapered ρ.
+/// The p-value of the largest |score| of the lags is that of the largest of Gaussians so correlated, simulated with a
+/// fixed seed, or Šidák's bound 1 - (1 - p)^L, for Gaussians of any correlation, where that is smaller. Bonferroni over
+/// the K quantities: the answer is "no" when the least p is below significance/K, and falsely so no more often than that.
 ///
-/// For surfaces that are not meant to be Gaussian the theory has no errors; then they come from the ensemble's own
-/// spread, by Student's t of ¾(M - 1) degrees, as was measured, and of the lags together by Šidák's bound alone: t values
-/// of the same means stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation,
-/// Johnson's of the two that are prescribed (stats/uncertainty/translation_error.hpp).
+/// Theory has no errors of surfaces that are not meant to be Gaussian. Theirs come from the ensemble's own spread, by
+/// Student's t of ¾(M - 1) degrees, as was measured, and of the lags together by Šidák's bound alone: t values of the same
+/// means stray from one another by their spreads. The bias of Ssk and Sku is then that of a translation, Johnson's of the
+/// two that are prescribed (stats/uncertainty/translation_error.hpp).
 ///
-/// Theory holds from N/S_2 = 5 on; a surface that is worth less is refused. So is one of heights that are not Gaussian where
-/// w is a tenth or more: the biases of a translation are those about a mean that is known.
+/// Missing points, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs that a
+/// surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; third
+/// cumulants and covariances are those of complete surfaces. A lag counts for surfaces with more than a tenth of its pairs.
 ///
-/// Points that are missing, NaN, are left out of every figure, and S_k, w and Bartlett's errors are summed over the pairs
-/// that a surface has: surfaces need not miss the same points. The variance of a mean is the mean variance over M; the
-/// third cumulants and (6) are taken as of complete surfaces. A lag counts for the surfaces that have more than a tenth
-/// of its pairs.
-///
+/// Scope     Theory from N/S_2 = 5 on, others are refused; heights that are not Gaussian below w = 0.1, for the biases of
+///           a translation are those about a mean that is known.
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the half-plane:
 ///           errors of neighbouring lags are nearly the same.
 /// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a stated 1 %,
 ///           3.4, 4.3 and 4.3 % at 5 %; with a third of the points missing 0.75 and 0.65 %, 2.9 and 3.2 %
-///           (validation/statistics_coverage). Rows of 26 and 64 patches are refused in less than the stated 5 %: where patches
-///           are few, Student's law is wide. Errors from the spread, of 1000 ensembles of twelve surfaces, 0.3 and 0.6 %,
+///           (validation/statistics_coverage). Rows of 26 and 64 patches are refused in less than the stated 5 %: Student's
+///           law is wide of few patches. Errors from the spread, of 1000 ensembles of twelve surfaces, 0.3 and 0.6 %,
 ///           2.9 and 4.2 %, with holes 1.0 and 4.3 %; of thirty 0.9 and 3.2 %.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///

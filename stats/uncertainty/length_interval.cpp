@@ -44,18 +44,12 @@ LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,
 LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
                                  const std::optional<LagField>& known)
     : rho_(rho),
-      freed_(rho),
       grid_(pairs.grid()),
+      size_(known ? EffectiveSampleSize(*known, pairs) : EffectiveSampleSize::of_estimate(rho, pairs)),
       error_(known ? *known : admitted, pairs),
-      strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
-  const EffectiveSampleSize size =
-      known ? EffectiveSampleSize(*known, pairs) : EffectiveSampleSize::of_estimate(rho, pairs);
-  const double b = size.bias_of_lags();
-  freed_ = LagField((rho.half_plane() + b) / (1 + b));
-  degrees_ = size.degrees();
-  const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSampleSize(admitted, pairs));
-  strays_ = LagField(strays_.half_plane() * more);
-}
+      freed_((rho.half_plane() + size_.bias_of_lags()) / (1 + size_.bias_of_lags())),
+      strays_(error_.normalised(rho.max_lag()).half_plane() *
+              (known ? left_by_mean(size_) : lost_in_noise(size_, EffectiveSampleSize(admitted, pairs)))) {}
 
 LagField LengthIntervals::band(double u) const {
   return LagField(freed_.half_plane() + u * strays_.half_plane());
@@ -87,7 +81,7 @@ std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) 
 }
 
 double LengthIntervals::quantile_of_extreme(const std::vector<Reached>& reached, double tail) const {
-  const double wider = t_quantile(tail, degrees_) / normal_quantile(tail);
+  const double wider = t_quantile(tail, size_.degrees()) / normal_quantile(tail);
   if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
   lags.reserve(reached.size());
