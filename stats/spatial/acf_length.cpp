@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -37,40 +38,23 @@ struct Contour {
   bool open = false;                    // the lobe reaches the longest lags, or lags at which ρ is not known
 };
 
-// The whole plane's lags, each once.
-class Visited {
- public:
-  explicit Visited(const LagField& rho)
-      : columns_(2 * rho.max_q() + 1),
-        origin_(rho.max_p() * columns_ + rho.max_q()),
-        seen_(static_cast<std::size_t>((2 * rho.max_p() + 1) * columns_)) {}
-  bool first_visit(Lag lag) {
-    const auto index = static_cast<std::size_t>(origin_ + lag.p * columns_ + lag.q);
-    const bool first = !seen_[index];
-    seen_[index] = true;
-    return first;
-  }
-
- private:
-  Index columns_, origin_;
-  std::vector<bool> seen_;
-};
-
 Contour contour_of_lobe(const LagField& rho, const Grid& grid, double level) {
   Contour out;
-  Visited visited(rho);
+  const Index P = rho.max_p(), Q = rho.max_q();
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> seen =
+      Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>::Zero(2 * P + 1, 2 * Q + 1);
   std::vector<Lag> pending{{0, 0}};
-  visited.first_visit({0, 0});
+  seen(P, Q) = true;
   while (!pending.empty()) {
     const Lag at = pending.back();
     pending.pop_back();
     for (const auto& [dp, dq] : neighbours) {
       const Lag next{at.p + dp, at.q + dq};
-      const bool beyond = std::abs(next.p) > rho.max_p() || std::abs(next.q) > rho.max_q();
+      const bool beyond = std::abs(next.p) > P || std::abs(next.q) > Q;
       if (const double value = rho(next.p, next.q); beyond || std::isnan(value)) {
         out.open = true;
       } else if (value > level) {
-        if (visited.first_visit(next)) pending.push_back(next);
+        if (!std::exchange(seen(P + next.p, Q + next.q), true)) pending.push_back(next);
       } else {
         const double step = crossing_between(rho(at.p, at.q), value, level).lag;
         out.points.emplace_back((static_cast<double>(at.p) + step * static_cast<double>(dp)) * grid.dx,
