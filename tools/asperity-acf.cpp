@@ -1,6 +1,6 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include "stats/height/moments.hpp"
-#include "stats/spatial/structure_function.hpp"
+#include "stats/spatial/acf.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/measure/acf_lengths.hpp"

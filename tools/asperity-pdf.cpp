@@ -49,10 +49,10 @@ double in_errors(double deviation, double error) {
   return error > 0 || std::isnan(error) ? deviation / error : deviation;
 }
 
-double told(double error, const EffectiveSize& size) { return size.tells_errors() ? error : NAN; }
+double told(double error, const EffectiveSampleSize& size) { return size.tells_errors() ? error : NAN; }
 
 cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured,
-                         const EffectiveSize& size) {
+                         const EffectiveSampleSize& size) {
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"count", "1"},
@@ -74,7 +74,7 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
 }
 
 cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::Measured& measured,
-                            const EffectiveSize& size) {
+                            const EffectiveSampleSize& size) {
   const std::string density = measured.units_to(-1);
   cli::Table out{{{"height", measured.units},
                   {"density", density},
@@ -89,7 +89,7 @@ cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::M
 }
 
 cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cli::Measured& measured,
-                              const EffectiveSize& size) {
+                              const EffectiveSampleSize& size) {
   const std::string& unit = measured.units;
   cli::Table out{{{"share", "1"},
                   {"normal_quantile", "1"},
@@ -104,7 +104,7 @@ cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cl
   return out;
 }
 
-double bandwidth_for(const Options& what, const Moments& m, const EffectiveSize& size) {
+double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampleSize& size) {
   if (std::isnan(what.bandwidth)) return silverman_bandwidth(m, size.points());
   const double least = least_bandwidth * m.sz() / m.sq;
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
@@ -117,7 +117,7 @@ double bandwidth_for(const Options& what, const Moments& m, const EffectiveSize&
   return what.bandwidth * m.sq;
 }
 
-cli::Table table_of(const cli::Measured& measured, const Moments& m, const EffectiveSize& size,
+cli::Table table_of(const cli::Measured& measured, const Moments& m, const EffectiveSampleSize& size,
                     const Options& what, int threads) {
   if (what.estimate == "kernel") {
     const double h = bandwidth_for(what, m, size);
@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
     what.check(tool);
     const cli::Measured measured = cli::measure(tool, tool.read(), options);
     const Moments m = moments(measured.heights, options.variable);
-    const EffectiveSize size = cli::effective_size(measured, tool.thread_count());
+    const EffectiveSampleSize size = cli::effective_size(measured, tool.thread_count());
     warn_of_few(tool, size);
     cli::print(tool, table_of(measured, m, size, what, tool.thread_count()));
     return cli::done;

@@ -19,10 +19,10 @@ void append(cli::Rows& out, const cli::Rows& rows) { out.insert(out.end(), rows.
 
 // What is said once, of however many surfaces.
 struct Cautions {
-  std::optional<EffectiveSize> fewest;  ///< of the surface with the fewest independent heights
-  std::set<std::string> missing;        ///< groups that cannot be had, and why
+  std::optional<EffectiveSampleSize> fewest;  ///< of the surface with the fewest independent heights
+  std::set<std::string> missing;              ///< groups that cannot be had, and why
 
-  void add(const EffectiveSize& size) {
+  void add(const EffectiveSampleSize& size) {
     if (!fewest || size.effective(2) < fewest->effective(2)) fewest = size;
   }
   void tell(const cli::Tool& tool) const {

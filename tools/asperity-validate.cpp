@@ -6,7 +6,7 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "marginal/prescribed.hpp"
-#include "stats/hypothesis/prescription.hpp"
+#include "stats/hypothesis/specification.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/ensemble_input.hpp"
 #include "tools/measure/measured.hpp"
@@ -61,7 +61,7 @@ void require_spacing(double lag, double grid) {
 }
 
 // From --target.
-Prescription from_file(const cli::Tool& tool, const std::string& name, const Grid& grid) {
+Specification from_file(const cli::Tool& tool, const std::string& name, const Grid& grid) {
   const cli::AcfTable table = cli::read_acf_table(name, tool.memory_bound());
   if (table.spacing) {
     require_spacing((*table.spacing)[0], grid.dx);
@@ -70,7 +70,7 @@ Prescription from_file(const cli::Tool& tool, const std::string& name, const Gri
   return {.correlation = LagField(table.half_plane), .sq = table.rms};
 }
 
-Prescription carried(const Dataset& data, const Grid& grid) {
+Specification carried(const Dataset& data, const Grid& grid) {
   const std::optional<LagField> rho = cli::carried_correlation(data, "acf_target", grid);
   if (!rho)
     throw DataError("acf_target", "the first surface carries none for its grid; --target names another file");
@@ -79,10 +79,10 @@ Prescription carried(const Dataset& data, const Grid& grid) {
   return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 
-PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
+SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
   const Grid grid = grid_of(first);
   if (!o.target.empty()) tool.reads(o.target);
-  Prescription asked = o.target.empty() ? carried(first, grid) : from_file(tool, o.target, grid);
+  Specification asked = o.target.empty() ? carried(first, grid) : from_file(tool, o.target, grid);
   if (!std::isnan(o.rq)) asked.sq = o.rq;
   auto expected = [&](double given, const char* attribute, double gaussian) {
     return std::isnan(given) ? first.attributes.number(attribute, gaussian) : given;
@@ -92,17 +92,17 @@ PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset
   const bool gaussian = asked.ssk == 0 && asked.sku == 3;
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = tool.thread_count();
-  PrescriptionTest test(asked, grid);  // refuses before a warning is due
-  warn_of_few(tool, EffectiveSize(asked.correlation, grid));
+  SpecificationTest test(asked, grid);  // refuses before a warning is due
+  warn_of_few(tool, EffectiveSampleSize(asked.correlation, grid));
   return test;
 }
 
-std::string name_of(const Claim& claim) {
+std::string name_of(const TestResult& claim) {
   if (claim.quantity != "ACF") return claim.quantity;
   return "ACF(" + std::to_string(claim.lag_x) + "," + std::to_string(claim.lag_y) + ")";
 }
 
-cli::Table table_of_claims(const std::vector<Claim>& claims, double significance) {
+cli::Table table_of_results(const std::vector<TestResult>& results, double significance) {
   auto verdict = [](double p, double level) { return std::string(p <= level ? "differs" : "agrees"); };
   cli::Table out{{{"quantity", ""},
                   {"unit", ""},
@@ -113,11 +113,11 @@ cli::Table table_of_claims(const std::vector<Claim>& claims, double significance
                   {"p", "1"},
                   {"verdict", ""}},
                  {}};
-  const double level = significance / static_cast<double>(claims.size());
-  for (const Claim& c : claims)
+  const double level = significance / static_cast<double>(results.size());
+  for (const TestResult& c : results)
     out.rows.push_back({name_of(c), std::string(c.quantity == "Sq" ? "m" : "1"), c.prescribed, c.mean,
                         c.standard_error, c.z, c.p, verdict(c.p, level)});
-  const double joint = joint_p(claims);
+  const double joint = joint_p(results);
   out.rows.push_back(
       {std::string("all"), std::string("1"), NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
   return out;
@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     options.check();
-    std::optional<PrescriptionTest> test;
+    std::optional<SpecificationTest> test;
     cli::EnsembleGrid grids(cli::EnsembleGrid::Sizes::alike);
     options.surfaces.for_each(tool, [&](const Dataset& data, const std::string& name) {
       grids.add(tool, grid_of(data), name);
@@ -160,9 +160,9 @@ int main(int argc, char** argv) {
       tool.detail(name);
       test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));
     });
-    const std::vector<Claim> claims = test->claims();
+    const std::vector<TestResult> results = test->results();
     tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag"));
-    cli::print(tool, table_of_claims(claims, options.significance));
-    return joint_p(claims) <= options.significance ? not_as_prescribed : int{cli::done};
+    cli::print(tool, table_of_results(results, options.significance));
+    return joint_p(results) <= options.significance ? not_as_prescribed : int{cli::done};
   });
 }

@@ -50,11 +50,11 @@ class Coverage {
 };
 
 // What a field shows of its own distribution.
-MomentIntervals evident(const Moments& m, const LagField& acf, const EffectiveSize& size) {
+MomentIntervals evident(const Moments& m, const LagField& acf, const EffectiveSampleSize& size) {
   const auto g = evident_translation(m, standard_errors(m, size));
   if (!g) return confidence_intervals(m, size);
   const LagField below = underlying_correlation(acf, CorrelationMap(*g));
-  return confidence_intervals(m, TranslationErrors(*g, EffectiveSize::of_estimate(below, grid)), size);
+  return confidence_intervals(m, TranslationErrors(*g, EffectiveSampleSize::of_estimate(below, grid)), size);
 }
 
 void print_rows(double skewness, double kurtosis, Index width, int fields) {
@@ -62,7 +62,7 @@ void print_rows(double skewness, double kurtosis, Index width, int fields) {
   const CorrelationMap map(g);
   const Field kernel = Field::Constant(width, width, 1 / static_cast<double>(width));
   const LagField rho(autocorrelation(kernel, width, 2 * width - 1));
-  const EffectiveSize below(rho, grid),
+  const EffectiveSampleSize below(rho, grid),
       size(LagField(rho.half_plane().unaryExpr([&](double r) { return map(r); })), grid);
   const TranslationErrors errors(g, below);
   const Synthesis synthesis(kernel, grid.shape, {.translation = g.apply});
@@ -71,7 +71,7 @@ void print_rows(double skewness, double kurtosis, Index width, int fields) {
     const Field z = synthesis.surface(WhiteNoise(3, static_cast<std::uint64_t>(f)));
     const Moments m = moments(z);
     const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
-    const EffectiveSize estimated = EffectiveSize::of_estimate(acf, grid);
+    const EffectiveSampleSize estimated = EffectiveSampleSize::of_estimate(acf, grid);
     drawn.count(confidence_intervals(m, errors, size));
     own.count(evident(m, acf, estimated));
     gaussian.count(confidence_intervals(m, estimated));

@@ -28,10 +28,9 @@
 #include <fmt/format.h>
 
 #include "stats/height/moments.hpp"
-#include "stats/hypothesis/prescription.hpp"
+#include "stats/hypothesis/specification.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/length_interval.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
@@ -81,7 +80,7 @@ LagField exponential_correlation(Index length) {
 // Of the mean, Sa, Sq, Ssk and Sku.
 using Coverage = std::array<double, 5>;
 
-void count(Coverage& covered, const Moments& m, const EffectiveSize& size) {
+void count(Coverage& covered, const Moments& m, const EffectiveSampleSize& size) {
   auto holds = [](const Interval& i, double truth) { return i.low <= truth && truth <= i.high; };
   const MomentIntervals i = confidence_intervals(m, size);
   covered[0] += holds(i.mean, 0);
@@ -102,14 +101,14 @@ template <class Draw>
 void coverage(const char* field, const Grid& grid, Index width, const LagField& correlation, Draw draw,
               int fields) {
   std::mt19937_64 generator(static_cast<unsigned>(width));
-  const EffectiveSize known(correlation, grid);
+  const EffectiveSampleSize known(correlation, grid);
   Coverage with_known{}, with_estimate{};
   for (int f = 0; f < fields; ++f) {
     const Field z = draw(grid.shape, width, generator);
     const Moments m = moments(z);
     const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
     count(with_known, m, known);
-    count(with_estimate, m, EffectiveSize::of_estimate(acf, grid));
+    count(with_estimate, m, EffectiveSampleSize::of_estimate(acf, grid));
   }
   print(field, width, known.effective(2), "known", with_known, fields);
   print(field, width, known.effective(2), "estimated", with_estimate, fields);
@@ -122,7 +121,7 @@ struct Lengths {
 
 Lengths lengths_of(const LagField& rho, const Grid& grid) {
   auto along_x = [&](double level) { return first_crossing(rho, grid, 0, level)->lag; };
-  return {central_lobe(rho, grid).fastest->length, along_x(1 / std::numbers::e), along_x(0.1)};
+  return {central_lobe(rho, grid).r_min->length, along_x(1 / std::numbers::e), along_x(0.1)};
 }
 
 // How often an interval holds the truth, lies below it, and above it.
@@ -149,14 +148,14 @@ void length_coverage(const char* field, const Grid& grid, Index width, const Lag
     const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
     for (std::size_t which = 0; which < 2; ++which) {
       const LengthIntervals of(acf, grid, which == 0 ? std::optional(correlation) : std::nullopt);
-      held[which][0].add(of.fastest(0.2), truth.sal);
+      held[which][0].add(of.r_min(0.2), truth.sal);
       held[which][1].add(of.along(0, 1 / std::numbers::e), truth.at_e);
       held[which][2].add(of.along(0, 0.1), truth.at_tenth);
     }
   }
   const double percent = 100.0 / fields;
   for (std::size_t which = 0; which < 2; ++which) {
-    fmt::print("{}\t{}\t{:.0f}\t{}", field, width, EffectiveSize(correlation, grid).effective(2),
+    fmt::print("{}\t{}\t{:.0f}\t{}", field, width, EffectiveSampleSize(correlation, grid).effective(2),
                which == 0 ? "known" : "estimated");
     for (const Held& h : held[which])
       fmt::print("\t{:.1f}\t{:.1f}\t{:.1f}", percent * h.inside, percent * h.below, percent * h.above);
@@ -183,20 +182,20 @@ void false_alarms(const Alarms& a, int ensembles) {
   std::mt19937_64 generator(static_cast<unsigned>(a.width));
   const Grid grid{{a.n, a.n}, 1, 1, false};
   const LagField correlation = triangular_correlation(a.width);
-  const PrescriptionTest untried({.correlation = correlation, .sq = 1, .spread = a.spread}, grid);
+  const SpecificationTest untried({.correlation = correlation, .sq = 1, .spread = a.spread}, grid);
   int of_one = 0, of_five = 0;
   for (int e = 0; e < ensembles; ++e) {
-    PrescriptionTest test = untried;
+    SpecificationTest test = untried;
     for (int m = 0; m < a.surfaces; ++m) {
       const Field z = moving_average(grid.shape, a.width, generator);
       test.add(a.holes ? with_holes(z, generator) : z, grid);
     }
-    const double p = joint_p(test.claims());
+    const double p = joint_p(test.results());
     of_one += p <= 0.01;
     of_five += p <= 0.05;
   }
   fmt::print("{}\t{}\t{:.0f}\t{}\t{}\t{}\t{:.2f}\t{:.2f}\n", a.n, a.width,
-             EffectiveSize(correlation, grid).effective(2), a.surfaces, a.spread ? "spread" : "theory",
+             EffectiveSampleSize(correlation, grid).effective(2), a.surfaces, a.spread ? "spread" : "theory",
              a.holes ? "third" : "none", 100.0 * of_one / ensembles, 100.0 * of_five / ensembles);
 }
 
@@ -213,7 +212,7 @@ void cost(Index n) {
   const double one = seconds_of([&] { transform.forward(in.data(), out.data()); });
   fmt::print("{}\t{:.2e}\t{:.2f}\t{:.2f}\t{:.2f}\n", n, one, seconds_of([&] { moments(z); }) / one,
              seconds_of([&] { estimate_autocorrelation(z, grid, half); }) / one,
-             seconds_of([&] { EffectiveSize::of_estimate(acf, grid); }) / one);
+             seconds_of([&] { EffectiveSampleSize::of_estimate(acf, grid); }) / one);
 }
 
 void coverage_of_moments(const Grid& grid, int fields) {

@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
-
 #include "core/error.hpp"
+#include "math/linear_algebra.hpp"
 
 namespace asperity {
 namespace {
@@ -113,13 +112,12 @@ void FormFit::end_pass() {
   Eigen::VectorXd right(static_cast<Index>(terms_.size()));
   for (Index t = 0; const Term& term : terms_) right(t++) = sums_(term.a, term.b);
   if (missing_) {
-    const Eigen::LDLT<Eigen::MatrixXd> products(gram_);
-    const Eigen::ArrayXd pivots = products.vectorD();
-    if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+    const auto solution = solve_positive(gram_, right, least_pivot);
+    if (!solution)
       throw ParameterError("level", std::to_string(degree_) +
                                         ": the points that are not missing do not determine a form of this "
                                         "degree");
-    right = products.solve(right);
+    right = *solution;
   }
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
   for (Index t = 0; const Term& term : terms_) step(term.a, term.b) = right(t++);

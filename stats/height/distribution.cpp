@@ -22,7 +22,7 @@ double gaussian_share(double a, double b) {
 }
 
 // (3) for first = 1, (4) for first = 3.
-double count_variance(double a, double b, double share, const EffectiveSize& size, int first) {
+double count_variance(double a, double b, double share, const EffectiveSampleSize& size, int first) {
   HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
   double dropped = 0;
   auto weight = [&](int k) {
@@ -33,11 +33,11 @@ double count_variance(double a, double b, double share, const EffectiveSize& siz
   };
   const double all = share * (1 - share);
   const double kept = size.variance_of_mean(weight, all);
-  const double beyond = dropped * size.sum(EffectiveSize::powers) / size.points();
+  const double beyond = dropped * size.sum(EffectiveSampleSize::powers) / size.points();
   return size.points() * size.points() * std::max(kept - beyond, 0.0);
 }
 
-void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSize& size) {
+void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSampleSize& size) {
   const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
   const double share = gaussian_share(a, b);
   bin.expected = size.points() * share;
@@ -52,7 +52,8 @@ int scott_bins(const Moments& moments, double points) {
   return static_cast<int>(std::clamp(std::ceil(moments.sz() / width), 1.0, std::min(points, 1e6)));
 }
 
-std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins) {
+std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size,
+                           int bins) {
   if (bins < 1) throw ParameterError("bins", "value " + std::to_string(bins) + " is below 1");
   const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
                width = (z.maxCoeff<Eigen::PropagateNumbers>() - lowest) / bins;

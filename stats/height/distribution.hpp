@@ -47,6 +47,6 @@ int scott_bins(const Moments& moments, double points);
 
 /// `bins` of them, missing points left out; throws ParameterError("bins", …) below 1, DataError("heights", …) where doubles do
 /// not tell so many apart.
-std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSize& size, int bins);
+std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins);
 
 }  // namespace asperity

@@ -72,7 +72,7 @@ class Cells {
 struct GaussianLaw {
   double expected, error, misfit_error;
 
-  GaussianLaw(double t, double h, const EffectiveSize& size) {
+  GaussianLaw(double t, double h, const EffectiveSampleSize& size) {
     const double s = std::hypot(1, h);
     expected = gsl_ran_gaussian_pdf(t, s);
     const double square =
@@ -83,7 +83,7 @@ struct GaussianLaw {
 
  private:
   // `total`: Σ_{k≥1} c_k²/k!
-  static double variance(double x, double s, double total, const EffectiveSize& size, int first) {
+  static double variance(double x, double s, double total, const EffectiveSampleSize& size, int first) {
     HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
     double power = 1 / s, dropped = 0;
     hermite.next();
@@ -95,7 +95,7 @@ struct GaussianLaw {
       return 0.0;
     };
     const double kept = size.variance_of_mean(weight, total);
-    return std::max(kept - dropped * size.sum(EffectiveSize::powers) / size.points(), 0.0);
+    return std::max(kept - dropped * size.sum(EffectiveSampleSize::powers) / size.points(), 0.0);
   }
 };
 
@@ -111,8 +111,8 @@ double silverman_bandwidth(const Moments& moments, double points) {
   return std::pow(4 / (3 * points), 0.2) * moments.sq;
 }
 
-std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments, const EffectiveSize& size,
-                                         double bandwidth, int points) {
+std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
+                                         const EffectiveSampleSize& size, double bandwidth, int points) {
   const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
                highest = z.maxCoeff<Eigen::PropagateNumbers>();
   check(bandwidth, highest - lowest, points);

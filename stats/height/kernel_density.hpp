@@ -51,7 +51,7 @@ double silverman_bandwidth(const Moments& moments, double points);
 /// At `points` equidistant heights, three bandwidths beyond the lowest and the highest; missing heights are left out.
 /// Throws ParameterError("points", …) below 2, ParameterError("bandwidth", …) unless it is positive, finite and
 /// not less than the least.
-std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments, const EffectiveSize& size,
-                                         double bandwidth, int points);
+std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
+                                         const EffectiveSampleSize& size, double bandwidth, int points);
 
 }  // namespace asperity

@@ -165,7 +165,8 @@ VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
   return {.vmp = peak, .vmc = material_volume(q) - peak, .vvc = void_volume(p) - dale, .vvv = dale};
 }
 
-double material_height_error(double ratio, const Moments& moments, const EffectiveSize& size, Fitted fitted) {
+double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,
+                             Fitted fitted) {
   check_share(ratio);
   if (ratio == 0 || ratio == 1) return std::numeric_limits<double>::infinity();
   const double a = gsl_cdf_ugaussian_Qinv(ratio), density = gsl_ran_ugaussian_pdf(a);

@@ -93,7 +93,7 @@ enum class Fitted { mean, mean_and_sq };
 
 /// √(5) for 0 < p < 1, infinite at the ends; of c(p) - z̄ - Sq Φ⁻¹(1-p), in which Sq takes the second coefficient away
 /// too, if both are fitted.
-double material_height_error(double ratio, const Moments& moments, const EffectiveSize& size,
+double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,
                              Fitted fitted = Fitted::mean);
 
 }  // namespace asperity

@@ -10,7 +10,7 @@
 namespace asperity {
 
 std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
-                                         const EffectiveSize& size, int points) {
+                                         const EffectiveSampleSize& size, int points) {
   if (points < 1) throw ParameterError("points", "value " + std::to_string(points) + " is below 1");
   std::vector<QuantilePoint> out(static_cast<std::size_t>(points));
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -38,6 +38,6 @@ struct QuantilePoint {
 
 /// At n shares; throws ParameterError("points", …) below 1.
 std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
-                                         const EffectiveSize& size, int points);
+                                         const EffectiveSampleSize& size, int points);
 
 }  // namespace asperity

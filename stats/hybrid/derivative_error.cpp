@@ -43,7 +43,7 @@ LagField counting(const LagField& D, double variance, const Pairs& pairs, Choose
 }
 
 double relative_error(const LagField& counted, const Pairs& pairs) {
-  return counted(0, 0) > 0 ? std::sqrt(2 / EffectiveSize(counted, pairs).effective(2)) : unknown;
+  return counted(0, 0) > 0 ? std::sqrt(2 / EffectiveSampleSize(counted, pairs).effective(2)) : unknown;
 }
 
 double squared(double relative, double value) { return value > 0 ? std::pow(relative * value, 2) : 0; }
@@ -56,7 +56,7 @@ double cross_sum(const LagField& R, const LagField& x, const LagField& y, const 
     for (Index q = 1 - R.max_q(); q < R.max_q(); ++q) {
       if (!counts(p, q) && !counts(p - 1, q) && !counts(p, q + 1) && !counts(p - 1, q + 1)) continue;
       const double D = R(p, q) + R(p - 1, q + 1) - R(p - 1, q) - R(p, q + 1);
-      sum += pairs.share(p, q) * D * D;
+      sum += pairs.pair_fraction(p, q) * D * D;
     }
   return sum;
 }

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
+#include "math/linear_algebra.hpp"
 #include "stats/filter/missing.hpp"
 #include "stats/uncertainty/weighted_chi_squared.hpp"
 
@@ -20,18 +20,14 @@ constexpr Index supremum_nodes = 97, integral_nodes = 193;
 
 Eigen::ArrayXd line(Index nodes) { return Eigen::ArrayXd::LinSpaced(nodes, -reach, reach); }
 
-int bins_for(const EffectiveSize& size) {
+int bins_for(const EffectiveSampleSize& size) {
   const double effective = size.points() / std::max(size.sum(3), 1.0);
   return static_cast<int>(std::clamp(2 * std::pow(effective, 0.4), 6.0, 64.0));
 }
 
-EffectiveSize independent(const EffectiveSize& size) {
+EffectiveSampleSize independent(const EffectiveSampleSize& size) {
   const Grid grid{{static_cast<Index>(size.points()), 1}, 1, 1, false};
-  return EffectiveSize(LagField(Field::Ones(1, 1)), grid);
-}
-
-Eigen::ArrayXd eigenvalues(const Eigen::MatrixXd& form) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(form, Eigen::EigenvaluesOnly).eigenvalues();
+  return EffectiveSampleSize(LagField(Field::Ones(1, 1)), grid);
 }
 
 std::vector<double> sorted(const Field& z, const Moments& moments) {
@@ -111,61 +107,63 @@ double pearson(double n, const auto& for_each_run, int bins) {
 }  // namespace
 
 // The weights of ∫ D² φ/(Φ(1-Φ)) dx.
-Eigen::ArrayXd anderson_darling_weights(const EffectiveSize& size) {
+Eigen::ArrayXd anderson_darling_weights(const EffectiveSampleSize& size) {
   const Eigen::ArrayXd x = line(integral_nodes);
   const double step = 2 * reach / static_cast<double>(integral_nodes - 1);
   const Eigen::VectorXd root = x.unaryExpr([step](double at) {
     return std::sqrt(step * gsl_ran_ugaussian_pdf(at) / (gsl_cdf_ugaussian_P(at) * gsl_cdf_ugaussian_Q(at)));
   });
-  return eigenvalues(root.asDiagonal() * fitted_process_covariance(x, size) * root.asDiagonal());
+  return symmetric_eigenvalues(root.asDiagonal() * fitted_process_covariance(x, size) * root.asDiagonal());
 }
 
 // The weights of B Σ (D(upper) - D(lower))², D = 0 at both ends.
-Eigen::ArrayXd pearson_weights(const EffectiveSize& size, int bins) {
+Eigen::ArrayXd pearson_weights(const EffectiveSampleSize& size, int bins) {
   const Eigen::ArrayXd edges = Eigen::ArrayXd::NullaryExpr(
       bins - 1, [=](Index a) { return gsl_cdf_ugaussian_Pinv(static_cast<double>(a + 1) / bins); });
   Eigen::MatrixXd difference = Eigen::MatrixXd::Zero(bins, bins - 1);
   difference.diagonal().setOnes();
   difference.diagonal(-1).setConstant(-1);
-  return eigenvalues(bins * difference * fitted_process_covariance(edges, size) * difference.transpose());
+  return symmetric_eigenvalues(bins * difference * fitted_process_covariance(edges, size) *
+                               difference.transpose());
 }
 
-GaussianityTest::Laws::Laws(const EffectiveSize& size, int bins)
-    : points(size.points()),
-      sums{1, size.sum(1), size.sum(2), size.sum(3), size.sum(4)},
+GaussianityTest::NullDistributions::NullDistributions(const EffectiveSampleSize& of, int bins)
+    : size(of),
       anderson_darling(anderson_darling_weights(size)),
       pearson(pearson_weights(size, bins)),
-      supremum(line(supremum_nodes), fitted_process_covariance(line(supremum_nodes), size),
-               size.sum(EffectiveSize::powers)) {}
+      supremum(supremum_distribution(line(supremum_nodes),
+                                     fitted_process_covariance(line(supremum_nodes), size),
+                                     size.sum(EffectiveSampleSize::powers))) {}
 
 // Of a correlation whose S_3 or S_4 vanishes the moment has no error to this order, and is left out.
-double GaussianityTest::Laws::jarque_bera(const Moments& moments) const {
+double GaussianityTest::NullDistributions::jarque_bera(const Moments& moments) const {
   auto squared_score = [](double deviation, double variance) {
     return variance > 0 ? deviation * deviation / variance : 0;
   };
-  return squared_score(moments.ssk, 6 * sums[3] / points) +
-         squared_score(moments.sku - 3 + 6 * sums[2] / points, 24 * sums[4] / points);
+  return squared_score(moments.ssk, 6 * size.sum(3) / size.points()) +
+         squared_score(moments.sku - 3 + 6 * size.sum(2) / size.points(), 24 * size.sum(4) / size.points());
 }
 
-double GaussianityTest::Laws::jarque_bera_p(double statistic) const {
-  const int degrees = (sums[3] > 0) + (sums[4] > 0);
+double GaussianityTest::NullDistributions::jarque_bera_p(double statistic) const {
+  const int degrees = (size.sum(3) > 0) + (size.sum(4) > 0);
   return degrees == 2 ? std::exp(-statistic / 2) : degrees == 1 ? std::erfc(std::sqrt(statistic / 2)) : 1;
 }
 
-GaussianityTest::GaussianityTest(const EffectiveSize& size)
-    : bins_(bins_for(size)), laws_(size, bins_), naive_(independent(size), bins_) {}
+GaussianityTest::GaussianityTest(const EffectiveSampleSize& size)
+    : bins_(bins_for(size)), correlated_(size, bins_), independent_(independent(size), bins_) {}
 
 std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_each_run,
                                                     const Moments& moments) const {
-  const double jb = laws_.jarque_bera(moments), ks = kolmogorov_smirnov(n, for_each_run),
+  const double jb = correlated_.jarque_bera(moments), ks = kolmogorov_smirnov(n, for_each_run),
                ad = anderson_darling(n, for_each_run), chi = pearson(n, for_each_run, bins_);
   return {{
-      {"Jarque-Bera", jb, laws_.jarque_bera_p(jb), naive_.jarque_bera_p(naive_.jarque_bera(moments))},
-      {"Kolmogorov-Smirnov", ks, laws_.supremum.exceedance(ks), naive_.supremum.exceedance(ks)},
-      {"Anderson-Darling", ad, weighted_chi_squared_exceedance(laws_.anderson_darling, ad),
-       weighted_chi_squared_exceedance(naive_.anderson_darling, ad)},
-      {"Pearson chi-squared", chi, weighted_chi_squared_exceedance(laws_.pearson, chi),
-       weighted_chi_squared_exceedance(naive_.pearson, chi)},
+      {"Jarque-Bera", jb, correlated_.jarque_bera_p(jb),
+       independent_.jarque_bera_p(independent_.jarque_bera(moments))},
+      {"Kolmogorov-Smirnov", ks, correlated_.supremum.exceedance(ks), independent_.supremum.exceedance(ks)},
+      {"Anderson-Darling", ad, weighted_chi_squared_exceedance(correlated_.anderson_darling, ad),
+       weighted_chi_squared_exceedance(independent_.anderson_darling, ad)},
+      {"Pearson chi-squared", chi, weighted_chi_squared_exceedance(correlated_.pearson, chi),
+       weighted_chi_squared_exceedance(independent_.pearson, chi)},
   }};
 }
 

@@ -5,22 +5,21 @@
 ///     Kolmogorov–Smirnov  √N sup |F_N - Φ|                                                          (2)
 ///     Anderson–Darling    A² = -N - 1/N Σ (2i-1) [ln Φ(x_i) + ln(1 - Φ(x_{N+1-i}))]                 (3)
 ///     Pearson's χ²        Σ (c - N/B)²/(N/B) over B bins of equal probability                       (4)
-/// Published tables of all four hold for independent heights. Those of a surface are not: of a field whose
-/// neighbours say nearly the same, the tables reject what is Gaussian. The laws used instead, where the heights
-/// are a Gaussian field of sums S_k (stats/uncertainty/effective_size.hpp):
+/// Published tables of all four hold for independent heights, and reject a Gaussian field whose neighbours are nearly
+/// the same. The null distributions used instead, of a Gaussian field of sums S_k (stats/uncertainty/effective_size.hpp):
 ///     JB   χ² of 2 degrees; -6 S_2/N is what Sku falls short of 3 in a finite field
-///     KS   the supremum of the process D (stats/uncertainty/empirical_process.hpp), simulated
+///     KS   the supremum of the process D (stats/uncertainty/null_distribution.hpp)
 ///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights the eigenvalues
 ///          of D's covariance by the trapezoidal rule over |x| ≤ 6
 ///     χ²   the sum of squared differences of D over the bins, such a sum too: neither B - 1 nor B - 3 degrees,
 ///          for the fit is of the heights, not of the counts (Chernoff and Lehmann)
-/// `naive_p` is the p-value of the same laws with S_k = 1, independent heights; of JB the statistic too changes.
+/// `naive_p` is that with S_k = 1, of independent heights; of JB the statistic too changes.
 ///
 /// Bins: B = 2 (N/S_3)^{2/5} (Mann and Wald), 6 ≤ B ≤ 64.
 ///
 /// Symbols   F_N  empirical distribution     Φ  the Gaussian's      c  count of a bin      N  points
-/// Accuracy  The laws are limits for many independent patches, N/S_2 ≫ 1. At 5 % false alarms of 300 fields each
-///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/hypothesis/gaussianity.cpp). Inside the
+/// Accuracy  They are limits for many independent patches, N/S_2 ≫ 1. At 5 % false alarms of 300 fields each
+///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/gaussianity.cpp). Inside the
 ///           limits: p to 3e-4 for A², 1e-9 of itself for χ², √(p(1-p)/8192) for KS, none below 1/8193. With S_k from
 ///           an estimate the error of the estimate comes on top. By runs (stats/height/height_runs.hpp), s the largest
 ///           share of the heights in one, w its cell's width at the mean per Sq: KS within √N s, A² within 15 √N w KS,
@@ -40,13 +39,13 @@
 #include "stats/height/height_runs.hpp"
 #include "stats/height/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "stats/uncertainty/empirical_process.hpp"
+#include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 
-/// The weights of A²'s law, and those of χ² over B bins.
-Eigen::ArrayXd anderson_darling_weights(const EffectiveSize& size);
-Eigen::ArrayXd pearson_weights(const EffectiveSize& size, int bins);
+/// The weights of A²'s distribution, and those of χ² over B bins.
+Eigen::ArrayXd anderson_darling_weights(const EffectiveSampleSize& size);
+Eigen::ArrayXd pearson_weights(const EffectiveSampleSize& size, int bins);
 
 struct GoodnessOfFit {
   std::string_view test;
@@ -57,7 +56,7 @@ struct GoodnessOfFit {
 
 class GaussianityTest {
  public:
-  explicit GaussianityTest(const EffectiveSize& size);
+  explicit GaussianityTest(const EffectiveSampleSize& size);
 
   int bins() const { return bins_; }
   /// `moments` are z's, whose missing points are left out. The tests in the order (1)–(4).
@@ -68,22 +67,21 @@ class GaussianityTest {
 
  private:
   /// What the p-values of one correlation rest on.
-  struct Laws {
-    Laws(const EffectiveSize& size, int bins);
+  struct NullDistributions {
+    NullDistributions(const EffectiveSampleSize& of, int bins);
 
     double jarque_bera(const Moments& moments) const;
     double jarque_bera_p(double statistic) const;
 
-    double points;
-    std::array<double, 5> sums{};              ///< S_0…S_4
+    EffectiveSampleSize size;
     Eigen::ArrayXd anderson_darling, pearson;  ///< weights
-    SupremumLaw supremum;
+    NullDistribution supremum;
   };
 
   std::array<GoodnessOfFit, 4> judge(double n, const auto& for_each_run, const Moments& moments) const;
 
   int bins_;
-  Laws laws_, naive_;
+  NullDistributions correlated_, independent_;
 };
 
 }  // namespace asperity

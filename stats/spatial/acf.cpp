@@ -1,5 +1,6 @@
 #include "stats/spatial/acf.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -19,16 +20,53 @@ void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads
   parallel_ranges(sums.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)
       for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
-        const double share = pairs.share(p, q);
-        sums(p, max_lag.ny + q) = share > 0 ? sums(p, max_lag.ny + q) / share : no_pair;
+        const double fraction = pairs.pair_fraction(p, q);
+        sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : no_pair;
       }
+  });
+}
+
+// Sums of a field over rectangles.
+class PartialSums {
+ public:
+  explicit PartialSums(const Field& f) : sums_(Field::Zero(f.rows() + 1, f.cols() + 1)) {
+    for (Index i = 0; i < f.rows(); ++i) {
+      double row = 0;
+      for (Index j = 0; j < f.cols(); ++j) sums_(i + 1, j + 1) = sums_(i, j + 1) + (row += f(i, j));
+    }
+  }
+  /// Over nx × ny points from (i, j) on.
+  double operator()(Index i, Index j, Index nx, Index ny) const {
+    return sums_(i + nx, j + ny) - sums_(i, j + ny) - sums_(i + nx, j) + sums_(i, j);
+  }
+
+ private:
+  Field sums_;
+};
+
+// (5) over the pairs that are there. With u the squares, zero where a point is missing, and m 1 where it is there,
+// Σ_first z² + Σ_second z² is the correlation of u with m and of m with u: a quarter of those of u + m less those of
+// u - m, twice over.
+LagField over_valid_pairs(const Field& d, const Pairs& pairs, Shape max_lag, int threads) {
+  const Grid& grid = pairs.grid();
+  const Field u = zero_filled(d).square(), m = validity(d);
+  const double scale = u.sum() / pairs.points();
+  if (!(scale > 0)) throw DataError("heights", "every value is the same");
+  const LagField both(
+      (lag_sums(u / scale + m, grid, max_lag, threads) - lag_sums(u / scale - m, grid, max_lag, threads)) *
+      (scale / 2));
+  const LagField R =
+      estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
+  // Where no pair is, R is not a number.
+  return LagField::of(max_lag, [&](Index p, Index q) {
+    return both(p, q) / (pairs.pair_fraction(p, q) * pairs.points()) - 2 * R(p, q);
   });
 }
 
 }  // namespace
 
 void AcfParameters::check(const Grid& grid) const {
-  const Shape most = grid.periodic ? default_max_lag(grid) : Shape{grid.shape.nx - 1, grid.shape.ny - 1};
+  const Shape most = longest_lags(grid);
   auto within = [](Index lag, Index bound) { return lag >= 0 && lag <= bound; };
   if (within(max_lag.nx, most.nx) && within(max_lag.ny, most.ny)) return;
   auto text = [](Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); };
@@ -54,6 +92,26 @@ LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfP
 LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {
   parameters.check(grid);
   return estimate_autocorrelation(z, Pairs::of(z, grid, parameters.threads), parameters);
+}
+
+LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int threads) {
+  const Field d = without_form(z);
+  if (const Pairs pairs = Pairs::of(d, grid, threads); !pairs.complete()) {
+    AcfParameters{.max_lag = max_lag}.check(grid);
+    return over_valid_pairs(d, pairs, max_lag, threads);
+  }
+  const LagField R =
+      estimate_autocorrelation(d, grid, {.max_lag = max_lag, .level = 0.0, .threads = threads});
+  if (grid.periodic) return LagField(2 * (R(0, 0) - R.half_plane()));
+
+  const PartialSums squares(d.square());
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
+  return LagField::of(max_lag, [&](Index p, Index q) {
+    const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0), rows = nx - p,
+                columns = ny - right - left;
+    const double both = squares(0, left, rows, columns) + squares(p, right, rows, columns);
+    return both / static_cast<double>(rows * columns) - 2 * R(p, q);
+  });
 }
 
 }  // namespace asperity

@@ -2,6 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "math/linear_algebra.hpp"
 
 namespace asperity {
 namespace {
@@ -19,6 +26,70 @@ double between_lags(const LagField& rho, bool x, Index along, double across) {
   auto at = [&](Index other) { return x ? rho(along, other) : rho(other, along); };
   const double lower = at(static_cast<Index>(whole));
   return fraction == 0 ? lower : interpolated(lower, at(static_cast<Index>(whole) + 1), fraction);
+}
+
+struct Lag {
+  Index p, q;
+};
+constexpr Lag neighbours[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+struct Contour {
+  std::vector<Eigen::Vector2d> points;  // [m]
+  bool open = false;                    // the lobe reaches the longest lags, or lags at which ρ is not known
+};
+
+Contour contour_of_lobe(const LagField& rho, const Grid& grid, double level) {
+  Contour out;
+  const Index P = rho.max_p(), Q = rho.max_q();
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> seen =
+      Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>::Zero(2 * P + 1, 2 * Q + 1);
+  std::vector<Lag> pending{{0, 0}};
+  seen(P, Q) = true;
+  while (!pending.empty()) {
+    const Lag at = pending.back();
+    pending.pop_back();
+    for (const auto& [dp, dq] : neighbours) {
+      const Lag next{at.p + dp, at.q + dq};
+      const bool beyond = std::abs(next.p) > P || std::abs(next.q) > Q;
+      if (const double value = rho(next.p, next.q); beyond || std::isnan(value)) {
+        out.open = true;
+      } else if (value > level) {
+        if (!std::exchange(seen(P + next.p, Q + next.q), true)) pending.push_back(next);
+      } else {
+        const double step = crossing_between(rho(at.p, at.q), value, level).lag;
+        out.points.emplace_back((static_cast<double>(at.p) + step * static_cast<double>(dp)) * grid.dx,
+                                (static_cast<double>(at.q) + step * static_cast<double>(dq)) * grid.dy);
+      }
+    }
+  }
+  return out;
+}
+
+double axis_angle(double angle) {
+  const double turns = std::round(angle / std::numbers::pi), axis = angle - turns * std::numbers::pi;
+  return axis > -std::numbers::pi / 2 ? axis : axis + std::numbers::pi;
+}
+
+Reach reach(const Eigen::Vector2d& point) {
+  return {point.norm(), axis_angle(std::atan2(point.y(), point.x()))};
+}
+
+// (5) on points in units of `scale`.
+std::optional<LobeEllipse> fitted_ellipse(const std::vector<Eigen::Vector2d>& points, double scale) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector2d& point : points) {
+    const double x = point.x() / scale, y = point.y() / scale;
+    const Eigen::Vector3d row(x * x, 2 * x * y, y * y);
+    normal += row * row.transpose();
+    right += row;
+  }
+  const Eigen::Vector3d form = solve(normal, right);
+  const double middle = 0.5 * (form[0] + form[2]), spread = std::hypot(0.5 * (form[0] - form[2]), form[1]);
+  if (!(middle - spread > 0)) return std::nullopt;
+  const double across = 0.5 * std::atan2(2 * form[1], form[0] - form[2]);
+  return LobeEllipse{{scale / std::sqrt(middle - spread), axis_angle(across + std::numbers::pi / 2)},
+                     scale / std::sqrt(middle + spread)};
 }
 
 }  // namespace
@@ -62,6 +133,23 @@ Shape nearest_lag(const Grid& grid, double angle, double length) {
   const Shape lag{std::lround(length * along_x), std::lround(length * along_y)};
   if (lag != Shape{0, 0}) return lag;
   return std::abs(along_x) >= std::abs(along_y) ? Shape{1, 0} : Shape{0, 1};
+}
+
+CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
+  if (!(level > 0 && level < 1))
+    throw ParameterError("acf-level", "value " + shortest(level) + " is outside 0 to 1");
+  const Contour contour = contour_of_lobe(rho, grid, level);
+  CentralLobe out;
+  if (contour.points.empty()) return out;
+  auto nearer = [](const auto& a, const auto& b) { return a.squaredNorm() < b.squaredNorm(); };
+  const auto [nearest, farthest] = std::ranges::minmax_element(contour.points, nearer);
+  const double edge =
+      std::min(static_cast<double>(rho.max_p()) * grid.dx, static_cast<double>(rho.max_q()) * grid.dy);
+  if (!contour.open || nearest->norm() <= edge) out.r_min = reach(*nearest);
+  if (contour.open) return out;
+  out.r_max = reach(*farthest);
+  out.ellipse = fitted_ellipse(contour.points, nearest->norm());
+  return out;
 }
 
 }  // namespace asperity

@@ -1,23 +1,35 @@
-/// Correlation lengths: where a profile of the autocorrelation first falls to a level.
+/// Correlation lengths: where the autocorrelation falls to a level, along a line and all around (ISO 25178-2: Sal, Str).
 ///
-/// Between the samples p and p+1 that enclose the level t, ln ρ is taken to be linear,
+/// Between the samples p and p+1 that enclose the level t, ln ρ is linear,
 ///     λ = p + ln(ρ_p / t) / ln(ρ_p / ρ_{p+1}),                                                     (1)
 /// exact for an exponential. Noise about a ρ that is zero, or has no logarithm, must not move λ by most of a sample: λ is no
 /// less than that of a straight line to ½ρ_{p+1}, or to ρ_{p+1} where that is negative. Between any two values, at the
-/// fraction s of the way from the larger, that is
+/// fraction s of the way from the larger,
 ///     ρ = max(ρ_p^{1-s} ρ_{p+1}^s, (1-s) ρ_p + ½ s ρ_{p+1}),     linear unless both are positive.      (2)
 /// (2) rises with either value, and so do λ and all that rests on it: a band about ρ has its lengths in order.
-///
-/// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1 or 1/e, say      ρ' slope per sample
-/// Accuracy  Of the interpolation, where ρ falls to no less than 0.47 of itself in a sample: |error| ≤ max|(ln ρ)''| /
-///           (8 |(ln ρ)'|) samples, none for an exponential and 1/(8λ) for a Gaussian ρ. (Were ρ itself taken linear,
-///           ln(1/t)/(8λ) and about as much.)
-///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/uncertainty/acf_error.hpp), usually far larger.
-///
 /// In a direction θ the profile is sampled where the ray crosses the rows of lags, or the columns when it
-/// leans that way, from the two lags beside it, again linear in ln ρ. That adds |error| ≤ h²/(8λ) for a ρ
-/// whose ln is -r or -r², h the larger spacing. The shortest and the longest over all directions:
-/// stats/spatial/acf_lobe.hpp.
+/// leans that way, by (2) from the two lags beside it.
+///
+/// The central lobe is the connected region about lag zero where ρ > t; lags are connected to their four neighbours. Of
+/// the points of its contour, (1) on the lines between neighbouring lags,
+///     Sal = r_min, the nearest to lag zero: the autocorrelation length of the fastest decay,          (3)
+///     Str = r_min / r_max, the nearest over the farthest: the texture aspect ratio, 0 < Str ≤ 1,       (4)
+/// and the ellipse
+///     A x² + 2B xy + C y² = 1                                                                         (5)
+/// that fits them best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C]: the
+/// lengths along and across the texture. γ is their ratio, ≥ 1, and its angle that of the long axis.
+///
+/// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1, 0.2 or 1/e      ρ' slope per sample
+///           x, y  lags [m]      angles from +x towards +y [rad]
+/// Scope     A lobe that reaches the longest lags, or lags without a pair of points, has no r_max, and no Str; it
+///           needs longer lags or a larger field.
+/// Accuracy  Of (1), where ρ falls to no less than 0.47 of itself in a sample: |error| ≤ max|(ln ρ)''| / (8 |(ln ρ)'|)
+///           samples, none for an exponential and 1/(8λ) for a Gaussian ρ; h²/(8λ) more in a direction, h the larger
+///           spacing. For exp(-r) or exp(-r²) of one elliptic radius r: Sal within 3h²/(8 r_min), r_max within
+///           3h² r_max/(8 r_min²), the ellipse's axes within a third of these.
+///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/uncertainty/acf_error.hpp), usually far larger;
+///           being the least of many lengths, Sal of an estimate is also biased low.
+/// Cost      the lags of the lobe.
 #pragma once
 
 #include <optional>
@@ -39,10 +51,36 @@ Crossing crossing_between(double above, double below, double level);
 /// profile stays above it, or is not known on its way there.
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level);
 
-/// The same in a direction, an angle from +x towards +y [rad], of a normalised ρ.
+/// The same in a direction, of a normalised ρ.
 std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, double angle, double level);
 
 /// Whose error is that of a length: the lag nearest to its end, not lag zero, which has none.
 Shape nearest_lag(const Grid& grid, double angle, double length);
+
+struct Reach {
+  double length = 0;  ///< [m]
+  double angle = 0;   ///< [rad], in (-π/2, π/2]
+};
+
+struct LobeEllipse {
+  Reach major;       ///< the longer half axis
+  double minor = 0;  ///< the shorter one, at right angles [m]
+
+  double gamma() const { return major.length / minor; }
+};
+
+struct CentralLobe {
+  std::optional<Reach> r_min;          ///< (3); none when the lags end before
+  std::optional<Reach> r_max;          ///< none when the lobe reaches the longest lags
+  std::optional<LobeEllipse> ellipse;  ///< (5); none when the lobe is open, or no ellipse
+
+  /// (4).
+  std::optional<double> aspect_ratio() const {
+    return r_min && r_max ? std::optional(r_min->length / r_max->length) : std::nullopt;
+  }
+};
+
+/// Of a normalised ρ. Throws ParameterError("acf-level", …) unless 0 < level < 1.
+CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level = 0.2);
 
 }  // namespace asperity

@@ -12,9 +12,16 @@ class LagField {
  public:
   /// `half_plane` is (P+1) × (2Q+1), row p, column Q + q.
   explicit LagField(Field half_plane);
+  /// value(p, q) at all lags up to these.
+  static LagField of(Shape max_lag, const auto& value) {
+    return LagField(Field::NullaryExpr(max_lag.nx + 1, 2 * max_lag.ny + 1, [&](Index p, Index column) {
+      return static_cast<double>(value(p, column - max_lag.ny));
+    }));
+  }
 
   Index max_p() const { return values_.rows() - 1; }
   Index max_q() const { return values_.cols() / 2; }
+  Shape max_lag() const { return {max_p(), max_q()}; }
   /// The value at any lag, zero beyond P and Q.
   double operator()(Index p, Index q) const;
   /// The farthest |p| and |q| of lags that are not zero.

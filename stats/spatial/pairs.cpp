@@ -15,19 +15,13 @@ double overlap(Index lag, Index n, bool periodic) {
   return std::abs(lag) < n ? 1 - static_cast<double>(std::abs(lag)) / static_cast<double>(n) : 0;
 }
 
-double half_period_share(Index lag, Index n, bool periodic) {
-  return periodic && 2 * std::abs(lag) == n ? 0.5 : 1;
-}
+// A lag of half a period is its own mirror image.
+double times_met(Index lag, Index n, bool periodic) { return periodic && 2 * std::abs(lag) == n ? 0.5 : 1; }
 
 // The same lag within half a period.
 Index folded(Index lag, Index n) {
   const Index within = (lag % n + n) % n;
   return 2 * within > n ? within - n : within;
-}
-
-Shape longest_lags(const Grid& grid) {
-  const auto [nx, ny] = grid.shape;
-  return grid.periodic ? Shape{nx / 2, ny / 2} : Shape{nx - 1, ny - 1};
 }
 
 }  // namespace
@@ -40,7 +34,7 @@ Pairs Pairs::of(const Field& z, const Grid& grid, int threads) {
   return {grid, LagField(lag_sums(validity(z), grid, longest_lags(grid), threads).round())};
 }
 
-double Pairs::share(Index p, Index q) const {
+double Pairs::pair_fraction(Index p, Index q) const {
   if (complete()) return overlap(grid_, p, q);
   if (grid_.periodic) p = folded(p, grid_.shape.nx), q = folded(q, grid_.shape.ny);
   return (*counts_)(p, q) / points_;
@@ -49,33 +43,35 @@ double Pairs::share(Index p, Index q) const {
 double Pairs::density(Index p, Index q) const {
   if (complete()) return 1;
   const double most = overlap(grid_, p, q);
-  return most > 0 ? share(p, q) / most : 0;
+  return most > 0 ? pair_fraction(p, q) / most : 0;
 }
 
 double overlap(const Grid& grid, Index p, Index q) {
   return overlap(p, grid.shape.nx, grid.periodic) * overlap(q, grid.shape.ny, grid.periodic);
 }
 
+Shape longest_lags(const Grid& grid) {
+  const auto [nx, ny] = grid.shape;
+  return grid.periodic ? Shape{nx / 2, ny / 2} : Shape{nx - 1, ny - 1};
+}
+
 LagField tapered(const LagField& rho, const Pairs& pairs) {
   const LagField inside = rho.within(longest_lags(pairs.grid()));
-  return LagField(Field::NullaryExpr(inside.max_p() + 1, 2 * inside.max_q() + 1, [&](Index p, Index column) {
-    const Index q = column - inside.max_q();
-    return inside(p, q) * std::sqrt(pairs.share(p, q));
-  }));
+  return LagField::of(inside.max_lag(),
+                      [&](Index p, Index q) { return inside(p, q) * std::sqrt(pairs.pair_fraction(p, q)); });
 }
 
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit) {
   const Grid& grid = pairs.grid();
   const auto [nx, ny] = grid.shape;
-  const Index P = grid.periodic ? std::min(lags.max_p(), nx / 2) : lags.max_p(),
-              Q = grid.periodic ? std::min(lags.max_q(), ny / 2) : lags.max_q();
+  const Shape longest = longest_lags(grid);
+  const Index P = std::min(lags.max_p(), longest.nx), Q = std::min(lags.max_q(), longest.ny);
   for (Index p = 0; p <= P; ++p)
     for (Index q = -Q; q <= Q; ++q)
-      if (const double share = pairs.share(p, q); share > 0)
+      if (const double fraction = pairs.pair_fraction(p, q); fraction > 0)
         visit(p, q,
-              (p > 0 ? 2 : 1) * share * half_period_share(p, nx, grid.periodic) *
-                  half_period_share(q, ny, grid.periodic));
+              (p > 0 ? 2 : 1) * fraction * times_met(p, nx, grid.periodic) * times_met(q, ny, grid.periodic));
 }
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ class Pairs {
   bool complete() const { return !counts_; }  ///< nothing is missing
   double points() const { return points_; }   ///< that are there
   /// n(p,q)/n(0,0); of a complete field its overlap with itself at the lag.
-  double share(Index p, Index q) const;
+  double pair_fraction(Index p, Index q) const;
   /// n(p,q) over what it were if nothing but the field's edges ended pairs, n(0,0) overlap(p,q); 1 for a complete field.
   double density(Index p, Index q) const;
 
@@ -41,16 +41,19 @@ class Pairs {
   std::shared_ptr<const LagField> counts_ = {};
 };
 
-/// The share of a complete field's points that have a partner at lag (p,q): (1 - |p|/nx)(1 - |q|/ny), 1 when periodic.
+/// The part of a complete field's points that have a partner at lag (p,q): (1 - |p|/nx)(1 - |q|/ny), 1 when periodic.
 double overlap(const Grid& grid, Index p, Index q);
 
-/// ρ √share at the lags that the field has. Sums over pairs of lags of it are weighted by the pairs of the field: exactly where
+/// The longest lags at which a field has pairs; half of it when periodic.
+Shape longest_lags(const Grid& grid);
+
+/// ρ √(n(p,q)/n(0,0)) at the lags that the field has. Sums over pairs of lags of it are weighted by the pairs of the field: exactly where
 /// two factors are of one lag, as in Σ w ρ²; and Σ Σ ρ ρ ρ over triples of lags that end where they began, by the field's
 /// triples to first order in lag over length, a tenth too large at the most along a side that is all one height.
 LagField tapered(const LagField& rho, const Pairs& pairs);
 
 /// Calls visit(p, q, weight) for those of the half-plane's lags that have pairs, such that Σ weight f(p,q) is the
-/// average over the field's points of Σ f over all their partners: share(p,q), doubled for the lags (-p,-q), and
+/// average over the field's points of Σ f over all their partners: pair_fraction(p,q), doubled for the lags (-p,-q), and
 /// halved at lags of half a period, where p and -p are one. Longer lags of a periodic field are shorter ones again, and left out.
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit);

@@ -13,9 +13,8 @@ constexpr double told = 0.1;
 
 // n of a strip without missing points.
 Field complete_pairs(const Grid& strip, Shape max_lag) {
-  return Field::NullaryExpr(max_lag.nx + 1, 2 * max_lag.ny + 1, [&](Index p, Index column) {
-    return overlap(strip, p, column - max_lag.ny) * static_cast<double>(strip.shape.cells());
-  });
+  const auto points = static_cast<double>(strip.shape.cells());
+  return LagField::of(max_lag, [&](Index p, Index q) { return overlap(strip, p, q) * points; }).half_plane();
 }
 
 }  // namespace
@@ -49,10 +48,10 @@ LagField StripAutocorrelation::estimate() const {
 Pairs StripAutocorrelation::pairs() const {
   if (!missing_) return Pairs(grid_);
   const double cells = static_cast<double>(grid_.shape.cells());
-  return Pairs(grid_, LagField(Field::NullaryExpr(counts_.rows(), counts_.cols(), [&](Index p, Index column) {
-                 return counts_(p, column) / complete_(p, column) * overlap(grid_, p, column - max_lag_.ny) *
-                        cells;
-               })));
+  return Pairs(grid_, LagField::of(max_lag_, [&](Index p, Index q) {
+                 const Index column = max_lag_.ny + q;
+                 return counts_(p, column) / complete_(p, column) * overlap(grid_, p, q) * cells;
+               }));
 }
 
 bool StripAutocorrelation::reaches_beyond(const LagField& correlation) const {

@@ -44,7 +44,57 @@ void store(const PrunedTransform& transform, Index b, const Complex* block, doub
 
 // How often a wave number of index k ≤ n/2 stands for itself in a sum over all n: its mirror image, at half
 // the period its own, is another entry.
-double share(Index k, Index n) { return 2 * std::abs(k) == n ? 0.5 : 1; }
+double times_met(Index k, Index n) { return 2 * std::abs(k) == n ? 0.5 : 1; }
+
+// Wave numbers lie on the bounds of rings and sectors, whatever the unit of length.
+constexpr double round_off = 1e-12;
+
+struct WaveNumbers {
+  explicit WaveNumbers(const Grid& grid)
+      : torus{grid.shape, grid.dx, grid.dy, true},
+        step_x(2 * std::numbers::pi / grid.size_x()),
+        step_y(2 * std::numbers::pi / grid.size_y()),
+        last(std::numbers::pi / std::max(grid.dx, grid.dy)) {}
+
+  double step() const { return std::max(step_x, step_y); }
+  void for_each(const LagField& psd, const auto& visit) const {
+    for_each_lag(psd, torus, [&](Index p, Index q, double weight) {
+      visit(static_cast<double>(p) * step_x, static_cast<double>(q) * step_y, weight, psd(p, q));
+    });
+  }
+
+  Grid torus;
+  double step_x, step_y, last;
+};
+
+constexpr Index sectors = 360;  // of π
+constexpr double sector = std::numbers::pi / sectors, narrowest = 2 * std::numbers::pi / 180;
+
+// F of (5) on sectors from -π/2 on.
+class AngularSpectrum {
+ public:
+  void add(double angle, double half_width, double power) {
+    const auto first = static_cast<Index>(std::ceil((angle - half_width) / sector)),
+               last = static_cast<Index>(std::floor((angle + half_width) / sector));
+    for (Index s = first; s <= last; ++s) {
+      const double distance = std::abs(static_cast<double>(s) * sector - angle) / half_width;
+      values_((s + 5 * sectors / 2) % sectors) += power * (1 - distance) / half_width;
+    }
+  }
+  // The vertex of the parabola through the largest value and its neighbours.
+  TextureDirection largest() const {
+    Index top = 0;
+    const double highest = values_.maxCoeff(&top);
+    if (!(highest > 0)) return {std::nan(""), std::nan("")};
+    const double before = values_((top + sectors - 1) % sectors), after = values_((top + 1) % sectors);
+    const double bend = before - 2 * highest + after, shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
+    const double angle = (static_cast<double>(top) + shift) * sector - std::numbers::pi / 2;
+    return {angle > -std::numbers::pi / 2 ? angle : angle + std::numbers::pi, highest / values_.mean()};
+  }
+
+ private:
+  Eigen::ArrayXd values_ = Eigen::ArrayXd::Zero(sectors);
+};
 
 }  // namespace
 
@@ -100,7 +150,7 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
   for (Index p = 0; p <= psd.max_p(); ++p) {
     double sum = 0, squares = 0;
     for (Index q = -psd.max_q(); q <= psd.max_q(); ++q) {
-      const double weight = share(q, grid.shape.ny), value = psd(p, q);
+      const double weight = times_met(q, grid.shape.ny), value = psd(p, q);
       sum += weight * value;
       squares += weight * value * value;
     }
@@ -115,16 +165,12 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
 }
 
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation) {
-  const double step_x = 2 * std::numbers::pi / grid.size_x(), step_y = 2 * std::numbers::pi / grid.size_y();
-  const double width = std::max(step_x, step_y), last = std::numbers::pi / std::max(grid.dx, grid.dy);
-  std::vector<SpectrumPoint> rings(static_cast<std::size_t>(last / width * (1 + 1e-12)));
-  Grid torus = grid;
-  torus.periodic = true;
-  for_each_lag(psd, torus, [&](Index p, Index q, double weight) {
-    const double length = std::hypot(static_cast<double>(p) * step_x, static_cast<double>(q) * step_y);
-    const auto ring = static_cast<std::size_t>(std::lround(length / width));
+  const WaveNumbers q(grid);
+  std::vector<SpectrumPoint> rings(static_cast<std::size_t>(q.last / q.step() * (1 + round_off)));
+  q.for_each(psd, [&](double qx, double qy, double weight, double value) {
+    const double length = std::hypot(qx, qy);
+    const auto ring = static_cast<std::size_t>(std::lround(length / q.step()));
     if (ring < 1 || ring > rings.size()) return;
-    const double value = psd(p, q);
     SpectrumPoint& sum = rings[ring - 1];
     sum.count += weight;
     sum.wave_number += weight * length;
@@ -137,6 +183,17 @@ std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid
             .standard_error = std::sqrt(inflation * ring.standard_error) / ring.count,
             .count = ring.count};
   return rings;
+}
+
+TextureDirection texture_direction(const LagField& psd, const Grid& grid) {
+  const WaveNumbers q(grid);
+  AngularSpectrum spectrum;
+  q.for_each(psd, [&](double qx, double qy, double weight, double value) {
+    const double length = std::hypot(qx, qy);
+    if (length < 4 * q.step() * (1 - round_off) || length > q.last * (1 + round_off)) return;
+    spectrum.add(std::atan2(qy, qx), std::max(narrowest, q.step() / length), weight * value);
+  });
+  return spectrum.largest();
 }
 
 }  // namespace asperity

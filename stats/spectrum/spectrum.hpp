@@ -1,4 +1,4 @@
-/// Power spectral densities: of the surface, radial, and of its profiles.
+/// Power spectral densities: of the surface, radial, angular, and of its profiles.
 ///
 /// With heights d on nx × ny points, the wave numbers qx = 2πp/Lx, qy = 2πq/Ly, and a window w whose mean
 /// square is W,
@@ -20,14 +20,24 @@
 ///     (1-g) C + g Sq² ΔxΔy,                                                                           (4)
 /// a floor of white noise, below which the surface's short waves cannot be seen.
 ///
+/// The angular spectrum is
+///     F(θ) = ∫ C(q cos θ, q sin θ) q dq,                                                              (5)
+/// the power of all waves that run in the direction θ; ridges, the lay, stand at right angles to it. F is summed from C
+/// over all wave numbers, each spread over the angles around its own by a triangle whose half width is 2°, or the angle
+/// Δq/q that its cell subtends where that is more. Wave numbers below four times 2π/min(Lx,Ly) are left out: they hold
+/// what is left of the form, and know few directions; and those above the smaller of π/Δx, π/Δy, which not all directions
+/// have. Std of ISO 25178-2 is where F is largest.
+///
 /// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
-///           qx, qy  wave numbers [rad/m]
+///           qx, qy  wave numbers [rad/m]      θ  angle from +x towards +y, in (-π/2, π/2] [rad]
 /// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
 ///           C. The mean over a ring of n of them, half of which are the other half again, has the variance
 ///           I/n² Σ C², over a row of n, none of them twice, half of that; estimated without bias. I is 1, and
 ///           35/18 for each axis with Hann's window, whose neighbours share power; with missing points
 ///           N Σ w⁴/(Σ w²)² over those that are there.
-/// Cost      one real transform.
+///           Std within 0.5°, for a wave that fills a few wave numbers; of an isotropic surface (Str near 1) it is an
+///           accident, and the contrast not far from 1.
+/// Cost      one real transform; of (5) one pass over C.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
 /// F. J. Harris, Proc. IEEE 66 (1978) 51-83, for windows.
@@ -72,5 +82,13 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
                                             int threads = 1);
 /// Of (1), for rings from the first on; `inflation` is I.
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation);
+
+struct TextureDirection {
+  double angle = 0;     ///< Std [rad]
+  double contrast = 0;  ///< F at its largest over its mean, 1 for no direction at all
+};
+
+/// Of (1).
+TextureDirection texture_direction(const LagField& psd, const Grid& grid);
 
 }  // namespace asperity

@@ -8,68 +8,65 @@
 namespace asperity {
 namespace {
 
-// The share of S_1 and of S_2 in the tails that noise hides, times N/S_2: of a triangular correlation 0 and 7, of an
+// The part of S_1 and of S_2 in the tails that noise hides, times N/S_2: of a triangular correlation 0 and 7, of an
 // exponential one 35 and 17.
 constexpr double lost_of_first = 15, lost_of_second = 10;
 
-// A lag of an estimate: weight as for_each_lag gives it, evidence = |ρ| √pairs/√N.
+// A lag of an estimate: weight as for_each_lag gives it, z_score = |ρ| √pairs/√N, of a noise of S_2 = 1.
 struct Candidate {
   Index p, q;
-  double rho, weight, evidence;
+  double rho, weight, z_score;
 };
 
-constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.evidence < b.evidence; };
+constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.z_score < b.z_score; };
 
 // The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below. Lag zero comes first, also
-// before lags of a periodic field that are as evident.
+// before lags of a periodic field that are as certain.
 std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   const double least = 3 / std::sqrt(pairs.points());
   std::vector<Candidate> lags;
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
     const bool zero = p == 0 && q == 0;
-    const double evidence =
-        zero ? std::numeric_limits<double>::infinity() : std::abs(value) * std::sqrt(pairs.share(p, q));
-    if (evidence > least) lags.push_back({p, q, value, weight, evidence});
+    const double z_score = zero ? std::numeric_limits<double>::infinity()
+                                : std::abs(value) * std::sqrt(pairs.pair_fraction(p, q));
+    if (z_score > least) lags.push_back({p, q, value, weight, z_score});
   });
   std::ranges::make_heap(lags, weaker);
   return lags;
 }
 
-// The lags (p,q) whose halves are admitted, and as a LagField that holds no more than those.
+// Of the lags (p,q) whose halves are admitted.
 class Tail {
  public:
   Tail(const LagField& rho, const LagField& admitted, const Pairs& pairs)
-      : pairs_(pairs), admitted_(admitted), rho_(twice_the_reach(rho, admitted)) {
-    for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
-      if (admitted_(p / 2, q / 2) == 0) return;
+      : pairs_(pairs),
+        admitted_(admitted),
+        rho_(rho.within({2 * admitted.reach().nx + 1, 2 * admitted.reach().ny + 1})) {
+    for_each([&](Index p, Index q, double weight) {
       weight_ += weight;
-      if (p != 0 || q != 0) count_ += weight / pairs_.share(p, q);
+      if (p != 0 || q != 0) count_ += weight / pairs_.pair_fraction(p, q);
     });
   }
 
   /// S_1; what the field's mean took from each lag is put back.
   double first_sum() const {
     double sum = 0;
-    for_each([&](double rho, double weight) { sum += weight * rho; });
+    for_each([&](Index p, Index q, double weight) { sum += weight * rho_(p, q); });
     return std::max(0.0, sum / (1 - std::min(weight_ / pairs_.points(), 0.5)));
   }
   /// S_2 of (ρ + b)/(1 + b), less the noise that its squares hold.
   double second_sum(double b) const {
     double sum = 0;
-    for_each([&](double rho, double weight) { sum += weight * std::pow((rho + b) / (1 + b), 2); });
+    for_each(
+        [&](Index p, Index q, double weight) { sum += weight * std::pow((rho_(p, q) + b) / (1 + b), 2); });
     return std::max(1.0, sum / (1 + count_ / pairs_.points()));
   }
 
  private:
-  static LagField twice_the_reach(const LagField& rho, const LagField& admitted) {
-    const auto [p, q] = admitted.reach();
-    return rho.within({2 * p + 1, 2 * q + 1});
-  }
-  template <class Visit>
-  void for_each(Visit visit) const {
+  void for_each(auto visit) const {
     for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
-      if (admitted_(p / 2, q / 2) != 0) visit(rho_(p, q), weight);
+      if (admitted_(p / 2, q / 2) != 0) visit(p, q, weight);
     });
   }
 
@@ -81,7 +78,8 @@ class Tail {
 
 }  // namespace
 
-EffectiveSize::EffectiveSize(const LagField& correlation, const Pairs& pairs) : points_(pairs.points()) {
+EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs)
+    : points_(pairs.points()) {
   const LagField rho = correlation.normalised();
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double value = rho(p, q);
@@ -91,20 +89,20 @@ EffectiveSize::EffectiveSize(const LagField& correlation, const Pairs& pairs) : 
   for (double& s : sums_) s = std::max(s, 0.0);
 }
 
-EffectiveSize EffectiveSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
+EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
   const Tail tail(rho, admitted, pairs);
-  const double s1 = tail.first_sum(), lost = s1 / pairs.points(), b = lost / (1 - std::min(lost, 0.5));
+  const double n = pairs.points(), s1 = tail.first_sum(), b = bias_of_lags(s1 / n);
   const Field& values = admitted.half_plane();
-  EffectiveSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
-  const double s2 = tail.second_sum(b), share = s2 / pairs.points();
-  size.sums_[1] = s1 * (1 + lost_of_first * share);
-  size.sums_[2] = s2 * (1 + lost_of_second * share);
+  EffectiveSampleSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
+  const double s2 = tail.second_sum(b);
+  size.sums_[1] = s1 * (1 + lost_of_first * (s2 / n));
+  size.sums_[2] = s2 * (1 + lost_of_second * (s2 / n));
   size.degrees_ = size.effective(2) / 8;
   return size;
 }
 
-double EffectiveSize::variance_of_mean(const std::function<double(int)>& weight, double total) const {
+double EffectiveSampleSize::variance_of_mean(const std::function<double(int)>& weight, double total) const {
   double variance = 0, rest = total;
   for (int k = 1; k <= powers; ++k) {
     const double w = weight(k);
@@ -123,14 +121,14 @@ LagField significant_lags(const LagField& estimate, const Pairs& pairs) {
   for (; !heap.empty(); heap.pop_back()) {
     std::ranges::pop_heap(heap, weaker);
     const Candidate& lag = heap.back();
-    if (lag.evidence <= 3 * std::sqrt(sum_of_squares / n)) break;
+    if (lag.z_score <= 3 * std::sqrt(sum_of_squares / n)) break;
     sum_of_squares += lag.weight * lag.rho * lag.rho;
     admitted(lag.p, rho.max_q() + lag.q) = lag.rho;
   }
   return LagField(std::move(admitted));
 }
 
-MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size) {
+MomentErrors standard_errors(const Moments& moments, const EffectiveSampleSize& size) {
   // (5), each weight from the one before.
   double w = 0;
   auto of_absolute = [&w](int k) {

@@ -4,42 +4,39 @@
 /// correlation ρ, by the Hermite series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ,
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
 ///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (weights 1 on a periodic grid),            (2)
-/// the weights being the number of pairs at a lag over the number of points, missing heights left out of both
-/// (stats/spatial/pairs.hpp).
+/// the weights being the pairs at a lag over the points, missing heights left out of both (stats/spatial/pairs.hpp).
 /// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
 ///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
 ///     Var[Sa]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
-/// to first order in 1/N; the mean and the rms height that the field itself supplies are thereby accounted
-/// for in (3)–(5). The field's own mean also lowers E[Sq²] by the factor 1 - S_1/N.
+/// to first order in 1/N, the mean and the rms height that the field itself supplies allowed for in (3)–(5). The field's
+/// own mean takes w = S_1/N of the variance: it lowers E[Sq²] by the factor 1 - w, and each lag of ρ to (ρ - w)/(1 - w),
+/// which (ρ + b)/(1 + b) with b = w/(1 - w) undoes. w is followed to a half; there N/S_2 ≤ 4, and no error can be told.
 ///
 /// An estimated ρ is mostly noise far out, of standard error √(S_2/N) (stats/uncertainty/acf_error.hpp); summed, that
 /// noise would be as large as S_2 itself. Therefore lags are admitted in the order of |ρ| for as long as the
 /// next exceeds three standard errors, √(S_2/pairs) with S_2 of those admitted; of the noise 0.3 % passes. S_k, k ≥ 3,
 /// are summed over these. S_1 and S_2 weigh the tail more: they are summed over twice the admitted reach (h where h/2 is
-/// admitted), K lags. There the field's mean, which lowers each lag by b = S_1/N, is put back, and of the squares the
-/// noise S_2/N each is taken off:
-///     S_1 = Σ w ρ/(1 - K/N),     S_2 = Σ w [(ρ+b)/(1+b)]² / (1 + K/N).                              (6)
+/// admitted), K lags. There b is put back, and of the squares the noise S_2/N each is taken off:
+///     S_1 = Σ v ρ/(1 - K/N),     S_2 = Σ v [(ρ+b)/(1+b)]² / (1 + K/N),     v the weights of (2).   (6)
 /// What still lies beyond lowers S_1 by some 15 S_2/N of it, S_2 by 10 S_2/N, measured of triangular (0, 7) and exponential
 /// (35, 17) correlations, and is added. So known, ln S_2 has a variance of 5 to 16 S_2/N: `degrees`, N/(8 S_2), are those
 /// of a standard error of this quality.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
-/// With few independent heights none of this holds. 95 % intervals (stats/uncertainty/moment_interval.hpp) of 300 fields of 48 × 48 points
-/// of triangular correlation cover, with the known one, 94 to 98 % at N/S_2 = 16, from 87 % (Sku) at 5.2, and 5 % (Sku) at 3.
-/// An estimated N/S_2 does not fall below some 10, however long the correlation: the field's own mean and its half bound what
-/// is seen of it. At 16 in truth (20 estimated, the median) Sq and Sa are covered by 86 %, at 5 (11) by 73 %, at 2 (9) by
-/// 55 %. `least_effective` is where errors are no more to be told.
-///
 /// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].
-/// Accuracy  first order in S_2/N; of the intervals that follow: stats/uncertainty/moment_interval.hpp. An S_k that noise makes
-///           negative, which no correlation has, counts as zero.
+/// Accuracy  first order in S_2/N. 95 % intervals (stats/uncertainty/moment_interval.hpp) of 300 fields of 48 × 48 points of
+///           triangular correlation cover, with the known one, 94 to 98 % at N/S_2 = 16, from 87 % (Sku) at 5.2, and 5 %
+///           (Sku) at 3. An estimated N/S_2 does not fall below some 10, however long the correlation: the field's own mean
+///           and its half bound what is seen of it. At 16 in truth (20 estimated, the median) Sq and Sa are covered by
+///           86 %, at 5 (11) by 73 %, at 2 (9) by 55 %. An S_k that noise makes negative counts as zero.
 /// Cost      at most 512 multiplications a lag, fewer where ρᵏ vanishes; two passes over an estimate's lags.
 ///
 /// F. G. Mehler, J. reine angew. Math. 66 (1866) 161-176.
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -52,18 +49,21 @@
 
 namespace asperity {
 
-class EffectiveSize {
+class EffectiveSampleSize {
  public:
   static constexpr int powers = 512;
 
   /// The sums (2) of a known correlation, normalised or not.
-  EffectiveSize(const LagField& correlation, const Pairs& pairs);
+  EffectiveSampleSize(const LagField& correlation, const Pairs& pairs);
   /// The sums of an estimated one, as said above.
-  static EffectiveSize of_estimate(const LagField& estimate, const Pairs& pairs);
+  static EffectiveSampleSize of_estimate(const LagField& estimate, const Pairs& pairs);
 
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
+  double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
+  double taken_by_mean() const { return std::min(mean_power(1), most_taken); }  ///< w
+  double bias_of_lags() const { return bias_of_lags(mean_power(1)); }           ///< b
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
   /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an estimate.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
@@ -73,6 +73,9 @@ class EffectiveSize {
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:
+  static constexpr double most_taken = 0.5;
+  static double bias_of_lags(double w) { return std::min(w, most_taken) / (1 - std::min(w, most_taken)); }
+
   double points_, degrees_ = std::numeric_limits<double>::infinity();
   std::array<double, powers + 1> sums_{};
 };
@@ -84,6 +87,6 @@ LagField significant_lags(const LagField& estimate, const Pairs& pairs);
 struct MomentErrors {
   double mean = 0, sa = 0, sq = 0, ssk = 0, sku = 0;
 };
-MomentErrors standard_errors(const Moments& moments, const EffectiveSize& size);
+MomentErrors standard_errors(const Moments& moments, const EffectiveSampleSize& size);
 
 }  // namespace asperity

@@ -9,8 +9,7 @@
 
 #include "stats/height/quantiles.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
-#include "stats/uncertainty/gaussian_maximum.hpp"
+#include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
 namespace {
@@ -23,19 +22,13 @@ Interval held(double length, double low, double high) {
   return low < beyond ? Interval::of(length, low, high) : Interval();
 }
 
-// (1).
-LagField freed_of_mean(const LagField& rho, const EffectiveSize& size) {
-  const double share = std::min(size.sum(1) / size.points(), 0.5), b = share / (1 - share);
-  return LagField((rho.half_plane() + b) / (1 + b));
-}
-
 // What the field's mean leaves of the errors that a known correlation gives.
-double left_by_mean(const EffectiveSize& size) {
+double left_by_mean(const EffectiveSampleSize& size) {
   return std::sqrt(1 - std::min(std::pow(size.sum(1), 2) / (size.points() * size.sum(2)), 0.5));
 }
 
 // By how much the errors of what stands out of the noise are too small.
-double lost_in_noise(const EffectiveSize& size, const EffectiveSize& admitted) {
+double lost_in_noise(const EffectiveSampleSize& size, const EffectiveSampleSize& admitted) {
   return std::pow(std::max(1.0, size.sum(2) / admitted.sum(2)), 0.25);
 }
 
@@ -51,16 +44,12 @@ LengthIntervals::LengthIntervals(const LagField& estimate, const Pairs& pairs,
 LengthIntervals::LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
                                  const std::optional<LagField>& known)
     : rho_(rho),
-      freed_(rho),
       grid_(pairs.grid()),
+      size_(known ? EffectiveSampleSize(*known, pairs) : EffectiveSampleSize::of_estimate(rho, pairs)),
       error_(known ? *known : admitted, pairs),
-      strays_(error_.normalised({rho.max_p(), rho.max_q()})) {
-  const EffectiveSize size = known ? EffectiveSize(*known, pairs) : EffectiveSize::of_estimate(rho, pairs);
-  freed_ = freed_of_mean(rho, size);
-  degrees_ = size.degrees();
-  const double more = known ? left_by_mean(size) : lost_in_noise(size, EffectiveSize(admitted, pairs));
-  strays_ = LagField(strays_.half_plane() * more);
-}
+      freed_((rho.half_plane() + size_.bias_of_lags()) / (1 + size_.bias_of_lags())),
+      strays_(error_.normalised(rho.max_lag()).half_plane() *
+              (known ? left_by_mean(size_) : lost_in_noise(size_, EffectiveSampleSize(admitted, pairs)))) {}
 
 LagField LengthIntervals::band(double u) const {
   return LagField(freed_.half_plane() + u * strays_.half_plane());
@@ -77,7 +66,7 @@ Interval LengthIntervals::along(double angle, double level, double confidence) c
 
 double LengthIntervals::length_of(Decay decay, const LagField& rho, double level) const {
   const CentralLobe lobe = central_lobe(rho, grid_, level);
-  const auto& reach = decay == Decay::fastest ? lobe.fastest : lobe.slowest;
+  const auto& reach = decay == Decay::r_min ? lobe.r_min : lobe.r_max;
   return reach ? reach->length : beyond;
 }
 
@@ -92,16 +81,16 @@ std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) 
 }
 
 double LengthIntervals::quantile_of_extreme(const std::vector<Reached>& reached, double tail) const {
-  const double wider = t_quantile(tail, degrees_) / normal_quantile(tail);
+  const double wider = t_quantile(tail, size_.degrees()) / normal_quantile(tail);
   if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
   lags.reserve(reached.size());
   for (const Reached& r : reached) lags.push_back(r.lag);
-  return wider * GaussianMaximum(error_.correlation(lags), GaussianMaximum::Of::values).quantile(tail);
+  return wider * NullDistribution::of_largest(error_.correlation(lags)).quantile(tail);
 }
 
 double LengthIntervals::strayed(Decay decay, double level, double tail) const {
-  const double side = decay == Decay::fastest ? 1 : -1;
+  const double side = decay == Decay::r_min ? 1 : -1;
   for (std::vector<Reached> reached = all_around(level);;) {
     const double end = length_of(decay, band(side * quantile_of_extreme(reached, tail)), level);
     if (std::erase_if(reached, [&](const Reached& r) { return side * (r.length - end) > 0; }) == 0)
@@ -109,16 +98,16 @@ double LengthIntervals::strayed(Decay decay, double level, double tail) const {
   }
 }
 
-Interval LengthIntervals::fastest(double level, double confidence) const {
+Interval LengthIntervals::r_min(double level, double confidence) const {
   const double tail = 1 - confidence, u = normal_quantile(tail / 2);
-  return held(length_of(Decay::fastest, rho_, level), length_of(Decay::fastest, band(-u), level),
-              strayed(Decay::fastest, level, tail));
+  return held(length_of(Decay::r_min, rho_, level), length_of(Decay::r_min, band(-u), level),
+              strayed(Decay::r_min, level, tail));
 }
 
-Interval LengthIntervals::slowest(double level, double confidence) const {
+Interval LengthIntervals::r_max(double level, double confidence) const {
   const double tail = 1 - confidence, u = normal_quantile(tail / 2);
-  return held(length_of(Decay::slowest, rho_, level), strayed(Decay::slowest, level, tail),
-              length_of(Decay::slowest, band(u), level));
+  return held(length_of(Decay::r_max, rho_, level), strayed(Decay::r_max, level, tail),
+              length_of(Decay::r_max, band(u), level));
 }
 
 }  // namespace asperity

@@ -1,25 +1,22 @@
 /// Confidence intervals of correlation lengths.
 ///
-/// A length is where an estimate of the correlation falls to a level t (stats/spatial/acf_length.hpp). At a lag h it strays by
-/// SE(h) (stats/uncertainty/acf_error.hpp), and lies low, for the field's own mean is taken from the heights. Put back,
-///     ρ' = (ρ + b)/(1 + b),   b = S_1/(N - S_1),                                                       (1)
-/// and a length is held at the level 1 - 2a where ρ' does not stray from t by more than u errors of that very lag: the
-/// interval goes from where the one side of a band falls to t to where the other does,
-///     λ(ρ' - u SE) … λ(ρ' + u SE),                                                                     (2)
-/// open above where that side does not fall so far. SE grows with h, so that λ lies nearer the lower end. λ rises with ρ
-/// (stats/spatial/acf_length.hpp), so that the ends are in order, and about λ(ρ) but where b exceeds the error u SE/(1 - t).
+/// A length is where an estimate of the correlation falls to a level t (stats/spatial/acf_length.hpp). At a lag h the estimate
+/// strays by SE(h) (stats/uncertainty/acf_error.hpp), and is low by the field's own mean. With that put back,
+/// ρ' = (ρ + b)/(1 + b) (stats/uncertainty/effective_size.hpp), the interval at the level 1 - 2a goes from where the one side of
+/// a band of u errors falls to t to where the other does,
+///     λ(ρ' - u SE) … λ(ρ' + u SE),                                                                     (1)
+/// open above where that side does not fall so far. SE grows with h, so that λ lies nearer the lower end. λ rises with ρ,
+/// so that the ends are in order, and about λ(ρ) but where b exceeds the error u SE/(1 - t).
 ///
-/// Sal is the least of the lengths in all directions, and the least of many that stray is low. Its interval is (2) with
-/// Sal for λ, but above u is the quantile of the largest of Gaussians that are correlated as the errors of ρ are
-/// (stats/uncertainty/acf_error.hpp, (4)), in those of 12 directions whose λ(ρ') is within the interval that they make; simulated with
-/// a fixed seed. From below Sal is hardly ever missed: the upper end takes all of 2a. The slowest decay is the greatest of
-/// the lengths, and its interval the mirror image: its lower end takes all.
+/// Sal is the least of the lengths in all directions, and the least of many that stray is low. Its interval is (1) with
+/// Sal for λ, but above u is the quantile of the largest of Gaussians that are correlated as the errors of ρ are, in those
+/// of 12 directions whose λ(ρ') is within the interval that they make. From below Sal is hardly ever missed: the upper
+/// end takes all of 2a. The slowest decay is the greatest of the lengths, and its interval the mirror image.
 ///
 /// Of a known correlation the errors are √(1 - S_1²/(N S_2)) as large, for S_1²/N is what the field's mean takes from the
 /// squares. An estimated one has lost that, but is cut where noise begins: its errors are taken ⁴√(S_2'/S_2) as large, S_2'
-/// with the tail (stats/uncertainty/effective_size.hpp); that is measured, half of what the sum of squares loses. They are small where
-/// the length is: the two ends make good for each other, but the upper end of Sal stands alone, and has Student's quantile
-/// of their degrees in place of the normal one.
+/// with the tail; that is measured, half of what the sum of squares loses. They are small where the length is: the two
+/// ends make good for each other, but the upper end of Sal stands alone, and has Student's quantile of their degrees.
 ///
 /// Symbols   ρ  estimate, 1 at lag zero      N  points      S_k  sums over the correlation      λ(f)  where f falls to t
 /// Scope     Gaussian heights.
@@ -46,12 +43,12 @@ class LengthIntervals {
   /// `known` is the correlation that errors rest on, if it is known.
   LengthIntervals(const LagField& estimate, const Pairs& pairs, const std::optional<LagField>& known);
 
-  /// (2) in a direction, an angle from +x towards +y [rad], in metres; of a length that is beyond the lags open above.
+  /// (1) in a direction, an angle from +x towards +y [rad], in metres; of a length that is beyond the lags open above.
   Interval along(double angle, double level, double confidence = 0.95) const;
-  /// (2) of Sal.
-  Interval fastest(double level, double confidence = 0.95) const;
-  /// (2) of the slowest decay.
-  Interval slowest(double level, double confidence = 0.95) const;
+  /// (1) of Sal.
+  Interval r_min(double level, double confidence = 0.95) const;
+  /// (1) of the slowest decay.
+  Interval r_max(double level, double confidence = 0.95) const;
 
  private:
   LengthIntervals(const LagField& rho, const LagField& admitted, const Pairs& pairs,
@@ -59,7 +56,7 @@ class LengthIntervals {
   /// ρ' + u SE at all lags.
   LagField band(double u) const;
   /// Sal of such a field, or its slowest decay; infinite where it lies beyond the lags.
-  enum class Decay { fastest, slowest };
+  enum class Decay { r_min, r_max };
   double length_of(Decay decay, const LagField& rho, double level) const;
   /// Where ρ' falls to a level in each of 12 directions.
   struct Reached {
@@ -69,14 +66,14 @@ class LengthIntervals {
   std::vector<Reached> all_around(double level) const;
   /// The quantile of the largest stray among these.
   double quantile_of_extreme(const std::vector<Reached>& reached, double tail) const;
-  /// The end of (2) that strays of many directions make: above of the fastest, below of the slowest decay.
+  /// The end of (1) that strays of many directions make: above of the fastest, below of the slowest decay.
   double strayed(Decay decay, double level, double tail) const;
 
-  LagField rho_, freed_;  ///< ρ, ρ'
+  LagField rho_;
   Grid grid_;
+  EffectiveSampleSize size_;
   AcfError error_;
-  LagField strays_;  ///< SE
-  double degrees_;
+  LagField freed_, strays_;  ///< ρ', SE
 };
 
 }  // namespace asperity

@@ -50,31 +50,30 @@ double left_of(double second_order, double independent) {
   return std::max((1 - independent) / std::max(1 - second_order, 0.5), 0.75);
 }
 
-double share(const EffectiveSize& size, int k) { return size.sum(k) / size.points(); }
-
 // (4), (5); NaN, if the formula has no positive value.
-double skewness_error(const EffectiveSize& size) {
+double skewness_error(const EffectiveSampleSize& size) {
   const double n = size.effective(3);
   if (std::isinf(n)) return 0;
   const double independent = 6 * (n - 2) / ((n + 1) * (n + 3));
-  return std::sqrt(independent *
-                   left_of(second_order_of_ssk(share(size, 1), share(size, 2), share(size, 3)), -6 / n));
+  return std::sqrt(
+      independent *
+      left_of(second_order_of_ssk(size.mean_power(1), size.mean_power(2), size.mean_power(3)), -6 / n));
 }
-double kurtosis_error(const EffectiveSize& size) {
+double kurtosis_error(const EffectiveSampleSize& size) {
   const double n = size.effective(4);
   if (std::isinf(n)) return 0;
   if (!(n > 3)) return NAN;
   const double independent = 24 * n * (n - 2) * (n - 3) / ((n + 1) * (n + 1) * (n + 3) * (n + 5));
-  return std::sqrt(
-      independent *
-      left_of(second_order_of_sku(share(size, 1), share(size, 2), share(size, 3), share(size, 4)), -15 / n));
+  return std::sqrt(independent * left_of(second_order_of_sku(size.mean_power(1), size.mean_power(2),
+                                                             size.mean_power(3), size.mean_power(4)),
+                                         -15 / n));
 }
 
 // (1) to (3), of any errors.
 MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& error,
-                                   const EffectiveSize& size, double tail) {
+                                   const EffectiveSampleSize& size, double tail) {
   const double patches = size.effective(2);
-  const double left = std::sqrt(1 - std::min(size.sum(1) / size.points(), 0.9));
+  const double left = std::sqrt(1 - size.taken_by_mean());
   const double t =
       patches > 2 ? student_quantile(tail, std::min(patches - 1, std::max(size.degrees(), least_degrees)))
                   : NAN;
@@ -88,7 +87,7 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
 
 }  // namespace
 
-MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level) {
+MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSampleSize& size, double level) {
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
   out.ssk = Interval::about(moments.ssk, u * skewness_error(size));
@@ -97,7 +96,7 @@ MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize
 }
 
 MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
-                                     const EffectiveSize& size, double level) {
+                                     const EffectiveSampleSize& size, double level) {
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   const MomentErrors error = errors.standard_errors(moments.sq);
   MomentIntervals out = intervals_of_scale(moments, error, size, tail);

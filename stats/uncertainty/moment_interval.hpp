@@ -45,9 +45,10 @@ struct MomentIntervals {
 };
 
 /// At a level between 0 and 1; throws ParameterError("confidence", …) outside.
-MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSize& size, double level = 0.95);
+MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSampleSize& size,
+                                     double level = 0.95);
 /// Of heights that are not Gaussian.
 MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
-                                     const EffectiveSize& size, double level = 0.95);
+                                     const EffectiveSampleSize& size, double level = 0.95);
 
 }  // namespace asperity

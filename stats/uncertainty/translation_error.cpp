@@ -26,7 +26,7 @@ std::optional<Translation> evident_translation(const Moments& moments, const Mom
   return johnson_translation(skewness, std::clamp(moments.sku, least_kurtosis(skewness), largest_kurtosis));
 }
 
-TranslationErrors::TranslationErrors(const Translation& g, const EffectiveSize& size)
+TranslationErrors::TranslationErrors(const Translation& g, const EffectiveSampleSize& size)
     : covariance_(decltype(covariance_)::Zero()) {
   const NormalQuadrature law(std::min(NormalQuadrature::step_for(g), widest_step));
   const Eigen::ArrayXd z = law.heights(g), square = z.square();
@@ -38,9 +38,9 @@ TranslationErrors::TranslationErrors(const Translation& g, const EffectiveSize& 
   f << z, square, z * square, square.square(), z.abs();
   HermiteFunction h(law.nodes, law.weights);
   h.next();
-  for (int k = 1; k <= EffectiveSize::powers; ++k) {
+  for (int k = 1; k <= EffectiveSampleSize::powers; ++k) {
     const Means c = f.transpose() * h.next().matrix();
-    covariance_ += c * c.transpose() * (size.sum(k) / size.points());
+    covariance_ += c * c.transpose() * size.mean_power(k);
   }
 }
 

@@ -42,7 +42,7 @@ std::optional<Translation> evident_translation(const Moments& moments, const Mom
 class TranslationErrors {
  public:
   /// `size` holds the sums over the correlation of y.
-  TranslationErrors(const Translation& g, const EffectiveSize& size);
+  TranslationErrors(const Translation& g, const EffectiveSampleSize& size);
 
   /// In the unit of the field, whose rms height is sq.
   MomentErrors standard_errors(double sq) const;

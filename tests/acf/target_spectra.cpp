@@ -1,7 +1,7 @@
 #include <memory>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_gamma.h>
 

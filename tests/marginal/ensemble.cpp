@@ -112,7 +112,7 @@ TEST_CASE(
     const Translation g = johnson_translation(pair.skewness, pair.kurtosis);
     const Kernel kernel = Predistortion(g).solve(request_for(target));
     const Field rho = autocorrelation(kernel.values, kernel.values.rows(), 2 * kernel.values.cols() - 1);
-    const EffectiveSize size(LagField(rho), Grid{shape, 1, 1});
+    const EffectiveSampleSize size(LagField(rho), Grid{shape, 1, 1});
     const Synthesis synthesis(kernel.values, shape, {.translation = g.apply});
     Eigen::ArrayXd below = Eigen::ArrayXd::Zero(99);
     for (int n = 0; n < surfaces; ++n) {
@@ -125,7 +125,7 @@ TEST_CASE(
       const double share = static_cast<double>(i + 1) / 100, x = gsl_cdf_ugaussian_Pinv(share);
       HermiteFunction h(x, gsl_ran_ugaussian_pdf(x));
       double variance = 0;
-      for (int k = 1; k <= EffectiveSize::powers; ++k) {
+      for (int k = 1; k <= EffectiveSampleSize::powers; ++k) {
         const double f = h.next();
         variance += f * f / k * size.sum(k) / (size.points() * surfaces);
       }

@@ -1,5 +1,3 @@
-#include "stats/spatial/acf_lobe.hpp"
-
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/spatial/acf_length.hpp"
@@ -44,16 +42,16 @@ TEST_CASE(
         const double near_error = 0.375 / fast, far_error = 0.375 * slow / (fast * fast);
         const CentralLobe lobe =
             central_lobe(elliptic(g, 180, a, b, angle, smooth ? gaussian : exponential), g);
-        REQUIRE((lobe.fastest && lobe.slowest && lobe.ellipse));
-        CHECK(std::abs(lobe.fastest->length - fast) <= near_error);
-        CHECK(std::abs(lobe.slowest->length - slow) <= far_error);
+        REQUIRE((lobe.r_min && lobe.r_max && lobe.ellipse));
+        CHECK(std::abs(lobe.r_min->length - fast) <= near_error);
+        CHECK(std::abs(lobe.r_max->length - slow) <= far_error);
         CHECK(std::abs(*lobe.aspect_ratio() - 0.4) <= 0.4 * (near_error / fast + far_error / slow));
         CHECK(std::abs(lobe.ellipse->minor - fast) <= near_error / 3);
         CHECK(std::abs(lobe.ellipse->major.length - slow) <= far_error / 3);
         CHECK(between(lobe.ellipse->major.angle, angle) <= 0.125 / (fast * fast));
         // Two samples to either side of an axis r differs by less than h²/(2r).
-        CHECK(between(lobe.slowest->angle, angle) <= 2 / fast);
-        CHECK(between(lobe.fastest->angle, angle + std::numbers::pi / 2) <= 2 / fast);
+        CHECK(between(lobe.r_max->angle, angle) <= 2 / fast);
+        CHECK(between(lobe.r_min->angle, angle + std::numbers::pi / 2) <= 2 / fast);
       }
     }
   }
@@ -100,10 +98,10 @@ TEST_CASE("lobes beside the central one count neither for Str nor for the ellips
            (std::hypot(static_cast<double>(p) - 25, static_cast<double>(column - 40)) < 4 ? 0.9 : 0);
   }));
   const CentralLobe lobe = central_lobe(rho, g);
-  REQUIRE(lobe.slowest);
+  REQUIRE(lobe.r_max);
   const double exact = 6 * std::log(5.0);
-  CHECK(std::abs(lobe.fastest->length - exact) <= 0.375 / exact);
-  CHECK(std::abs(lobe.slowest->length - exact) <= 0.375 / exact);
+  CHECK(std::abs(lobe.r_min->length - exact) <= 0.375 / exact);
+  CHECK(std::abs(lobe.r_max->length - exact) <= 0.375 / exact);
 }
 
 TEST_CASE("a lobe that reaches the longest lags has Sal across it but neither Str nor an ellipse",
@@ -111,12 +109,12 @@ TEST_CASE("a lobe that reaches the longest lags has Sal across it but neither St
   const Grid g = grid(100, 100);
   const LagField ridges = elliptic(g, 40, 1e4, 5, 0.0, exponential);
   const CentralLobe lobe = central_lobe(ridges, g);
-  REQUIRE(lobe.fastest);
-  CHECK(lobe.fastest->length == Approx(5 * std::log(5.0)).epsilon(1e-3));
-  CHECK_FALSE(lobe.slowest);
+  REQUIRE(lobe.r_min);
+  CHECK(lobe.r_min->length == Approx(5 * std::log(5.0)).epsilon(1e-3));
+  CHECK_FALSE(lobe.r_max);
   CHECK_FALSE(lobe.ellipse);
   CHECK_FALSE(lobe.aspect_ratio());
-  CHECK_FALSE(central_lobe(LagField(Field::Ones(5, 9)), g).fastest);
+  CHECK_FALSE(central_lobe(LagField(Field::Ones(5, 9)), g).r_min);
   CHECK_THROWS_AS(central_lobe(ridges, g, 1.0), ParameterError);
   CHECK_THROWS_AS(central_lobe(ridges, g, 0.0), ParameterError);
 }

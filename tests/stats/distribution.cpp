@@ -10,7 +10,9 @@ using namespace asperity::test;
 
 namespace {
 
-EffectiveSize independent(const Grid& g) { return EffectiveSize(triangular_correlation({1, 1}), g); }
+EffectiveSampleSize independent(const Grid& g) {
+  return EffectiveSampleSize(triangular_correlation({1, 1}), g);
+}
 
 double density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi); }
 
@@ -75,7 +77,7 @@ TEST_CASE("a correlated Gaussian field strays from its overlay by one error in e
           "[distribution][statistics]") {
   const Shape window{6, 5};
   const Grid g = grid(72, 60);
-  const EffectiveSize size(triangular_correlation(window), g);
+  const EffectiveSampleSize size(triangular_correlation(window), g);
   std::vector<Spread> fitted(10), known(10), binomial(10);
   auto square = [](const Bin& bin, double error) { return std::pow((bin.count - bin.expected) / error, 2); };
   for (unsigned seed = 0; seed < 300; ++seed) {

@@ -21,14 +21,14 @@ double squared_triangle(double a) { return (2 * a * a + 1) / (3 * a); }
 }  // namespace
 
 TEST_CASE("N independent heights are worth N points for every moment", "[effective-size][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(32, 20));
-  for (int k : {1, 2, 3, 4, EffectiveSize::powers}) CHECK(size.effective(k) == 640);
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(32, 20));
+  for (int k : {1, 2, 3, 4, EffectiveSampleSize::powers}) CHECK(size.effective(k) == 640);
 }
 
 // Sums of 7 × 9 terms, each rounded.
 TEST_CASE("a moving average over a x b points is worth N/(ab) points for the mean, N/(T(a)T(b)) for Sq",
           "[effective-size][exact]") {
-  const EffectiveSize size(triangular_correlation({4, 5}), grid(64, 64, true));
+  const EffectiveSampleSize size(triangular_correlation({4, 5}), grid(64, 64, true));
   CHECK(relative_error(size.effective(1), 4096.0 / 20) <= 64 * epsilon);
   CHECK(relative_error(size.effective(2), 4096.0 / (squared_triangle(4) * squared_triangle(5))) <=
         64 * epsilon);
@@ -39,7 +39,8 @@ TEST_CASE("a periodic sine is worth two points for Sq however many samples it ha
   for (Index n : {16, 64, 256}) {
     const Grid g = grid(n, 8, true);
     const LagField acf = estimate_autocorrelation(sine(g.shape, 1e-6, 2), g, {.max_lag = default_max_lag(g)});
-    CHECK(relative_error(EffectiveSize(acf, g).effective(2), 2) <= 100 * epsilon * static_cast<double>(n));
+    CHECK(relative_error(EffectiveSampleSize(acf, g).effective(2), 2) <=
+          100 * epsilon * static_cast<double>(n));
   }
 }
 
@@ -52,12 +53,12 @@ TEST_CASE("Var of the mean equals the double sum of the correlation over all pai
     for (Index j = 0; j < 7; ++j)
       for (Index k = 0; k < 9; ++k)
         for (Index l = 0; l < 7; ++l) sum += rho(k - i, l - j);
-  CHECK(relative_error(EffectiveSize(rho, g).sum(1) / 63, sum / (63 * 63)) <= 100 * epsilon);
+  CHECK(relative_error(EffectiveSampleSize(rho, g).sum(1) / 63, sum / (63 * 63)) <= 100 * epsilon);
 }
 
 // E|x| = √(2/π), E x² = 1.
 TEST_CASE("Sa of N independent Gaussian heights has the variance (1 - 2/pi)/N", "[effective-size][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(10, 10));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(10, 10));
   const MomentErrors errors = standard_errors({.sq = 1}, size);
   CHECK(relative_error(errors.sa * errors.sa, (1 - 2 / std::numbers::pi) / 100) <= 1e-13);
   CHECK(relative_error(errors.sku, std::sqrt(0.24)) <= 4 * epsilon);
@@ -74,7 +75,8 @@ TEST_CASE("Sa's standard error from the Hermite series is that of the closed for
     const double r = rho(p, q);
     sum += weight * 2 / std::numbers::pi * (std::sqrt(1 - r * r) + r * std::asin(r) - 1);
   });
-  CHECK(relative_error(standard_errors({.sq = 1}, EffectiveSize(rho, g)).sa, std::sqrt(sum / 1500)) <= 1e-6);
+  CHECK(relative_error(standard_errors({.sq = 1}, EffectiveSampleSize(rho, g)).sa, std::sqrt(sum / 1500)) <=
+        1e-6);
 }
 
 // 1000 fields: the spread of a spread is 1/√2000 = 2.2 % for Gaussian numbers; four of them, and 3 % for the
@@ -86,7 +88,8 @@ TEST_CASE("the standard errors of the moments are the spread over an ensemble of
   const Grid g = grid(64, 48);
   Ensemble seen;
   for (unsigned seed = 0; seed < 1000; ++seed) seen.add(moments(moving_average(g.shape, window, seed)));
-  const MomentErrors predicted = standard_errors({.sq = 1}, EffectiveSize(triangular_correlation(window), g));
+  const MomentErrors predicted =
+      standard_errors({.sq = 1}, EffectiveSampleSize(triangular_correlation(window), g));
   CHECK(seen.mean.deviation() == Approx(predicted.mean).epsilon(0.12));
   CHECK(seen.sa.deviation() == Approx(predicted.sa).epsilon(0.12));
   CHECK(seen.sq.deviation() == Approx(predicted.sq).epsilon(0.12));
@@ -101,7 +104,7 @@ TEST_CASE("the estimated correlation of white noise leaves N_eff within 6 % of N
   for (unsigned seed = 0; seed < 10; ++seed) {
     const LagField acf =
         estimate_autocorrelation(white_noise(g.shape, seed), g, {.max_lag = default_max_lag(g)});
-    const EffectiveSize size = EffectiveSize::of_estimate(acf, g);
+    const EffectiveSampleSize size = EffectiveSampleSize::of_estimate(acf, g);
     CHECK(std::abs(size.effective(2) / 7680 - 1) <= 0.06);
     CHECK(std::abs(size.effective(4) / 7680 - 1) <= 0.01);
   }
@@ -114,12 +117,13 @@ TEST_CASE("standard errors from the estimated ACF are on average those from the 
           "[effective-size][statistics]") {
   const Shape window{5, 4};
   const Grid g = grid(96, 80);
-  const MomentErrors known = standard_errors({.sq = 1}, EffectiveSize(triangular_correlation(window), g));
+  const MomentErrors known =
+      standard_errors({.sq = 1}, EffectiveSampleSize(triangular_correlation(window), g));
   Spread mean, sq, sku;
   for (unsigned seed = 0; seed < 100; ++seed) {
     const Field z = moving_average(g.shape, window, seed);
     const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
-    const MomentErrors errors = standard_errors({.sq = 1}, EffectiveSize::of_estimate(acf, g));
+    const MomentErrors errors = standard_errors({.sq = 1}, EffectiveSampleSize::of_estimate(acf, g));
     mean.add(errors.mean), sq.add(errors.sq), sku.add(errors.sku);
   }
   CHECK(mean.mean() == Approx(known.mean).epsilon(0.10));
@@ -134,5 +138,5 @@ TEST_CASE("of a field of nine points lag zero is admitted", "[effective-size][ex
   z << 1, 2, 5, 3, 4, 0, 2, 2, 1;
   const LagField acf = estimate_autocorrelation(z - z.mean(), g, {.max_lag = {1, 1}});
   CHECK(significant_lags(acf, g)(0, 0) == 1);
-  CHECK(EffectiveSize::of_estimate(acf, g).effective(2) <= 9);
+  CHECK(EffectiveSampleSize::of_estimate(acf, g).effective(2) <= 9);
 }

@@ -11,8 +11,8 @@ using namespace asperity::test;
 
 namespace {
 
-EffectiveSize size_of(Shape window, const Grid& g) {
-  return EffectiveSize(triangular_correlation(window), g);
+EffectiveSampleSize size_of(Shape window, const Grid& g) {
+  return EffectiveSampleSize(triangular_correlation(window), g);
 }
 
 double density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi); }
@@ -56,10 +56,10 @@ TEST_CASE("of a Brownian bridge the supremum has Kolmogorov's law", "[gaussianit
   const Eigen::MatrixXd bridge = Eigen::MatrixXd::NullaryExpr(97, 97, [&](Eigen::Index a, Eigen::Index b) {
     return gsl_cdf_ugaussian_P(x(std::min(a, b))) * gsl_cdf_ugaussian_Q(x(std::max(a, b)));
   });
-  const SupremumLaw law(x, bridge, 1);
+  const NullDistribution law = supremum_distribution(x, bridge, 1);
   for (auto [value, p] : {std::pair{1.22385, 0.10}, {1.35810, 0.05}, {1.62762, 0.01}}) {
     CAPTURE(p, law.exceedance(value));
-    CHECK(std::abs(law.exceedance(value) - p) <= 3 * std::sqrt(p * (1 - p) / SupremumLaw::draws));
+    CHECK(std::abs(law.exceedance(value) - p) <= 3 * std::sqrt(p * (1 - p) / NullDistribution::draws));
   }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("for independent heights A² has the law that is tabulated", "[gaussia
 
 // E[χ²] = B - 1 - B Σ (∫ He_1 φ)² - B Σ (∫ He_2 φ)²/2 over the bins.
 TEST_CASE("the mean of Pearson's statistic is B - 1 less what the fit explains", "[gaussianity][exact]") {
-  const EffectiveSize size = size_of({1, 1}, grid(100, 100));
+  const EffectiveSampleSize size = size_of({1, 1}, grid(100, 100));
   for (int bins : {6, 20, 64}) {
     auto edge = [bins](int a) { return gsl_cdf_ugaussian_Pinv(static_cast<double>(a) / bins); };
     auto primitive = [&](int a, int k) {
@@ -90,13 +90,13 @@ TEST_CASE("the mean of Pearson's statistic is B - 1 less what the fit explains",
 
 TEST_CASE("the covariance of the empirical process is its Hermite series", "[gaussianity][exact]") {
   const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(5, -1, 1.5);
-  const EffectiveSize size = size_of({7, 4}, grid(80, 60));
+  const EffectiveSampleSize size = size_of({7, 4}, grid(80, 60));
   const Eigen::MatrixXd c = fitted_process_covariance(x, size);
   for (Eigen::Index a = 0; a < 5; ++a)
     for (Eigen::Index b = 0; b < 5; ++b) {
       HermiteFunction ha(x(a), density(x(a))), hb(x(b), density(x(b)));
       double series = 0;
-      for (int k = 1; k <= EffectiveSize::powers; ++k) {
+      for (int k = 1; k <= EffectiveSampleSize::powers; ++k) {
         const double term = ha.next() * hb.next() / k;
         if (k >= 3) series += size.sum(k) * term;
       }
@@ -128,5 +128,5 @@ TEST_CASE("heights that are squares of a Gaussian field's are not taken for Gaus
   const Grid g = grid(128, 96);
   const Field z = moving_average(g.shape, window, 7).square();
   for (const GoodnessOfFit& fit : GaussianityTest(size_of(window, g))(z, moments(z)))
-    CHECK(fit.p <= 1.001 / (SupremumLaw::draws + 1));
+    CHECK(fit.p <= 1.001 / (NullDistribution::draws + 1));
 }

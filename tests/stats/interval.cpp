@@ -5,7 +5,6 @@
 #include "stats/hybrid/derivative_error.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "stats/uncertainty/length_interval.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 
@@ -144,7 +143,7 @@ TEST_CASE("intervals of every surface hold what was measured, or there is none",
     const Pairs pairs = Pairs::of(s.z, s.grid);
     const LagField acf = estimate_autocorrelation(s.z, pairs, {.max_lag = default_max_lag(s.grid)});
     const Moments m = moments(s.z);
-    const MomentIntervals i = confidence_intervals(m, EffectiveSize::of_estimate(acf, pairs));
+    const MomentIntervals i = confidence_intervals(m, EffectiveSampleSize::of_estimate(acf, pairs));
     CHECK(holds(i.mean, m.mean));
     CHECK(holds(i.sa, m.sa));
     CHECK(holds(i.sq, m.sq));
@@ -157,8 +156,8 @@ TEST_CASE("intervals of every surface hold what was measured, or there is none",
         if (const auto at = first_crossing(rho, s.grid, angle, level))
           CHECK(holds(lengths.along(angle, level), at->lag));
     const CentralLobe lobe = central_lobe(rho, s.grid);
-    if (lobe.fastest) CHECK(holds(lengths.fastest(0.2), lobe.fastest->length));
-    if (lobe.slowest) CHECK(holds(lengths.slowest(0.2), lobe.slowest->length));
+    if (lobe.r_min) CHECK(holds(lengths.r_min(0.2), lobe.r_min->length));
+    if (lobe.r_max) CHECK(holds(lengths.r_max(0.2), lobe.r_max->length));
   }
 }
 
@@ -180,5 +179,5 @@ TEST_CASE("lag zero of a periodic wave is admitted before lags of whole periods"
   const Grid g = grid(64, 64, true);
   const LagField acf = estimate_autocorrelation(sine(g.shape, 1, 4), g, {.max_lag = default_max_lag(g)});
   CHECK(significant_lags(acf, g)(0, 0) == 1);
-  CHECK(EffectiveSize::of_estimate(acf, g).effective(2) <= 10);
+  CHECK(EffectiveSampleSize::of_estimate(acf, g).effective(2) <= 10);
 }

@@ -8,7 +8,9 @@ using namespace asperity::test;
 
 namespace {
 
-EffectiveSize independent(const Grid& g) { return EffectiveSize(triangular_correlation({1, 1}), g); }
+EffectiveSampleSize independent(const Grid& g) {
+  return EffectiveSampleSize(triangular_correlation({1, 1}), g);
+}
 
 double normal_density(double x, double s) {
   return std::exp(-x * x / (2 * s * s)) / (s * std::sqrt(2 * std::numbers::pi));
@@ -80,7 +82,7 @@ TEST_CASE("a correlated Gaussian field strays from its density by one error at e
           "[kernel-density][statistics]") {
   const Shape window{6, 5};
   const Grid g = grid(72, 60);
-  const EffectiveSize size(triangular_correlation(window), g);
+  const EffectiveSampleSize size(triangular_correlation(window), g);
   std::vector<Spread> fitted(5), known(5), binomial(5);
   auto square = [](double misfit, double error) { return std::pow(misfit / error, 2); };
   for (unsigned seed = 0; seed < 300; ++seed) {

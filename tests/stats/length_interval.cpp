@@ -3,7 +3,6 @@
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -25,7 +24,7 @@ TEST_CASE("the interval of a length ends where the correlation is 1.96 of its er
   const double length = 6, level = 0.3;
   const LagField rho = exponential(60, length);
   const Grid g = grid(512, 512);
-  const double share = EffectiveSize(rho, g).sum(1) / (512 * 512), b = share / (1 - share);
+  const double share = EffectiveSampleSize(rho, g).sum(1) / (512 * 512), b = share / (1 - share);
   const AcfError error(rho, g);
   auto strays = [&](double end) {
     return ((std::exp(-end / length) + b) / (1 + b) - level) / error.normalised(std::lround(end), 0);
@@ -43,7 +42,7 @@ TEST_CASE(
   const LengthIntervals of(rho, grid(80, 80), rho), sharp(rho, grid(8000, 8000), rho);
   CHECK(of.along(0, 0.15).low > 0);
   CHECK(std::isinf(of.along(0, 0.15).high));
-  CHECK(std::isinf(of.fastest(0.15).high));
+  CHECK(std::isinf(of.r_min(0.15).high));
   CHECK(of.along(0, 0.05).low > 0);
   CHECK(std::isinf(of.along(0, 0.05).high));
   CHECK_FALSE(sharp.along(0, 0.05).known());
@@ -58,7 +57,7 @@ TEST_CASE(
   const LagField rho = triangular_correlation(window);
   const CentralLobe lobe = central_lobe(
       LagField(Field::NullaryExpr(6, 11, [&](Index p, Index column) { return rho(p, column - 5); })), g);
-  const double at_e = first_crossing(rho, g, 0, 1 / std::numbers::e)->lag, sal = lobe.fastest->length;
+  const double at_e = first_crossing(rho, g, 0, 1 / std::numbers::e)->lag, sal = lobe.r_min->length;
   auto holds = [](const Interval& i, double truth) { return i.low <= truth && truth <= i.high; };
   double of_e = 0, of_sal = 0, of_slowest = 0;
   for (unsigned f = 0; f < 300; ++f) {
@@ -66,8 +65,8 @@ TEST_CASE(
     const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
     const LengthIntervals intervals(acf, g, std::nullopt);
     of_e += holds(intervals.along(0, 1 / std::numbers::e), at_e) / 300.0;
-    of_sal += holds(intervals.fastest(0.2), sal) / 300.0;
-    of_slowest += holds(intervals.slowest(0.2), lobe.slowest->length) / 300.0;
+    of_sal += holds(intervals.r_min(0.2), sal) / 300.0;
+    of_slowest += holds(intervals.r_max(0.2), lobe.r_max->length) / 300.0;
   }
   const double bound = 3 * std::sqrt(0.05 * 0.95 / 300);
   CHECK(std::abs(of_e - 0.95) <= bound);

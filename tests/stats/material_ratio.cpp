@@ -154,7 +154,7 @@ TEST_CASE("shares outside 0 to 1, shares out of order and a single height are re
 // All S_k are 1: the series is exact whatever its length. The k = 1 term, 1, is the mean's.
 TEST_CASE("the error of a quantile of independent heights is p(1-p)/phi^2 less the mean's share",
           "[material-ratio][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(20, 20));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(20, 20));
   for (double p : {0.02, 0.1, 0.5, 0.8}) {
     const double a = gsl_cdf_ugaussian_Pinv(p), density = gsl_ran_ugaussian_pdf(a);
     const double exact = 2 * std::sqrt((p * (1 - p) / (density * density) - 1) / 400);
@@ -168,7 +168,7 @@ TEST_CASE("the errors of quantiles are their spread over an ensemble of correlat
           "[material-ratio][statistics]") {
   const Shape window{4, 4};
   const Grid g = grid(56, 56);
-  const EffectiveSize size(triangular_correlation(window), g);
+  const EffectiveSampleSize size(triangular_correlation(window), g);
   std::array<double, 4> shares{0.05, 0.2, 0.5, 0.9};
   std::array<Spread, 4> seen;
   for (unsigned seed = 0; seed < 1000; ++seed) {

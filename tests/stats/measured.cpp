@@ -9,7 +9,6 @@
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/spatial/structure_function.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -23,7 +22,7 @@ struct Map {
   Field z;
 
   explicit Map(const char* name) {
-    std::ifstream file(std::string(ASPERITY_TEST_DATA) + "/" + name, std::ios::binary);
+    std::ifstream file(ASPERITY_TEST_DATA "/" + std::string(name), std::ios::binary);
     std::stringstream bytes;
     bytes << file.rdbuf();
     const Dataset data = decode_netcdf(bytes.str());

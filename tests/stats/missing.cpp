@@ -73,7 +73,7 @@ TEST_CASE("the material ratio curve and the histogram hold the heights that are 
   const MaterialRatioCurve curve(z, 2), alone(there);
   for (double p : {0.0, 0.1, 0.37, 0.8, 1.0}) CHECK(curve.height(p) == alone.height(p));
   CHECK(curve.core().sk == alone.core().sk);
-  const EffectiveSize size(triangular_correlation({1, 1}), Pairs::of(z, grid(30, 31)));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), Pairs::of(z, grid(30, 31)));
   CHECK(size.points() == static_cast<double>(heights.size()));
   const std::vector<Bin> bins = histogram(z, moments(z), size, 7),
                          expected = histogram(there, moments(there), size, 7);

@@ -10,9 +10,7 @@
 #include "stats/hybrid/summits.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "stats/spatial/pairs.hpp"
-#include "stats/spatial/structure_function.hpp"
 #include "stats/spectrum/spectrum.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -48,7 +46,7 @@ TEST_CASE(
           CAPTURE(periodic, shape.nx, p, q);
           double n = 0;
           for_each_pair(z, periodic, p, q, [&](double, double) { ++n; });
-          CHECK(pairs.share(p, q) * pairs.points() == Approx(n).epsilon(1e-15).margin(0));
+          CHECK(pairs.pair_fraction(p, q) * pairs.points() == Approx(n).epsilon(1e-15).margin(0));
           const double direct = mean_over_pairs(d, periodic, p, q, [](double a, double b) { return a * b; });
           CHECK(same_or_both_unknown(R(p, q), direct, bound));
           CHECK(std::abs(biased(p, q) - (n > 0 ? direct * n / pairs.points() : 0)) <= bound);
@@ -75,8 +73,8 @@ TEST_CASE("at a lag without a pair the ACF is not a number, and lengths end befo
   Field unknown = Field::Ones(3, 5);
   unknown(1, 2) = none;
   const CentralLobe lobe = central_lobe(LagField(unknown), g);
-  CHECK_FALSE(lobe.slowest);
-  CHECK(EffectiveSize::of_estimate(R, Pairs::of(z, g)).effective(2) > 0);
+  CHECK_FALSE(lobe.r_max);
+  CHECK(EffectiveSampleSize::of_estimate(R, Pairs::of(z, g)).effective(2) > 0);
 }
 
 TEST_CASE("with holes the sums S_k are those over all pairs of points, over their number",
@@ -85,7 +83,7 @@ TEST_CASE("with holes the sums S_k are those over all pairs of points, over thei
   for (const bool periodic : {false, true}) {
     const Grid g = grid(13, 12, periodic);
     const Field z = with_holes(random_field(g.shape, 215), 0.2, 216);
-    const EffectiveSize size(rho, Pairs::of(z, g));
+    const EffectiveSampleSize size(rho, Pairs::of(z, g));
     double sum = 0;
     for (Index p = -3; p <= 3; ++p)
       for (Index q = -2; q <= 2; ++q)
@@ -104,7 +102,7 @@ TEST_CASE("over an ensemble with holes Bartlett's errors of the ACF and those of
   const Field holes = with_holes(Field::Zero(48, 40), 0.1, 217);
   const Pairs pairs = Pairs::of(holes, g);
   const AcfError error(rho, pairs);
-  const MomentErrors expected = standard_errors({.sq = 1}, EffectiveSize(rho, pairs));
+  const MomentErrors expected = standard_errors({.sq = 1}, EffectiveSampleSize(rho, pairs));
   const DerivativeErrors slopes = derivative_errors(rho, DifferencePairs(pairs, holes));
   const std::pair<Index, Index> lags[] = {{0, 0}, {1, 0}, {0, 2}, {2, -1}, {5, 5}};
   Spread mean_height, sq, m20, m04, of_lag[5];

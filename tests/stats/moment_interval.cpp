@@ -25,7 +25,7 @@ struct Coverage {
     for (int f = 0; f < fields; ++f) {
       const Field z = moving_average(shape, window, static_cast<unsigned>(f));
       const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
-      const MomentIntervals i = confidence_intervals(moments(z), EffectiveSize::of_estimate(acf, g));
+      const MomentIntervals i = confidence_intervals(moments(z), EffectiveSampleSize::of_estimate(acf, g));
       const AcfError error(significant_lags(acf, g), g);
       mean += holds(i.mean, 0);
       sa += holds(i.sa, std::sqrt(2 / std::numbers::pi));
@@ -50,7 +50,7 @@ void check_coverage(const Coverage& c) {
 
 // All S_k are 1.
 TEST_CASE("independent heights have Fisher's intervals", "[moment-interval][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(5, 8));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(5, 8));
   const Moments m{.mean = 7, .sa = 1.5, .sq = 2, .ssk = 0.3, .sku = 2.5};
   const MomentIntervals i = confidence_intervals(m, size);
   const double left = std::sqrt(39.0 / 40), t = gsl_cdf_tdist_Qinv(0.025, 39);
@@ -69,7 +69,7 @@ TEST_CASE("independent heights have Fisher's intervals", "[moment-interval][exac
 // deviation too large by 22 and 17 %.
 TEST_CASE("the skewness of few patches varies as the second order says, not the first",
           "[moment-interval][statistics]") {
-  const EffectiveSize size(triangular_correlation({16, 16}), grid(64, 64));
+  const EffectiveSampleSize size(triangular_correlation({16, 16}), grid(64, 64));
   Spread ssk;
   for (unsigned seed = 0; seed < 1500; ++seed) ssk.add(moments(moving_average({64, 64}, {16, 16}, seed)).ssk);
   const Interval i = confidence_intervals({.mean = 0, .sa = 0.8, .sq = 1, .ssk = 0, .sku = 3}, size).ssk;
@@ -79,7 +79,7 @@ TEST_CASE("the skewness of few patches varies as the second order says, not the 
 // Wilson and Hilferty's cube root against the chi-squared's own quantiles: 0.05 ν^{-3/2} of them, half of it of a root.
 TEST_CASE("at ten thousand independent heights the interval of Sq goes on as it was",
           "[moment-interval][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(100, 100));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(100, 100));
   const Interval sq = confidence_intervals({.sa = 0.8, .sq = 1, .sku = 3}, size).sq;
   const double left = std::sqrt(1 - 1e-4), bound = 0.025 * std::pow(1e4, -1.5);
   CHECK(relative_error(sq.low, std::sqrt(1e4 / gsl_cdf_chisq_Pinv(0.975, 1e4)) / left) <= bound);
@@ -90,7 +90,7 @@ TEST_CASE("at ten thousand independent heights the interval of Sq goes on as it 
 TEST_CASE("of millions of independent heights the intervals are 1.96 standard errors",
           "[moment-interval][law]") {
   for (Index n : {2000, 6000, 20000}) {
-    const EffectiveSize size(triangular_correlation({1, 1}), grid(n, n));
+    const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(n, n));
     const Moments m{.mean = 0, .sa = 0.7978845608, .sq = 1, .ssk = 0, .sku = 3};
     const MomentErrors error = standard_errors(m, size);
     const MomentIntervals i = confidence_intervals(m, size);
@@ -110,7 +110,7 @@ TEST_CASE("of millions of independent heights the intervals are 1.96 standard er
 TEST_CASE("an interval of half the confidence is narrower, and about the same scale",
           "[moment-interval][law]") {
   const Field z = moving_average({40, 40}, {3, 3}, 5);
-  const EffectiveSize size(triangular_correlation({3, 3}), grid(40, 40));
+  const EffectiveSampleSize size(triangular_correlation({3, 3}), grid(40, 40));
   const MomentIntervals wide = confidence_intervals(moments(z), size),
                         narrow = confidence_intervals(moments(z), size, 0.5);
   for (auto part : {&MomentIntervals::mean, &MomentIntervals::sa, &MomentIntervals::sq, &MomentIntervals::ssk,
@@ -133,7 +133,7 @@ TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % wher
 
 TEST_CASE("a confidence that is none is refused, and so few patches have no interval",
           "[moment-interval][contract]") {
-  const EffectiveSize few(triangular_correlation({9, 9}), grid(3, 3));
+  const EffectiveSampleSize few(triangular_correlation({9, 9}), grid(3, 3));
   const Moments m{.mean = 0, .sa = 0.8, .sq = 1, .ssk = 0, .sku = 3};
   for (double level : {0.0, 1.0, -2.0, std::nan("")})
     CHECK_THROWS_AS(confidence_intervals(m, few, level), ParameterError);

@@ -6,10 +6,9 @@
 
 #include "core/error.hpp"
 #include "fields.hpp"
-#include "stats/hypothesis/prescription.hpp"
+#include "stats/hypothesis/specification.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/acf_error.hpp"
-#include "stats/uncertainty/correlation_powers.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;
@@ -43,10 +42,10 @@ double mean_trace(const Eigen::MatrixXd& m) { return m.trace() / static_cast<dou
 const std::vector<Shape> narrow_shapes{{1, 1}, {1, 9}, {8, 1}, {2, 7}, {6, 2}, {3, 11}, {4, 6}, {12, 9}};
 
 // Of a field of this shape that is a moving average over `window`, against that prescription.
-std::vector<Claim> claims_of(const PrescriptionTest& fresh, Shape shape, Shape window, unsigned seed) {
-  PrescriptionTest test = fresh;
+std::vector<TestResult> results_of(const SpecificationTest& fresh, Shape shape, Shape window, unsigned seed) {
+  SpecificationTest test = fresh;
   test.add(moving_average(shape, window, seed), grid(shape.nx, shape.ny));
-  return test.claims();
+  return test.results();
 }
 
 // Of p-values from the even distribution, Kolmogorov's and Smirnov's.
@@ -86,7 +85,7 @@ TEST_CASE("of a periodic field each lag counts once, however long the correlatio
       const Grid torus = grid(shape.nx, shape.ny, true);
       const Eigen::MatrixXd C = covariance(rho, torus);
       CAPTURE(shape.nx, shape.ny);
-      CHECK(relative_error(EffectiveSize(rho, torus).sum(2), mean_trace(C * C)) <= 1e-13);
+      CHECK(relative_error(EffectiveSampleSize(rho, torus).sum(2), mean_trace(C * C)) <= 1e-13);
       CHECK(relative_error(mean_of_triples(rho, torus), mean_trace(C * C * C)) <= 1e-13);
       CHECK(relative_error(CorrelationPowers(tapered(rho, torus), torus).third(0, 0),
                            mean_trace(C * C * C)) <= 1e-13);
@@ -128,15 +127,15 @@ TEST_CASE("narrow surfaces are refused at the stated rate, and the p-values of e
   constexpr int seeds = 200;
   const Shape window{4, 4};
   for (const Shape shape : {Shape{1, 512}, {512, 1}, {2, 512}, {3, 512}, {64, 64}, {8, 300}}) {
-    const PrescriptionTest fresh({.correlation = triangular_correlation(window), .sq = 1},
-                                 grid(shape.nx, shape.ny));
+    const SpecificationTest fresh({.correlation = triangular_correlation(window), .sq = 1},
+                                  grid(shape.nx, shape.ny));
     std::array<std::vector<double>, 4> p;
     int at_5 = 0, at_1 = 0;
     for (unsigned seed = 0; seed < seeds; ++seed) {
-      const std::vector<Claim> claims = claims_of(fresh, shape, window, 1000 + seed);
-      for (std::size_t k = 0; k < 4; ++k) p[k].push_back(claims[k].p);
-      at_5 += joint_p(claims) <= 0.05;
-      at_1 += joint_p(claims) <= 0.01;
+      const std::vector<TestResult> results = results_of(fresh, shape, window, 1000 + seed);
+      for (std::size_t k = 0; k < 4; ++k) p[k].push_back(results[k].p);
+      at_5 += joint_p(results) <= 0.05;
+      at_1 += joint_p(results) <= 0.01;
     }
     CAPTURE(shape.nx, shape.ny, at_5, at_1);
     CHECK(at_5 <= most_of(seeds, 0.05));
@@ -156,15 +155,15 @@ TEST_CASE(
   for (const Index points : {12, 30}) {
     const Shape window{points, points};
     for (const Shape shape : {Shape{1, 512}, {512, 2}}) {
-      const PrescriptionTest fresh({.correlation = triangular_correlation(window), .sq = 1},
-                                   grid(shape.nx, shape.ny)),
+      const SpecificationTest fresh({.correlation = triangular_correlation(window), .sq = 1},
+                                    grid(shape.nx, shape.ny)),
           higher({.correlation = triangular_correlation(window), .sq = 0.2}, grid(shape.nx, shape.ny));
       int no = 0;
       for (unsigned seed = 0; seed < seeds; ++seed)
-        no += joint_p(claims_of(fresh, shape, window, 4000 + seed)) <= 0.05;
+        no += joint_p(results_of(fresh, shape, window, 4000 + seed)) <= 0.05;
       CAPTURE(points, shape.nx, no);
       CHECK(no <= most_of(seeds, 0.05));
-      if (points == 12) CHECK(joint_p(claims_of(higher, shape, window, 1)) <= 0.05);
+      if (points == 12) CHECK(joint_p(results_of(higher, shape, window, 1)) <= 0.05);
     }
   }
 }
@@ -174,15 +173,15 @@ TEST_CASE(
 TEST_CASE("the farther a figure lies to one side, the less its p-value, however skewed its law",
           "[prescription][law]") {
   const Grid square = grid(48, 48);
-  const PrescriptionTest fresh({.correlation = triangular_correlation({40, 40}), .sq = 1}, square);
+  const SpecificationTest fresh({.correlation = triangular_correlation({40, 40}), .sq = 1}, square);
   // Half of the heights at ±1, the others at ±a: a kurtosis of 2(1 + a⁴)/(1 + a²)², 1 at a = 1.
   double former = -1;
   for (const double a : {1.0, 0.9, 0.8, 0.7, 0.6, 0.55}) {
     const Field z = Field::NullaryExpr(
         48, 48, [a](Index i, Index j) { return (i % 2 == 0 ? 1.0 : -1.0) * (j % 2 == 0 ? 1.0 : a); });
-    PrescriptionTest test = fresh;
+    SpecificationTest test = fresh;
     test.add(z, square);
-    const Claim sku = test.claims()[2];
+    const TestResult sku = test.results()[2];
     CAPTURE(a, sku.mean, sku.z, sku.p);
     CHECK(sku.z <= 0);
     CHECK(former < sku.p);
@@ -192,10 +191,10 @@ TEST_CASE("the farther a figure lies to one side, the less its p-value, however 
 
 TEST_CASE("a field worth less than five independent points is refused by theory",
           "[prescription][contract]") {
-  const Prescription asked{.correlation = triangular_correlation({40, 40}), .sq = 1};
+  const Specification asked{.correlation = triangular_correlation({40, 40}), .sq = 1};
   for (const Shape shape : {Shape{24, 24}, {1, 80}, {2, 2}}) {
     CAPTURE(shape.nx, shape.ny);
-    CHECK_THROWS_AS(PrescriptionTest(asked, grid(shape.nx, shape.ny)), DataError);
+    CHECK_THROWS_AS(SpecificationTest(asked, grid(shape.nx, shape.ny)), DataError);
   }
 }
 
@@ -206,7 +205,7 @@ TEST_CASE("intervals of the moments of rows cover what they are of", "[moment-in
   const Shape window{4, 4};
   for (const Shape shape : {Shape{1, 512}, {512, 2}}) {
     const Grid g = grid(shape.nx, shape.ny);
-    const EffectiveSize known(triangular_correlation(window), g);
+    const EffectiveSampleSize known(triangular_correlation(window), g);
     std::array<int, 6> held{};
     for (unsigned seed = 0; seed < fields; ++seed) {
       const Field z = moving_average(shape, window, 7000 + seed);
@@ -214,7 +213,7 @@ TEST_CASE("intervals of the moments of rows cover what they are of", "[moment-in
       const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
       auto holds = [](const Interval& i, double truth) { return i.low <= truth && truth <= i.high; };
       std::size_t k = 0;
-      for (const EffectiveSize& size : {known, EffectiveSize::of_estimate(acf, g)}) {
+      for (const EffectiveSampleSize& size : {known, EffectiveSampleSize::of_estimate(acf, g)}) {
         const MomentIntervals i = confidence_intervals(m, size);
         held[k++] += holds(i.sq, 1);
         held[k++] += holds(i.ssk, 0);

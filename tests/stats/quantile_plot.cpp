@@ -10,7 +10,9 @@ using namespace asperity::test;
 
 namespace {
 
-EffectiveSize independent(const Grid& g) { return EffectiveSize(triangular_correlation({1, 1}), g); }
+EffectiveSampleSize independent(const Grid& g) {
+  return EffectiveSampleSize(triangular_correlation({1, 1}), g);
+}
 
 }  // namespace
 
@@ -48,7 +50,7 @@ TEST_CASE("a correlated Gaussian field strays from its line by one error at each
           "[quantile-plot][statistics]") {
   const Shape window{4, 4};
   const Grid g = grid(56, 56);
-  const EffectiveSize size(triangular_correlation(window), g);
+  const EffectiveSampleSize size(triangular_correlation(window), g);
   std::vector<Spread> misfit(8);
   for (unsigned seed = 0; seed < 500; ++seed) {
     const Field z = moving_average(g.shape, window, seed);

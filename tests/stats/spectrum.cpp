@@ -4,7 +4,6 @@
 
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/spectrum/texture_direction.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -192,7 +192,8 @@ TEST_CASE("what rests on the order of heights is that of the whole field where r
   CHECK(curve.volumes().vmc == Approx(whole.volumes().vmc).epsilon(1e-11));
   CHECK(curve.volumes().vvv == Approx(whole.volumes().vvv).epsilon(1e-11));
 
-  const GaussianityTest test(EffectiveSize(triangular_correlation({3, 2}), Grid{{40, 33}, 1, 1, false}));
+  const GaussianityTest test(
+      EffectiveSampleSize(triangular_correlation({3, 2}), Grid{{40, 33}, 1, 1, false}));
   const auto fits = test(runs, moments(z)), fits_of_whole = test(z, moments(z));
   for (std::size_t t = 0; t < fits.size(); ++t)
     CHECK(fits[t].statistic == Approx(fits_of_whole[t].statistic).epsilon(1e-11));
@@ -229,7 +230,8 @@ TEST_CASE(
     CHECK(std::abs(curve.volumes().vmp - whole.volumes().vmp) <= mean_range + 0.1 * in_core);
     CHECK(std::abs(curve.volumes().vvv - whole.volumes().vvv) <= mean_range + 0.2 * in_core);
 
-    const GaussianityTest test(EffectiveSize(triangular_correlation({4, 3}), Grid{{160, 150}, 1, 1, false}));
+    const GaussianityTest test(
+        EffectiveSampleSize(triangular_correlation({4, 3}), Grid{{160, 150}, 1, 1, false}));
     const auto fits = test(runs, m), exact = test(z, m);
     const double ks = exact[1].statistic, chi = exact[3].statistic, bins = test.bins();
     CHECK(std::abs(fits[1].statistic - ks) <= std::sqrt(n) * largest_share);

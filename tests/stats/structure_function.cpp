@@ -1,7 +1,6 @@
-#include "stats/spatial/structure_function.hpp"
-
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "stats/spatial/acf.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -10,7 +10,7 @@ using namespace asperity::test;
 // Both are the same sums; Sa's series is cut at 512 orders in both.
 TEST_CASE("the errors of a translation that is none are those of a Gaussian field",
           "[translation-error][exact]") {
-  const EffectiveSize size(triangular_correlation({7, 4}), grid(100, 80));
+  const EffectiveSampleSize size(triangular_correlation({7, 4}), grid(100, 80));
   const Moments m{.mean = 7, .sa = 1.6, .sq = 2, .ssk = 0.1, .sku = 3.1};
   const MomentErrors gaussian = standard_errors(m, size),
                      translated = TranslationErrors(johnson_translation(0, 3), size).standard_errors(m.sq);
@@ -28,7 +28,7 @@ TEST_CASE("the errors of a translation that is none are those of a Gaussian fiel
 // All S_k are 1, and (2) is E[f²]: for Sq (K - 1)/4, and σ² for the mean.
 TEST_CASE("independent heights have the textbook's error of Sq, by their kurtosis",
           "[translation-error][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(50, 80));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(50, 80));
   for (double kurtosis : {2.4, 5.0, 9.0}) {
     const MomentErrors error = TranslationErrors(johnson_translation(-1, kurtosis), size).standard_errors(3);
     CHECK(relative_error(error.mean, 3 / std::sqrt(4000)) <= 1e-9);
@@ -52,7 +52,7 @@ TEST_CASE(
     const Moments m = moments(z);
     figures.add(Eigen::ArrayXd{{m.mean, m.sa, m.sq, m.ssk, m.sku}});
   }
-  const EffectiveSize below(triangular_correlation(window), grid(160, 160));
+  const EffectiveSampleSize below(triangular_correlation(window), grid(160, 160));
   const Moments truth{.mean = 0, .sa = 1, .sq = 1, .ssk = -1.3, .sku = 6};
   const TranslationErrors errors(g, below);
   const MomentErrors error = errors.standard_errors(1);
@@ -96,7 +96,7 @@ TEST_CASE("heights are taken for Gaussian until four standard errors speak again
 // where the quantiles of χ² pass from one formula to another, 2e-8 apart.
 TEST_CASE("an interval of a translation that is none is that of a Gaussian field",
           "[translation-error][exact]") {
-  const EffectiveSize size(triangular_correlation({1, 1}), grid(110, 100));
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(110, 100));
   const Moments m{.mean = 7, .sa = 1.5, .sq = 2, .ssk = 0.3, .sku = 2.5};
   const MomentIntervals a = confidence_intervals(m, TranslationErrors(johnson_translation(0, 3), size), size),
                         b = confidence_intervals(m, size);

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/series.hpp"
 
@@ -99,12 +98,14 @@ AcfEstimate AcfEstimate::of(const Measured& measured, const AcfParameters& param
           pairs,
           parameters.biased,
           LengthIntervals(acf, pairs, measured.drawn),
-          measured.drawn ? EffectiveSize(*measured.drawn, pairs) : EffectiveSize::of_estimate(acf, pairs)};
+          measured.drawn ? EffectiveSampleSize(*measured.drawn, pairs)
+                         : EffectiveSampleSize::of_estimate(acf, pairs)};
 }
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
   if (!size.tells_errors()) return unknown;
-  return (biased ? pairs.share(p, q) : 1) * (absolute ? error.absolute(p, q) : error.normalised(p, q));
+  return (biased ? pairs.pair_fraction(p, q) : 1) *
+         (absolute ? error.absolute(p, q) : error.normalised(p, q));
 }
 
 std::vector<AcfLevel> acf_levels(const std::string& list) {

@@ -20,7 +20,7 @@ struct AcfEstimate {
   Pairs pairs;
   bool biased;
   LengthIntervals lengths;
-  EffectiveSize size;
+  EffectiveSampleSize size;
 
   static AcfEstimate of(const Measured& measured, const AcfParameters& parameters);
   /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`; NaN of too few independent heights.

@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_lobe.hpp"
 #include "stats/spectrum/spectrum.hpp"
-#include "stats/spectrum/texture_direction.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/length_interval.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
@@ -66,17 +64,16 @@ void add_lobe(Rows& out, const CentralLobe& lobe, const LagField& rho, const Gri
     relative = std::hypot(relative, e / reach.length);
     return e;
   };
-  if (lobe.fastest) {
-    out.push_back({"Sal", lobe.fastest->length, "m", length(*lobe.fastest),
+  if (lobe.r_min) {
+    out.push_back({"Sal", lobe.r_min->length, "m", length(*lobe.r_min),
                    "autocorrelation length, of the fastest decay to " + level,
-                   intervals.fastest(options.acf_level)});
-    out.push_back(
-        {"Sal_direction", lobe.fastest->angle, "rad", unknown, "of that decay, from +x towards +y"});
+                   intervals.r_min(options.acf_level)});
+    out.push_back({"Sal_direction", lobe.r_min->angle, "rad", unknown, "of that decay, from +x towards +y"});
   }
-  if (lobe.slowest) {
-    out.push_back({"slowest_decay", lobe.slowest->length, "m", length(*lobe.slowest),
-                   "length of the slowest decay to " + level, intervals.slowest(options.acf_level)});
-    out.push_back({"slowest_direction", lobe.slowest->angle, "rad", unknown, "of that decay, the lay"});
+  if (lobe.r_max) {
+    out.push_back({"slowest_decay", lobe.r_max->length, "m", length(*lobe.r_max),
+                   "length of the slowest decay to " + level, intervals.r_max(options.acf_level)});
+    out.push_back({"slowest_direction", lobe.r_max->angle, "rad", unknown, "of that decay, the lay"});
   }
   if (const auto ratio = lobe.aspect_ratio())
     out.push_back({"Str", *ratio, "1", *ratio * relative, "texture aspect ratio, fastest over slowest decay",
@@ -201,7 +198,7 @@ struct MomentAccuracy {
 
 Rows height_rows(Sample& sample) {
   const Moments& m = sample.moments();
-  const EffectiveSize& size = sample.size();
+  const EffectiveSampleSize& size = sample.size();
   const auto [error, interval] = MomentAccuracy(sample);
   const double level = sample.measured().level;
   const std::string& unit = sample.units();
@@ -316,10 +313,10 @@ Rows spatial_rows(const Tool& tool, WholeSample& sample, const StatsOptions& opt
       sample.measured().drawn ? *sample.measured().drawn : significant_lags(sample.acf(), sample.pairs()),
       sample.pairs());
   const CentralLobe lobe = central_lobe(rho, grid, options.acf_level);
-  if (!lobe.slowest)
+  if (!lobe.r_max)
     tool.warn("no lag within half the field has an ACF of " + shortest(options.acf_level) +
               " or less in some direction: Str has no value");
-  if (lobe.fastest) warn_of_length(tool, "Sal", lobe.fastest->length, grid);
+  if (lobe.r_min) warn_of_length(tool, "Sal", lobe.r_min->length, grid);
   Rows out;
   add_lobe(out, lobe, rho, grid, error, {sample.acf(), sample.pairs(), sample.measured().drawn}, options);
   const TextureDirection texture = texture_direction(

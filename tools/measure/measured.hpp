@@ -180,13 +180,13 @@ inline Measured measure(const Tool& tool, const Dataset& data, const MeasuredOpt
 inline std::string rounded(double independent) { return shortest(std::round(10 * independent) / 10); }
 
 /// Why no error is told of a field worth so few independent heights; "" where one can be.
-inline std::string untold(const EffectiveSize& size) {
+inline std::string untold(const EffectiveSampleSize& size) {
   if (size.tells_errors()) return "";
   return "not told: N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
 }
 
 /// Of fields of which errors are rough or cannot be told.
-inline void warn_of_few(const Tool& tool, const EffectiveSize& size) {
+inline void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
   const double least = size.least_effective();
   if (size.effective(2) >= 2 * least) return;
   tool.warn("the surface is worth N_eff = " + rounded(size.effective(2)) +
@@ -210,11 +210,11 @@ inline bool warn_of_length(const Tool& tool, const std::string& name, double len
   return length >= sample && length <= half;
 }
 
-inline EffectiveSize effective_size(const Measured& measured, int threads) {
+inline EffectiveSampleSize effective_size(const Measured& measured, int threads) {
   const Pairs pairs = Pairs::of(measured.heights, measured.grid, threads);
-  if (measured.drawn) return EffectiveSize(*measured.drawn, pairs);
+  if (measured.drawn) return EffectiveSampleSize(*measured.drawn, pairs);
   const AcfParameters half{.max_lag = default_max_lag(measured.grid), .threads = threads};
-  return EffectiveSize::of_estimate(estimate_autocorrelation(measured.heights, pairs, half), pairs);
+  return EffectiveSampleSize::of_estimate(estimate_autocorrelation(measured.heights, pairs, half), pairs);
 }
 
 }  // namespace asperity::cli

@@ -51,16 +51,16 @@ const LagField& WholeSample::acf() {
   return *acf_;
 }
 
-const EffectiveSize& WholeSample::size() {
+const EffectiveSampleSize& WholeSample::size() {
   if (!size_)
-    size_ = measured().drawn ? EffectiveSize(*measured().drawn, pairs())
-                             : EffectiveSize::of_estimate(acf(), pairs());
+    size_ = measured().drawn ? EffectiveSampleSize(*measured().drawn, pairs())
+                             : EffectiveSampleSize::of_estimate(acf(), pairs());
   return *size_;
 }
 
-EffectiveSize WholeSample::size_below(const CorrelationMap& map) {
-  return measured().drawn ? EffectiveSize(underlying_correlation(*measured().drawn, map), pairs())
-                          : EffectiveSize::of_estimate(underlying_correlation(acf(), map), pairs());
+EffectiveSampleSize WholeSample::size_below(const CorrelationMap& map) {
+  return measured().drawn ? EffectiveSampleSize(underlying_correlation(*measured().drawn, map), pairs())
+                          : EffectiveSampleSize::of_estimate(underlying_correlation(acf(), map), pairs());
 }
 
 DerivativeErrors WholeSample::derivative_errors() {
@@ -155,13 +155,14 @@ void StripSample::measure() {
 void StripSample::find_correlation() {
   pairs_ = correlation_ ? correlation_->pairs() : Pairs(grid());
   if (!measured().drawn) acf_ = correlation_->estimate();
-  size_ = acf_ ? EffectiveSize::of_estimate(*acf_, *pairs_) : EffectiveSize(*measured().drawn, *pairs_);
+  size_ = acf_ ? EffectiveSampleSize::of_estimate(*acf_, *pairs_)
+               : EffectiveSampleSize(*measured().drawn, *pairs_);
   reaches_beyond_ = correlation_ && correlation_->reaches_beyond(known_correlation());
 }
 
-EffectiveSize StripSample::size_below(const CorrelationMap& map) {
-  return acf_ ? EffectiveSize::of_estimate(underlying_correlation(*acf_, map), *pairs_)
-              : EffectiveSize(underlying_correlation(*measured().drawn, map), *pairs_);
+EffectiveSampleSize StripSample::size_below(const CorrelationMap& map) {
+  return acf_ ? EffectiveSampleSize::of_estimate(underlying_correlation(*acf_, map), *pairs_)
+              : EffectiveSampleSize(underlying_correlation(*measured().drawn, map), *pairs_);
 }
 
 LagField StripSample::known_correlation() const {

@@ -36,9 +36,9 @@ class Sample {
 
   virtual const Moments& moments() = 0;
   virtual const Pairs& pairs() = 0;
-  virtual const EffectiveSize& size() = 0;
+  virtual const EffectiveSampleSize& size() = 0;
   /// Of the Gaussian field below heights of this map.
-  virtual EffectiveSize size_below(const CorrelationMap& map) = 0;
+  virtual EffectiveSampleSize size_below(const CorrelationMap& map) = 0;
   virtual DerivativeErrors derivative_errors() = 0;
   virtual SlopeParameters slopes() = 0;
   virtual SpectralMoments spectral_moments() = 0;
@@ -66,8 +66,8 @@ class WholeSample : public Sample {
 
   const Moments& moments() override { return moments_; }
   const Pairs& pairs() override;
-  const EffectiveSize& size() override;
-  EffectiveSize size_below(const CorrelationMap& map) override;
+  const EffectiveSampleSize& size() override;
+  EffectiveSampleSize size_below(const CorrelationMap& map) override;
   DerivativeErrors derivative_errors() override;
   SlopeParameters slopes() override { return slope_parameters(heights(), grid(), threads_); }
   SpectralMoments spectral_moments() override {
@@ -86,7 +86,7 @@ class WholeSample : public Sample {
   Moments moments_;
   std::optional<Pairs> pairs_;
   std::optional<LagField> acf_;
-  std::optional<EffectiveSize> size_;
+  std::optional<EffectiveSampleSize> size_;
 };
 
 /// Read in strips of whole rows: once for the mean, two or three times for a form, once for the moments, derivatives
@@ -107,8 +107,8 @@ class StripSample : public Sample {
 
   const Moments& moments() override { return moments_; }
   const Pairs& pairs() override { return *pairs_; }
-  const EffectiveSize& size() override { return *size_; }
-  EffectiveSize size_below(const CorrelationMap& map) override;
+  const EffectiveSampleSize& size() override { return *size_; }
+  EffectiveSampleSize size_below(const CorrelationMap& map) override;
   DerivativeErrors derivative_errors() override;
   SlopeParameters slopes() override { return slope_sums_.parameters(grid()); }
   SpectralMoments spectral_moments() override { return spectral_sums_.moments(grid()); }
@@ -146,7 +146,7 @@ class StripSample : public Sample {
       correlation_;  ///< where the dataset carries none, or points are missing
   std::optional<LagField> acf_;
   std::optional<Pairs> pairs_;
-  std::optional<EffectiveSize> size_;
+  std::optional<EffectiveSampleSize> size_;
   std::optional<std::vector<HeightRun>> runs_;
   bool reaches_beyond_ = false;
 };

@@ -75,7 +75,7 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const Pairs pairs = Pairs::of(z, grid);
   const LagField rho = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)}).normalised();
   const AcfError error(significant_lags(rho, pairs), pairs);
-  profiles.with_errors = EffectiveSize::of_estimate(rho, pairs).tells_errors();
+  profiles.with_errors = EffectiveSampleSize::of_estimate(rho, pairs).tells_errors();
   const double most = lag_worth_showing(profiles, rho, grid);
   for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {
     profiles.found[0].lag.push_back(static_cast<double>(p) * grid.dx);

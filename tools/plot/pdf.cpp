@@ -24,7 +24,7 @@ Distribution distribution_of(const Case& c, const std::string& variable) {
   const Field z = field_of(c.data, variable, Missing::not_a_number);
   const Pairs pairs = Pairs::of(z, grid);
   const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)});
-  const EffectiveSize size = EffectiveSize::of_estimate(acf, pairs);
+  const EffectiveSampleSize size = EffectiveSampleSize::of_estimate(acf, pairs);
   Distribution out{moments(z), {}, size.points()};
   out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
   if (!size.tells_errors())

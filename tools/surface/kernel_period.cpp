@@ -58,8 +58,8 @@ std::string around(Shape surface) {
 
 void refuse_offset(const Field& correlation, Shape surface) {
   if (surface.cells() <= 1) return;
-  const EffectiveSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
-  const double offset = size.sum(1) / size.points();
+  const EffectiveSampleSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
+  const double offset = size.mean_power(1);
   if (offset > largest_offset)
     throw UsageError(
         "periodic",

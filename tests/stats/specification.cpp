@@ -1,4 +1,4 @@
-#include "stats/hypothesis/prescription.hpp"
+#include "stats/hypothesis/specification.hpp"
 
 #include <limits>
 
@@ -11,24 +11,24 @@ using namespace asperity::test;
 
 namespace {
 
-Prescription prescription(Shape window, double sq = 1) {
+Specification prescription(Shape window, double sq = 1) {
   return {.correlation = triangular_correlation(window), .sq = sq};
 }
 
 // The share of ensembles of so many surfaces of which the answer at 5 % is "no".
-double rejected(const Prescription& asked, Shape drawn, int surfaces, int ensembles, bool squared = false,
+double rejected(const Specification& asked, Shape drawn, int surfaces, int ensembles, bool squared = false,
                 double missing = 0) {
   const Grid g = grid(72, 64);
-  const PrescriptionTest fresh(asked, g);
+  const SpecificationTest fresh(asked, g);
   int no = 0;
   for (int e = 0; e < ensembles; ++e) {
-    PrescriptionTest test = fresh;
+    SpecificationTest test = fresh;
     for (int m = 0; m < surfaces; ++m) {
       const Field z = moving_average(g.shape, drawn, static_cast<unsigned>(10000 + e * surfaces + m));
       const Field heights = squared ? Field(z * z.abs()) : z;
       test.add(missing > 0 ? with_holes(heights, missing, static_cast<unsigned>(m)) : heights, g);
     }
-    no += joint_p(test.claims()) <= 0.05;
+    no += joint_p(test.results()) <= 0.05;
   }
   return no / static_cast<double>(ensembles);
 }
@@ -88,7 +88,7 @@ TEST_CASE("surfaces with missing points are refused no more often than stated, a
 // Of n independent heights about their own mean S_2/N is 1/(n - 1), as of a sample variance, and S_3/N (n - 2)/(n - 1)².
 TEST_CASE("the standard errors of a mean are those of the points that each surface has",
           "[prescription][exact]") {
-  PrescriptionTest test(prescription({1, 1}), grid(40, 30));
+  SpecificationTest test(prescription({1, 1}), grid(40, 30));
   double second = 0, third = 0;
   for (unsigned m = 0; m < 3; ++m) {
     const Field z = with_holes(white_noise({40, 30}, m), 0.1 + 0.2 * m, m);
@@ -97,38 +97,38 @@ TEST_CASE("the standard errors of a mean are those of the points that each surfa
     second += 1 / (n - 1) / 9;
     third += (n - 2) / std::pow(n - 1, 2) / 9;
   }
-  CHECK(test.claims()[0].standard_error == Approx(std::sqrt(second / 2)).epsilon(1e-12));
-  CHECK(test.claims()[1].standard_error == Approx(std::sqrt(6 * third)).epsilon(1e-12));
+  CHECK(test.results()[0].standard_error == Approx(std::sqrt(second / 2)).epsilon(1e-12));
+  CHECK(test.results()[1].standard_error == Approx(std::sqrt(6 * third)).epsilon(1e-12));
 }
 
 // GSL's incomplete gamma function once ended the program here: a skewness of 1e-3, and of 40 errors.
 TEST_CASE("a large field and a large deviation have p-values too", "[prescription][contract]") {
   for (double sq : {1.0, 1e-3, 1e3}) {
-    PrescriptionTest test(prescription({2, 2}, sq), grid(512, 512));
+    SpecificationTest test(prescription({2, 2}, sq), grid(512, 512));
     test.add(moving_average({512, 512}, {2, 2}, 3), grid(512, 512));
-    const double p = test.claims().front().p;
+    const double p = test.results().front().p;
     CHECK((sq == 1 ? p >= 1e-3 : p <= 1e-12));
   }
 }
 
 TEST_CASE("errors from the spread need two surfaces, and any other distribution needs them",
           "[prescription][contract]") {
-  Prescription skewed = prescription({2, 2});
+  Specification skewed = prescription({2, 2});
   skewed.ssk = 0.5;
-  CHECK_THROWS_AS(PrescriptionTest(skewed, grid(32, 32)), ParameterError);
+  CHECK_THROWS_AS(SpecificationTest(skewed, grid(32, 32)), ParameterError);
   skewed.spread = true;
-  PrescriptionTest one(skewed, grid(32, 32));
-  CHECK_THROWS_AS(one.claims(), DataError);
+  SpecificationTest one(skewed, grid(32, 32));
+  CHECK_THROWS_AS(one.results(), DataError);
   one.add(white_noise({32, 32}, 1), grid(32, 32));
-  CHECK_THROWS_AS(one.claims(), ParameterError);
+  CHECK_THROWS_AS(one.results(), ParameterError);
   CHECK_THROWS_AS(one.add(white_noise({32, 31}, 1), grid(32, 31)), DataError);
   skewed.sku = 1.2;
   CHECK_THROWS_AS(skewed.check(), ParameterError);
 }
 
 TEST_CASE("without a prescribed height three claims are left", "[prescription][contract]") {
-  PrescriptionTest test(prescription({2, 2}, std::numeric_limits<double>::quiet_NaN()), grid(48, 48));
+  SpecificationTest test(prescription({2, 2}, std::numeric_limits<double>::quiet_NaN()), grid(48, 48));
   test.add(moving_average({48, 48}, {2, 2}, 3), grid(48, 48));
-  CHECK(test.claims().size() == 3);
-  CHECK(test.claims().back().quantity == "ACF");
+  CHECK(test.results().size() == 3);
+  CHECK(test.results().back().quantity == "ACF");
 }

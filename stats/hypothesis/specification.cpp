@@ -1,0 +1,253 @@
+#include "stats/hypothesis/specification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gsl/gsl_cdf.h>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "marginal/prescribed.hpp"
+#include "stats/height/moments.hpp"
+#include "stats/height/quantiles.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/acf_error.hpp"
+#include "stats/uncertainty/effective_size.hpp"
+#include "stats/uncertainty/translation_error.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index most_rows = 9, most_columns = 17;
+constexpr double least_density = 0.1, most_score = 37;
+constexpr double most_of_mean = 0.1;       // of the variance: a translation's biases are about a known mean
+constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
+constexpr double degrees_of_spread =
+    0.75;  // a surface, less one: figures are more skewed than Student's law knows
+// Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has this skewness at the most.
+constexpr double most_skewed = 1.6;
+
+// The score of probabilities below and above, whichever is the smaller.
+double normal_score(double below, double above) {
+  const double score = above < below ? gsl_cdf_ugaussian_Qinv(above) : gsl_cdf_ugaussian_Pinv(below);
+  return std::clamp(score, -most_score, most_score);
+}
+
+// Of the gamma law of mean 0, variance 1 and this skewness, by Wilson and Hilferty's cube root; below 1e-6 it is z. The cube
+// root holds from one degree on (below 2/9 the least value of all would score high), which a skewness of √8 stands for. With
+// five patches or more Sq's is below.
+double gamma_score(double z, double skewness) {
+  if (std::abs(skewness) < 1e-6) return z;
+  if (skewness < 0) return -gamma_score(-z, -skewness);
+  const double degrees = std::max(1.0, 8 / (skewness * skewness)), variance = 2 / (9 * degrees);
+  return (std::cbrt(std::max(0.0, 1 + z * std::sqrt(2 / degrees))) - 1 + variance) / std::sqrt(variance);
+}
+
+double two_sided(double score) { return 2 * gsl_cdf_ugaussian_Q(std::abs(score)); }
+
+// S_k/N of (ρ - w)/(1 - w), of S_k/N of ρ: the binomial formula, where S_0/N is 1.
+Eigen::Array<double, 5, 1> about_mean(const EffectiveSampleSize& size) {
+  const double w = size.mean_power(1), v = 1 - w, s2 = size.mean_power(2), s3 = size.mean_power(3);
+  return {0, w, (s2 - w * w) / (v * v), (s3 - 3 * w * s2 + 2 * w * w * w) / (v * v * v),
+          (size.mean_power(4) - 4 * w * s3 + 6 * w * w * s2 - 3 * w * w * w * w) / (v * v * v * v)};
+}
+
+Index stride(Index lags, Index most) { return (lags + most - 1) / most; }
+
+// R(h) at the lags that are tested needs no others.
+Shape longest_lag(const LagField& rho, const Grid& grid) {
+  return {std::min(rho.max_p(), grid.shape.nx / 4), std::min(rho.max_q(), grid.shape.ny / 4)};
+}
+
+}  // namespace
+
+void Specification::check() const {
+  if (!(sku >= 1 + ssk * ssk))
+    throw ParameterError("kurtosis",
+                         "value " + shortest(sku) + " is below 1 + skewness², which no distribution has");
+  if (!spread && (ssk != 0 || sku != 3))
+    throw ParameterError("errors",
+                         "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
+}
+
+SpecificationTest::SpecificationTest(const Specification& asked, const Grid& grid)
+    : asked_(asked), grid_(grid) {
+  asked_.check();
+  asked_.correlation = asked.correlation.normalised();
+  choose_lags();
+  if (asked_.ssk != 0 || asked_.sku != 3) {
+    const PrescribedHeights heights{asked_.ssk, asked_.sku, Infeasible::nearest};
+    const Translation g = heights.translation();
+    translated_ = Translated{g, underlying_correlation(asked_.correlation, CorrelationMap(g))};
+  }
+  complete_ = theory_of(grid);
+  total_.lag_variances = Eigen::ArrayXd::Zero(complete_.lag_variances.size());
+  find_skewness();
+}
+
+void SpecificationTest::choose_lags() {
+  const LagField& rho = asked_.correlation;
+  const CorrelationPowers powers(tapered(rho, grid_), grid_);
+  const Convolution c = [&](Index p, Index q) { return powers.second(p, q); };
+  const double cells = static_cast<double>(grid_.shape.cells());
+  const Shape most = longest_lag(rho, grid_);
+  const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
+  for (Index p = 0; p <= most.nx; p += dp)
+    for (Index q = p == 0 ? dq : -(most.ny / dq) * dq; q <= most.ny; q += dq) {
+      const CorrelatedLag h{{p, q}, rho(p, q)};
+      const double variance = bartlett_covariance(c, h, h);
+      if (!(variance > 1e-12 * c(0, 0))) continue;
+      lags_.push_back(h);
+      lag_skewness_.push_back(8 * powers.third_cumulant(h) / (std::sqrt(cells) * std::pow(variance, 1.5)));
+    }
+  if (!lags_.empty()) largest_ = NullDistribution::of_largest_magnitude(bartlett_correlation(c, lags_));
+}
+
+void SpecificationTest::find_skewness() {
+  const LagField& rho = asked_.correlation;
+  const double cells = static_cast<double>(grid_.shape.cells());
+  const double w = complete_.mean_powers(1), v = 1 - w;
+  const LagField square(rho.half_plane().square());
+  const EffectiveSampleSize size(rho, Pairs(grid_));
+  variance_skewness_ = 8 * (mean_of_triples(rho, grid_) / (cells * cells) - w * w * w) / (v * v * v) /
+                       std::pow(2 * complete_.mean_powers(2), 1.5);
+  sku_skewness_ = std::min(most_skewed, 1728 * mean_of_triples(square, grid_) / (cells * cells) /
+                                            std::pow(24 * size.sum(4) / size.points(), 1.5));
+}
+
+void SpecificationTest::Theory::operator+=(const Theory& other) {
+  mean_powers += other.mean_powers;
+  ssk_bias += other.ssk_bias;
+  sku_bias += other.sku_bias;
+  lag_variances += other.lag_variances;
+}
+
+void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
+  auto refuse = [](const std::string& why) {
+    throw DataError("acf_target", "it reaches too far for the field, " + why);
+  };
+  if (!asked_.spread && !size.tells_errors())
+    refuse("worth N_eff = " + shortest(std::round(10 * size.effective(2)) / 10) +
+           " independent points: theory has errors from " + shortest(size.least_effective()) +
+           " on; take a larger field");
+  const double w = size.mean_power(1);
+  if (!(w < 0.5)) refuse("whose mean takes half of the variance");
+  if (translated_ && !(w < most_of_mean))
+    refuse("whose mean takes " + shortest(std::round(100 * w)) +
+           " % of the variance: of heights that are not Gaussian the biases of Ssk and Sku are known "
+           "below 10 %; take a larger field");
+}
+
+SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
+  const EffectiveSampleSize size(asked_.correlation, pairs);
+  check_reach(size);
+  Theory out{.mean_powers = about_mean(size), .lag_variances = Eigen::ArrayXd::Zero(lags())};
+  out.sku_bias = -6 * out.mean_powers(2);
+  if (translated_) {
+    const TranslationErrors errors(translated_->heights, EffectiveSampleSize(translated_->below, pairs));
+    out.ssk_bias = errors.ssk_bias();
+    out.sku_bias = errors.sku_bias();
+  }
+  const AcfError errors(asked_.correlation, pairs);
+  for (Index i = 0; const auto& [lag, rho] : lags_) {
+    if (pairs.density(lag.nx, lag.ny) > least_density)
+      out.lag_variances(i) = std::pow(errors.normalised(lag.nx, lag.ny), 2);
+    ++i;
+  }
+  return out;
+}
+
+void SpecificationTest::add(const Field& z, const Grid& grid) {
+  auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
+  if (shape_of(z) != grid_.shape || !same(grid.dx, grid_.dx) || !same(grid.dy, grid_.dy) ||
+      grid.periodic != grid_.periodic)
+    throw DataError("heights", "the surface has another grid than the first one");
+  const Moments m = moments(z);
+  const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
+  const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
+  const LagField acf = estimate_autocorrelation(
+      z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = asked_.threads});
+  const double w = theory.mean_powers(1), variance = acf(0, 0) / (1 - w);
+  Eigen::ArrayXd values(3 + lags());
+  values.head<3>() << variance, m.ssk, m.sku;
+  for (Index i = 3; const auto& [lag, rho] : lags_) values(i++) = acf(lag.nx, lag.ny) - (rho - w) * variance;
+  values.tail(lags()) = (theory.lag_variances > 0).select(values.tail(lags()), NAN);
+  ensemble_.add(values);
+  total_ += theory;
+  ++surfaces_;
+}
+
+double SpecificationTest::score(double z, double skewness) const {
+  const double patches = surfaces_ / mean_power(2);
+  const double t = asked_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
+  const double degrees = asked_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
+  const StudentTails tails = student_tails(t, degrees);
+  return normal_score(tails.below, tails.above);
+}
+
+TestResult SpecificationTest::result(const std::string& name, Index quantity, double prescribed, double mean,
+                                     double theory, double skewness) const {
+  TestResult out{.quantity = name, .prescribed = prescribed, .mean = mean};
+  out.standard_error = asked_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
+  out.z = (mean - prescribed) / out.standard_error;
+  out.p = two_sided(score(out.z, skewness));
+  return out;
+}
+
+// Tested as a variance, told as an rms height.
+TestResult SpecificationTest::height_result() const {
+  const double variance = asked_.sq * asked_.sq, mean = ensemble_.mean()(0);
+  TestResult out =
+      result("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_power(2)), variance_skewness_);
+  out.prescribed = asked_.sq;
+  out.mean = std::sqrt(mean);
+  out.standard_error /= 2 * asked_.sq;
+  return out;
+}
+
+TestResult SpecificationTest::correlation_result() const {
+  const double variance = ensemble_.mean()(0);
+  const Eigen::ArrayXd mean = ensemble_.mean().tail(lags()) / variance;
+  Eigen::ArrayXd error = ensemble_.standard_error().tail(lags()) / variance;
+  if (!asked_.spread) error = total_.lag_variances.sqrt() / ensemble_.count().tail(lags());
+  TestResult out{.quantity = "ACF", .p = 1};
+  double largest = -1;
+  for (Index i = 0; i < lags(); ++i) {
+    if (!(error(i) > 0)) continue;
+    const auto& [lag, rho] = lags_[static_cast<std::size_t>(i)];
+    const double z = mean(i) / error(i),
+                 strays = std::abs(score(z, lag_skewness_[static_cast<std::size_t>(i)]));
+    if (strays > largest) out = {"ACF", rho, rho + mean(i), error(i), z, 1, lag.nx, lag.ny}, largest = strays;
+  }
+  if (largest >= 0) out.p = largest_score_p(largest);
+  return out;
+}
+
+double SpecificationTest::largest_score_p(double score) const {
+  const double sidak = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(score)));
+  return asked_.spread ? sidak : std::min(sidak, largest_.exceedance(score));
+}
+
+std::vector<TestResult> SpecificationTest::results() const {
+  if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
+  if (asked_.spread && surfaces_ < 2)
+    throw ParameterError("errors",
+                         "a single surface has no spread, which errors rest on where heights are not to be "
+                         "Gaussian: name several");
+  std::vector<TestResult> out;
+  if (std::isfinite(asked_.sq)) out.push_back(height_result());
+  const Eigen::ArrayXd mean = ensemble_.mean();
+  const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
+  out.push_back(result("Ssk", 1, asked_.ssk, ssk, std::sqrt(6 * mean_power(3)), 0));
+  out.push_back(result("Sku", 2, asked_.sku, sku, std::sqrt(24 * mean_power(4)), sku_skewness_));
+  if (!lags_.empty()) out.push_back(correlation_result());
+  return out;
+}
+
+double joint_p(const std::vector<TestResult>& results) {
+  double least = 1;
+  for (const TestResult& c : results) least = std::min(least, c.p);
+  return std::min(1.0, least * static_cast<double>(results.size()));
+}
+
+}  // namespace asperity
