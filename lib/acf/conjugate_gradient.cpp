@@ -95,9 +95,9 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
   Descent descent(equations, u);
   IterationResult result;
   auto tell = [&] {
-    if (options.told)
-      options.told({result.steps, 2 * result.steps + 1, descent.largest(),
-                    static_cast<double>(result.steps) / options.max_iterations});
+    if (options.on_step)
+      options.on_step({result.steps, 2 * result.steps + 1, descent.largest(),
+                       static_cast<double>(result.steps) / options.max_iterations});
   };
   result.reason = "solved";
   tell();

@@ -46,7 +46,7 @@ Shape padded_torus(Shape field) {
   return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)};
 }
 
-Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel, int threads) {
+Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads) {
   Field symbol(torus.nx / 2 + 1, torus.ny / 2 + 1);
   transform_even(torus.ny, symbol.rows(), threads, kernel,
                  [&](Index i, Index k, double value) { symbol(i, k) = value; });

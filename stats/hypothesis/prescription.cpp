@@ -96,7 +96,7 @@ PrescriptionTest::PrescriptionTest(const Prescription& prescription, const Grid&
   const LagField& rho = prescription_.correlation;
   choose_lags(CorrelationPowers(tapered(rho, grid), grid));
   if (prescription_.ssk != 0 || prescription_.sku != 3) {
-    const PrescribedHeights heights{prescription_.ssk, prescription_.sku, Infeasible::nearest};
+    const PrescribedHeights heights{prescription_.ssk, prescription_.sku, InfeasiblePolicy::nearest};
     const Translation g = heights.translation();
     translated_ = Translated{g, underlying_correlation(rho, CorrelationMap(g))};
   }

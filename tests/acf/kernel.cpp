@@ -1,6 +1,6 @@
 #include "acf/kernel.hpp"
 
-#include "acf/appraisal.hpp"
+#include "acf/kernel_evaluation.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -117,7 +117,7 @@ TEST_CASE("every 10 % cut of the paper is met in full by a kernel of its size, o
     CAPTURE(lags.nx, lags.ny, k.report.reason);
     CHECK(k.report.converged);
     CHECK(k.report.residual <= 1e-10);
-    CHECK(k.report.answer == (lags == Shape{17, 14} ? "wider" : "exact"));
+    CHECK(k.report.answer == (lags == Shape{17, 14} ? Answer::wider : Answer::exact));
     CHECK(std::abs(k.values.square().sum() - 1) <= 2e-10);
   }
 }
@@ -130,7 +130,7 @@ TEST_CASE("a 10 % cut in Patir's formulation ends solved, nearly met, or refused
     try {
       const Kernel k = solve_kernel(request);
       CHECK(k.report.residual <= 1e-2);
-      CHECK(k.report.change == (k.report.answer == "exact" ? 0 : k.report.residual));
+      CHECK(k.report.change == (k.report.answer == Answer::exact ? 0 : k.report.residual));
     } catch (const ParameterError& e) {
       CHECK(e.name == "lags");
       CHECK_THAT(e.what(), ContainsSubstring("take more, such as") && ContainsSubstring("more than 0.01"));
@@ -141,16 +141,16 @@ TEST_CASE("a 10 % cut in Patir's formulation ends solved, nearly met, or refused
 // The paper's larger problem, under a cut that has no kernel of its size.
 TEST_CASE("what is infeasible is answered as asked", "[kernel][contract]") {
   KernelRequest request = cut(31, 31, 2.3);
-  request.infeasible = Infeasible::error;
+  request.infeasible = InfeasiblePolicy::error;
   CHECK_THROWS_AS(solve_kernel(request), ParameterError);
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel wider = solve_kernel(request);
-  CHECK(wider.report.answer == "wider");
+  CHECK(wider.report.answer == Answer::wider);
   CHECK(wider.report.change <= 1e-10);
   CHECK(wider.values.rows() > 61);
-  request.infeasible = Infeasible::least_squares;
+  request.infeasible = InfeasiblePolicy::least_squares;
   const Kernel squares = solve_kernel(request);
-  CHECK(squares.report.answer == "least-squares");
+  CHECK(squares.report.answer == Answer::least_squares);
   CHECK(squares.values.rows() == 61);
   CHECK(squares.report.change <= 4e-3);  // 2.3e-3 before its variance is set right
   CHECK(squares.report.change >= 1e-3);
@@ -171,9 +171,9 @@ TEST_CASE("a target that no number of lags gives a kernel is clipped at once, as
     return Shape{n, n};
   };
   CHECK_THROWS_AS(solve_kernel(request), ParameterError);  // changed by more than 1e-2
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel kernel = solve_kernel(request);
-  CHECK(kernel.report.answer == "nearest");
+  CHECK(kernel.report.answer == Answer::nearest);
   CHECK(kernel.report.newton_steps <= 20);  // of the one trial that asks
   CHECK(kernel.lags == request.target.reach(1e-3));
   CHECK(kernel.report.change > 1e-5);
@@ -186,7 +186,7 @@ TEST_CASE("a target that no number of lags gives a kernel is clipped at once, as
         0.05 * kernel.report.error + 1e-4);
   request.method = Method::newton_krylov;
   request.lags = {};
-  request.infeasible = Infeasible::error;
+  request.infeasible = InfeasiblePolicy::error;
   CHECK_THROWS_AS(solve_kernel(request), ParameterError);
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("targets at the limits end in a kernel with its error, or in a refusal
   CHECK(outcome(delta, {9, 5}).report.residual <= 4 * epsilon);
   for (double c : {4.6, 14.0, 30.0}) {  // spectra from -1e-3 to round-off
     const Kernel k = outcome(gaussian(c), {31, 31});
-    CAPTURE(c, k.report.answer);
+    CAPTURE(c, name_of(k.report.answer));
     CHECK(k.report.converged);
     CHECK(k.report.residual <= 1e-6);
     CHECK(k.values.isFinite().all());
@@ -254,12 +254,12 @@ TEST_CASE("every method that arrives finds the same kernel, and each says how fa
   request.method = Method::fixed_point;  // diverges
   const Kernel lost = solve_kernel(request);
   CHECK_FALSE(lost.report.converged);
-  CHECK(lost.report.answer == "best");
+  CHECK(lost.report.answer == Answer::best);
   CHECK(lost.report.change == lost.report.residual);
   CHECK(lost.values.isFinite().all());
   request.method = Method::spectral;
   const Kernel root = solve_kernel(request);
-  CHECK(root.report.answer == "spectral");
+  CHECK(root.report.answer == Answer::spectral);
   CHECK(root.report.newton_steps == 0);
   CHECK(root.report.error <=
         2e-4);  // e^-18.4 at the edge of its torus is far below; the root's own tail is cut
@@ -276,7 +276,7 @@ TEST_CASE("lags left open are chosen such that the error over all lags keeps to 
       request.acf_tolerance = tolerance;
       const Kernel k = solve_kernel(request);
       CAPTURE(length, tolerance, k.lags.nx, k.lags.ny);
-      CHECK(k.report.answer == "exact");
+      CHECK(k.report.answer == Answer::exact);
       CHECK(k.report.error <= tolerance);
     }
 }

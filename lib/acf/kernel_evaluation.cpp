@@ -1,4 +1,4 @@
-#include "acf/appraisal.hpp"
+#include "acf/kernel_evaluation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +26,7 @@ Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows,
   std::vector<double> part = transform->part([&](Index k, Index l) {
     return k <= middle_x && std::abs(l) <= middle_y ? kernel(middle_x + k, middle_y + l) : 0.0;
   });
-  const double scale = 1 / static_cast<double>(transform->torus().cells());
-  transform->filter(part, part, [&](Index, std::span<double> block) {
-    for (double& a : block) a *= scale * a;
-  });
+  transform->autocorrelate(part, part);
   Field out = Field::Zero(rows, columns);
   const Index middle = columns / 2;
   for (Index p = 0; p < std::min(rows, reach.nx); ++p)
@@ -49,6 +46,24 @@ void leave_known(Field& half_plane, Shape known) {
 }
 
 }  // namespace
+
+Field autocorrelation(const Field& kernel, Index rows, Index columns) {
+  const Shape torus{fast_length(2 * kernel.rows() - 1), fast_length(2 * kernel.cols() - 1, 2)};
+  const RealTransform2D transform(torus);
+  AlignedVector<double> field(static_cast<std::size_t>(torus.cells()));
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  Eigen::Map<Field> plane(field.data(), torus.nx, torus.ny);
+  plane.topLeftCorner(kernel.rows(), kernel.cols()) = kernel;
+  transform.forward(field.data(), spectrum.data());
+  for (Complex& a : spectrum) a = std::norm(a);
+  transform.inverse(spectrum.data(), field.data());
+  return Field::NullaryExpr(rows, columns,
+                            [&, cells = static_cast<double>(torus.cells())](Index p, Index column) {
+                              const Index q = column - columns / 2;
+                              if (p >= kernel.rows() || std::abs(q) >= kernel.cols()) return 0.0;
+                              return plane(p, q < 0 ? q + torus.ny : q) / cells;
+                            });
+}
 
 Field half_plane_of(const Target& target, Shape lags) {
   Field out(lags.nx, 2 * lags.ny - 1);
@@ -86,10 +101,11 @@ void measure_errors(Kernel& kernel) {
 void judge(KernelReport& report, const KernelRequest& request) {
   const bool open = request.lags == Shape{};
   const double error = open ? report.error : report.change;
-  report.converged = report.answer != "best" && error <= request.acf_tolerance;
+  report.converged = report.answer != Answer::best && error <= request.acf_tolerance;
 }
 
-std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values) {
+std::optional<Kernel> evaluate_kernel(const Target& target, Shape lags, Formulation formulation,
+                                      Field values) {
   const double sum = values.square().sum();
   if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
   if (values.sum() < 0) values = -values;
