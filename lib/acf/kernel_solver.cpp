@@ -7,40 +7,26 @@
 #include "acf/wording.hpp"
 
 namespace asperity {
-namespace {
-
-// Of the change that the automatic answer makes.
-double bound(const KernelRequest& request) { return std::max(solver::largest_change, request.acf_tolerance); }
-
-}  // namespace
 
 void KernelSolver::run() {
-  if (problem_.of_no_surface()) return try_in_turn({&KernelSolver::root});
-  switch (method()) {
-    case Method::spectral:
-      return try_in_turn({&KernelSolver::root});
-    case Method::fixed_point:
-      return try_in_turn({&KernelSolver::by_fixed_point});
-    case Method::conjugate_gradient:
-      return try_in_turn({&KernelSolver::by_conjugate_gradient});
-    case Method::newton_krylov:
-      return try_in_turn({&KernelSolver::wider_of_smooth, &KernelSolver::by_newton,
-                          &KernelSolver::wider_of_barely_negative});
-  }
+  if (method() == Method::spectral || problem_.of_no_surface) return choose(spectral_root(problem_));
+  if (method() == Method::fixed_point) return choose(fixed_point(problem_));
+  if (method() == Method::conjugate_gradient) return choose(conjugate_gradient(problem_));
+  const InfeasiblePolicy policy = problem_.request.infeasible;
+  const bool may_widen = problem_.zero_phase && !problem_.recognised && policy != InfeasiblePolicy::error &&
+                         policy != InfeasiblePolicy::least_squares;
+  auto barely_negative = [this] {
+    const bool no_start = effort_.steps == 0 && !effort_.converged;
+    return !problem_.smooth && (no_start || problem_.feasibility.least > solver::nearly_smooth);
+  };
+  try_in_turn({[&] { return may_widen && problem_.smooth ? wider() : Attempt{}; },
+               [&] { return newton(problem_); },
+               [&] { return may_widen && barely_negative() ? wider() : Attempt{}; }});
 }
 
-// What has no kernel of positive spectrum.
-void KernelSolver::answer() {
-  try_in_turn({&KernelSolver::modest_squares, &KernelSolver::by_policy});
-  const KernelRequest& request = problem_.request();
-  if (request.infeasible == InfeasiblePolicy::automatic &&
-      !(best_ && best_->report.residual <= bound(request)))
-    problem_.refuse(excuse() + closest());
-}
-
-void KernelSolver::try_in_turn(std::initializer_list<Step> steps) {
-  for (Step step : steps)
-    if (!solved()) choose((this->*step)());
+void KernelSolver::try_in_turn(const std::vector<std::function<Attempt()>>& attempts) {
+  for (const auto& attempt : attempts)
+    if (!solved()) choose(attempt());
 }
 
 void KernelSolver::choose(Attempt attempt) {
@@ -57,46 +43,7 @@ void KernelSolver::choose(Attempt attempt) {
     best_ = std::move(attempt.candidate);
 }
 
-// ---- attempts, where they are of use ----
-
-Attempt KernelSolver::root() {
-  return spectral_root(problem_, problem_.of_no_surface() ? Answer::nearest : Answer::spectral);
-}
-
-Attempt KernelSolver::by_newton() {
-  if (!problem_.recognised()) return newton(problem_);
-  Attempt none;
-  none.effort.reason = "recognised before any iteration";
-  return none;
-}
-
-Attempt KernelSolver::wider_of_smooth() { return may_widen() && problem_.smooth() ? wider() : Attempt{}; }
-
-Attempt KernelSolver::wider_of_barely_negative() {
-  const bool no_start = effort_.steps == 0 && !effort_.converged,
-             barely_negative = problem_.feasibility().least > solver::nearly_smooth;
-  return may_widen() && !problem_.smooth() && (no_start || barely_negative) ? wider() : Attempt{};
-}
-
-Attempt KernelSolver::modest_squares() {
-  if (problem_.recognised()) return {};
-  return least_squares(problem_, unknowns_, solver::modest_budget(problem_.equations().count()));
-}
-
-Attempt KernelSolver::large_squares() {
-  return least_squares(problem_, unknowns_, solver::large_budget(problem_.equations().count()));
-}
-
-Attempt KernelSolver::by_policy() {
-  const InfeasiblePolicy policy = problem_.request().infeasible;
-  if (policy == InfeasiblePolicy::error) problem_.refuse(excuse());
-  if (policy == InfeasiblePolicy::least_squares || !problem_.zero_phase()) return large_squares();
-  const bool close =
-      policy == InfeasiblePolicy::automatic && best_ && best_->report.residual <= solver::negligible_change;
-  return close || problem_.of_no_surface() ? Attempt{} : wider();
-}
-
-// Once: the second time it would come to the same.
+// Once: a second time it would come to the same.
 Attempt KernelSolver::wider() {
   Attempt attempt;
   if (widened_)
@@ -106,43 +53,52 @@ Attempt KernelSolver::wider() {
   return attempt;
 }
 
-bool KernelSolver::may_widen() const {
-  const InfeasiblePolicy policy = problem_.request().infeasible;
-  return problem_.zero_phase() && !problem_.recognised() && policy != InfeasiblePolicy::error &&
-         policy != InfeasiblePolicy::least_squares;
+// What the policy makes of equations that no attempt has solved.
+Attempt KernelSolver::answer() {
+  const InfeasiblePolicy policy = problem_.request.infeasible;
+  if (policy == InfeasiblePolicy::error) problem_.refuse(excuse());
+  if (policy == InfeasiblePolicy::least_squares || !problem_.zero_phase)
+    return least_squares(problem_, unknowns_, solver::large_budget(problem_.equations->count()));
+  const bool close =
+      policy == InfeasiblePolicy::automatic && best_ && best_->report.residual <= solver::negligible_change;
+  return close || problem_.of_no_surface ? Attempt{} : wider();
+}
+
+// Of the change that the automatic answer makes.
+double KernelSolver::bound() const {
+  return std::max(solver::largest_change, problem_.request.acf_tolerance);
 }
 
 // ---- in words ----
 
 // Why there is no kernel, and what can be done.
 std::string KernelSolver::excuse() const {
-  const Shape lags = problem_.lags();
-  const double least = problem_.feasibility().least;
+  const Shape lags = problem_.lags;
+  const double least = problem_.feasibility.least;
   std::string words = "no kernel of " + text(lags) + " lags has this autocorrelation (" + effort_.reason;
   if (least < 0) words += "; its spectrum falls to " + number(least) + " of its maximum";
-  const bool more = !problem_.request().target.known && !problem_.of_no_surface();
+  const bool more = !problem_.request.target.known && !problem_.of_no_surface;
   return words + ")" + (more ? ": take more, such as " + text({2 * lags.nx, 2 * lags.ny}) : "");
 }
 
 std::string KernelSolver::closest() const {
   if (!best_) return "; nothing close to it was found";
-  const KernelRequest& request = problem_.request();
   return "; the closest one found changes it by " + number(best_->report.residual) +
-         " of the variance, more than " + number(bound(request)) + " (see infeasible, acf-tolerance" +
-         (request.target.known ? "; a biased estimate is one that a surface has)" : ")");
+         " of the variance, more than " + number(bound()) + " (see infeasible, acf-tolerance" +
+         (problem_.request.target.known ? "; a biased estimate is one that a surface has)" : ")");
 }
 
 // ---- the answer ----
 
 void KernelSolver::complete(KernelReport& report) const {
   const bool other = method() == Method::fixed_point || method() == Method::conjugate_gradient;
-  if (other && !(report.residual <= problem_.request().tolerance)) report.answer = Answer::best;
+  if (other && !(report.residual <= problem_.request.tolerance)) report.answer = Answer::best;
   const bool exact = report.answer == Answer::exact,
              as_asked = report.answer == Answer::spectral || report.answer == Answer::best;
   if (!exact) report.change = report.residual;
   report.reason = exact ? "solved" : as_asked ? effort_.reason : excuse();
-  judge(report, problem_.request());
-  report.feasibility = problem_.feasibility().least;
+  judge(report, problem_.request);
+  report.feasibility = problem_.feasibility.least;
   report.newton_steps = effort_.steps;
   report.equation_seconds = effort_.system_seconds;
   report.residuals = effort_.residuals;
@@ -151,7 +107,13 @@ void KernelSolver::complete(KernelReport& report) const {
 }
 
 Kernel KernelSolver::finish() {
-  if (method() == Method::newton_krylov && !solved()) answer();
+  if (method() == Method::newton_krylov && !solved()) {
+    const long modest = solver::modest_budget(problem_.equations->count());
+    try_in_turn({[&] { return problem_.recognised ? Attempt{} : least_squares(problem_, unknowns_, modest); },
+                 [&] { return answer(); }});
+    const bool bounded = problem_.request.infeasible == InfeasiblePolicy::automatic;
+    if (bounded && !(best_ && best_->report.residual <= bound())) problem_.refuse(excuse() + closest());
+  }
   if (!best_) problem_.refuse("no finite kernel was found (" + effort_.reason + ")");
   complete(best_->report);
   return *std::move(best_);

@@ -21,19 +21,18 @@
 /// equations have no wider kernel: least squares answer for them.
 #pragma once
 
-#include <initializer_list>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "acf/attempts.hpp"
-#include "acf/kernel_problem.hpp"
 
 namespace asperity {
 
 class KernelSolver {
  public:
-  /// As KernelProblem's; the request must live as long as the solver.
+  /// As KernelProblem's.
   explicit KernelSolver(const KernelRequest& request, Shape lags, bool of_no_surface = false)
       : problem_(request, lags, of_no_surface) {}
 
@@ -47,29 +46,15 @@ class KernelSolver {
   Kernel finish();
 
  private:
-  using Step = Attempt (KernelSolver::*)();
-
-  // Each an attempt, or nothing where it is of no use.
-  Attempt root();
-  Attempt by_fixed_point() { return fixed_point(problem_); }
-  Attempt by_conjugate_gradient() { return conjugate_gradient(problem_); }
-  Attempt wider_of_smooth();
-  Attempt by_newton();
-  Attempt wider_of_barely_negative();
-  Attempt modest_squares();
-  Attempt by_policy();
-  Attempt wider();
-  Attempt large_squares();
-
-  void try_in_turn(std::initializer_list<Step> steps);
+  void try_in_turn(const std::vector<std::function<Attempt()>>& attempts);
   void choose(Attempt attempt);
-  void answer();
-
-  Method method() const { return problem_.request().method; }
-  bool may_widen() const;
+  Attempt wider();
+  Attempt answer();
   std::string excuse() const;
   std::string closest() const;
   void complete(KernelReport& report) const;
+  Method method() const { return problem_.request.method; }
+  double bound() const;
 
   KernelProblem problem_;
   std::optional<Kernel> best_;
