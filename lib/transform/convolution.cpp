@@ -82,14 +82,7 @@ void EvenConvolution::multiply(Index b, Complex* block) const {
 
 void EvenConvolution::apply(const Field& in, Field& out) {
   transform_.forward_rows(in, *half_, threads_);
-  parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform_.block_size())), work(block.size());
-    for (Index b = begin; b < end; ++b) {
-      transform_.forward_block(*half_, b, block.data(), work.data());
-      multiply(b, block.data());
-      transform_.inverse_block(block.data(), b, *half_, work.data());
-    }
-  });
+  transform_.filter(*half_, threads_, [this](Index b, Complex* block) { multiply(b, block); });
   out.resize(shape().nx, shape().ny);
   transform_.inverse_rows(*half_, out, threads_);
 }

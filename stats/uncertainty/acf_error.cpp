@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/spatial/lag_sums.hpp"
+#include "transform/lag_sums.hpp"
 
 namespace asperity {
 
