@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "acf/wording.hpp"
+#include "transform/lag_sums.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
@@ -48,21 +49,12 @@ void leave_known(Field& half_plane, Shape known) {
 }  // namespace
 
 Field autocorrelation(const Field& kernel, Index rows, Index columns) {
-  const Shape torus{fast_length(2 * kernel.rows() - 1), fast_length(2 * kernel.cols() - 1, 2)};
-  const RealTransform2D transform(torus);
-  AlignedVector<double> field(static_cast<std::size_t>(torus.cells()));
-  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
-  Eigen::Map<Field> plane(field.data(), torus.nx, torus.ny);
-  plane.topLeftCorner(kernel.rows(), kernel.cols()) = kernel;
-  transform.forward(field.data(), spectrum.data());
-  for (Complex& a : spectrum) a = std::norm(a);
-  transform.inverse(spectrum.data(), field.data());
-  return Field::NullaryExpr(rows, columns,
-                            [&, cells = static_cast<double>(torus.cells())](Index p, Index column) {
-                              const Index q = column - columns / 2;
-                              if (p >= kernel.rows() || std::abs(q) >= kernel.cols()) return 0.0;
-                              return plane(p, q < 0 ? q + torus.ny : q) / cells;
-                            });
+  const Shape shape = shape_of(kernel),
+              last{std::min(rows, shape.nx) - 1, std::min(columns / 2, shape.ny - 1)};
+  Field out = Field::Zero(rows, columns);
+  out.block(0, columns / 2 - last.ny, last.nx + 1, 2 * last.ny + 1) =
+      lag_sums(kernel, Grid{shape, 1, 1, false}, last);
+  return out;
 }
 
 Field half_plane_of(const Target& target, Shape lags) {
