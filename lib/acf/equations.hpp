@@ -119,7 +119,6 @@ class ZeroPhaseEquations : public Equations {
   Field kernel(std::span<const double> u) const override { return transform_->whole(u); }
 
   Feasibility feasibility();
-  const ZeroPhaseTransform& transform() const { return *transform_; }
 
  private:
   std::unique_ptr<ZeroPhaseTransform> transform_;

@@ -6,7 +6,6 @@
 
 #include "acf/guarded_call.hpp"
 #include "acf/kinsol.hpp"
-#include "core/stopwatch.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
@@ -83,7 +82,6 @@ class FixedPoint {
 
 IterationResult solve_fixed_point(Equations& equations, std::span<double> u,
                                   const FixedPointOptions& options) {
-  const Stopwatch watch;
   FixedPoint iteration(equations, options);
   std::vector<double> scales = equations.scale();
   const long depth = std::min<long>(options.depth, static_cast<long>(u.size()));
@@ -102,7 +100,6 @@ IterationResult solve_fixed_point(Equations& equations, std::span<double> u,
   if (flag != KIN_SYSFUNC_FAIL && flag != KIN_FIRST_SYSFUNC_ERR) check(flag, "KINSol");
   IterationResult result = iteration.finish(u);
   result.residuals = counter(kinsol.get(), KINGetNumFuncEvals);
-  result.seconds = watch.seconds();
   return result;
 }
 

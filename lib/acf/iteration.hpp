@@ -22,8 +22,7 @@ struct IterationResult {
   bool converged = false;
   std::string reason;  ///< how it ended
   long steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
-  double seconds = 0;
-  double system_seconds = 0;  ///< of them in the equations, of Newton's iteration
+  double equation_seconds = 0;  ///< in the equations, of Newton's iteration
 };
 
 /// The name and version of the library behind Newton's iteration.

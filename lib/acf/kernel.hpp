@@ -128,8 +128,7 @@ struct Kernel {
   Field acf_achieved;  ///< the same lags; the first and last of them lie beyond the support of R
   KernelReport report;
 
-  /// The lag p or q of the first row or column of the tables.
-  Index first_p() const { return 0; }
+  /// The lag q of the first column of the tables; the first row is p = 0.
   Index first_q() const { return -(acf_target.cols() / 2); }
 };
 

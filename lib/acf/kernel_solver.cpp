@@ -36,7 +36,7 @@ void KernelSolver::choose(Attempt attempt) {
   effort_.residuals += effort.residuals;
   effort_.jacobian_products += effort.jacobian_products;
   effort_.preconditionings += effort.preconditionings;
-  effort_.system_seconds += effort.system_seconds;
+  effort_.equation_seconds += effort.equation_seconds;
   if (!effort.reason.empty()) effort_.reason = std::move(effort.reason);
   if (!attempt.unknowns.empty()) unknowns_ = std::move(attempt.unknowns);
   if (attempt.candidate && (!best_ || problem_.better(*attempt.candidate, *best_)))
@@ -100,7 +100,7 @@ void KernelSolver::complete(KernelReport& report) const {
   judge(report, problem_.request);
   report.feasibility = problem_.feasibility.least;
   report.newton_steps = effort_.steps;
-  report.equation_seconds = effort_.system_seconds;
+  report.equation_seconds = effort_.equation_seconds;
   report.residuals = effort_.residuals;
   report.jacobian_products = effort_.jacobian_products;
   report.preconditionings = effort_.preconditionings;

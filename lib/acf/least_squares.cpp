@@ -8,7 +8,6 @@
 #include <gsl/gsl_multilarge_nlinear.h>
 
 #include "acf/guarded_call.hpp"
-#include "core/stopwatch.hpp"
 
 namespace asperity {
 namespace {
@@ -86,7 +85,6 @@ struct FreeWorkspace {
 
 IterationResult minimise_squares(Equations& equations, std::span<double> u,
                                  const LeastSquaresOptions& options) {
-  const Stopwatch watch;
   Weighted problem(equations);
   gsl_multilarge_nlinear_parameters parameters = gsl_multilarge_nlinear_default_parameters();
   parameters.trs = gsl_multilarge_nlinear_trs_cgst;
@@ -123,7 +121,6 @@ IterationResult minimise_squares(Equations& equations, std::span<double> u,
   result.steps = static_cast<long>(gsl_multilarge_nlinear_niter(workspace.get()));
   result.jacobian_products = problem.products;
   result.residuals = static_cast<long>(system.nevalf);
-  result.seconds = watch.seconds();
   return result;
 }
 

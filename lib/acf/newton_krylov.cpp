@@ -14,19 +14,6 @@ namespace {
 
 using namespace kinsol;
 
-// Adds the seconds of its life to a sum.
-class Timer {
- public:
-  explicit Timer(double& sum) : sum_(sum) {}
-  ~Timer() { sum_ += watch_.seconds(); }
-  Timer(const Timer&) = delete;
-  Timer& operator=(const Timer&) = delete;
-
- private:
-  double& sum_;
-  Stopwatch watch_;
-};
-
 // Refusals of ever shorter steps after which the iteration ends. KINSOL itself gives up at the fifth.
 constexpr int most_refusals = 4;
 
@@ -79,7 +66,7 @@ class Iteration {
     out.residuals = counter(KINGetNumFuncEvals);
     out.jacobian_products = counter(KINGetNumJtimesEvals);
     out.preconditionings = counter(KINGetNumPrecSolves);
-    out.system_seconds = system_seconds_;
+    out.equation_seconds = seconds_;
     out.converged = stopped_.empty() && (flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK);
     out.reason = out.converged ? "solved" : stopped_.empty() ? ending(flag, out.steps) : stopped_;
     if (out.steps > 0) tell(out.steps);
@@ -90,7 +77,10 @@ class Iteration {
   template <class Work>
   static int guarded(void* data, Work work) {
     auto& self = *static_cast<Iteration*>(data);
-    return self.guarded_(give_up, [&] { return work(self); });
+    const Stopwatch watch;
+    const int result = self.guarded_(give_up, [&] { return work(self); });
+    self.seconds_ += watch.seconds();
+    return result;
   }
   static int residual(N_Vector u, N_Vector f, void* data) {
     return guarded(data, [&](Iteration& i) { return i.residual(values(u), values(f)); });
@@ -100,7 +90,6 @@ class Iteration {
   }
   static int precondition(N_Vector, N_Vector, N_Vector, N_Vector, N_Vector v, void* data) {
     return guarded(data, [&](Iteration& i) {
-      const Timer timer(i.system_seconds_);
       i.equations_.precondition(values(v));
       return done;
     });
@@ -108,14 +97,12 @@ class Iteration {
   template <class Boolean>  // booleantype in SUNDIALS 6, sunbooleantype in 7
   static int jacobian(N_Vector v, N_Vector out, N_Vector, Boolean*, void* data) {
     return guarded(data, [&](Iteration& i) {
-      const Timer timer(i.system_seconds_);
       i.equations_.jacobian(values(v), values(out));
       return done;
     });
   }
 
   int residual(std::span<const double> u, std::span<double> f) {
-    const Timer timer(system_seconds_);
     const bool inside = equations_.residual(u, f);
     if (options_.on_step) largest_ = largest_absolute(f);
     if (inside) return refusals_ = 0, done;
@@ -131,7 +118,6 @@ class Iteration {
     if (products >= options_.max_products)
       return stop("not solved with " + counted(products, "Jacobian product"));
     tell(counter(KINGetNumNonlinSolvIters) - 1);
-    const Timer timer(system_seconds_);
     equations_.linearize(u);
     return done;
   }
@@ -178,16 +164,13 @@ class Iteration {
   std::vector<double> iterate_;  // of the present step
   std::string stopped_;          // why, where a callback has ended the iteration
   int refusals_ = 0;
-  double system_seconds_ = 0, largest_ = 0;
+  double seconds_ = 0, largest_ = 0;
 };
 
 }  // namespace
 
 IterationResult solve_newton_krylov(Equations& equations, std::span<double> u, const NewtonOptions& options) {
-  const Stopwatch watch;
-  IterationResult result = Iteration(equations, u, options).run();
-  result.seconds = watch.seconds();
-  return result;
+  return Iteration(equations, u, options).run();
 }
 
 }  // namespace asperity
