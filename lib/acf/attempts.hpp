@@ -27,7 +27,7 @@ struct KernelProblem {
   bool recognised;  ///< no iteration is worth its time
   bool smooth;      ///< Newton's matrix is singular at the solution
   double
-      enough;  ///< change of the lags prescribed: of a table at open lags, what is tolerated over all of it
+      enough;  ///< change of the lags prescribed; of a table at open lags, what is tolerated over all of it
 
   bool solved_by(const Kernel& kernel) const { return kernel.report.residual <= request.tolerance; }
   /// By the error over all lags; of a table, or in Patir's formulation, by the residual.

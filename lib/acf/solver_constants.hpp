@@ -3,7 +3,7 @@
 /// [S] validation/acf_error_time.cpp, the table "Stability": targets from feasible to hopeless under each policy.
 /// [T] there, the tables of Newton's iteration and of the other methods: steps, products and seconds.
 /// [K] validation/stability_kernel.cpp: targets and tables at the limits.
-/// Where a constant was fitted to one run alone, the run is not on record; those named show what it does today.
+/// The runs in which they were first fitted are not on record; those named show what they do today.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,8 @@ namespace asperity::solver {
 
 // ---- what the spectrum of a cut target tells before any iteration, relative to its maximum: [S], [K] ----
 
-inline constexpr double hopeless_share =
-    0.1;  ///< negative share of the spectrum: least squares find nothing then
-inline constexpr double round_off = 1e-10;  ///< of the windowed spectrum
+inline constexpr double hopeless_share = 0.1;  ///< of the spectrum, negative: beyond it nothing is iterated
+inline constexpr double round_off = 1e-10;     ///< of the windowed spectrum
 /// A spectrum this close to zero is that of a smooth target: Newton's matrix is singular there, the root of the spectrum
 /// on a wider torus nearly exact. Somewhat below zero the latter is worth trying at once.
 inline constexpr double smooth_spectrum = 1e-12, nearly_smooth = -1e-4;
@@ -27,7 +26,7 @@ inline constexpr double near = 1e-4, far = 1e-6, still_negative = 0.5;
 // ---- how far the answers go: [S] ----
 
 inline constexpr double largest_change = 1e-2;     ///< that the automatic answer makes unasked [σ²]
-inline constexpr double negligible_change = 1e-6;  ///< a wider kernel is not worth its length then [σ²]
+inline constexpr double negligible_change = 1e-6;  ///< for which no kernel is widened unasked [σ²]
 
 /// Products that find a kernel whose spectrum changes sign, if there is one: a second at any size.
 inline long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
