@@ -75,7 +75,7 @@ void row(const KernelRequest& request, double c) {
           : "-";
   fmt::print("{}\t{}\t{}x{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{}\t{}\t{}\t{}\n", name_of(request.method),
              name_of(*request.formulation), request.lags.nx, request.lags.ny, c, r.error, r.mirrored_error,
-             r.seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, r.answer);
+             r.seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, name_of(r.answer));
 }
 
 void head(const char* title) {
@@ -148,7 +148,7 @@ std::vector<Extreme> extremes() {
   };
 }
 
-void outcome(const Extreme& extreme, Infeasible infeasible) {
+void outcome(const Extreme& extreme, InfeasiblePolicy infeasible) {
   KernelRequest request;
   request.target = extreme.target;
   request.lags = extreme.lags;
@@ -158,8 +158,8 @@ void outcome(const Extreme& extreme, Infeasible infeasible) {
   try {
     const Kernel k = solve_kernel(request);
     const KernelReport& r = k.report;
-    fmt::print("{}\t{:.1e}\t{:.1e}\t{:.1e}\t{}x{}\t{:.2e}\n", r.answer, r.residual, r.error, r.feasibility,
-               k.values.rows(), k.values.cols(), r.seconds);
+    fmt::print("{}\t{:.1e}\t{:.1e}\t{:.1e}\t{}x{}\t{:.2e}\n", name_of(r.answer), r.residual, r.error,
+               r.feasibility, k.values.rows(), k.values.cols(), r.seconds);
   } catch (const std::exception& e) {
     fmt::print("refused: {}\t-\t-\t-\t-\t{:.2e}\n", e.what(), watch.seconds());
   }
@@ -187,7 +187,8 @@ int main(int argc, char** argv) {
       "case\tdifficulty\tinfeasible\toutcome\tresidual\terror\tfeasibility\tkernel\tseconds\n");
   for (const Extreme& extreme : extremes())
     if (extreme.lags.cells() <= 4 * largest * largest)
-      for (Infeasible i : {Infeasible::automatic, Infeasible::nearest, Infeasible::least_squares})
+      for (InfeasiblePolicy i :
+           {InfeasiblePolicy::automatic, InfeasiblePolicy::nearest, InfeasiblePolicy::least_squares})
         outcome(extreme, i);
   return 0;
 }

@@ -88,7 +88,7 @@ void print_row(const Named& named, const PrescribedHeights& heights, const Kerne
   const double fit = watch.seconds();
   KernelRequest request;
   request.target = named.target.target();
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel kernel = predistortion.solve(request);
   const Field naive = gaussian.acf_achieved.unaryExpr([&](double r) { return predistortion.map()(r); });
   const double surface = surface_seconds(kernel, g.apply);
@@ -96,7 +96,8 @@ void print_row(const Named& named, const PrescribedHeights& heights, const Kerne
              heights.skewness, heights.kurtosis, g.family, predistortion.map().orders() - 1, fit,
              kernel.report.seconds, surface / gaussian_seconds,
              (fit + kernel.report.seconds + surface) / (gaussian.report.seconds + gaussian_seconds),
-             kernel.report.answer, kernel.report.error, (naive - gaussian.acf_target).abs().maxCoeff());
+             name_of(kernel.report.answer), kernel.report.error,
+             (naive - gaussian.acf_target).abs().maxCoeff());
   const Ensemble ensemble = drawn(kernel, g, surfaces);
   const Eigen::ArrayXd mean = ensemble.mean(), error = ensemble.standard_error();
   fmt::print("\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.1f}\t{:.1f}\t{}\n", mean(0), error(0), mean(1), error(1),

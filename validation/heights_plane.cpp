@@ -50,10 +50,10 @@ void print_fit(double skewness, double kurtosis, const Translation& g) {
 void print_kernel(const Predistortion& predistortion, Model model) {
   KernelRequest request;
   request.target = EllipticTarget{.model = model, .length_x = 15, .length_y = 15}.target();
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const KernelReport report = predistortion.solve(request).report;
   fmt::print("\t{:.1e}", report.error);
-  if (report.answer != "exact") fmt::print(" {}", report.answer);
+  if (report.answer != Answer::exact) fmt::print(" {}", name_of(report.answer));
 }
 
 const std::vector<Kernel>& gaussian_kernels() {
@@ -84,7 +84,7 @@ Index widest_filter(const PrescribedHeights& heights) {
 
 void print_cell(double skewness, double kurtosis) {
   fmt::print("{:g}\t{:.7g}", skewness, kurtosis);
-  const PrescribedHeights heights{skewness, kurtosis, Infeasible::error};
+  const PrescribedHeights heights{skewness, kurtosis, InfeasiblePolicy::error};
   try {
     const Translation g = heights.translation();
     print_fit(skewness, kurtosis, g);

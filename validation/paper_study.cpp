@@ -121,7 +121,7 @@ void run(Case& c, Index seeds) {
   request.lags = {c.n, c.m};
   request.rms = rms;
   const Kernel kernel = solve_kernel(request);
-  c.answer = kernel.report.answer;
+  c.answer = name_of(kernel.report.answer);
   c.values.resize(seeds, Table::ColsAtCompileTime);
   const Synthesis surfaces(kernel.values, grid().shape, {});
   const Field smooth = undeformed_gap(grid(), scene_bodies);

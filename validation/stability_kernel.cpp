@@ -33,15 +33,16 @@ EllipticTarget elliptic(Model model, double length_x, double length_y) {
 Finding solution(const KernelRequest& asked) {
   const Kernel k = solve_kernel(asked);
   const KernelReport& r = k.report;
-  const std::string size = fmt::format("{} at {}x{} lags", r.answer, k.lags.nx, k.lags.ny);
+  const std::string size = fmt::format("{} at {}x{} lags", name_of(r.answer), k.lags.nx, k.lags.ny);
   if (!k.values.isFinite().all()) return {size + ", coefficients not finite", "residual", nan, 0};
   if (!r.converged) return {fmt::format("not converged: {}", r.reason), "residual", r.residual, infinity};
-  if (r.answer == "exact" || r.answer == "wider") return {size, "residual", r.residual, asked.tolerance};
-  const bool bounded = asked.infeasible == Infeasible::automatic;
+  if (r.answer == Answer::exact || r.answer == Answer::wider)
+    return {size, "residual", r.residual, asked.tolerance};
+  const bool bounded = asked.infeasible == InfeasiblePolicy::automatic;
   return {size + ", target changed", "change", std::max(r.change, r.residual), bounded ? 1e-2 : 2};
 }
 
-KernelRequest with(KernelRequest asked, Infeasible infeasible) {
+KernelRequest with(KernelRequest asked, InfeasiblePolicy infeasible) {
   asked.infeasible = infeasible;
   return asked;
 }
@@ -76,25 +77,26 @@ void infeasible(const StabilityTable& table) {
                  [] { return solution(cut(31, 31, 2.3)); });
   const KernelRequest longer = cut(31, 31, 0.1);
   table.refused("31 x 31 lags, cut at 90 %", "lengths far beyond the lags",
-                [&] { solve_kernel(with(longer, Infeasible::error)); });
+                [&] { solve_kernel(with(longer, InfeasiblePolicy::error)); });
   table.refused("the same, automatic", "lengths far beyond the lags", [&] { solve_kernel(longer); });
   table.answered("the same, nearest", "lengths far beyond the lags",
-                 [&] { return solution(with(longer, Infeasible::nearest)); });
+                 [&] { return solution(with(longer, InfeasiblePolicy::nearest)); });
   table.answered("the same, least squares", "lengths far beyond the lags",
-                 [&] { return solution(with(longer, Infeasible::least_squares)); });
+                 [&] { return solution(with(longer, InfeasiblePolicy::least_squares)); });
   table.answered("R = 1 at 15 x 15 lags, nearest", "a constant surface: equations of rank one", [] {
-    return solution(with(request(Target([](double, double) { return 1.0; }), {15, 15}), Infeasible::nearest));
+    return solution(
+        with(request(Target([](double, double) { return 1.0; }), {15, 15}), InfeasiblePolicy::nearest));
   });
   auto box = [](double p, double q) { return std::hypot(p, q) < 6 ? 1.0 : 0.0; };
   table.refused("R = 1 within 6 samples, 0 beyond", "no autocorrelation at all", [&] {
     solve_kernel(request(Target(box), {15, 15}));
   });
   table.answered("the same, nearest", "no autocorrelation at all", [&] {
-    return solution(with(request(Target(box), {15, 15}), Infeasible::nearest));
+    return solution(with(request(Target(box), {15, 15}), InfeasiblePolicy::nearest));
   });
   auto wave = [](double p, double) { return std::cos(std::numbers::pi * p / 4); };
   table.answered("R = cos(pi p/4) at 16 x 1 lags, nearest", "a line spectrum: singular", [&] {
-    return solution(with(request(Target(wave), {16, 1}), Infeasible::nearest));
+    return solution(with(request(Target(wave), {16, 1}), InfeasiblePolicy::nearest));
   });
 }
 
@@ -138,10 +140,10 @@ void tables_and_numbers(const StabilityTable& table) {
   table.refused("table with R(0,1) = NaN", "no number", [] { target_of_table(table_of(nan)); });
   const KernelRequest impossible = request(target_of_table(table_of(0.9)));
   table.refused("table with R(0,1) = 0.9, 0 beyond", "not positive definite",
-                [&] { solve_kernel(with(impossible, Infeasible::error)); });
+                [&] { solve_kernel(with(impossible, InfeasiblePolicy::error)); });
   table.refused("the same, automatic", "not positive definite", [&] { solve_kernel(impossible); });
   table.answered("the same, nearest", "not positive definite",
-                 [&] { return solution(with(impossible, Infeasible::nearest)); });
+                 [&] { return solution(with(impossible, InfeasiblePolicy::nearest)); });
   table.answered("table with R(0,1) = 0.5, 0 beyond", "spectrum zero at one wave number",
                  [] { return solution(request(target_of_table(table_of(0.5)))); });
   for (double rms : {1e-12, 1e3})

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <gsl/gsl_poly.h>
 
-#include "core/stopwatch.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
@@ -91,13 +90,12 @@ class Descent {
 
 IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u,
                                          const DescentOptions& options) {
-  const Stopwatch watch;
   Descent descent(equations, u);
   IterationResult result;
   auto tell = [&] {
-    if (options.told)
-      options.told({result.steps, 2 * result.steps + 1, descent.largest(),
-                    static_cast<double>(result.steps) / options.max_iterations});
+    if (options.on_step)
+      options.on_step({result.steps, 2 * result.steps + 1, descent.largest(),
+                       static_cast<double>(result.steps) / options.max_iterations});
   };
   result.reason = "solved";
   tell();
@@ -116,7 +114,6 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
   result.converged = descent.largest() <= options.tolerance;
   result.residuals = 2 * result.steps + 1;
   result.jacobian_products = 2 * result.steps + 1;
-  result.seconds = watch.seconds();
   return result;
 }
 

@@ -21,17 +21,17 @@
 #include <span>
 
 #include "acf/equations.hpp"
-#include "acf/iteration_step.hpp"
+#include "acf/iteration.hpp"
 
 namespace asperity {
 
 struct DescentOptions {
   double tolerance = 1e-10;  ///< on max |F|
   int max_iterations = 3000;
-  IterationObserver told = {};
+  IterationObserver on_step = {};
 };
 
-/// Improves u. The equations must not refuse any vector.
+/// Improves u.
 IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u,
                                          const DescentOptions& options);
 

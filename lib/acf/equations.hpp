@@ -12,8 +12,8 @@
 ///     F(α) = P (α^)² - R,      J v = 2 P (α^ v^),      M v = ½ P (v^ / α^).                             (2)
 /// With the weights w (how often a coefficient occurs) J is self-adjoint, ⟨J u, v⟩_w = ⟨u, J v⟩_w;
 /// while α^ > 0 it is positive definite and Newton's method needs 4–6 steps. Where α^ ≤ 0, J turns singular
-/// on the way, and mostly the target cut at n × m lags has no kernel at all: `guard` refuses such
-/// iterates. The start is the zero-phase root √max(R^, 0) under Fejér's window (1-k/n)(1-l/m).
+/// on the way, and mostly the target cut at n × m lags has no kernel at all: residual() says so of such
+/// iterates, which Newton's iteration refuses. The start is the zero-phase root √max(R^, 0) under Fejér's window (1-k/n)(1-l/m).
 ///
 /// PatirEquations. The kernel is a(k,l), 0 ≤ k < n, 0 ≤ l < m [1]. On a torus of 2n points, with the complex
 /// spectrum,
@@ -32,18 +32,36 @@
 ///     SIAM J. Numer. Anal. 6 (1969) 1-7.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "acf/nonlinear_system.hpp"
 #include "acf/target.hpp"
 #include "core/field.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
 
-/// What the methods ask of a formulation. Vectors hold one number an equation, or an unknown.
+/// max |v|, infinity where a value is not finite.
+inline double largest_absolute(std::span<const double> v) {
+  double largest = 0;
+  for (double x : v)
+    largest = std::max(largest, std::isfinite(x) ? std::abs(x) : std::numeric_limits<double>::infinity());
+  return largest;
+}
+
+/// Scales u to Σ w u² = variance.
+inline void normalise(std::span<double> u, const std::vector<double>& w, double variance) {
+  double sum = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) sum += w[i] * u[i] * u[i];
+  for (double& x : u) x *= std::sqrt(variance / sum);
+}
+
+/// What the iterations ask of a formulation. Vectors hold one number an equation, or an unknown. J, its adjoint and M
+/// belong to the iterate of the last linearize().
 class Equations {
  public:
   virtual ~Equations() = default;
@@ -54,17 +72,24 @@ class Equations {
   const std::vector<double>& multiplicity() const { return multiplicity_; }
 
   virtual std::vector<double> start() = 0;
-  /// F(u); false when a guard refuses u.
+  /// f = F(u); false where u lies outside of the domain in which J is regular.
   virtual bool residual(std::span<const double> u, std::span<double> f) = 0;
   virtual void linearize(std::span<const double> u) = 0;
+  /// out = J v
   virtual void jacobian(std::span<const double> v, std::span<double> out) = 0;
   /// out = J*v, ⟨J u, v⟩_w = ⟨u, J*v⟩_w.
   virtual void adjoint(std::span<const double> v, std::span<double> out) = 0;
+  /// v = M v
   virtual void precondition(std::span<double> v) = 0;
   /// All coefficients as (1) applies them.
   virtual Field kernel(std::span<const double> u) const = 0;
 
-  NonlinearSystem system();
+  /// d = √w: with it the norm of an unknown, or of an equation, is that over the whole plane.
+  std::vector<double> scale() const {
+    std::vector<double> d;
+    for (double w : multiplicity_) d.push_back(std::sqrt(w));
+    return d;
+  }
 
  protected:
   std::vector<double> target_, multiplicity_;
@@ -84,10 +109,8 @@ class ZeroPhaseEquations : public Equations {
   /// The least torus on which R does not wrap around into the lags prescribed.
   static Shape least_torus(Shape lags);
 
-  /// Refuse iterates whose spectrum is not positive.
-  bool guard = true;
-
   std::vector<double> start() override;
+  /// False where the spectrum is not positive.
   bool residual(std::span<const double> u, std::span<double> f) override;
   void linearize(std::span<const double> u) override;
   void jacobian(std::span<const double> v, std::span<double> out) override;
@@ -96,12 +119,11 @@ class ZeroPhaseEquations : public Equations {
   Field kernel(std::span<const double> u) const override { return transform_->whole(u); }
 
   Feasibility feasibility();
-  const ZeroPhaseTransform& transform() const { return *transform_; }
 
  private:
   std::unique_ptr<ZeroPhaseTransform> transform_;
-  std::vector<double> window_;              ///< Fejér's
-  AlignedVector<double> symbol_, inverse_;  ///< α^ and 1/α^ of the last linearisation, over Px Py
+  std::vector<double> window_;                ///< Fejér's
+  AlignedVector<double> transfer_, inverse_;  ///< α^ and 1/α^ of the last linearisation, over Px Py
 };
 
 /// Equations (3). Vectors are n × m, row-major.
@@ -128,8 +150,8 @@ class PatirEquations : public Equations {
   RealTransform2D transform_;
   AlignedVector<double> field_;
   AlignedVector<Complex> spectrum_;
-  std::vector<Complex> symbol_;  ///< a^ of the last linearisation
-  std::vector<double> inverse_;  ///< 1/|a^|²
+  std::vector<Complex> transfer_;  ///< a^ of the last linearisation
+  std::vector<double> inverse_;    ///< 1/|a^|²
 };
 
 }  // namespace asperity

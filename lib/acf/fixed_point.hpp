@@ -10,7 +10,8 @@
 
 #include <span>
 
-#include "acf/nonlinear_system.hpp"
+#include "acf/equations.hpp"
+#include "acf/iteration.hpp"
 
 namespace asperity {
 
@@ -18,10 +19,11 @@ struct FixedPointOptions {
   double tolerance = 1e-10;  ///< on max |F|
   int depth = 5;             ///< earlier iterates that are combined
   int max_iterations = 200;
+  IterationObserver on_step = {};
 };
 
 /// Improves `u` from the start that it holds; u becomes the iterate of the least max |F|.
-IterationResult solve_fixed_point(const NonlinearSystem& system, std::span<double> u,
+IterationResult solve_fixed_point(Equations& equations, std::span<double> u,
                                   const FixedPointOptions& options);
 
 }  // namespace asperity

@@ -10,7 +10,7 @@
 ///
 /// A target prescribed at too few lags can have no kernel of that size: for an exponential that has
 /// fallen to e⁻ᶜ at the last lag, the largest n that can be had is about 0.3 c eᶜ. More lags are the remedy;
-/// or a kernel wider than its lags; acf/search.hpp says what is tried, and KernelRequest::infeasible what is
+/// or a kernel wider than its lags; acf/kernel_solver.hpp says what is tried, and KernelRequest::infeasible what is
 /// wanted.
 ///
 /// Symbols   σ  rms height [m]   n, m  lags [samples]   errors are relative to σ²
@@ -34,7 +34,7 @@
 #include <string>
 #include <string_view>
 
-#include "acf/iteration_step.hpp"
+#include "acf/iteration.hpp"
 #include "acf/target.hpp"
 #include "core/field.hpp"
 
@@ -52,22 +52,32 @@ enum class Method {
   spectral             ///< the zero-phase root of the spectrum, no solve
 };
 /// What is done when no kernel of this size has the autocorrelation asked for.
-enum class Infeasible {
+enum class InfeasiblePolicy {
   automatic,  ///< the closest autocorrelation that has one, if it changes the target by 1e-2 or `acf_tolerance`, the
               ///< larger of them, at the most
   error,         ///< a ParameterError, or a DataError where the target is a table
   nearest,       ///< the closest by projections, however far
   least_squares  ///< the n × m kernel of least squares, however far
 };
+/// What a kernel is to its equations.
+enum class Answer {
+  exact,          ///< their solution
+  wider,          ///< their solution, wider than the lags
+  nearest,        ///< that of the closest autocorrelation found
+  least_squares,  ///< the n × m kernel of least squares
+  spectral,       ///< the zero-phase root that was asked for
+  best            ///< what an iteration that did not converge has come to
+};
 /// Whether an autocorrelation, or a distribution of heights, may be changed by so much of the variance.
-bool allows(Infeasible answer, double change);
+bool allows(InfeasiblePolicy policy, double change);
 std::string_view name_of(Formulation formulation);
 std::string_view name_of(Method method);
-std::string_view name_of(Infeasible infeasible);
+std::string_view name_of(InfeasiblePolicy policy);
+std::string_view name_of(Answer answer);
 /// Throw ParameterError("formulation"), ("method"), ("infeasible").
 Formulation formulation_named(std::string_view name);
 Method method_named(std::string_view name);
-Infeasible infeasible_named(std::string_view name);
+InfeasiblePolicy infeasible_named(std::string_view name);
 
 /// A step of one of the iterations that the search for a kernel is made of.
 struct KernelProgress : IterationStep {
@@ -80,7 +90,7 @@ struct KernelRequest {
   Shape lags = {};                         ///< n × m, both ≥ 1; 0 × 0: chosen for `acf_tolerance`
   std::optional<Formulation> formulation;  ///< none: symmetric, or oriented where the target is
   Method method = Method::newton_krylov;
-  Infeasible infeasible = Infeasible::automatic;
+  InfeasiblePolicy infeasible = InfeasiblePolicy::automatic;
   double rms = 1;            ///< σ [m], 1e-100 … 1e100
   double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
   /// On the error over all lags where `lags` is left open, else on the change; 1e-8 … 0.5.
@@ -94,8 +104,7 @@ struct KernelRequest {
 
 struct KernelReport {
   bool converged = false;  ///< the iteration came to its end, and the errors are within `acf_tolerance`
-  std::string
-      answer;  ///< "exact", "wider", "nearest", "least-squares", "spectral"; "best" when not converged
+  Answer answer = Answer::exact;
   std::string reason;         ///< how the iteration ended; when it failed, what to do
   double residual = 0;        ///< max |R - target| over the equations [σ²]
   double change = 0;          ///< … over the lags prescribed, of an answer that is not exact
@@ -119,8 +128,7 @@ struct Kernel {
   Field acf_achieved;  ///< the same lags; the first and last of them lie beyond the support of R
   KernelReport report;
 
-  /// The lag p or q of the first row or column of the tables.
-  Index first_p() const { return 0; }
+  /// The lag q of the first column of the tables; the first row is p = 0.
   Index first_q() const { return -(acf_target.cols() / 2); }
 };
 

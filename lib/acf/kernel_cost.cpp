@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "acf/solver_constants.hpp"
 #include "acf/wording.hpp"
 
 namespace asperity {
 namespace {
-
-// A cut where the target has fallen to so many times the tolerance leaves an error of about the tolerance.
-constexpr double cut_over_error = 5;
 
 double area(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
 
@@ -21,7 +19,7 @@ Shape first_lags(const KernelRequest& request) {
   if (request.target.known) return *request.target.known;
   if (!request.target.reach)
     throw ParameterError("lags", "are required: how far this target reaches is not known");
-  return request.target.reach(std::min(cut_over_error * request.acf_tolerance, 0.5));
+  return request.target.reach(std::min(solver::cut_over_error * request.acf_tolerance, 0.5));
 }
 
 KernelCost kernel_cost(Shape lags) { return {1500 * area(lags), 160 * area(lags)}; }
@@ -42,8 +40,8 @@ void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
   if (cost.memory <= request.memory) return;
   throw ParameterError("memory", megabytes(request.memory) + ": a kernel of " + text(lags) +
                                      " lags takes some " + megabytes(cost.memory) +
-                                     "; shorter lengths, wider samples, fewer --lags or a "
-                                     "larger --acf-tolerance take less");
+                                     "; shorter lengths, wider samples, fewer lags or a "
+                                     "larger acf-tolerance take less");
 }
 
 }  // namespace asperity

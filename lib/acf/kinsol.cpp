@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <sundials/sundials_version.h>
 
-#include "acf/nonlinear_system.hpp"
+#include "acf/iteration.hpp"
 #include "core/field.hpp"
 #include "core/room.hpp"
 

@@ -85,9 +85,11 @@ inline std::span<double> values(N_Vector v) {
 /// piece of memory, where the library's serial vector, as it is packaged, would take as long as the transforms.
 Vector vector_of(std::span<double> values, sundials::Context& context, VectorStore& store);
 
-/// For a vector that SUNDIALS only reads.
-inline std::span<double> unchanged(const std::vector<double>& v) {
-  return {const_cast<double*>(v.data()), v.size()};
+/// One of KINSOL's counters: KINGetNumFuncEvals and its like.
+inline long counter(void* kinsol, int (*get)(void*, long*)) {
+  long count = 0;
+  check(get(kinsol, &count), "a counter of KINSOL");
+  return count;
 }
 
 }  // namespace asperity::kinsol

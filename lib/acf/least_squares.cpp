@@ -1,14 +1,13 @@
 #include "acf/least_squares.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <memory>
 #include <stdexcept>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multilarge_nlinear.h>
 
-#include "core/stopwatch.hpp"
+#include "acf/guarded_call.hpp"
 
 namespace asperity {
 namespace {
@@ -16,10 +15,7 @@ namespace {
 // In GSL's unweighted norm the unknowns and equations are those of the problem times d = √w.
 class Weighted {
  public:
-  explicit Weighted(Equations& equations)
-      : equations_(equations), work_(static_cast<std::size_t>(equations.count())), at_(work_.size()) {
-    for (double w : equations.multiplicity()) d_.push_back(std::sqrt(w));
-  }
+  explicit Weighted(Equations& equations) : equations_(equations), d_(equations.scale()), work_(d_.size()) {}
 
   void scale(std::span<const double> from, std::span<double> to) const {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i] * d_[i];
@@ -53,26 +49,12 @@ class Weighted {
     return out;
   }
 
-  template <class Work>
-  int guarded(Work work) {
-    try {
-      work();
-      return GSL_SUCCESS;
-    } catch (...) {
-      failure_ = std::current_exception();
-      return GSL_EFAILED;
-    }
-  }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
+  GuardedCall guarded;
   long products = 0;
 
  private:
   Equations& equations_;
   std::vector<double> d_, work_, at_;
-  std::exception_ptr failure_;
 };
 
 std::span<const double> span(const gsl_vector* v) { return {v->data, v->size}; }
@@ -80,14 +62,17 @@ std::span<double> span(gsl_vector* v) { return {v->data, v->size}; }
 
 int residual(const gsl_vector* x, void* data, gsl_vector* f) {
   auto& problem = *static_cast<Weighted*>(data);
-  return problem.guarded([&] { problem.residual(span(x), span(f)); });
+  return problem.guarded(GSL_EFAILED, [&] { return problem.residual(span(x), span(f)), GSL_SUCCESS; });
 }
 
 int product(CBLAS_TRANSPOSE_t transposed, const gsl_vector* x, const gsl_vector* v, void* data,
             gsl_vector* out, gsl_matrix*) {
   auto& problem = *static_cast<Weighted*>(data);
   if (out == nullptr) return GSL_SUCCESS;
-  return problem.guarded([&] { problem.product(transposed == CblasTrans, span(x), span(v), span(out)); });
+  return problem.guarded(GSL_EFAILED, [&] {
+    problem.product(transposed == CblasTrans, span(x), span(v), span(out));
+    return GSL_SUCCESS;
+  });
 }
 
 constexpr std::size_t most_inner = 200;  // of Steihaug's conjugate gradients, a step
@@ -100,7 +85,6 @@ struct FreeWorkspace {
 
 IterationResult minimise_squares(Equations& equations, std::span<double> u,
                                  const LeastSquaresOptions& options) {
-  const Stopwatch watch;
   Weighted problem(equations);
   gsl_multilarge_nlinear_parameters parameters = gsl_multilarge_nlinear_default_parameters();
   parameters.trs = gsl_multilarge_nlinear_trs_cgst;
@@ -116,10 +100,10 @@ IterationResult minimise_squares(Equations& equations, std::span<double> u,
   int status = gsl_multilarge_nlinear_init(&start.vector, &system, workspace.get());
   int found = 0;
   auto tell = [&] {
-    if (options.told)
-      options.told({static_cast<long>(gsl_multilarge_nlinear_niter(workspace.get())), problem.products,
-                    problem.largest(span(gsl_multilarge_nlinear_residual(workspace.get()))),
-                    static_cast<double>(problem.products) / static_cast<double>(options.max_products)});
+    if (options.on_step)
+      options.on_step({static_cast<long>(gsl_multilarge_nlinear_niter(workspace.get())), problem.products,
+                       problem.largest(span(gsl_multilarge_nlinear_residual(workspace.get()))),
+                       static_cast<double>(problem.products) / static_cast<double>(options.max_products)});
   };
   tell();
   for (int i = 0; status == GSL_SUCCESS && found == 0 && i < options.max_iterations; ++i) {
@@ -129,7 +113,7 @@ IterationResult minimise_squares(Equations& equations, std::span<double> u,
     tell();
     if (problem.products >= options.max_products) break;
   }
-  problem.rethrow();
+  problem.guarded.rethrow();
   problem.unscale(span(gsl_multilarge_nlinear_position(workspace.get())), u);
   IterationResult result;
   result.converged = found != 0 || status == GSL_ENOPROG;
@@ -137,7 +121,6 @@ IterationResult minimise_squares(Equations& equations, std::span<double> u,
   result.steps = static_cast<long>(gsl_multilarge_nlinear_niter(workspace.get()));
   result.jacobian_products = problem.products;
   result.residuals = static_cast<long>(system.nevalf);
-  result.seconds = watch.seconds();
   return result;
 }
 

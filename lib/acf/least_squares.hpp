@@ -17,7 +17,7 @@
 #include <span>
 
 #include "acf/equations.hpp"
-#include "acf/iteration_step.hpp"
+#include "acf/iteration.hpp"
 
 namespace asperity {
 
@@ -26,10 +26,10 @@ struct LeastSquaresOptions {
   double step_tolerance = 1e-8;  ///< on the relative change of the coefficients
   double gradient_tolerance = 1e-9;
   long max_products = 20000;  ///< looked at after each iteration
-  IterationObserver told = {};
+  IterationObserver on_step = {};
 };
 
-/// Improves u. The equations must not refuse any vector.
+/// Improves u.
 IterationResult minimise_squares(Equations& equations, std::span<double> u,
                                  const LeastSquaresOptions& options = {});
 

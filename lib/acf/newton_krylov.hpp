@@ -3,8 +3,8 @@
 /// Given a start u, each step solves J(u) s = -F(u) by restarted GMRES, preconditioned from the right by
 /// M ≈ J⁻¹, to
 ///     ‖F + J s‖ ≤ η ‖F‖,                                                                                (1)
-/// and moves to u + λ s, λ ≤ 1 chosen by a line search that makes ‖F‖ fall. Norms are weighted by the scale
-/// d: max |d F| decides on convergence. `linearize` is called at the beginning of each step.
+/// and moves to u + λ s, λ ≤ 1 chosen by a line search that makes ‖F‖ fall. Norms are weighted by d = √w:
+/// max |d F| decides on convergence. A step to where the residual is refused is tried shorter.
 ///
 /// Memory: `krylov_dimension` + 10 vectors.
 ///
@@ -15,7 +15,8 @@
 
 #include <span>
 
-#include "acf/nonlinear_system.hpp"
+#include "acf/equations.hpp"
+#include "acf/iteration.hpp"
 
 namespace asperity {
 
@@ -27,11 +28,11 @@ struct NewtonOptions {
   int max_products = 300;         ///< Jacobian products, checked before each step
   int krylov_dimension = 30;
   int restarts = 2;  ///< of GMRES, a step
+  IterationObserver on_step = {};
 };
 
 /// Improves `u` from the start that it holds. Whatever the outcome, u is an iterate of the last accepted
 /// step.
-IterationResult solve_newton_krylov(const NonlinearSystem& system, std::span<double> u,
-                                    const NewtonOptions& options);
+IterationResult solve_newton_krylov(Equations& equations, std::span<double> u, const NewtonOptions& options);
 
 }  // namespace asperity

@@ -1,13 +1,12 @@
 #include <algorithm>
 
 #include "acf/equations.hpp"
-#include "acf/normalise.hpp"
+#include "acf/solver_constants.hpp"
 
 namespace asperity {
 namespace {
 
-// |a^| this far below the rms is not inverted: there a preconditioner would only amplify.
-constexpr double inverse_floor = 1e-3;
+using solver::inverse_floor;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
@@ -21,7 +20,7 @@ PatirEquations::PatirEquations(const Target& target, Shape lags)
   multiplicity_.assign(target_.size(), 1.0);
   field_.resize(size(transform_.shape().cells()));
   spectrum_.resize(size(transform_.spectrum_size()));
-  symbol_.resize(spectrum_.size());
+  transfer_.resize(spectrum_.size());
   inverse_.resize(spectrum_.size());
 }
 
@@ -68,11 +67,11 @@ bool PatirEquations::residual(std::span<const double> u, std::span<double> f) {
 void PatirEquations::linearize(std::span<const double> u) {
   load(u);
   forward();
-  std::copy(spectrum_.begin(), spectrum_.end(), symbol_.begin());
+  std::copy(spectrum_.begin(), spectrum_.end(), transfer_.begin());
   double power = 0;
-  for (const Complex& a : symbol_) power += std::norm(a);
-  const double floor = inverse_floor * inverse_floor * power / static_cast<double>(symbol_.size());
-  std::transform(symbol_.begin(), symbol_.end(), inverse_.begin(),
+  for (const Complex& a : transfer_) power += std::norm(a);
+  const double floor = inverse_floor * inverse_floor * power / static_cast<double>(transfer_.size());
+  std::transform(transfer_.begin(), transfer_.end(), inverse_.begin(),
                  [&](const Complex& a) { return 1 / std::max(std::norm(a), floor); });
 }
 
@@ -80,7 +79,7 @@ void PatirEquations::jacobian(std::span<const double> v, std::span<double> out) 
   load(v);
   forward();
   for (std::size_t i = 0; i < spectrum_.size(); ++i)
-    spectrum_[i] = (std::conj(symbol_[i]) * spectrum_[i]).real();
+    spectrum_[i] = (std::conj(transfer_[i]) * spectrum_[i]).real();
   backward();
   restrict_to(out, 2 / static_cast<double>(field_.size()));
 }
@@ -88,7 +87,7 @@ void PatirEquations::jacobian(std::span<const double> v, std::span<double> out) 
 void PatirEquations::adjoint(std::span<const double> v, std::span<double> out) {
   load(v);
   forward();
-  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] = spectrum_[i].real() * symbol_[i];
+  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] = spectrum_[i].real() * transfer_[i];
   backward();
   restrict_to(out, 2 / static_cast<double>(field_.size()));
 }
@@ -103,7 +102,7 @@ void PatirEquations::precondition(std::span<double> v) {
   backward();
   keep_causal();
   forward();
-  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= symbol_[i];
+  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= transfer_[i];
   backward();
   const double points = static_cast<double>(field_.size());
   restrict_to(v, 1 / (points * points));

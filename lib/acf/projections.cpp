@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "acf/normalise.hpp"
+#include "acf/equations.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
@@ -109,9 +109,9 @@ NearestKernel nearest_kernel(const Target& target, Shape lags, bool oriented,
   Projections projections(target, lags, oriented, options.torus);
   NearestKernel out;
   auto tell = [&] {
-    if (options.told && out.iterations % look_every == 0)
-      options.told({out.iterations, out.iterations, out.change,
-                    static_cast<double>(out.iterations) / options.max_iterations});
+    if (options.on_step && out.iterations % look_every == 0)
+      options.on_step({out.iterations, out.iterations, out.change,
+                       static_cast<double>(out.iterations) / options.max_iterations});
   };
   out.change = projections.project();
   tell();

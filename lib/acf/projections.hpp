@@ -25,17 +25,17 @@
 ///     sets in Hilbert spaces, J. Approx. Theory 127 (2004) 178-192.
 #pragma once
 
-#include "acf/iteration_step.hpp"
+#include "acf/iteration.hpp"
 #include "acf/target.hpp"
 #include "core/field.hpp"
 
 namespace asperity {
 
 struct ProjectionOptions {
-  double tolerance = 1e-10;     ///< on the change of the target [σ²]: smaller ones end the iteration
-  int max_iterations = 300;     ///< 0: P_B of the target, the root of what is positive of it
-  Index torus = 4;              ///< f
-  IterationObserver told = {};  ///< every ten iterations
+  double tolerance = 1e-10;        ///< on the change of the target [σ²]: smaller ones end the iteration
+  int max_iterations = 300;        ///< 0: P_B of the target, the root of what is positive of it
+  Index torus = 4;                 ///< f
+  IterationObserver on_step = {};  ///< every ten iterations
 };
 
 struct NearestKernel {

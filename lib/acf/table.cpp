@@ -128,8 +128,8 @@ Target target_of_table(Field half_plane) {
 Field known_lags(const Field& half_plane) {
   const Index middle = half_plane.cols() / 2;
   Index rows = half_plane.rows(), columns = middle + 1;
-  while (rows > 1 && std::isnan(half_plane(rows - 1, middle))) --rows;
-  while (columns > 1 && std::isnan(half_plane(0, middle + columns - 1))) --columns;
+  while (rows > 1 && std::isnan(half_plane(rows - 1, middle))) rows -= 1;
+  while (columns > 1 && std::isnan(half_plane(0, middle + columns - 1))) columns -= 1;
   return half_plane.block(0, middle - columns + 1, rows, 2 * columns - 1);
 }
 

@@ -9,13 +9,14 @@
 
 #include "acf/matern.hpp"
 #include "acf/self_affine.hpp"
+#include "core/enum_words.hpp"
 
 namespace asperity {
 
 namespace {
 
-constexpr std::array models{"exponential",           "gaussian",    "matern",
-                            "stretched-exponential", "self-affine", "exponential-cosine"};
+constexpr EnumWords<6> models{"exponential",           "gaussian",    "matern",
+                              "stretched-exponential", "self-affine", "exponential-cosine"};
 constexpr Index most_lags = Index{1} << 30;
 
 void require(bool holds, const char* name, double value, const char* bound) {
@@ -143,16 +144,9 @@ Target radial(const EllipticTarget& t, const Ellipse& ellipse) {
 
 }  // namespace
 
-std::string_view name_of(Model model) { return models[static_cast<std::size_t>(model)]; }
+std::string_view name_of(Model model) { return word_of(models, model); }
 
-Model model_named(std::string_view name) {
-  std::string all;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (name == models[i]) return static_cast<Model>(i);
-    all += (i == 0 ? "" : i + 1 == models.size() ? " and " : ", ") + std::string(models[i]);
-  }
-  throw ParameterError("target", "'" + std::string(name) + "' is none of " + all);
-}
+Model model_named(std::string_view name) { return enum_named<Model>(models, name, "target"); }
 
 void EllipticTarget::check() const {
   require(level > 0 && level < 1, "level", level, " does not lie between 0 and 1");

@@ -2,14 +2,12 @@
 #include <cmath>
 
 #include "acf/equations.hpp"
-#include "acf/normalise.hpp"
+#include "acf/solver_constants.hpp"
 
 namespace asperity {
 namespace {
 
-// Spectral values this far below the rms are not inverted: they are where a preconditioner would only
-// amplify.
-constexpr double inverse_floor = 1e-3;
+using solver::inverse_floor;
 
 double fejer(Index k, Index n) { return 1 - static_cast<double>(std::abs(k)) / static_cast<double>(n); }
 
@@ -44,8 +42,8 @@ ZeroPhaseEquations::ZeroPhaseEquations(const Target& target, Shape lags, bool or
   });
   multiplicity_ = transform_->multiplicity();
   window_ = transform_->part([&](Index k, Index l) { return fejer(k, lags.nx) * fejer(l, lags.ny); });
-  symbol_.resize(static_cast<std::size_t>(transform_->spectrum_size()));
-  inverse_.resize(symbol_.size());
+  transfer_.resize(static_cast<std::size_t>(transform_->spectrum_size()));
+  inverse_.resize(transfer_.size());
 }
 
 std::vector<double> ZeroPhaseEquations::start() {
@@ -66,25 +64,24 @@ bool ZeroPhaseEquations::residual(std::span<const double> u, std::span<double> f
     least = std::min(least, block.minCoeff<Eigen::PropagateNaN>());
     block = scale * block.square();
   });
-  if (guard && !(least > 0)) return false;
   for (std::size_t i = 0; i < f.size(); ++i) f[i] -= target_[i];
-  return true;
+  return least > 0;
 }
 
 void ZeroPhaseEquations::linearize(std::span<const double> u) {
-  transform_->forward(u, symbol_);
-  const double floor = inverse_floor * root_mean_square(symbol_);
+  transform_->forward(u, transfer_);
+  const double floor = inverse_floor * root_mean_square(transfer_);
   const double scale = 1 / static_cast<double>(transform_->torus().cells());
-  for (std::size_t i = 0; i < symbol_.size(); ++i) {
-    inverse_[i] = std::copysign(0.5 * scale / std::max(std::abs(symbol_[i]), floor), symbol_[i]);
-    symbol_[i] *= 2 * scale;
+  for (std::size_t i = 0; i < transfer_.size(); ++i) {
+    inverse_[i] = std::copysign(0.5 * scale / std::max(std::abs(transfer_[i]), floor), transfer_[i]);
+    transfer_[i] *= 2 * scale;
   }
 }
 
 void ZeroPhaseEquations::jacobian(std::span<const double> v, std::span<double> out) {
   transform_->filter(v, out, [&](Index offset, std::span<double> block) {
-    const double* symbol = symbol_.data() + offset;
-    for (std::size_t i = 0; i < block.size(); ++i) block[i] *= symbol[i];
+    const double* transfer = transfer_.data() + offset;
+    for (std::size_t i = 0; i < block.size(); ++i) block[i] *= transfer[i];
   });
 }
 
@@ -96,7 +93,7 @@ void ZeroPhaseEquations::precondition(std::span<double> v) {
 }
 
 Feasibility ZeroPhaseEquations::feasibility() {
-  AlignedVector<double>& spectrum = symbol_;  // not in use before the first linearisation
+  AlignedVector<double>& spectrum = transfer_;  // not in use before the first linearisation
   transform_->forward(target_, spectrum);
   Feasibility out{least_over_most(spectrum), negative_share(spectrum), 0};
   if (out.least >= 0) return out;

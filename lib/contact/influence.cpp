@@ -56,7 +56,7 @@ double multipoles(double x, double y, double a, double b) {
 // The transform of (2) on a torus, K between nearest images.
 Field love_symbol(const Grid& grid, Shape torus, double composite_modulus, int threads) {
   const double a = grid.dx / 2, b = grid.dy / 2, scale = 1 / (pi * composite_modulus);
-  return even_symbol(
+  return even_transfer_function(
       torus,
       [&](Index i, Index j) {
         return scale *

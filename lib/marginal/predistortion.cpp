@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "acf/appraisal.hpp"
+#include "acf/kernel_evaluation.hpp"
 #include "acf/wording.hpp"
 
 namespace asperity {
@@ -57,7 +57,7 @@ void Predistortion::translate(Kernel& kernel, const Target& heights) const {
   KernelReport& report = kernel.report;
   const double residual = report.residual;
   measure_errors(kernel);
-  if (report.answer != "exact") report.change = report.residual;
+  if (report.answer != Answer::exact) report.change = report.residual;
   report.residual = residual;
 }
 
@@ -66,21 +66,21 @@ Kernel Predistortion::solve(const KernelRequest& heights) const {
   const std::string bound = "heights of this distribution correlate no lower than " + number(map_->lowest());
   if (!allows(heights.infeasible, below))
     refuse(heights.target, "the autocorrelation falls to " + number(map_->lowest() - below) + ", but " +
-                               bound + " (see --infeasible)");
+                               bound + " (see infeasible)");
   KernelRequest gaussian = heights;
   gaussian.target = target(heights.target);
   gaussian.rms = 1;
   Kernel kernel = solve_kernel(gaussian);
   KernelReport& report = kernel.report;
-  if (below > 0 && report.answer == "exact") {
-    report.answer = "nearest";
+  if (below > 0 && report.answer == Answer::exact) {
+    report.answer = Answer::nearest;
     report.reason = bound;
   }
   translate(kernel, heights.target);
-  if ((report.answer == "nearest" || report.answer == "least-squares") &&
+  if ((report.answer == Answer::nearest || report.answer == Answer::least_squares) &&
       !(report.change <= heights.acf_tolerance) && !allows(heights.infeasible, report.change))
     refuse(heights.target, report.reason + "; the closest one found changes it by " + number(report.change) +
-                               " (see --infeasible)");
+                               " (see infeasible)");
   judge(report, heights);
   kernel.rms = heights.rms;
   kernel.acf_target *= heights.rms * heights.rms;

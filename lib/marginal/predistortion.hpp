@@ -5,7 +5,7 @@
 /// has R_z of what the kernel achieves.
 ///
 /// Correlations below R_z(-1) are met by none; the target then asks for R_z(-1), and `change` tells how far that is. Of
-/// a smooth target the spectrum of ρ turns a little negative, for which acf/search.hpp has its answers.
+/// a smooth target the spectrum of ρ turns a little negative, for which acf/kernel_solver.hpp has its answers.
 ///
 /// M. Grigoriu, Simulation of stationary non-Gaussian translation processes, J. Eng. Mech. 124 (1998) 121-126.
 #pragma once

@@ -32,7 +32,7 @@ inline double gamma_kurtosis(double skewness) { return 3 + 1.5 * skewness * skew
 
 struct PrescribedHeights {
   double skewness = 0, kurtosis = 3;
-  Infeasible infeasible = Infeasible::automatic;
+  InfeasiblePolicy infeasible = InfeasiblePolicy::automatic;
 
   /// These, or with the least kurtosis of the skewness where that is higher and may take its place.
   PrescribedHeights feasible() const;

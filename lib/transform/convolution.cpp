@@ -46,7 +46,7 @@ Shape padded_torus(Shape field) {
   return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)};
 }
 
-Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel, int threads) {
+Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads) {
   Field symbol(torus.nx / 2 + 1, torus.ny / 2 + 1);
   transform_even(torus.ny, symbol.rows(), threads, kernel,
                  [&](Index i, Index k, double value) { symbol(i, k) = value; });
@@ -82,14 +82,7 @@ void EvenConvolution::multiply(Index b, Complex* block) const {
 
 void EvenConvolution::apply(const Field& in, Field& out) {
   transform_.forward_rows(in, *half_, threads_);
-  parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform_.block_size())), work(block.size());
-    for (Index b = begin; b < end; ++b) {
-      transform_.forward_block(*half_, b, block.data(), work.data());
-      multiply(b, block.data());
-      transform_.inverse_block(block.data(), b, *half_, work.data());
-    }
-  });
+  transform_.filter(*half_, threads_, [this](Index b, Complex* block) { multiply(b, block); });
   out.resize(shape().nx, shape().ny);
   transform_.inverse_rows(*half_, out, threads_);
 }

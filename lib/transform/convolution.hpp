@@ -23,11 +23,11 @@ Shape padded_torus(Shape field);
 
 /// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is asked for 0 ≤ i ≤ Px/2, 0 ≤ j ≤
 /// Py/2, by several threads at once. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
-Field even_symbol(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1);
+Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1);
 
 class EvenConvolution {
  public:
-  /// `symbol` as even_symbol returns it, for this torus. Convolutions that never work at the same time may share
+  /// `symbol` as even_transfer_function returns it, for this torus. Convolutions that never work at the same time may share
   /// a work space, which is grown to what the largest needs.
   EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1,
                   std::shared_ptr<HalfSpectrum> work = nullptr);

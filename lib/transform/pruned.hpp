@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/parallel.hpp"
 #include "transform/plan.hpp"
 #include "transform/rows.hpp"
 
@@ -49,6 +50,20 @@ class PrunedTransform {
   }
   RowTransform::Work row_work() const { return rows_.work(); }
 
+  /// work(b, block) of every block of the half spectrum, transformed in x as by forward_block.
+  template <class Work>
+  void each_block(const HalfSpectrum& half, int threads, Work work) const {
+    pass(half, threads, [&](Index b, Complex* block, Complex*) { work(b, block); });
+  }
+  /// The same, and what work has made of it back into the half spectrum.
+  template <class Work>
+  void filter(HalfSpectrum& half, int threads, Work work) const {
+    pass(half, threads, [&](Index b, Complex* block, Complex* scratch) {
+      work(b, block);
+      inverse_block(block, b, half, scratch);
+    });
+  }
+
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points, as
   /// `work` has.
   void forward_block(const HalfSpectrum& half, Index b, Complex* block, Complex* work) const;
@@ -58,6 +73,16 @@ class PrunedTransform {
  private:
   template <class Visit>
   void by_groups(int threads, Visit visit) const;
+  template <class Work>
+  void pass(const HalfSpectrum& half, int threads, Work work) const {
+    parallel_ranges(blocks(), threads, [&](Index begin, Index end, int) {
+      AlignedVector<Complex> block(static_cast<std::size_t>(block_size())), scratch(block.size());
+      for (Index b = begin; b < end; ++b) {
+        forward_block(half, b, block.data(), scratch.data());
+        work(b, block.data(), scratch.data());
+      }
+    });
+  }
 
   Shape field_, torus_;
   RowTransform rows_;

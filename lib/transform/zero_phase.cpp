@@ -74,6 +74,13 @@ void ZeroPhaseTransform::inverse(std::span<const double> spectrum, std::span<dou
   for (double& a : part) a *= scale;
 }
 
+void ZeroPhaseTransform::autocorrelate(std::span<const double> part, std::span<double> out) {
+  const double scale = 1 / static_cast<double>(torus_.cells());
+  filter(part, out, [scale](Index, std::span<double> block) {
+    for (double& a : block) a *= scale * a;
+  });
+}
+
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented) {
   auto side = [](Index n, Index points) { return fast_length(std::max({points, 2 * n, width}), 2); };
   const Shape torus{side(lags.nx, least.nx), side(lags.ny, least.ny)};

@@ -65,6 +65,8 @@ class ZeroPhaseTransform {
   /// offset + i → `out`, by one pass over the columns. `out` may be `part`.
   template <class Work>
   void filter(std::span<const double> part, std::span<double> out, Work work);
+  /// The autocorrelation of a part, on the torus: that whose spectrum is the square of the part's. `out` may be `part`.
+  void autocorrelate(std::span<const double> part, std::span<double> out);
 
  protected:
   ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane);

@@ -48,7 +48,7 @@ class Weights {
 EvenConvolution open_average(const Grid& grid, const Weights& along_x, const Weights& along_y, int threads) {
   const Shape torus{along_x.padded(grid.shape.nx), along_y.padded(grid.shape.ny)};
   auto weight = [&](Index i, Index j) { return along_x(i) * along_y(j); };
-  return {grid.shape, torus, even_symbol(torus, weight, threads), threads};
+  return {grid.shape, torus, even_transfer_function(torus, weight, threads), threads};
 }
 
 // Every wave by (2).

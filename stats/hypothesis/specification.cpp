@@ -76,7 +76,7 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
   asked_.correlation = asked.correlation.normalised();
   choose_lags();
   if (asked_.ssk != 0 || asked_.sku != 3) {
-    const PrescribedHeights heights{asked_.ssk, asked_.sku, Infeasible::nearest};
+    const PrescribedHeights heights{asked_.ssk, asked_.sku, InfeasiblePolicy::nearest};
     const Translation g = heights.translation();
     translated_ = Translated{g, underlying_correlation(asked_.correlation, CorrelationMap(g))};
   }

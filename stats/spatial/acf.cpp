@@ -9,7 +9,7 @@
 #include "core/parallel.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
-#include "stats/spatial/lag_sums.hpp"
+#include "transform/lag_sums.hpp"
 
 namespace asperity {
 namespace {

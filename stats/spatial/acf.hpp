@@ -3,7 +3,7 @@
 ///
 /// With heights d = z - level,
 ///     C(p,q) = Σ d(i,j) d(i+p, j+q)                                                                (1)
-/// over all pairs of points (stats/spatial/lag_sums.hpp). The estimate is
+/// over all pairs of points (transform/lag_sums.hpp). The estimate is
 ///     R(p,q) = C(p,q) / ((nx - |p|)(ny - |q|)),      unbiased, the default,                        (2)
 ///     R(p,q) = C(p,q) / (nx ny),                     biased: positive definite, smaller far out,   (3)
 /// and on a periodic grid, where every point has a partner at every lag, C(p,q)/(nx ny), both at once. Where heights

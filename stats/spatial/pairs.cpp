@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "stats/filter/missing.hpp"
-#include "stats/spatial/lag_sums.hpp"
+#include "transform/lag_sums.hpp"
 
 namespace asperity {
 namespace {

@@ -5,7 +5,7 @@
 ///     n(p,q) = Σ m(i,j) m(i+p, j+q),   m = 1 where there is a height, 0 elsewhere,                    (1)
 /// and there may be none at a lag. Sums over pairs become sums over lags with these weights.
 ///
-/// Accuracy  exact: (1) is summed by the transform (stats/spatial/lag_sums.hpp) and rounded to whole numbers, from which it
+/// Accuracy  exact: (1) is summed by the transform (transform/lag_sums.hpp) and rounded to whole numbers, from which it
 ///           is ε log2(N) N away, below 0.1 for fields of 10¹² points.
 /// Cost      of a complete field none; else one pass over the field and one autocorrelation at all its lags.
 #pragma once

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "stats/filter/missing.hpp"
-#include "stats/spatial/lag_sums.hpp"
+#include "transform/lag_sums.hpp"
 
 namespace asperity {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/parallel.hpp"
 #include "stats/filter/missing.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "transform/pruned.hpp"
@@ -127,13 +126,8 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
 
   Field out(nx / 2 + 1, 2 * (ny / 2) + 1);
   const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
-  parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size())), work(block.size());
-    for (Index b = begin; b < end; ++b) {
-      transform.forward_block(half, b, block.data(), work.data());
-      store(transform, b, block.data(), scale, out);
-    }
-  });
+  transform.each_block(half, threads,
+                       [&](Index b, const Complex* block) { store(transform, b, block, scale, out); });
   return LagField(std::move(out));
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "stats/spatial/lag_sums.hpp"
+#include "transform/lag_sums.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

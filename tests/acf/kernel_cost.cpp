@@ -56,7 +56,7 @@ TEST_CASE("a kernel wider than its lags is refused where it takes more memory th
   KernelRequest request = exponential(31);
   request.lags = {31, 31};
   request.memory = wider_kernel_cost(request.lags).memory;
-  CHECK(solve_kernel(request).report.answer == "wider");
+  CHECK(solve_kernel(request).report.answer == Answer::wider);
   request.memory = kernel_cost(request.lags).memory;
   CHECK(steps_until_refused(request) >= 0);
 }

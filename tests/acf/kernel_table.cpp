@@ -1,8 +1,8 @@
 // Tables that are whole, long, noisy or of no surface, and the projections that answer them.
 #include <numbers>
 
-#include "acf/appraisal.hpp"
 #include "acf/kernel.hpp"
+#include "acf/kernel_evaluation.hpp"
 #include "acf/projections.hpp"
 #include "acf/table.hpp"
 #include "math/noise.hpp"
@@ -21,9 +21,9 @@ TEST_CASE("a table that no surface has is refused by its name, or answered by th
   };
   request.target.known = Shape{8, 2};
   CHECK_THROWS_AS(solve_kernel(request), DataError);
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel k = solve_kernel(request);
-  CHECK(k.report.answer == "nearest");
+  CHECK(k.report.answer == Answer::nearest);
   CHECK(k.report.change > 0.1);
   CHECK_FALSE(k.report.converged);
   CHECK(shape_of(k.acf_target) == shape_of(k.acf_achieved));
@@ -62,7 +62,7 @@ TEST_CASE("a table that a surface has is met as a whole within the tolerance, ho
     request.target = biased_table(waves, {20, 12});
     request.acf_tolerance = tolerance;
     const Kernel k = solve_kernel(request);
-    CAPTURE(tolerance, k.report.answer, k.report.reason);
+    CAPTURE(tolerance, name_of(k.report.answer), k.report.reason);
     CHECK(k.lags == Shape{20, 12});
     CHECK(k.report.converged);
     CHECK(k.report.error <= tolerance);
@@ -86,7 +86,7 @@ TEST_CASE("what is judged of a noisy table is the error over all of it", "[kerne
   KernelRequest request;
   request.target = target_of_table(table);
   CHECK_THROWS_AS(solve_kernel(request), DataError);
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel k = solve_kernel(request);
   CHECK(k.lags == Shape{12, 12});
   CHECK(k.report.error > 0.02);

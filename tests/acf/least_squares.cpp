@@ -14,11 +14,9 @@ void count_call(const char*, const char*, int, int) { ++calls; }
 
 // σ² exp(-(r/10)^2.3) cut at 7 × 7 lags: of no surface.
 ZeroPhaseEquations infeasible() {
-  ZeroPhaseEquations out(
+  return ZeroPhaseEquations(
       Target([](double p, double q) { return std::exp(-std::pow(std::hypot(p, q) / 10, 2.3)); }), {7, 7},
       false);
-  out.guard = false;
-  return out;
 }
 
 }  // namespace
@@ -29,7 +27,7 @@ TEST_CASE("least squares leave GSL's error handler alone and never call it, howe
   gsl_error_handler_t* const former = gsl_set_error_handler(&count_call);
   calls = 0;
   bool seen = true;
-  auto told = [&](const IterationStep&) {
+  auto on_step = [&](const IterationStep&) {
     gsl_error_handler_t* const present = gsl_set_error_handler(&count_call);
     seen = seen && present == &count_call;
   };
@@ -38,11 +36,11 @@ TEST_CASE("least squares leave GSL's error handler alone and never call it, howe
     ZeroPhaseEquations equations = infeasible();
     std::vector<double> u = equations.start();
     for (double& x : u) x *= scale;
-    minimise_squares(equations, u, {.max_iterations = 20, .max_products = 500, .told = told});
+    minimise_squares(equations, u, {.max_iterations = 20, .max_products = 500, .on_step = on_step});
   }
   ZeroPhaseEquations equations = infeasible();
   std::vector<double> u = equations.start();
-  const IterationResult exhausted = minimise_squares(equations, u, {.max_products = 1, .told = told});
+  const IterationResult exhausted = minimise_squares(equations, u, {.max_products = 1, .on_step = on_step});
   CHECK(!exhausted.converged);
   const IterationResult whole =
       minimise_squares(equations, u, {.step_tolerance = 1e-300, .gradient_tolerance = 0});

@@ -83,7 +83,7 @@ TEST_CASE(
       CAPTURE(name_of(target.model), target.angle, pair.skewness, pair.kurtosis);
       const Translation g = johnson_translation(pair.skewness, pair.kurtosis);
       KernelRequest request = request_for(target);
-      request.infeasible = Infeasible::nearest;
+      request.infeasible = InfeasiblePolicy::nearest;
       const Kernel kernel = Predistortion(g).solve(request);
       CHECK(kernel.report.converged == (kernel.report.error <= request.acf_tolerance));
       CHECK(kernel.report.error <= (target.model == Model::gaussian ? 0.15 : 1e-3));
@@ -144,7 +144,7 @@ TEST_CASE(
     "[marginal][statistics]") {
   KernelRequest request = request_for({.length_x = 4, .length_y = 3});
   request.lags = {4, 3};
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel kernel = solve_kernel(request);
   const PrescribedHeights heights{-0.5, 3.6};
   const Synthesis synthesis(kernel.values, shape, {});

@@ -115,7 +115,7 @@ TEST_CASE(
   const double least = request.target(12, 0);
   REQUIRE(least < -0.4);
   CHECK(std::abs(predistortion.change(request.target) - (-1 / heights.w() - least)) <= 0.02);
-  for (Infeasible answer : {Infeasible::automatic, Infeasible::error}) {
+  for (InfeasiblePolicy answer : {InfeasiblePolicy::automatic, InfeasiblePolicy::error}) {
     request.infeasible = answer;
     CHECK_THROWS_MATCHES(predistortion.solve(request), ParameterError,
                          Catch::Matchers::Predicate<ParameterError>([](const ParameterError& e) {
@@ -123,9 +123,9 @@ TEST_CASE(
                                   std::string(e.what()).find("-0.368") != std::string::npos;
                          }));
   }
-  request.infeasible = Infeasible::nearest;
+  request.infeasible = InfeasiblePolicy::nearest;
   const Kernel kernel = predistortion.solve(request);
-  CHECK(kernel.report.answer == "nearest");
+  CHECK(kernel.report.answer == Answer::nearest);
   CHECK(kernel.report.change >= predistortion.change(request.target) - 1e-9);
   CHECK((kernel.acf_achieved - kernel.acf_target).abs().maxCoeff() == kernel.report.error);
   CHECK(kernel.acf_achieved.minCoeff() >= -1 / heights.w() - 1e-12);

@@ -44,7 +44,7 @@ TEST_CASE("a kurtosis that no noise gives is refused with the least one that it 
   CHECK_THAT(message, ContainsSubstring("at least 2.78"));
   heights.kurtosis = least + 1e-6;
   CHECK_NOTHROW(heights.noise(kernel));
-  heights = {0, 1.8, Infeasible::nearest};
+  heights = {0, 1.8, InfeasiblePolicy::nearest};
   const HeightMoments moments = KernelCumulants::of(kernel).heights(height_moments(heights.noise(kernel)));
   CHECK(std::abs(moments.kurtosis - least) <= 1e-9);
   CHECK(std::abs(moments.skewness) <= 1e-9);
@@ -57,13 +57,13 @@ TEST_CASE(
   for (double skewness : {0.0, -1.5, 4.0}) {
     CAPTURE(skewness);
     const double least = least_kurtosis(skewness);
-    auto kurtosis = [&](double below, Infeasible answer) {
+    auto kurtosis = [&](double below, InfeasiblePolicy answer) {
       return height_moments(PrescribedHeights{skewness, least - below, answer}.translation()).kurtosis;
     };
-    CHECK(std::abs(kurtosis(5e-3, Infeasible::automatic) - least) <= 1e-9 * least);
-    CHECK(std::abs(kurtosis(0.5, Infeasible::nearest) - least) <= 1e-9 * least);
-    CHECK_THROWS_AS(kurtosis(5e-3, Infeasible::error), ParameterError);
-    CHECK_THROWS_AS(kurtosis(0.5, Infeasible::automatic), ParameterError);
+    CHECK(std::abs(kurtosis(5e-3, InfeasiblePolicy::automatic) - least) <= 1e-9 * least);
+    CHECK(std::abs(kurtosis(0.5, InfeasiblePolicy::nearest) - least) <= 1e-9 * least);
+    CHECK_THROWS_AS(kurtosis(5e-3, InfeasiblePolicy::error), ParameterError);
+    CHECK_THROWS_AS(kurtosis(0.5, InfeasiblePolicy::automatic), ParameterError);
   }
 }
 

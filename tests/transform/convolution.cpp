@@ -22,7 +22,7 @@ Field direct(const Field& in) {
 }
 
 EvenConvolution convolution(Shape field, Shape torus, int threads = 1) {
-  return EvenConvolution(field, torus, even_symbol(torus, kernel), threads);
+  return EvenConvolution(field, torus, even_transfer_function(torus, kernel), threads);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <gsl/gsl_version.h>
 #include <nlohmann/json.hpp>
 
-#include "acf/nonlinear_system.hpp"
+#include "acf/iteration.hpp"
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/netcdf.hpp"

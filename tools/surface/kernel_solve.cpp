@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "acf/nonlinear_system.hpp"
+#include "acf/iteration.hpp"
 #include "acf/table.hpp"
 #include "acf/wording.hpp"
 #include "core/words.hpp"
@@ -86,7 +86,7 @@ void describe(Attributes& a, const Kernel& kernel, const KernelRequest& request)
   a.set_values("kernel_lags", pair_of(kernel.lags));
   a.set("kernel_tolerance", request.tolerance);
   a.set("kernel_acf_tolerance", request.acf_tolerance);
-  a.set("kernel_answer", report.answer);
+  a.set("kernel_answer", name_of(report.answer));
   a.set("kernel_residual", report.residual);
   a.set("kernel_change", report.change);
   a.set("kernel_error", report.error);
@@ -115,7 +115,7 @@ Kernel periodic(Wanted& wanted) {
   KernelTables tables = on_period(target, *wanted.period, request.rms, wanted.marginal, request.memory);
   KernelReport& report = out.report;
   report.residual = report.change = report.error = largest_error(tables);
-  report.answer = report.error <= request.tolerance ? "exact" : "nearest";
+  report.answer = report.error <= request.tolerance ? Answer::exact : Answer::nearest;
   report.reason = "the root of the spectrum on the period";
   report.converged = report.error <= request.acf_tolerance;
   if (!report.converged && !allows(request.infeasible, report.error))
@@ -164,8 +164,9 @@ std::string shortcoming(const Attributes& a) {
          (reason == "solved" ? "" : ": " + reason);
 }
 
-std::string what_it_is(const std::string& answer) {
-  return answer == "nearest" ? "the kernel of the nearest that was found" : "the kernel of least squares";
+std::string what_it_is(Answer answer) {
+  return answer == Answer::nearest ? "the kernel of the nearest that was found"
+                                   : "the kernel of least squares";
 }
 
 }  // namespace
@@ -226,17 +227,18 @@ Solved solve(const Tool& tool, Wanted wanted) {
 Exit tell(const Tool& tool, const Solved& s, bool aside) {
   auto say = [&](const std::string& text) { aside ? tool.detail("kernel: " + text) : tool.note(text); };
   const KernelReport& report = s.report;
-  tool.detail("kernel: " + report.answer + ", " + report.reason + ", residual " + shortest(report.residual) +
-              ", " + counted(report.jacobian_products, "product") + ", " + shortest(report.seconds) + " s");
+  tool.detail("kernel: " + std::string(name_of(report.answer)) + ", " + report.reason + ", residual " +
+              shortest(report.residual) + ", " + counted(report.jacobian_products, "product") + ", " +
+              shortest(report.seconds) + " s");
   if (s.chosen) say(achieved(s));
   if (!report.converged) {
     tool.warn("kernel: " + shortcoming(s.data.attributes));
     return not_converged;
   }
-  if (report.answer == "wider")
+  if (report.answer == Answer::wider)
     say("a kernel wider than " + text(s.lags) + " lags, for none of these has this autocorrelation");
-  const bool changed =
-      (report.answer == "nearest" || report.answer == "least-squares") && report.change > negligible_change;
+  const bool changed = (report.answer == Answer::nearest || report.answer == Answer::least_squares) &&
+                       report.change > negligible_change;
   if (changed && !(s.chosen && s.table))
     tool.warn("no kernel of " + text(s.lags) + " lags has this autocorrelation; " +
               what_it_is(report.answer) + " changes it by up to " + number(report.change) +

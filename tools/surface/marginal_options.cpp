@@ -95,7 +95,7 @@ bool MarginalOptions::chosen_by_moments(const Tool& tool) const {
 }
 
 std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, const HeightsWithAcf& table,
-                                                          Infeasible answer) const {
+                                                          InfeasiblePolicy answer) const {
   if (chosen_by_moments(tool))
     return PrescribedHeights{skewness, tool.given("--kurtosis") ? kurtosis : gamma_kurtosis(skewness),
                              answer};
@@ -109,7 +109,7 @@ std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, cons
 }
 
 std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsWithAcf& table,
-                                                Infeasible answer) const {
+                                                InfeasiblePolicy answer) const {
   if (chosen_by_moments(tool) || marginal == "gaussian" || marginal == "johnson") {
     const auto prescribed = moments(tool, table, answer);
     return prescribed ? johnson(tool, *prescribed) : std::nullopt;

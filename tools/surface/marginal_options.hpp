@@ -21,10 +21,11 @@ struct MarginalOptions {
 
   /// The moments asked for; none for Gaussian heights. Throws UsageError where a measured distribution is meant.
   std::optional<PrescribedHeights> moments(const Tool& tool, const HeightsWithAcf& table,
-                                           Infeasible answer) const;
+                                           InfeasiblePolicy answer) const;
   /// Of the heights; none where they are Gaussian. `table` is what came with the autocorrelation, `answer` what is
   /// done about a kurtosis that there is not.
-  std::optional<Marginal> wanted(const Tool& tool, const HeightsWithAcf& table, Infeasible answer) const;
+  std::optional<Marginal> wanted(const Tool& tool, const HeightsWithAcf& table,
+                                 InfeasiblePolicy answer) const;
 
  private:
   bool chosen_by_moments(const Tool& tool) const;

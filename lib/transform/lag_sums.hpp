@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// Row p, column Q + q, as a LagField has it.
+/// C in row p, column Q + q.
 Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads = 1);
 
 }  // namespace asperity

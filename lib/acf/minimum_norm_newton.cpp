@@ -1,10 +1,11 @@
-#include "acf/least_change.hpp"
+#include "acf/minimum_norm_newton.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
 
+#include "acf/solver_constants.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
@@ -14,8 +15,6 @@ using Vector = Eigen::ArrayXd;
 
 std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 std::span<const double> constant(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-
-constexpr double inverse_floor = 1e-2;  ///< of α^ against its rms, in the preconditioner
 
 // R of the kernel reaches to 2K - 2 and must not wrap around into the lags below n.
 Shape least_torus(Shape kernel, Shape lags) { return {2 * kernel.nx + lags.nx, 2 * kernel.ny + lags.ny}; }
@@ -28,7 +27,7 @@ class Problem {
   Problem(const Field& kernel, const Target& target, Shape lags, bool oriented)
       : transform_(zero_phase_transform(half_of(kernel), least_torus(half_of(kernel), lags), oriented)),
         scale_(1 / static_cast<double>(transform_->torus().cells())),
-        symbol_(static_cast<std::size_t>(transform_->spectrum_size())) {
+        transfer_(static_cast<std::size_t>(transform_->spectrum_size())) {
     const Index middle_x = kernel.rows() / 2, middle_y = kernel.cols() / 2;
     auto vector = [&](auto f) {
       const std::vector<double> part = transform_->part(f);
@@ -48,16 +47,15 @@ class Problem {
 
   Vector residual(const Vector& at) {
     Vector f(at.size());
-    transform_->filter(constant(at), span(f), [&](Index, std::span<double> block) {
-      for (double& a : block) a *= scale_ * a;
-    });
+    transform_->autocorrelate(constant(at), span(f));
     return f * inside_ - target_;
   }
   void linearize() {
-    transform_->forward(constant(u), symbol_);
+    transform_->forward(constant(u), transfer_);
     double square = 0;
-    for (double a : symbol_) square += a * a;
-    floor_ = inverse_floor * inverse_floor * square / static_cast<double>(symbol_.size());
+    for (double a : transfer_) square += a * a;
+    floor_ = solver::minimum_norm_floor * solver::minimum_norm_floor * square /
+             static_cast<double>(transfer_.size());
   }
   /// 2 Q (α^ v^): J without its restriction, and J*.
   Vector product(const Vector& v) {
@@ -78,15 +76,15 @@ class Problem {
   Vector filtered(const Vector& v, Factor factor) {
     Vector out(v.size());
     transform_->filter(constant(v), span(out), [&](Index offset, std::span<double> block) {
-      const double* symbol = symbol_.data() + offset;
-      for (std::size_t i = 0; i < block.size(); ++i) block[i] *= scale_ * factor(symbol[i]);
+      const double* transfer = transfer_.data() + offset;
+      for (std::size_t i = 0; i < block.size(); ++i) block[i] *= scale_ * factor(transfer[i]);
     });
     return out;
   }
 
   std::unique_ptr<ZeroPhaseTransform> transform_;
   double scale_, floor_ = 0;
-  AlignedVector<double> symbol_;
+  AlignedVector<double> transfer_;
   Vector inside_, target_, weight_;
 };
 
@@ -125,13 +123,13 @@ bool advance(Problem& problem, Vector& f, const Vector& step) {
 
 }  // namespace
 
-Field with_least_change(const Field& kernel, const Target& target, Shape lags, bool oriented,
-                        const LeastChangeOptions& options) {
+Field minimum_norm_newton(const Field& kernel, const Target& target, Shape lags, bool oriented,
+                          const MinimumNormOptions& options) {
   Problem problem(kernel, target, lags, oriented);
   Vector f = problem.residual(problem.u);
   auto tell = [&](int step) {
-    if (options.told)
-      options.told(
+    if (options.on_step)
+      options.on_step(
           {step, problem.products, f.abs().maxCoeff(), static_cast<double>(step) / options.max_steps});
   };
   tell(0);

@@ -1,4 +1,4 @@
-#include "stats/spatial/lag_sums.hpp"
+#include "transform/lag_sums.hpp"
 
 #include "core/parallel.hpp"
 #include "transform/pruned.hpp"
@@ -12,21 +12,12 @@ Shape torus_for(const Grid& grid, Shape max_lag) {
   return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
 }
 
-void to_power(Complex* block, Index n) {
-  for (Index k = 0; k < n; ++k) block[k] = std::norm(block[k]);
-}
-
 // The half spectrum, in y, of C(p, ·) for every row p.
 HalfSpectrum correlate(const PrunedTransform& transform, const Field& f, int threads) {
   HalfSpectrum half = transform.half_spectrum();
   transform.forward_rows(f, half, threads);
-  parallel_ranges(transform.blocks(), threads, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(static_cast<std::size_t>(transform.block_size())), work(block.size());
-    for (Index b = begin; b < end; ++b) {
-      transform.forward_block(half, b, block.data(), work.data());
-      to_power(block.data(), transform.block_size());
-      transform.inverse_block(block.data(), b, half, work.data());
-    }
+  transform.filter(half, threads, [&](Index, Complex* block) {
+    for (Index k = 0; k < transform.block_size(); ++k) block[k] = std::norm(block[k]);
   });
   return half;
 }

@@ -9,7 +9,8 @@ namespace asperity {
 
 /// The kernel with its tables and the errors of its report; none when a coefficient is not finite or all are
 /// zero. Its sign, which is free, becomes that of a positive sum.
-std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values);
+std::optional<Kernel> evaluate_kernel(const Target& target, Shape lags, Formulation formulation,
+                                      Field values);
 
 /// The target at 0 ≤ p < lags.nx, |q| < lags.ny, as the tables of a kernel hold it: not a number where it is unknown.
 Field half_plane_of(const Target& target, Shape lags);

@@ -1,10 +1,11 @@
-#include "acf/appraisal.hpp"
+#include "acf/kernel_evaluation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "acf/wording.hpp"
+#include "transform/lag_sums.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
@@ -26,10 +27,7 @@ Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows,
   std::vector<double> part = transform->part([&](Index k, Index l) {
     return k <= middle_x && std::abs(l) <= middle_y ? kernel(middle_x + k, middle_y + l) : 0.0;
   });
-  const double scale = 1 / static_cast<double>(transform->torus().cells());
-  transform->filter(part, part, [&](Index, std::span<double> block) {
-    for (double& a : block) a *= scale * a;
-  });
+  transform->autocorrelate(part, part);
   Field out = Field::Zero(rows, columns);
   const Index middle = columns / 2;
   for (Index p = 0; p < std::min(rows, reach.nx); ++p)
@@ -49,6 +47,15 @@ void leave_known(Field& half_plane, Shape known) {
 }
 
 }  // namespace
+
+Field autocorrelation(const Field& kernel, Index rows, Index columns) {
+  const Shape shape = shape_of(kernel),
+              last{std::min(rows, shape.nx) - 1, std::min(columns / 2, shape.ny - 1)};
+  Field out = Field::Zero(rows, columns);
+  out.block(0, columns / 2 - last.ny, last.nx + 1, 2 * last.ny + 1) =
+      lag_sums(kernel, Grid{shape, 1, 1, false}, last);
+  return out;
+}
 
 Field half_plane_of(const Target& target, Shape lags) {
   Field out(lags.nx, 2 * lags.ny - 1);
@@ -86,10 +93,11 @@ void measure_errors(Kernel& kernel) {
 void judge(KernelReport& report, const KernelRequest& request) {
   const bool open = request.lags == Shape{};
   const double error = open ? report.error : report.change;
-  report.converged = report.answer != "best" && error <= request.acf_tolerance;
+  report.converged = report.answer != Answer::best && error <= request.acf_tolerance;
 }
 
-std::optional<Kernel> appraise(const Target& target, Shape lags, Formulation formulation, Field values) {
+std::optional<Kernel> evaluate_kernel(const Target& target, Shape lags, Formulation formulation,
+                                      Field values) {
   const double sum = values.square().sum();
   if (!std::isfinite(sum) || !(sum > 0)) return std::nullopt;
   if (values.sum() < 0) values = -values;

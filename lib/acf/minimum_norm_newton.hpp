@@ -13,21 +13,21 @@
 /// (1966) 243-252.
 #pragma once
 
-#include "acf/iteration_step.hpp"
+#include "acf/iteration.hpp"
 #include "acf/target.hpp"
 #include "core/field.hpp"
 
 namespace asperity {
 
-struct LeastChangeOptions {
+struct MinimumNormOptions {
   double tolerance = 1e-10;  ///< on max |F| [σ²]
   int max_steps = 12;
   int max_inner = 60;  ///< inner iterations a step
-  IterationObserver told = {};
+  IterationObserver on_step = {};
 };
 
 /// `kernel` of (2K-1) × (2L-1) coefficients, improved as far as it goes; never worse in ‖F‖ than it was.
-Field with_least_change(const Field& kernel, const Target& target, Shape lags, bool oriented,
-                        const LeastChangeOptions& options = {});
+Field minimum_norm_newton(const Field& kernel, const Target& target, Shape lags, bool oriented,
+                          const MinimumNormOptions& options = {});
 
 }  // namespace asperity

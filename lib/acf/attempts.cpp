@@ -1,0 +1,233 @@
+#include "acf/attempts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acf/conjugate_gradient.hpp"
+#include "acf/fixed_point.hpp"
+#include "acf/kernel_cost.hpp"
+#include "acf/kernel_evaluation.hpp"
+#include "acf/least_squares.hpp"
+#include "acf/minimum_norm_newton.hpp"
+#include "acf/newton_krylov.hpp"
+#include "acf/projections.hpp"
+#include "acf/solver_constants.hpp"
+#include "acf/wording.hpp"
+
+namespace asperity {
+namespace {
+
+// Share of the tolerance, so that the residual recomputed by other sums stays below the whole.
+constexpr double inside = 0.5;
+
+NewtonOptions newton_options(const KernelProblem& problem) {
+  NewtonOptions options;
+  options.tolerance = inside * problem.request.tolerance;
+  options.on_step = problem.observer("Newton-Krylov");
+  if (!problem.zero_phase) {
+    options.krylov_dimension = 60;
+    options.restarts = 1;
+    options.forcing = 1e-2;
+  }
+  // Small systems spend more on the room for directions than on the few that they need.
+  options.krylov_dimension =
+      static_cast<int>(std::clamp<Index>(problem.equations->count() / 4, 10, options.krylov_dimension));
+  return options;
+}
+
+// What an iteration makes of the start.
+template <class Solve>
+Attempt iterate(const KernelProblem& problem, Solve solve) {
+  std::vector<double> u = problem.equations->start();
+  Attempt out;
+  out.effort = solve(*problem.equations, u);
+  out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
+  return out;
+}
+
+// Why no torus of this size is tried, or nothing.
+std::string beyond_limits(const KernelProblem& problem, Index torus) {
+  const double memory = wider_kernel_cost(problem.lags, torus).memory;
+  if (memory > problem.request.memory)
+    return "a kernel wide enough takes some " + number(memory / 1e6) + "MB, more than memory allows";
+  const double points = static_cast<double>(torus * torus) * static_cast<double>(problem.lags.cells());
+  return points > solver::most_torus_points ? "a kernel wide enough takes more than 2^24 points" : "";
+}
+
+// The kernel that a torus leads to, and what the torus itself leaves of the change.
+struct Widened {
+  std::optional<Kernel> kernel;
+  double change;
+};
+
+Widened widen(const KernelProblem& problem, Index torus) {
+  const KernelRequest& request = problem.request;
+  const double goal = inside * problem.enough;
+  const NearestKernel nearest =
+      nearest_kernel(request.target, problem.lags, problem.oriented,
+                     {.tolerance = goal, .torus = torus, .on_step = problem.observer("projections")});
+  if (problem.enough > request.tolerance)
+    return {problem.evaluate(nearest.values, Answer::nearest), nearest.change};
+  const Field improved =
+      minimum_norm_newton(nearest.values, request.target, problem.lags, problem.oriented,
+                          {.tolerance = goal, .on_step = problem.observer("least change")});
+  return {problem.evaluate(improved, Answer::nearest), nearest.change};
+}
+
+// The least residual of these.
+double residual_of(const std::optional<Kernel>& a, const std::optional<Kernel>& b) {
+  const double none = std::numeric_limits<double>::infinity();
+  return std::min(a ? a->report.residual : none, b ? b->report.residual : none);
+}
+
+// Without what is not needed of the ends of a kernel that is near enough: a fifth of its length at a time.
+Kernel trimmed(const KernelProblem& problem, Kernel kernel) {
+  auto shorter = [](Index n, Index least) { return std::max(least, n * 4 / 10) * 2 + 1; };
+  while (!problem.solved_by(kernel) && kernel.report.residual <= problem.enough) {
+    const Field& whole = kernel.values;
+    const Index rows = std::min(whole.rows(), shorter(whole.rows(), problem.lags.nx)),
+                columns = std::min(whole.cols(), shorter(whole.cols(), problem.lags.ny));
+    if (rows == whole.rows() && columns == whole.cols()) break;
+    const Field middle = whole.block((whole.rows() - rows) / 2, (whole.cols() - columns) / 2, rows, columns);
+    auto next = evaluate_kernel(problem.request.target, problem.lags, problem.formulation,
+                                middle / std::sqrt(middle.square().sum()));
+    if (!next || next->report.residual > problem.enough) break;
+    next->report.answer = kernel.report.answer;
+    kernel = std::move(*next);
+  }
+  return kernel;
+}
+
+}  // namespace
+
+// ---- the problem ----
+
+KernelProblem::KernelProblem(const KernelRequest& asked, Shape at, bool belongs_to_no_surface)
+    : request(asked),
+      lags(at),
+      of_no_surface(belongs_to_no_surface),
+      formulation(
+          asked.formulation.value_or(asked.target.oriented ? Formulation::oriented : Formulation::symmetric)),
+      oriented(formulation == Formulation::oriented),
+      zero_phase(formulation != Formulation::patir),
+      enough(asked.lags == Shape{} && asked.target.known ? std::max(asked.tolerance, asked.acf_tolerance)
+                                                         : asked.tolerance) {
+  check_memory(request, lags, kernel_cost(lags));
+  auto even = std::make_unique<ZeroPhaseEquations>(request.target, lags, oriented);
+  const double largest = largest_absolute(even->target());
+  if (!std::isfinite(largest))
+    refuse("the autocorrelation is not finite at one of the " + text(lags) + " lags");
+  feasibility = even->feasibility();
+  recognised =
+      zero_phase && (of_no_surface || largest > 1 + 1e-12 || feasibility.windowed < -solver::round_off ||
+                     feasibility.negative_share > solver::hopeless_share);
+  smooth = zero_phase && std::abs(feasibility.least) < solver::smooth_spectrum;
+  if (zero_phase)
+    equations = std::move(even);
+  else
+    equations = std::make_unique<PatirEquations>(request.target, lags);
+}
+
+bool KernelProblem::better(const Kernel& a, const Kernel& b) const {
+  const auto measured = zero_phase && !request.target.known ? &KernelReport::error : &KernelReport::residual;
+  return a.report.*measured < b.report.*measured;
+}
+
+std::optional<Kernel> KernelProblem::evaluate(const Field& values, Answer answer) const {
+  auto kernel = evaluate_kernel(request.target, lags, formulation, values);
+  if (kernel && !solved_by(*kernel))
+    kernel = evaluate_kernel(request.target, lags, formulation,
+                             kernel->values / std::sqrt(kernel->values.square().sum()));
+  if (kernel) kernel->report.answer = answer;
+  return kernel;
+}
+
+IterationObserver KernelProblem::observer(std::string_view iteration) const {
+  if (!request.progress) return {};
+  return [this, iteration](const IterationStep& step) { request.progress({step, lags, iteration}); };
+}
+
+void KernelProblem::refuse(const std::string& message) const {
+  if (request.target.known) throw DataError("acf", message);
+  throw ParameterError("lags", message);
+}
+
+// ---- the attempts ----
+
+Attempt spectral_root(const KernelProblem& problem) {
+  check_memory(problem.request, problem.lags, wider_kernel_cost(problem.lags));
+  const NearestKernel root =
+      nearest_kernel(problem.request.target, problem.lags, problem.oriented, {.max_iterations = 0});
+  Attempt out;
+  out.candidate = problem.evaluate(root.values, problem.of_no_surface ? Answer::nearest : Answer::spectral);
+  out.effort.reason =
+      problem.of_no_surface ? "its spectrum is negative whatever the lags" : "the root of the spectrum";
+  return out;
+}
+
+Attempt newton(const KernelProblem& problem) {
+  Attempt out;
+  if (problem.recognised) {
+    out.effort.reason = "recognised before any iteration";
+    return out;
+  }
+  std::vector<double> u = problem.equations->start();
+  out.effort = solve_newton_krylov(*problem.equations, u, newton_options(problem));
+  if (out.effort.converged)
+    out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
+  else if (out.effort.steps == 0)
+    out.effort.reason = "its windowed root is no start";
+  return out;
+}
+
+Attempt fixed_point(const KernelProblem& problem) {
+  return iterate(problem, [&](Equations& equations, std::vector<double>& u) {
+    return solve_fixed_point(
+        equations, u,
+        {.tolerance = inside * problem.request.tolerance, .on_step = problem.observer("fixed point")});
+  });
+}
+
+Attempt conjugate_gradient(const KernelProblem& problem) {
+  return iterate(problem, [&](Equations& equations, std::vector<double>& u) {
+    return solve_conjugate_gradient(equations, u,
+                                    {.tolerance = inside * problem.request.tolerance,
+                                     .on_step = problem.observer("conjugate gradients")});
+  });
+}
+
+Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products) {
+  Equations& equations = *problem.equations;
+  Attempt out{.unknowns = start.empty() ? equations.start() : std::move(start)};
+  out.effort = minimise_squares(equations, out.unknowns,
+                                {.max_products = products, .on_step = problem.observer("least squares")});
+  out.effort.reason.clear();  // that there is a kernel only of least squares is known before
+  out.candidate = problem.evaluate(equations.kernel(out.unknowns), Answer::least_squares);
+  if (out.candidate && problem.solved_by(*out.candidate)) out.candidate->report.answer = Answer::exact;
+  return out;
+}
+
+Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& best) {
+  check_memory(problem.request, problem.lags, wider_kernel_cost(problem.lags));
+  Attempt out;
+  // Whether the ends of the kernel, and not the target, keep it from what is asked for.
+  auto lost_more_than = [&](double change) {
+    const double residual = residual_of(out.candidate, best);
+    return problem.enough > problem.request.tolerance && std::isfinite(residual) &&
+           residual > problem.enough && residual > 2 * change;
+  };
+  for (Index torus = solver::least_torus; out.effort.reason.empty();) {
+    Widened widened = widen(problem, torus);
+    if (widened.kernel && (!out.candidate || problem.better(*widened.kernel, *out.candidate)))
+      out.candidate = std::move(widened.kernel);
+    if (!lost_more_than(widened.change)) break;
+    torus = solver::wider_torus(torus);
+    out.effort.reason = beyond_limits(problem, torus);
+  }
+  if (!out.candidate) return out;
+  if (problem.solved_by(*out.candidate)) out.candidate->report.answer = Answer::wider;
+  out.candidate = trimmed(problem, std::move(*out.candidate));
+  return out;
+}
+
+}  // namespace asperity

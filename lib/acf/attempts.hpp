@@ -1,0 +1,63 @@
+/// The ways to a kernel, each from the problem to a candidate, if it has one.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "acf/equations.hpp"
+#include "acf/kernel.hpp"
+
+namespace asperity {
+
+/// The equations of a request at given lags, and what their spectrum says beforehand.
+struct KernelProblem {
+  /// `of_no_surface`: its spectrum is known to be negative whatever the lags. Throws ParameterError("memory") where
+  /// Newton's iteration takes more than the request allows, and as refuse() does when the target is not finite.
+  KernelProblem(const KernelRequest& request, Shape lags, bool of_no_surface);
+
+  const KernelRequest& request;  ///< lives as long as the problem
+  const Shape lags;
+  const bool of_no_surface;
+  const Formulation formulation;
+  const bool oriented, zero_phase;  ///< its formulation
+  std::unique_ptr<Equations> equations;
+  Feasibility feasibility;
+  bool recognised;  ///< no iteration is worth its time
+  bool smooth;      ///< Newton's matrix is singular at the solution
+  double
+      enough;  ///< change of the lags prescribed; of a table at open lags, what is tolerated over all of it
+
+  bool solved_by(const Kernel& kernel) const { return kernel.report.residual <= request.tolerance; }
+  /// By the error over all lags; of a table, or in Patir's formulation, by the residual.
+  bool better(const Kernel& a, const Kernel& b) const;
+  /// What these coefficients achieve, their variance set right where they are no solution; none if they are not finite.
+  std::optional<Kernel> evaluate(const Field& values, Answer answer) const;
+  /// Passes on, with its name, what an iteration tells.
+  IterationObserver observer(std::string_view iteration) const;
+  /// Throws ParameterError("lags"), or DataError("acf") for a table.
+  [[noreturn]] void refuse(const std::string& message) const;
+};
+
+struct Attempt {
+  std::optional<Kernel> candidate = {};
+  IterationResult effort = {};        ///< its reason, if any, says what kept the attempt from the solution
+  std::vector<double> unknowns = {};  ///< where least squares have come to
+};
+
+/// The root of what is positive of the spectrum, on a torus of four times the lags.
+Attempt spectral_root(const KernelProblem& problem);
+/// Newton's iteration from the windowed root, where it is worth its time: a candidate where it converges.
+Attempt newton(const KernelProblem& problem);
+/// The best that these come to.
+Attempt fixed_point(const KernelProblem& problem);
+Attempt conjugate_gradient(const KernelProblem& problem);
+/// On from `start`, or the windowed root where that is empty, by so many products at the most.
+Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products);
+/// A kernel of twice the lags by projections (acf/projections.hpp), and where equations are to be met exactly the least
+/// change that meets them (acf/minimum_norm_newton.hpp). Where the lags are a table that is met within what is
+/// tolerated, of more lags until the ends of the kernel do no harm, or the `best` so far is good enough.
+Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& best);
+
+}  // namespace asperity
