@@ -3,13 +3,14 @@
 #include <optional>
 
 #include "acf/kernel.hpp"
+#include "acf/table.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/prescription.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/ensemble_input.hpp"
-#include "tools/measure/measured.hpp"
+#include "tools/measure/field_options.hpp"
 #include "tools/surface/acf_table.hpp"
 
 using namespace asperity;
@@ -93,7 +94,7 @@ PrescriptionTest test_for(const cli::Tool& tool, const Options& o, const Dataset
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = tool.thread_count();
   PrescriptionTest test(asked, grid);  // refuses before a warning is due
-  warn_of_few(tool, EffectiveSize(asked.correlation, grid));
+  cli::warn_of_few(tool, EffectiveSize(asked.correlation, grid));
   return test;
 }
 

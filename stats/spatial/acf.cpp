@@ -42,7 +42,7 @@ Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
   const Grid& grid = pairs.grid();
   parameters.check(grid);
-  Field d = parameters.level ? Field(z - *parameters.level) : without_form(z);
+  Field d = parameters.level ? Field(z - *parameters.level) : remove_form(z);
   if (!pairs.complete()) d = zero_filled(d);
   Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads);
   sums /= pairs.points();

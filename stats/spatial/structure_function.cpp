@@ -50,7 +50,7 @@ LagField over_valid_pairs(const Field& d, const Pairs& pairs, Shape max_lag, int
 }  // namespace
 
 LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int threads) {
-  const Field d = without_form(z);
+  const Field d = remove_form(z);
   if (const Pairs pairs = Pairs::of(d, grid, threads); !pairs.complete()) {
     AcfParameters{.max_lag = max_lag}.check(grid);
     return over_valid_pairs(d, pairs, max_lag, threads);

@@ -1,4 +1,5 @@
 // A measured surface against sums in long double that share no code with the library.
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -23,7 +24,7 @@ struct Map {
   Field z;
 
   explicit Map(const char* name) {
-    std::ifstream file(std::string(ASPERITY_TEST_DATA) + "/" + name, std::ios::binary);
+    std::ifstream file(std::filesystem::path(ASPERITY_TEST_DATA) / name, std::ios::binary);
     std::stringstream bytes;
     bytes << file.rdbuf();
     const Dataset data = decode_netcdf(bytes.str());
