@@ -1,8 +1,8 @@
 /// The parameters of a surface with their standard errors and intervals: moments, material ratio, slopes, summits,
 /// autocorrelation, profiles, and tests of Gaussianity.
 ///
-///     const Dataset data = read_dataset("surface.nc");
-///     const Surface surface{.grid = grid_of(data), .heights = heights_of(data)};
+///     const Dataset data = decode_netcdf(bytes);  // of surface.nc
+///     const Surface surface{.grid = grid_of(data), .heights = field_of(data, "heights", Missing::not_a_number)};
 ///     for (const Parameter& p : measure(surface, {.groups = {Group::height, Group::hybrid}}))
 ///       std::cout << p.name << " = " << p.value << " +- " << p.standard_error << " " << p.unit << "\n";
 ///

@@ -191,8 +191,7 @@ void declare(cli::Tool& tool, Options& what) {
       "Gaussian field; those of neighbouring lags are strongly correlated. The subtracted mean lowers all "
       "lags by its own variance, R(0,0) / N_eff_mean (asperity-stats). Lengths are interpolated in ln R, "
       "exact for an exponential. With missing points pairs are counted of which both are there; a lag "
-      "without any "
-      "is not a number.");
+      "without any is not a number.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the profiles stand for it.
@@ -209,11 +208,10 @@ int main(int argc, char** argv) {
       "asperity-acf",
       "The autocorrelation of a surface. Passes the dataset on with the whole ACF over lag_x >= 0 and lag_y "
       "of both signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, "
-      "skewness and "
-      "kurtosis of the heights as acf_skewness and acf_kurtosis, and the "
-      "lengths at which it first falls to 10 % and to 1/e, or other levels, as acf_length_10_x and so on. Or "
-      "prints these lengths; or, as on a terminal, the two profiles with standard errors, a row a lag, "
-      "beside the target where the dataset carries one (acf_target).");
+      "skewness and kurtosis of the heights as acf_skewness and acf_kurtosis, and the lengths at which it "
+      "first falls to 10 % and to 1/e, or other levels, as acf_length_10_x and so on. Or prints these "
+      "lengths; or, as on a terminal, the two profiles with standard errors, a row a lag, beside the target "
+      "where the dataset carries one (acf_target).");
   cli::FieldOptions options;
   Options what;
   options.declare(tool);

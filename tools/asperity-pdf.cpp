@@ -22,8 +22,8 @@ struct Options {
     const std::string group = "Estimate";
     tool.choice(
         "--estimate", estimate, {"histogram", "kernel", "quantiles"},
-        "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the "
-        "data of a Q-Q plot",
+        "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the data "
+        "of a Q-Q plot",
         group);
     const cli::Bounds rows(0, most_points, "as many rows as the longest table has");
     tool.integer("--bins", bins, rows,
@@ -141,12 +141,9 @@ int main(int argc, char** argv) {
       "asperity-pdf",
       "The distribution of the heights beside the Gaussian of the same mean and Sq, with standard errors. A "
       "histogram, a row a bin: its centre, count, the count expected of the Gaussian, the misfit (the "
-      "difference in "
-      "its own standard errors), and the same as densities. Or the density by a Gaussian kernel beside the "
-      "Gaussian "
-      "that the kernel has widened likewise. Or quantiles beside those of the Gaussian, on a straight line "
-      "against "
-      "the normal quantile.");
+      "difference in its own standard errors), and the same as densities. Or the density by a Gaussian "
+      "kernel beside the Gaussian that the kernel has widened likewise. Or quantiles beside those of the "
+      "Gaussian, on a straight line against the normal quantile.");
   cli::FieldOptions options;
   Options what;
   options.declare(tool);
@@ -158,10 +155,9 @@ int main(int argc, char** argv) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
       "Counts and quantiles are exact, the kernel's sum to 2e-14. Standard errors are those of a Gaussian "
-      "field and "
-      "allow for the correlation of the heights; errors of neighbouring rows are correlated. Of a Gaussian "
-      "surface "
-      "95 % of the misfits lie within 2, bins of a few counts and the outermost quantiles apart.");
+      "field and allow for the correlation of the heights; errors of neighbouring rows are correlated. Of a "
+      "Gaussian surface 95 % of the misfits lie within 2, bins of a few counts and the outermost quantiles "
+      "apart.");
 
   return tool.run(argc, argv, [&] {
     what.check(tool);

@@ -100,10 +100,9 @@ void declare(cli::Tool& tool, Options& what) {
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
       "both signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for "
-      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength. Missing points stand at "
-      "the mean and the sum is divided by the window's square over the others: of scattered holes, a share "
-      "g, "
-      "g Sq^2 dx dy leaks into every wave number.");
+      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength. Missing points stand at the "
+      "mean and the sum is divided by the window's square over the others: of scattered holes, a share g, g "
+      "Sq^2 dx dy leaks into every wave number.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the rings stand for it.

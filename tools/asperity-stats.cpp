@@ -146,12 +146,12 @@ class Surfaces {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-stats",
-      "Parameters of a surface by ISO 25178-2, with standard errors that allow for the "
-      "correlation of neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population "
-      "moments of the whole field. Of several surfaces, the mean of each parameter over them, its "
-      "standard error and spread, and the spread that the surfaces' own errors lead to expect. Surfaces of "
-      "another spacing than the first's are refused, for slopes, peaks and lengths follow it; of "
-      "another size they are averaged with a warning.");
+      "Parameters of a surface by ISO 25178-2, with standard errors that allow for the correlation of "
+      "neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population moments of the whole "
+      "field. Of several surfaces, the mean of each parameter over them, its standard error and spread, and "
+      "the spread that the surfaces' own errors lead to expect. Surfaces of another spacing than the first's "
+      "are refused, for slopes, peaks and lengths follow it; of another size they are averaged with a "
+      "warning.");
   cli::EnsembleInput surfaces;
   cli::StatsOptions options;
   surfaces.declare(tool);
@@ -160,18 +160,17 @@ int main(int argc, char** argv) {
   tool.threads();
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
   tool.accuracy(
-      "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a "
-      "Gaussian field, to first order in 1/N_eff; those of the height parameters, where the dataset says "
-      "what distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they"
-      " are not Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals"
-      " of the height parameters, of Sal and of lengths hold 93 to 97 %, within what 2000 fields can "
-      "tell, with the correlation that a dataset carries or an estimated one, down to N_eff = 41; there "
-      "an estimated one's length at 1/e holds 97.7 %. Below N_eff = 5, or 10 where it is estimated, which "
-      "does not fall much lower however few heights are independent, no errors are told, and up to twice "
-      "that they are rough. Peak and valley have none, nor has what shows a dash. Slopes and curvatures are "
-      "those of differences of neighbouring points: of a wave of n points"
-      " a period low by 1.6/n^2 (Sdq) to 6.6/n^2 (m4). The mean over profiles has the standard error of "
-      "those that are independent.");
+      "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a Gaussian "
+      "field, to first order in 1/N_eff; those of the height parameters, where the dataset says what "
+      "distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they are not "
+      "Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals of the "
+      "height parameters, of Sal and of lengths hold 93 to 97 %, within what 2000 fields can tell, with the "
+      "correlation that a dataset carries or an estimated one, down to N_eff = 41; there an estimated one's "
+      "length at 1/e holds 97.7 %. Below N_eff = 5, or 10 where it is estimated, which does not fall much "
+      "lower however few heights are independent, no errors are told, and up to twice that they are rough. "
+      "Peak and valley have none, nor has what shows a dash. Slopes and curvatures are those of differences "
+      "of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to 6.6/n^2 (m4). The mean "
+      "over profiles has the standard error of those that are independent.");
 
   return tool.run(argc, argv, [&] {
     Surfaces measured(tool, options.field, options.checked(tool));

@@ -1,5 +1,5 @@
-/// The groups of parameters, and how they are tabulated: a row has the symbol, the unit, the meaning, and how the value and its error follow from
-/// what the group has computed.
+/// The groups of parameters, and how they are tabulated: a row has the symbol, the unit, the meaning, and how the value and
+/// its error follow from what the group has computed.
 ///
 /// Rows that several subjects share, such as the profiles in some directions, have `{}` where the subject's name stands.
 #pragma once

@@ -6,6 +6,7 @@
 /// than any estimate, or on the estimate. Filtered heights have another one than those that were drawn.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,7 +26,7 @@ struct Preparation {
   int degree = 0;                                  ///< of the form: 0 the mean, 1 the plane
   double short_cutoff = none, long_cutoff = none;  ///< λs, λc [m]
 
-  bool filters() const { return short_cutoff == short_cutoff || long_cutoff == long_cutoff; }
+  bool filters() const { return !std::isnan(short_cutoff) || !std::isnan(long_cutoff); }
 };
 
 /// Missing heights are NaN.

@@ -51,9 +51,9 @@ void StatsOptions::declare(Tool& tool) {
       "Parameters");
   tool.choice(
       "--profile", profile, {"x", "y"},
-      "Profile parameters of ISO 21920-2 in place of these, Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, "
-      "or Ra and so on after --lambda-c, averaged over all profiles along x or y; each with its spread "
-      "over them",
+      "Profile parameters of ISO 21920-2 in place of these, Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, or "
+      "Ra and so on after --lambda-c, averaged over all profiles along x or y; each with its spread over "
+      "them",
       "Parameters");
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
