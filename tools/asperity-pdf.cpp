@@ -3,9 +3,9 @@
 
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
-#include "stats/height/quantile_plot.hpp"
+#include "stats/height/material_ratio.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/measure/measured.hpp"
+#include "tools/measure/field_options.hpp"
 
 using namespace asperity;
 
@@ -22,8 +22,8 @@ struct Options {
     const std::string group = "Estimate";
     tool.choice(
         "--estimate", estimate, {"histogram", "kernel", "quantiles"},
-        "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the "
-        "data of a Q-Q plot",
+        "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the data "
+        "of a Q-Q plot",
         group);
     const cli::Bounds rows(0, most_points, "as many rows as the longest table has");
     tool.integer("--bins", bins, rows,
@@ -51,10 +51,9 @@ double in_errors(double deviation, double error) {
 
 double told(double error, const EffectiveSampleSize& size) { return size.tells_errors() ? error : NAN; }
 
-cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& measured,
-                         const EffectiveSampleSize& size) {
-  const std::string density = measured.units_to(-1);
-  cli::Table out{{{"height", measured.units},
+cli::Table table_of_bins(const std::vector<Bin>& bins, const Surface& surface, const EffectiveSampleSize& size) {
+  const std::string density = cli::unit_to(surface.units, -1);
+  cli::Table out{{{"height", surface.units},
                   {"count", "1"},
                   {"standard_error", "1", cli::Holds::unknown},
                   {"gaussian", "1"},
@@ -73,10 +72,10 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const cli::Measured& meas
   return out;
 }
 
-cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::Measured& measured,
+cli::Table table_of_density(const std::vector<DensityPoint>& curve, const Surface& surface,
                             const EffectiveSampleSize& size) {
-  const std::string density = measured.units_to(-1);
-  cli::Table out{{{"height", measured.units},
+  const std::string density = cli::unit_to(surface.units, -1);
+  cli::Table out{{{"height", surface.units},
                   {"density", density},
                   {"standard_error", density, cli::Holds::unknown},
                   {"gaussian_density", density},
@@ -88,9 +87,9 @@ cli::Table table_of_density(const std::vector<DensityPoint>& curve, const cli::M
   return out;
 }
 
-cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const cli::Measured& measured,
+cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const Surface& surface,
                               const EffectiveSampleSize& size) {
-  const std::string& unit = measured.units;
+  const std::string& unit = surface.units;
   cli::Table out{{{"share", "1"},
                   {"normal_quantile", "1"},
                   {"height", unit},
@@ -117,22 +116,22 @@ double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampl
   return what.bandwidth * m.sq;
 }
 
-cli::Table table_of(const cli::Measured& measured, const Moments& m, const EffectiveSampleSize& size,
-                    const Options& what, int threads) {
+cli::Table table_of(const Surface& surface, const Moments& m, const EffectiveSampleSize& size, const Options& what,
+                    int threads) {
   if (what.estimate == "kernel") {
     const double h = bandwidth_for(what, m, size);
-    return table_of_density(kernel_density(measured.heights, m, size, h, what.points ? what.points : 256),
-                            measured, size);
+    return table_of_density(kernel_density(surface.heights, m, size, h, what.points ? what.points : 256),
+                            surface, size);
   }
   if (what.estimate == "quantiles")
     return table_of_quantiles(
-        quantile_plot(MaterialRatioCurve(measured.heights, threads), m, size, what.points ? what.points : 99),
-        measured, size);
+        quantile_plot(MaterialRatioCurve(surface.heights, threads), m, size, what.points ? what.points : 99),
+        surface, size);
   if (what.bins > size.points())
     throw cli::UsageError("bins", "value " + std::to_string(what.bins) + " is above the number of points, " +
                                       cli::shortest(size.points()));
   const int bins = what.bins ? what.bins : scott_bins(m, size.points());
-  return table_of_bins(histogram(measured.heights, m, size, bins), measured, size);
+  return table_of_bins(histogram(surface.heights, m, size, bins), surface, size);
 }
 
 }  // namespace
@@ -142,13 +141,10 @@ int main(int argc, char** argv) {
       "asperity-pdf",
       "The distribution of the heights beside the Gaussian of the same mean and Sq, with standard errors. A "
       "histogram, a row a bin: its centre, count, the count expected of the Gaussian, the misfit (the "
-      "difference in "
-      "its own standard errors), and the same as densities. Or the density by a Gaussian kernel beside the "
-      "Gaussian "
-      "that the kernel has widened likewise. Or quantiles beside those of the Gaussian, on a straight line "
-      "against "
-      "the normal quantile.");
-  cli::MeasuredOptions options;
+      "difference in its own standard errors), and the same as densities. Or the density by a Gaussian "
+      "kernel beside the Gaussian that the kernel has widened likewise. Or quantiles beside those of the "
+      "Gaussian, on a straight line against the normal quantile.");
+  cli::FieldOptions options;
   Options what;
   options.declare(tool);
   what.declare(tool);
@@ -159,18 +155,17 @@ int main(int argc, char** argv) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
       "Counts and quantiles are exact, the kernel's sum to 2e-14. Standard errors are those of a Gaussian "
-      "field and "
-      "allow for the correlation of the heights; errors of neighbouring rows are correlated. Of a Gaussian "
-      "surface "
-      "95 % of the misfits lie within 2, bins of a few counts and the outermost quantiles apart.");
+      "field and allow for the correlation of the heights; errors of neighbouring rows are correlated. Of a "
+      "Gaussian surface 95 % of the misfits lie within 2, bins of a few counts and the outermost quantiles "
+      "apart.");
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    const cli::Measured measured = cli::measure(tool, tool.read(), options);
-    const Moments m = moments(measured.heights, options.variable);
-    const EffectiveSampleSize size = cli::effective_size(measured, tool.thread_count());
+    const Surface surface = options.read(tool, tool.read());
+    const Moments m = moments(surface.heights, options.variable);
+    const EffectiveSampleSize size = error_basis(surface, tool.thread_count()).size();
     warn_of_few(tool, size);
-    cli::print(tool, table_of(measured, m, size, what, tool.thread_count()));
+    cli::print(tool, table_of(surface, m, size, what, tool.thread_count()));
     return cli::done;
   });
 }

@@ -1,11 +1,12 @@
 // Power spectral densities of a surface, of its profiles, and over rings.
 #include <numbers>
 
+#include "dataset/layout.hpp"
 #include "stats/spectrum/spectrum.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/measure/measured.hpp"
+#include "tools/measure/field_options.hpp"
 #include "tools/surface/grid_words.hpp"
 
 using namespace asperity;
@@ -24,41 +25,40 @@ struct Options {
 };
 
 // Of heights "m3" or "m4", of a pressure "Pa2 m" or "Pa2 m2".
-std::string density_units(const cli::Measured& measured, int lengths) {
-  if (measured.units == "m") return measured.units_to(2 + lengths);
+std::string density_units(const Surface& surface, int lengths) {
+  if (surface.units == "m") return cli::unit_to(surface.units, 2 + lengths);
   const std::string length = lengths == 1 ? "m" : "m" + std::to_string(lengths);
-  return measured.units == "1" ? length : measured.units_to(2) + " " + length;
+  return surface.units == "1" ? length : cli::unit_to(surface.units, 2) + " " + length;
 }
 
 constexpr const char* per_length = "rad m-1";
 
-cli::Table radial(const cli::Measured& measured, const LagField& psd, const DataWindows& windows) {
-  const double inflation = spectrum_inflation(measured.heights, windows);
-  const std::string unit = density_units(measured, 2);
+cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows& windows) {
+  const double inflation = spectrum_inflation(surface.heights, windows);
+  const std::string unit = density_units(surface, 2);
   cli::Table out{{{"wave_number", per_length},
                   {"psd", unit},
                   {"standard_error", unit, cli::Holds::unknown},
                   {"count", "1"}},
                  {}};
-  for (const SpectrumPoint& ring : radial_spectrum(psd, measured.grid, inflation))
+  for (const SpectrumPoint& ring : radial_spectrum(psd, surface.grid, inflation))
     out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
   if (out.rows.empty())
-    throw DataError("heights", "no ring of wave numbers fits a field of " + cli::described(measured.grid) +
+    throw DataError("heights", "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
                                    ": its longest wave along one side is too short for the other side's "
                                    "spacing; --profiles and --dataset have the spectrum");
   return out;
 }
 
-cli::Table profiles(const cli::Measured& measured, const DataWindows& windows, int threads) {
-  const std::string unit = density_units(measured, 1);
+cli::Table profiles(const Surface& surface, const DataWindows& windows, int threads) {
+  const std::string unit = density_units(surface, 1);
   cli::Table out{{{"direction", ""},
                   {"wave_number", per_length},
                   {"psd", unit},
                   {"standard_error", unit, cli::Holds::unknown}},
                  {}};
   auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
-    for (const SpectrumPoint& point :
-         profile_spectrum(measured.heights, measured.grid, axis, window, threads))
+    for (const SpectrumPoint& point : profile_spectrum(surface.heights, surface.grid, axis, window, threads))
       out.rows.push_back({direction, point.wave_number, point.density, point.standard_error});
   };
   add("x", Axis1D::x, windows.x);
@@ -66,14 +66,14 @@ cli::Table profiles(const cli::Measured& measured, const DataWindows& windows, i
   return out;
 }
 
-void add_to(Dataset& data, const cli::Measured& measured, const LagField& psd, const std::string& variable,
+void add_to(Dataset& data, const Surface& surface, const LagField& psd, const std::string& variable,
             const std::string& window) {
   cli::drop_results(data, "psd", variable);
   const auto step = [](double size) { return 2 * std::numbers::pi / size; };
   set_table(data, "psd", psd.half_plane(),
-            {"wave_number_x", 0, step(measured.grid.size_x()), per_length, "wave number in x"},
-            {"wave_number_y", -psd.max_q(), step(measured.grid.size_y()), per_length, "wave number in y"},
-            {density_units(measured, 2), "power spectral density of the field"});
+            {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
+            {"wave_number_y", -psd.max_q(), step(surface.grid.size_y()), per_length, "wave number in y"},
+            {density_units(surface, 2), "power spectral density of the field"});
   data.attributes.set("psd_variable", variable);
   data.attributes.set("psd_window", window);
 }
@@ -100,10 +100,9 @@ void declare(cli::Tool& tool, Options& what) {
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
       "both signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for "
-      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength. Missing points stand at "
-      "the mean and the sum is divided by the window's square over the others: of scattered holes, a share "
-      "g, "
-      "g Sq^2 dx dy leaks into every wave number.");
+      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength. Missing points stand at the "
+      "mean and the sum is divided by the window's square over the others: of scattered holes, a share g, g "
+      "Sq^2 dx dy leaks into every wave number.");
 }
 
 // A dataset is binary: on a terminal, and as JSON, the rings stand for it.
@@ -121,7 +120,7 @@ int main(int argc, char** argv) {
       "The power spectral density of a surface. Passes the dataset on with psd over wave_number_x >= 0 and "
       "wave_number_y of both signs, in m4: (dx dy)^2 / (Lx Ly) |transform|^2, its window of mean square 1. "
       "Or prints its mean over rings, as on a terminal; or that of the profiles, in m3.");
-  cli::MeasuredOptions options;
+  cli::FieldOptions options;
   Options what;
   options.declare_field(tool);
   declare(tool, what);
@@ -130,18 +129,18 @@ int main(int argc, char** argv) {
     tool.writes_dataset(!what.profiles && !prints_radial(tool, what));
     if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
-    const cli::Measured measured = cli::measure(tool, data, options);
-    const DataWindows windows = what.windows(measured.grid);
+    const Surface surface = options.read(tool, data);
+    const DataWindows windows = what.windows(surface.grid);
     if (what.profiles) {
-      cli::print(tool, profiles(measured, windows, tool.thread_count()));
+      cli::print(tool, profiles(surface, windows, tool.thread_count()));
       return cli::done;
     }
-    const LagField psd = power_spectrum(measured.heights, measured.grid, windows, tool.thread_count());
+    const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
     if (prints_radial(tool, what)) {
-      cli::print(tool, radial(measured, psd, windows));
+      cli::print(tool, radial(surface, psd, windows));
     } else {
       const cli::Inventory before(data);
-      add_to(data, measured, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
+      add_to(data, surface, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
       before.tell(tool, data, "psd");
       tool.write(data);
     }

@@ -1,11 +1,15 @@
 // A dataset as one page for a reader: parameters, tables with errors, pictures, history.
 #include <filesystem>
-#include <functional>
+#include <optional>
 
 #include "core/error.hpp"
+#include "dataset/layout.hpp"
+#include "stats/measure.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
+#include "tools/measure/field_options.hpp"
 #include "tools/plot/gnuplot.hpp"
 #include "tools/report/page.hpp"
 
@@ -14,13 +18,15 @@ using namespace asperity;
 namespace {
 
 struct Options {
-  cli::MeasuredOptions measured;
-  cli::StatsOptions what;
+  cli::FieldOptions measured;
   std::string title, output = "-";
 };
 
-report::Group group_of(const std::string& title, const std::function<cli::Rows()>& compute) try {
-  const cli::Rows rows = compute();
+report::Group group_of(const cli::Tool& tool, const Sample& sample, Group group,
+                       const std::string& title) try {
+  const MeasureOptions options;
+  const Parameters rows = measure(sample, group, options);
+  if (group == Group::spatial) warn_of_decays(tool, rows, options.acf_level, sample.grid());
   return {title, rows, missing(rows)};
 } catch (const DataError& error) {
   return {title, {}, error.what()};
@@ -32,20 +38,20 @@ std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data,
   const bool absent = !data.has(o.measured.variable) && !tool.given("--variable");
   if (absent) return {};
   field_of(data, o.measured.variable, Missing::not_a_number);
-  std::optional<cli::WholeSample> sample;
+  std::optional<Sample> sample;
   try {
-    sample.emplace(cli::measure(tool, data, o.measured), o.measured.variable, tool.thread_count());
+    sample.emplace(o.measured.read(tool, data), true, tool.thread_count());
   } catch (const DataError& error) {
     return {{"Height parameters", {}, error.what()}};
   }
   warn_of_few(tool, sample->size());
-  why_untold = cli::untold(sample->size());
-  return {group_of("Height parameters", [&] { return height_rows(*sample); }),
-          group_of("Spatial parameters", [&] { return spatial_rows(tool, *sample, o.what); }),
-          group_of("Hybrid parameters", [&] { return hybrid_rows(*sample, o.what); })};
+  why_untold = untold(sample->size());
+  return {group_of(tool, *sample, Group::height, "Height parameters"),
+          group_of(tool, *sample, Group::spatial, "Spatial parameters"),
+          group_of(tool, *sample, Group::hybrid, "Hybrid parameters")};
 }
 
-std::string reference_of(const cli::Tool& tool, const cli::MeasuredOptions& o) {
+std::string reference_of(const cli::Tool& tool, const cli::FieldOptions& o) {
   const bool word = o.level == "mean" || o.level == "plane";
   std::string out = word ? "its " + o.level : "a polynomial of degree " + o.level;
   if (tool.given("--lambda-s")) out += ", without waves below " + cli::format_quantity(o.short_cutoff, "m");

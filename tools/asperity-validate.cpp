@@ -3,13 +3,14 @@
 #include <optional>
 
 #include "acf/kernel.hpp"
+#include "acf/table.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/specification.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/ensemble_input.hpp"
-#include "tools/measure/measured.hpp"
+#include "tools/measure/field_options.hpp"
 #include "tools/surface/acf_table.hpp"
 
 using namespace asperity;
@@ -93,7 +94,7 @@ SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Datase
   asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = tool.thread_count();
   SpecificationTest test(asked, grid);  // refuses before a warning is due
-  warn_of_few(tool, EffectiveSampleSize(asked.correlation, grid));
+  cli::warn_of_few(tool, EffectiveSampleSize(asked.correlation, grid));
   return test;
 }
 
@@ -139,14 +140,12 @@ int main(int argc, char** argv) {
   tool.threads();
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
-      "s_%02d.nc "
-      "&& asperity-validate s_*.nc");
+      "s_%02d.nc && asperity-validate s_*.nc");
   tool.accuracy(
       "Gaussian surfaces are refused at most at the stated rate: of 2000 single ones of N_eff = 300 and more "
       "0.6 to 0.75 % at 1 %, 3.4 to 4.3 % at 5 %. The means are freed of the bias that each field's own mean "
       "and Sq bring. A surface worth fewer than 5 independent points is refused unless errors come from the "
-      "spread. --errors spread takes Student's t: of a dozen surfaces 0.3 to 1 % and 2.9 to 4.3 %. "
-      "Surfaces "
+      "spread. --errors spread takes Student's t: of a dozen surfaces 0.3 to 1 % and 2.9 to 4.3 %. Surfaces "
       "drawn with --exact-rq have no spread of Sq, which then always agrees. Lags of up to a quarter of the "
       "field are compared.");
 

@@ -132,19 +132,19 @@ void forms(const StabilityTable& table) {
     const Grid grid{{64, 64}, 2.0 / 64, 2.0 / 64};
     const Field form =
         sample(grid, [](double x, double y) { return 1e6 * std::pow(x, 13) * std::pow(y, 7); });
-    return Finding{"taken away", "left / form", without_form(form, 20).abs().maxCoeff() / form.maxCoeff(),
+    return Finding{"taken away", "left / form", remove_form(form, 20).abs().maxCoeff() / form.maxCoeff(),
                    1e-12};
   });
   table.answered("form of degree 20, 3 x 3", "more terms than points", [] {
-    return Finding{"taken away", "left", without_form(skewed_noise(3, 3), 20).abs().maxCoeff(), 1e-13};
+    return Finding{"taken away", "left", remove_form(skewed_noise(3, 3), 20).abs().maxCoeff(), 1e-13};
   });
   table.refused("form of degree 2, heights in one row", "points do not determine it", [] {
     Field z = Field::Constant(16, 16, nan);
     z.row(3) = 1;
     z(3, 4) = 2;
-    without_form(z, 2);
+    remove_form(z, 2);
   });
-  table.refused("form of degree 21", "beyond the bound", [] { without_form(Field::Ones(4, 4), 21); });
+  table.refused("form of degree 21", "beyond the bound", [] { remove_form(Field::Ones(4, 4), 21); });
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::si
   for (; pass < steps_.size(); ++pass) heights.matrix() -= along_x * (steps_[pass] * along_y.transpose());
 }
 
-Field without_form(const Field& z, int degree) {
+Field remove_form(const Field& z, int degree) {
   FormFit fit(shape_of(z), degree);
   Field heights = z - first_valid(z);
   const double level = heights.rowwise().mean().mean();

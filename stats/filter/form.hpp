@@ -83,6 +83,6 @@ class FormFit {
 };
 
 /// The heights above (1), or (2). Throws ParameterError("level") unless 0 ≤ degree ≤ 20 and the points determine it.
-Field without_form(const Field& z, int degree = 0);
+Field remove_form(const Field& z, int degree = 0);
 
 }  // namespace asperity

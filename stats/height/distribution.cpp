@@ -24,17 +24,11 @@ double gaussian_share(double a, double b) {
 // (3) for first = 1, (4) for first = 3.
 double count_variance(double a, double b, double share, const EffectiveSampleSize& size, int first) {
   HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
-  double dropped = 0;
   auto weight = [&](int k) {
-    const double c = at_a.next() - at_b.next(), w = c * c / k;
-    if (k >= first) return w;
-    dropped += w;
-    return 0.0;
+    const double c = at_a.next() - at_b.next();
+    return c * c / k;
   };
-  const double all = share * (1 - share);
-  const double kept = size.variance_of_mean(weight, all);
-  const double beyond = dropped * size.sum(EffectiveSampleSize::powers) / size.points();
-  return size.points() * size.points() * std::max(kept - beyond, 0.0);
+  return size.points() * size.points() * variance_from(first, weight, share * (1 - share), size);
 }
 
 void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSampleSize& size) {

@@ -22,6 +22,7 @@
 /// D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/field.hpp"
@@ -48,5 +49,19 @@ int scott_bins(const Moments& moments, double points);
 /// `bins` of them, missing points left out; throws ParameterError("bins", …) below 1, DataError("heights", …) where doubles do
 /// not tell so many apart.
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins);
+
+/// Σ_{k≥first} w(k) S_k/N of Hermite weights w(k), k ≥ 1, that add up to `total`: what the terms before are taken off.
+template <class Weight>
+double variance_from(int first, Weight weight, double total, const EffectiveSampleSize& size) {
+  double dropped = 0;
+  auto kept = [&](int k) {
+    const double w = weight(k);
+    if (k >= first) return w;
+    dropped += w;
+    return 0.0;
+  };
+  const double all = size.variance_of_mean(kept, total);
+  return std::max(all - dropped * size.sum(EffectiveSampleSize::powers) / size.points(), 0.0);
+}
 
 }  // namespace asperity

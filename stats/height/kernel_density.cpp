@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "math/hermite.hpp"
+#include "stats/height/distribution.hpp"
 
 namespace asperity {
 namespace {
@@ -85,17 +86,13 @@ struct GaussianLaw {
   // `total`: Σ_{k≥1} c_k²/k!
   static double variance(double x, double s, double total, const EffectiveSampleSize& size, int first) {
     HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
-    double power = 1 / s, dropped = 0;
+    double power = 1 / s;
     hermite.next();
-    auto weight = [&](int k) {
+    auto weight = [&](int) {
       power /= s;
-      const double w = std::pow(hermite.next() * power, 2);
-      if (k >= first) return w;
-      dropped += w;
-      return 0.0;
+      return std::pow(hermite.next() * power, 2);
     };
-    const double kept = size.variance_of_mean(weight, total);
-    return std::max(kept - dropped * size.sum(EffectiveSampleSize::powers) / size.points(), 0.0);
+    return variance_from(first, weight, total, size);
   }
 };
 

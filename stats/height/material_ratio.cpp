@@ -60,7 +60,7 @@ MaterialRatioCurve::MaterialRatioCurve(const Field& z, int threads)
   check();
 }
 
-MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightRun>& ascending) {
+MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightBin>& ascending) {
   double rank = 0;
   auto add = [&](double at, double height) {
     ranks_.push_back(at);
@@ -178,6 +178,22 @@ double material_height_error(double ratio, const Moments& moments, const Effecti
   };
   const double all = ratio * (1 - ratio) / (density * density) - 1 - (sq_fitted ? a * a / 2 : 0);
   return moments.sq * std::sqrt(size.variance_of_mean(weight, all));
+}
+
+std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
+                                         const EffectiveSampleSize& size, int points) {
+  if (points < 1) throw ParameterError("points", "value " + std::to_string(points) + " is below 1");
+  std::vector<QuantilePoint> out(static_cast<std::size_t>(points));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / points, x = gsl_cdf_ugaussian_Pinv(share);
+    out[i] = {.share = share,
+              .normal = x,
+              .height = curve.quantile(share),
+              .height_error = material_height_error(1 - share, moments, size),
+              .gaussian = moments.mean + moments.sq * x,
+              .misfit_error = material_height_error(1 - share, moments, size, Fitted::mean_and_sq)};
+  }
+  return out;
 }
 
 }  // namespace asperity

@@ -19,10 +19,14 @@
 ///     Var[c(p)] = σ²/N Σ_{k≥2} He_{k-1}(a)²/k! S_k,   a = Φ⁻¹(1-p),                                     (5)
 /// σ² [p(1-p)/φ(a)² - 1]/N where heights are independent.
 ///
+/// Q–Q plot  At the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which that share lies stands beside
+/// x_i = Φ⁻¹(s_i). Gaussian heights lie on the line z̄ + Sq x but for chance; from it, which the field's own mean and Sq have
+/// been put into, c strays by (5) without the term k = 2. Errors of neighbouring quantiles are correlated.
+///
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
 ///           Vm, Vv  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
 /// Accuracy  Exact for the piecewise straight curve (1) to round-off; for the smooth curve of a population,
-///           bias O(1/N). (5) to first order in 1/N. By runs (stats/height/height_runs.hpp) c(p) strays by less than the
+///           bias O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) c(p) strays by less than the
 ///           width w of a cell, 2e-6 to 2e-5 Sq, in fact by w/√(4n) for n heights a run, and volumes by less than
 ///           that; of two stretches that fall equally but for w the other may be the core.
 /// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and a few
@@ -31,13 +35,15 @@
 /// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes.
 /// E. J. Abbott, F. A. Firestone, Mechanical Engineering 55 (1933) 569-572.
 /// R. R. Bahadur, A note on quantiles in large samples, Ann. Math. Statist. 37 (1966) 577-580.
+/// M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the analysis of data, Biometrika 55 (1968) 1-17;
+/// A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
 #pragma once
 
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/height_runs.hpp"
 #include "stats/height/moments.hpp"
+#include "stats/height/order.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {
@@ -58,7 +64,7 @@ class MaterialRatioCurve {
   /// Throws DataError("heights", …) for fewer than two heights.
   explicit MaterialRatioCurve(const Field& z, int threads = 1);
   /// Straight from the lowest to the highest height of each run.
-  explicit MaterialRatioCurve(const std::vector<HeightRun>& ascending);
+  explicit MaterialRatioCurve(const std::vector<HeightBin>& ascending);
 
   /// c(p), 0 ≤ p ≤ 1; throws ParameterError("material-ratio", …) outside.
   double height(double ratio) const;
@@ -95,5 +101,19 @@ enum class Fitted { mean, mean_and_sq };
 /// too, if both are fitted.
 double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,
                              Fitted fitted = Fitted::mean);
+
+/// Heights in the unit of the field.
+struct QuantilePoint {
+  double share = 0;         ///< s
+  double normal = 0;        ///< x
+  double height = 0;        ///< c
+  double height_error = 0;  ///< √(5)
+  double gaussian = 0;      ///< the line
+  double misfit_error = 0;  ///< of height - gaussian
+};
+
+/// At n shares; throws ParameterError("points", …) below 1.
+std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
+                                         const EffectiveSampleSize& size, int points);
 
 }  // namespace asperity

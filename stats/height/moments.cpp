@@ -17,7 +17,7 @@ Index compact(Eigen::ArrayXd& d) {
 
 }  // namespace
 
-void MomentSums::add(const Field& strip) {
+void MomentSums::add(const Eigen::Ref<const Field>& strip) {
   Eigen::ArrayXd row(strip.cols()), square;
   for (Index i = 0; i < strip.rows(); ++i) {
     row = (strip.row(i).transpose() - mean_.base) - mean_.above;

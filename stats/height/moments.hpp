@@ -38,7 +38,7 @@ class MomentSums {
  public:
   /// `mean` is that of the whole field.
   explicit MomentSums(const Mean& mean) : mean_(mean) {}
-  void add(const Field& strip);
+  void add(const Eigen::Ref<const Field>& strip);
   /// Throws DataError(variable, …) when every height is the same: skewness and kurtosis then have no value; or when
   /// fourth powers of the heights are no numbers of their own any more, Sq below 1e-77 or heights above 1e77.
   Moments moments(std::string_view variable) const;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "core/field.hpp"
@@ -19,15 +20,19 @@ namespace asperity {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-/// Whole rows of a field: `own` of its rows, and behind them, for their neighbours, the next ones. On a periodic grid
-/// the first rows are next to the last one; a strip of all rows needs none behind it.
+/// Whole rows of a field: `core` of them, and behind them a halo, for their neighbours, of the next ones. On a periodic grid
+/// the first rows are next to the last one; a strip of all rows needs no halo.
 struct Strip {
   const Field& z;
   Grid grid;  ///< of the whole field
-  Index own;
+  Index core;
 
   static Strip whole(const Field& z, const Grid& grid) { return {z, grid, z.rows()}; }
   bool closed() const { return grid.periodic && z.rows() == grid.shape.nx; }
+  /// Points of the field's shorter side; without end where it repeats itself.
+  Index shortest_side() const {
+    return grid.periodic ? std::numeric_limits<Index>::max() : std::min(grid.shape.nx, grid.shape.ny);
+  }
 };
 
 /// Rows of a strip, with `margin` points more at the end where the field repeats itself.
@@ -35,7 +40,7 @@ class NeighbourRows {
  public:
   NeighbourRows(const Strip& strip, Index margin)
       : z_(strip.z),
-        rows_(std::min(strip.own, z_.rows() + (strip.closed() ? margin : 0) - margin)),
+        rows_(std::min(strip.core, z_.rows() + (strip.closed() ? margin : 0) - margin)),
         columns_(z_.cols() - (strip.grid.periodic ? 0 : margin)),
         margin_(strip.grid.periodic ? margin : 0) {}
 

@@ -31,9 +31,10 @@ ValidSum excess_of_triangles(const Row& upper, const Row& lower, const Grid& gri
 }  // namespace
 
 void SlopeSums::add(const Strip& strip, int threads) {
+  if (strip.shortest_side() < 2) return;
   const NeighbourRows rows(strip, 1);
   const Index sides_y = rows.columns(), ny = strip.z.cols();
-  add_rows(sums_, strip.own, threads, [&](Index i) {
+  add_rows(sums_, strip.core, threads, [&](Index i) {
     const Row row = rows(i);
     RowSums<3> of_row{};
     of_row[1] = sum_of_valid((row.segment(1, sides_y) - row.head(sides_y)).square());
@@ -54,7 +55,7 @@ SlopeParameters SlopeSums::parameters(const Grid& grid) const {
 
 SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads) {
   SlopeSums sums;
-  if (std::min(z.rows(), z.cols()) > (grid.periodic ? 0 : 1)) sums.add(Strip::whole(z, grid), threads);
+  sums.add(Strip::whole(z, grid), threads);
   return sums.parameters(grid);
 }
 

@@ -58,9 +58,10 @@ ProfileSpectralMoments SpectralMoments::isotropic() const {
 }
 
 void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
+  if (strip.shortest_side() < 3) return;
   const NeighbourRows sides(strip, 1), curves(strip, 2);
   const Index ny = strip.z.cols();
-  add_rows(sums_, strip.own, threads, [&](Index i) {
+  add_rows(sums_, strip.core, threads, [&](Index i) {
     const Row here = curves(i);
     Sums out{};
     out[s00] = sum_of_valid((here.head(ny) - level).square());
@@ -94,8 +95,7 @@ SpectralMoments SpectralMomentSums::moments(const Grid& grid) const {
 
 SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) {
   SpectralMomentSums sums;
-  if (std::min(z.rows(), z.cols()) > (grid.periodic ? 0 : 2))
-    sums.add(Strip::whole(z, grid), mean(z), threads);
+  sums.add(Strip::whole(z, grid), mean(z), threads);
   return sums.moments(grid);
 }
 

@@ -46,7 +46,7 @@ double log_gaussian(double x) {
 
 double kolmogorov_smirnov(double n, const auto& for_each_run) {
   double largest = 0;
-  for_each_run([&](const HeightRun& run, double below) {
+  for_each_run([&](const HeightBin& run, double below) {
     const double low = gsl_cdf_ugaussian_P(run.lowest),
                  high = run.count > 1 ? gsl_cdf_ugaussian_P(run.highest) : low;
     largest = std::max({largest, low - below / n, (below + 1) / n - low, high - (below + run.count - 1) / n,
@@ -64,7 +64,7 @@ double anderson_darling_term(double i, double n, double x) {
 // The terms of a run are those of a parabola through the first, the middle and the last.
 double anderson_darling(double n, const auto& for_each_run) {
   double sum = 0;
-  for_each_run([&](const HeightRun& run, double below) {
+  for_each_run([&](const HeightBin& run, double below) {
     const double m = run.count, first = anderson_darling_term(below, n, run.lowest);
     if (m == 1) {
       sum += first;
@@ -82,7 +82,7 @@ std::vector<double> counts_below_edges(double n, const auto& for_each_run, int b
   std::vector<double> counts;
   auto edge = [&] { return gsl_cdf_ugaussian_Pinv(static_cast<double>(counts.size() + 1) / bins); };
   double at = edge();
-  for_each_run([&](const HeightRun& run, double below) {
+  for_each_run([&](const HeightBin& run, double below) {
     for (; static_cast<int>(counts.size()) < bins - 1 && at <= run.highest; at = edge())
       counts.push_back(at <= run.lowest ? below
                                         : below + std::ceil((at - run.lowest) / (run.highest - run.lowest) *
@@ -170,23 +170,23 @@ std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_ea
 std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {
   const std::vector<double> x = sorted(z, moments);
   auto for_each_run = [&](auto visit) {
-    for (double below = 0; const double height : x) visit(HeightRun{1, height, height}, below++);
+    for (double below = 0; const double height : x) visit(HeightBin{1, height, height}, below++);
   };
   return judge(static_cast<double>(x.size()), for_each_run, moments);
 }
 
-std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const std::vector<HeightRun>& ascending,
+std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const std::vector<HeightBin>& ascending,
                                                          const Moments& moments) const {
   auto normalised = [&](double height) { return (height - moments.mean) / moments.sq; };
   auto for_each_run = [&](auto visit) {
     double below = 0;
     for (const auto& [count, lowest, highest] : ascending) {
-      visit(HeightRun{count, normalised(lowest), normalised(highest)}, below);
+      visit(HeightBin{count, normalised(lowest), normalised(highest)}, below);
       below += count;
     }
     return below;
   };
-  return judge(for_each_run([](const HeightRun&, double) {}), for_each_run, moments);
+  return judge(for_each_run([](const HeightBin&, double) {}), for_each_run, moments);
 }
 
 }  // namespace asperity

@@ -21,7 +21,7 @@
 /// Accuracy  They are limits for many independent patches, N/S_2 ≫ 1. At 5 % false alarms of 300 fields each
 ///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/gaussianity.cpp). Inside the
 ///           limits: p to 3e-4 for A², 1e-9 of itself for χ², √(p(1-p)/8192) for KS, none below 1/8193. With S_k from
-///           an estimate the error of the estimate comes on top. By runs (stats/height/height_runs.hpp), s the largest
+///           an estimate the error of the estimate comes on top. By runs (stats/height/order.hpp), s the largest
 ///           share of the heights in one, w its cell's width at the mean per Sq: KS within √N s, A² within 15 √N w KS,
 ///           χ² within 4 B s [√(N χ²) + B s N], were all heights of all runs at one end; scattered, far closer.
 /// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms, by runs 6 a run.
@@ -36,8 +36,8 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/height_runs.hpp"
 #include "stats/height/moments.hpp"
+#include "stats/height/order.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 
@@ -62,7 +62,7 @@ class GaussianityTest {
   /// `moments` are z's, whose missing points are left out. The tests in the order (1)–(4).
   std::array<GoodnessOfFit, 4> operator()(const Field& z, const Moments& moments) const;
   /// Of a field that came in strips.
-  std::array<GoodnessOfFit, 4> operator()(const std::vector<HeightRun>& ascending,
+  std::array<GoodnessOfFit, 4> operator()(const std::vector<HeightBin>& ascending,
                                           const Moments& moments) const;
 
  private:

@@ -80,7 +80,7 @@ Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
   const Grid& grid = pairs.grid();
   parameters.check(grid);
-  Field d = parameters.level ? Field(z - *parameters.level) : without_form(z);
+  Field d = parameters.level ? Field(z - *parameters.level) : remove_form(z);
   if (!pairs.complete()) d = zero_filled(d);
   Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads);
   sums /= pairs.points();
@@ -95,7 +95,7 @@ LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfPar
 }
 
 LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int threads) {
-  const Field d = without_form(z);
+  const Field d = remove_form(z);
   if (const Pairs pairs = Pairs::of(d, grid, threads); !pairs.complete()) {
     AcfParameters{.max_lag = max_lag}.check(grid);
     return over_valid_pairs(d, pairs, max_lag, threads);

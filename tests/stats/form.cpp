@@ -45,13 +45,13 @@ TEST_CASE("a polynomial of the form's degree leaves nothing but round-off", "[fo
     });
     CAPTURE(degree);
     const double d = degree + 1;
-    CHECK(without_form(z, degree).abs().maxCoeff() <= epsilon * d * d * (2 * d + 1) * (2 * d + 1));
+    CHECK(remove_form(z, degree).abs().maxCoeff() <= epsilon * d * d * (2 * d + 1) * (2 * d + 1));
   }
 }
 
 TEST_CASE("what is left is orthogonal to every polynomial of the degree, and none is removed twice",
           "[form][law]") {
-  const Field z = random_field({24, 37}, 9), rest = without_form(z, 3);
+  const Field z = random_field({24, 37}, 9), rest = remove_form(z, 3);
   for (int a = 0; a <= 3; ++a)
     for (int b = 0; a + b <= 3; ++b) {
       double sum = 0;
@@ -60,15 +60,15 @@ TEST_CASE("what is left is orthogonal to every polynomial of the degree, and non
           sum += power(static_cast<double>(i) / 24, a) * power(static_cast<double>(j) / 37, b) * rest(i, j);
       CHECK(std::abs(sum) <= 24 * 37 * epsilon * z.abs().maxCoeff());  // N terms of at most max|z|
     }
-  CHECK((without_form(rest, 3) - rest).abs().maxCoeff() <= 100 * epsilon * z.abs().maxCoeff());
-  CHECK(moments(without_form(z, 4)).sq < moments(rest).sq);
+  CHECK((remove_form(rest, 3) - rest).abs().maxCoeff() <= 100 * epsilon * z.abs().maxCoeff());
+  CHECK(moments(remove_form(z, 4)).sq < moments(rest).sq);
 }
 
 TEST_CASE("a profile of three points has no form beyond degree 2", "[form][contract]") {
   const Field z = random_field({3, 1}, 4);
-  CHECK(without_form(z, 6).abs().maxCoeff() <= 10 * epsilon * z.abs().maxCoeff());
-  CHECK_THROWS_AS(without_form(z, -1), ParameterError);
-  CHECK_THROWS_AS(without_form(z, 21), ParameterError);
+  CHECK(remove_form(z, 6).abs().maxCoeff() <= 10 * epsilon * z.abs().maxCoeff());
+  CHECK_THROWS_AS(remove_form(z, -1), ParameterError);
+  CHECK_THROWS_AS(remove_form(z, 21), ParameterError);
 }
 
 TEST_CASE("the Gaussian filter is the weighted mean over the samples within the edges", "[filter][exact]") {

@@ -1,4 +1,5 @@
 // A measured surface against sums in long double that share no code with the library.
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 

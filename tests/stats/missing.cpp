@@ -149,14 +149,14 @@ TEST_CASE("a polynomial with holes is taken away whole, and leaves the same of a
     return 1 + x - 2 * y + 0.5 * x * x - x * y + y * y * y - x * x * y;
   };
   const Field form = sample(g, polynomial), rough = with_holes(random_field(g.shape, 218), 0.2, 219);
-  CHECK(zero_filled(without_form(with_holes(form, 0.2, 219), 3)).abs().maxCoeff() <= 1e4 * epsilon);
+  CHECK(zero_filled(remove_form(with_holes(form, 0.2, 219), 3)).abs().maxCoeff() <= 1e4 * epsilon);
   for (int degree : {3, 5}) {
-    const Field left = without_form(rough, degree), again = without_form(rough + form, degree);
+    const Field left = remove_form(rough, degree), again = remove_form(rough + form, degree);
     CHECK(zero_filled(left - again).abs().maxCoeff() <= 1e4 * epsilon);
     CHECK((left.isNaN() == rough.isNaN()).all());
   }
   // Normal equations: what is left is at right angles to every term, over the points that are there.
-  const Field left = zero_filled(without_form(rough, 2));
+  const Field left = zero_filled(remove_form(rough, 2));
   for (const auto& term :
        {plane(g, 0, 0, 1), plane(g, 1, 0), plane(g, 0, 1), Field(plane(g, 1, 0) * plane(g, 0, 1))})
     CHECK(std::abs((left * term).sum()) <= 1e4 * epsilon);
@@ -166,8 +166,8 @@ TEST_CASE("a form that the points that are there do not determine is refused as 
           "[missing][contract]") {
   Field z = Field::Constant(9, 9, none);
   z.row(3) = random_field({1, 9}, 220);
-  CHECK_NOTHROW(without_form(z, 0));
-  CHECK_THROWS_AS(without_form(z, 1), ParameterError);
+  CHECK_NOTHROW(remove_form(z, 0));
+  CHECK_THROWS_AS(remove_form(z, 1), ParameterError);
 }
 
 TEST_CASE("the Gaussian filter leaves a constant with holes as it is, and is the direct weighted mean",

@@ -39,7 +39,7 @@ TEST_CASE(
                      biased = estimate_autocorrelation(z, g, {.max_lag = all, .biased = true}),
                      S = structure_function(z, g, all);
       const Pairs pairs = Pairs::of(z, g);
-      const Field d = without_form(z);
+      const Field d = remove_form(z);
       const double sum = zero_filled(d).square().sum(), bound = 12 * epsilon * sum;
       for (Index p = 0; p <= all.nx; ++p)
         for (Index q = -all.ny; q <= all.ny; ++q) {
@@ -131,7 +131,7 @@ TEST_CASE("over an ensemble with holes Bartlett's errors of the ACF and those of
 
 TEST_CASE("the PSD of a field with holes adds up to its Sq squared", "[missing][exact]") {
   const Grid g{{24, 30}, 0.5, 0.25, true};
-  const Field d = without_form(with_holes(random_field(g.shape, 224), 0.2, 225));
+  const Field d = remove_form(with_holes(random_field(g.shape, 224), 0.2, 225));
   const LagField psd = power_spectrum(d, g, {DataWindow::none, DataWindow::none});
   double sum = 0;
   for_each_lag(psd, g, [&](Index p, Index q, double weight) { sum += weight * psd(p, q); });
@@ -166,7 +166,7 @@ TEST_CASE("holes here and there, a share g, lay a floor of g Sq^2 dx dy below th
 TEST_CASE("rings of the PSD of white noise with holes stray by one standard error", "[missing][statistics]") {
   const Grid g = grid(128, 100);
   const DataWindows windows{DataWindow::hann, DataWindow::hann};
-  const Field d = without_form(with_holes(white_noise(g.shape, 226), 0.1, 227));
+  const Field d = remove_form(with_holes(white_noise(g.shape, 226), 0.1, 227));
   double squares = 0, rings = 0;
   const LagField psd = power_spectrum(d, g, windows);
   for (const SpectrumPoint& ring : radial_spectrum(psd, g, spectrum_inflation(d, windows))) {
@@ -186,8 +186,8 @@ TEST_CASE("a field whose holes are at its edge has the statistics of what they l
   CHECK(relative_error(slope_parameters(z, g).sdr, slope_parameters(inner, h).sdr) <= 200 * epsilon);
   CHECK(relative_error(spectral_moments(z, g).m22, spectral_moments(inner, h).m22) <= 1000 * epsilon);
   CHECK(counted_summits(z, g).density == Approx(counted_summits(inner, h).density).epsilon(1e-14));
-  CHECK(zero_filled(without_form(z, 4)).abs().sum() ==
-        Approx(without_form(inner, 4).abs().sum()).epsilon(1e-11));
+  CHECK(zero_filled(remove_form(z, 4)).abs().sum() ==
+        Approx(remove_form(inner, 4).abs().sum()).epsilon(1e-11));
   const LagField R = estimate_autocorrelation(z, g, {.max_lag = {9, 8}}),
                  alone = estimate_autocorrelation(inner, h, {.max_lag = {9, 8}});
   CHECK((R.half_plane() - alone.half_plane()).abs().maxCoeff() <= 12 * epsilon * inner.square().sum());

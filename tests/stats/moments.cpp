@@ -118,8 +118,8 @@ TEST_CASE("removing the plane takes any plane away and leaves nothing for a seco
   const Field tilted = z + Field::NullaryExpr(24, 37, [](Index i, Index j) {
                          return 0.3 - 0.02 * static_cast<double>(i) + 0.01 * static_cast<double>(j);
                        });
-  const Field flat = without_form(z, 1);
-  CHECK((without_form(tilted, 1) - flat).abs().maxCoeff() <= round_off(z));
-  CHECK((without_form(flat, 1) - flat).abs().maxCoeff() <= round_off(z));
+  const Field flat = remove_form(z, 1);
+  CHECK((remove_form(tilted, 1) - flat).abs().maxCoeff() <= round_off(z));
+  CHECK((remove_form(flat, 1) - flat).abs().maxCoeff() <= round_off(z));
   CHECK(moments(flat).sq <= moments(z).sq);
 }

@@ -1,4 +1,4 @@
-#include "stats/height/quantile_plot.hpp"
+#include "stats/height/material_ratio.hpp"
 
 #include <gsl/gsl_cdf.h>
 

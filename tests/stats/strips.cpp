@@ -6,8 +6,7 @@
 #include "holes.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
-#include "stats/filter/selection.hpp"
-#include "stats/height/height_runs.hpp"
+#include "stats/height/order.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/height/moments.hpp"
 #include "stats/hybrid/slopes.hpp"
@@ -23,23 +22,23 @@ using namespace asperity::test;
 
 namespace {
 
-// visit(strip, own) for strips of `rows`, with two rows behind them.
+// visit(strip, core) for strips of `rows`, with a halo of two rows.
 template <class Visit>
 void for_each_strip(const Field& z, bool periodic, Index rows, Visit visit) {
   const Index nx = z.rows();
   for (Index first = 0; first < nx; first += rows) {
-    const Index own = std::min(rows, nx - first),
-                behind = periodic ? 2 : std::min<Index>(2, nx - first - own);
-    visit(Field(Field::NullaryExpr(own + behind, z.cols(),
+    const Index core = std::min(rows, nx - first),
+                halo = periodic ? 2 : std::min<Index>(2, nx - first - core);
+    visit(Field(Field::NullaryExpr(core + halo, z.cols(),
                                    [&](Index i, Index j) { return z((first + i) % nx, j); })),
-          own);
+          core);
   }
 }
 
-std::vector<HeightRun> runs_of(const Field& z, Index cells = HeightCells::default_cells) {
-  HeightCells out(moments(z), cells);
-  for_each_strip(z, false, 7, [&](const Field& strip, Index own) { out.add(strip.topRows(own)); });
-  return out.runs();
+std::vector<HeightBin> runs_of(const Field& z, Index cells = HeightBins::default_count) {
+  HeightBins out(moments(z), cells);
+  for_each_strip(z, false, 7, [&](const Field& strip, Index core) { out.add(strip.topRows(core)); });
+  return out.ascending();
 }
 
 }  // namespace
@@ -55,10 +54,10 @@ TEST_CASE("slopes, spectral moments and summits of strips are those of the whole
         SlopeSums slopes;
         SpectralMomentSums spectral;
         SummitSums summits;
-        for_each_strip(z, periodic, rows, [&](const Field& strip, Index own) {
-          slopes.add({strip, g, own});
-          spectral.add({strip, g, own}, mean(z));
-          summits.add({strip, g, own}, mean(z));
+        for_each_strip(z, periodic, rows, [&](const Field& strip, Index core) {
+          slopes.add({strip, g, core});
+          spectral.add({strip, g, core}, mean(z));
+          summits.add({strip, g, core}, mean(z));
         });
         CAPTURE(periodic, holes, rows);
         const SpectralMoments m = spectral.moments(g), whole = spectral_moments(z, g);
@@ -80,7 +79,7 @@ TEST_CASE("the form of strips is that of the whole field to round-off, points mi
             Field::NullaryExpr(41, 37, [](Index i, Index j) { return 0.1 * static_cast<double>(i * i - j); });
   for (const bool holes : {false, true}) {
     if (holes) z.block(10, 5, 9, 12).setConstant(std::nan(""));
-    const Field whole = without_form(z, 2);
+    const Field whole = remove_form(z, 2);
     FormFit fit({41, 37}, 2);
     Field out = z - 40;
     while (!fit.done()) {
@@ -104,9 +103,9 @@ TEST_CASE("moments of strips are those of the whole field to round-off, 1 nm on 
   const double unit = std::ldexp(1.0, -50);
   const Field z = with_holes((random_field({64, 50}, 303) * (1e-9 / unit)).round() * unit + 1.0, 0.1, 304);
   MeanSum level;
-  for_each_strip(z, false, 9, [&](const Field& strip, Index own) { level.add(strip.topRows(own)); });
+  for_each_strip(z, false, 9, [&](const Field& strip, Index core) { level.add(strip.topRows(core)); });
   MomentSums sums(level.mean());
-  for_each_strip(z, false, 9, [&](const Field& strip, Index own) { sums.add(strip.topRows(own)); });
+  for_each_strip(z, false, 9, [&](const Field& strip, Index core) { sums.add(strip.topRows(core)); });
   const Moments m = sums.moments("heights"), whole = moments(z);
   CHECK(relative_error(m.sq, whole.sq) <= 1e-13);
   CHECK(relative_error(m.sa, whole.sa) <= 1e-13);
@@ -130,7 +129,7 @@ TEST_CASE("ranks are those of the sorted heights, of both signs, repeated, tiny 
       0, 1, 17, sorted.size() / 2, sorted.size() / 2 + 1, sorted.size() - 1};
   RankSelection selection(ranks);
   for (int pass = 0; pass < RankSelection::passes; ++pass) {
-    for_each_strip(z, false, 7, [&](const Field& strip, Index own) { selection.add(strip.topRows(own)); });
+    for_each_strip(z, false, 7, [&](const Field& strip, Index core) { selection.add(strip.topRows(core)); });
     selection.end_pass();
   }
   for (std::size_t i = 0; i < ranks.size(); ++i) CHECK(selection.height(i) == sorted[ranks[i]]);
@@ -143,14 +142,14 @@ TEST_CASE("the ACF of strips is the direct mean over the pairs that lie in one s
     const Field z = holes ? with_holes(random_field(g.shape, 307), 0.2, 308) : random_field(g.shape, 307);
     const Index rows = 6;
     StripAutocorrelation acf(g, rows);
-    for_each_strip(z, false, rows, [&](const Field& strip, Index own) { acf.add(strip.topRows(own)); });
+    for_each_strip(z, false, rows, [&](const Field& strip, Index core) { acf.add(strip.topRows(core)); });
     const LagField R = acf.estimate();
     CHECK(R.max_p() == 3);
     for (Index p = 0; p <= R.max_p(); ++p)
       for (Index q = -R.max_q(); q <= R.max_q(); ++q) {
         double sum = 0, pairs = 0;
-        for_each_strip(z, false, rows, [&](const Field& strip, Index own) {
-          for_each_pair(strip.topRows(own), false, p, q, [&](double a, double b) { sum += a * b, ++pairs; });
+        for_each_strip(z, false, rows, [&](const Field& strip, Index core) {
+          for_each_pair(strip.topRows(core), false, p, q, [&](double a, double b) { sum += a * b, ++pairs; });
         });
         CAPTURE(holes, p, q);
         CHECK(std::abs(R(p, q) - sum / pairs) <= 12 * epsilon * zero_filled(z).square().sum() / pairs);
@@ -174,9 +173,9 @@ TEST_CASE("what rests on the order of heights is that of the whole field where r
   Field z = with_holes(random_field({40, 33}, 311), 0.1, 312);
   z.topRows(9) = (8 * z.topRows(9)).round() / 8;
   z(10, 30) = 1e3, z(11, 30) = -1e3;
-  const std::vector<HeightRun> runs = runs_of(z);
-  for (const HeightRun& run : runs) CHECK((run.count <= 2 || run.lowest == run.highest));
-  CHECK(std::ranges::is_sorted(runs, {}, &HeightRun::highest));
+  const std::vector<HeightBin> runs = runs_of(z);
+  for (const HeightBin& run : runs) CHECK((run.count <= 2 || run.lowest == run.highest));
+  CHECK(std::ranges::is_sorted(runs, {}, &HeightBin::highest));
 
   const MaterialRatioCurve curve(runs), whole(z);
   for (const double p : {0.0, 0.013, 0.1, 0.5, 0.8, 0.999, 1.0}) {
@@ -208,7 +207,7 @@ TEST_CASE(
   const Moments m = moments(z);
   const double n = static_cast<double>(z.size());
   for (const Index cells : {512, 4096}) {
-    const std::vector<HeightRun> runs = runs_of(z, cells);
+    const std::vector<HeightBin> runs = runs_of(z, cells);
     const double w = 2 / static_cast<double>(cells);
     double mean_range = 0, largest_share = 0;
     for (const auto& [count, lowest, highest] : runs) {

@@ -27,7 +27,7 @@ Measured measured_surface() {
   bytes << file.rdbuf();
   const Dataset data = decode_netcdf(bytes.str());
   const Grid grid = grid_of(data);
-  const Field heights = without_form(field_of(data, "heights"), 1);
+  const Field heights = remove_form(field_of(data, "heights"), 1);
   return {grid, estimate_autocorrelation(heights, grid, {.max_lag = default_max_lag(grid), .biased = true})
                     .normalised()};
 }

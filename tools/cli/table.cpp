@@ -96,11 +96,6 @@ std::string Table::json() const {
   return object.dump(2) + "\n";
 }
 
-Interval Quantities::Row::interval_95() const {
-  if (!std::isfinite(standard_error)) return {};
-  return interval.value_or(Interval::about(value, half_width_95 * standard_error));
-}
-
 Table Quantities::table() const {
   Table out{{{"quantity", ""},
              {"value", "SI", Holds::unknown},

@@ -5,20 +5,16 @@
 /// escaped, and UTF-8.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/words.hpp"
-#include "stats/uncertainty/interval.hpp"
+#include "stats/measure/parameter.hpp"
 
 namespace asperity::cli {
 
 class Tool;
-
-/// Of a 95 % interval of a Gaussian quantity, in standard errors.
-constexpr double half_width_95 = 1.959963984540054;
 
 using asperity::shortest;
 
@@ -48,20 +44,7 @@ struct Table {
 /// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …, "standard_error": …,
 /// "interval_95": [low, high], "note": …}}.
 struct Quantities {
-  struct Row {
-    std::string name;
-    double value;
-    std::string unit;
-    double standard_error;  ///< not finite: none is known
-    std::string meaning;
-    /// Of 95 % confidence; absent: 1.96 standard errors about the value.
-    std::optional<Interval> interval = {};
-    std::string why = {};  ///< the value or its error is missing, in words
-
-    Interval interval_95() const;
-    /// Why something is missing; "" where nothing is, or no more than an error that no theory gives.
-    std::string note() const { return why.empty() ? interval_95().why : why; }
-  };
+  using Row = Parameter;
   std::vector<Row> rows;
 
   Table table() const;

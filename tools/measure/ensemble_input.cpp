@@ -66,8 +66,8 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
 void EnsembleInput::declare(Tool& tool) {
   tool.app().add_option(
       "SURFACES", files,
-      "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names "
-      "of files, one a line");
+      "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names of files, one "
+      "a line");
   tool.input_format();
 }
 
@@ -103,8 +103,8 @@ void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& fi
   if (sizes_ == Sizes::alike) throw DataError(file, both + ", and all are tested on one grid");
   warned_ = true;
   tool.warn(file + ": " + both +
-            ": extremes, correlation lengths and all errors depend on the size, and each "
-            "surface counts the same in the mean");
+            ": extremes, correlation lengths and all errors depend on the size, and each surface counts the "
+            "same in the mean");
 }
 
 }  // namespace asperity::cli

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "stats/measure/parameter.hpp"
 #include "tools/cli/tool.hpp"
-#include "tools/measure/groups.hpp"
 #include "tools/plot/request.hpp"
 
 namespace asperity::report {
@@ -14,7 +14,7 @@ namespace asperity::report {
 /// A group of parameters of the surface, or why it has none.
 struct Group {
   std::string title;
-  cli::Rows rows;
+  Parameters rows;
   std::string omitted;
 };
 

@@ -1,4 +1,4 @@
-/// The parameters of an ensemble: mean, spread and standard error over its surfaces, a row a parameter.
+/// The parameters of an ensemble: mean, spread and standard error over its surfaces.
 ///
 /// A parameter that some surface lacks counts the surfaces that have it. Beside the spread stands the one that the
 /// surfaces' own standard errors lead to expect, their root mean square: where the two differ by more than the
@@ -10,17 +10,28 @@
 /// K. V. Mardia, P. E. Jupp, Directional Statistics (Wiley 2000), 2.3.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "stats/hypothesis/ensemble.hpp"
-#include "tools/measure/groups.hpp"
+#include "stats/measure/parameter.hpp"
 
-namespace asperity::cli {
+namespace asperity {
 
-class EnsembleRows {
+struct EnsembleParameter {
+  std::string name, unit;
+  double mean, spread, expected_spread, surfaces;
+
+  double standard_error() const { return spread / std::sqrt(surfaces); }
+};
+
+class EnsembleParameters {
  public:
   /// Of one surface.
-  void add(const Rows& rows);
+  void add(const Parameters& parameters);
   int surfaces() const { return surfaces_; }
-  Table table() const;
+  /// In the order in which they came first.
+  std::vector<EnsembleParameter> all() const;
 
  private:
   struct Quantity {
@@ -28,10 +39,10 @@ class EnsembleRows {
     Ensemble values = {}, squared_errors = {};
   };
 
-  Quantity& quantity(const Quantities::Row& row);
+  Quantity& quantity(const Parameter& parameter);
 
-  std::vector<Quantity> quantities_;  ///< in the order in which they came first
+  std::vector<Quantity> quantities_;
   int surfaces_ = 0;
 };
 
-}  // namespace asperity::cli
+}  // namespace asperity

@@ -1,7 +1,9 @@
-#include "stats/filter/selection.hpp"
+#include "stats/height/order.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 namespace asperity {
 namespace {
@@ -23,6 +25,32 @@ std::uint64_t beginning(std::uint64_t key, int shift) {
 }
 
 }  // namespace
+
+HeightBins::HeightBins(const Moments& moments, Index count)
+    : mean_(moments.mean), sa_(moments.sa), bins_(static_cast<std::size_t>(count)) {}
+
+// Each operation is monotone when rounded, so that no height lands in a bin beyond a higher one's.
+std::size_t HeightBins::bin_of(double height) const {
+  const double x = (height - mean_) / sa_, t = std::copysign(1 - 1 / (1 + std::abs(x)), x);
+  const auto index = static_cast<std::size_t>(0.5 * (1 + t) * static_cast<double>(bins_.size()));
+  return std::min(index, bins_.size() - 1);
+}
+
+void HeightBins::add(const Field& strip) {
+  for (const double height : strip.reshaped<Eigen::RowMajor>()) {
+    if (std::isnan(height)) continue;
+    HeightBin& bin = bins_[bin_of(height)];
+    bin.lowest = bin.count > 0 ? std::min(bin.lowest, height) : height;
+    bin.highest = bin.count > 0 ? std::max(bin.highest, height) : height;
+    ++bin.count;
+  }
+}
+
+std::vector<HeightBin> HeightBins::ascending() const {
+  std::vector<HeightBin> out;
+  std::ranges::copy_if(bins_, std::back_inserter(out), [](const HeightBin& bin) { return bin.count > 0; });
+  return out;
+}
 
 RankSelection::RankSelection(const std::vector<std::uint64_t>& ranks) {
   for (const std::uint64_t rank : ranks) targets_.push_back({rank});

@@ -1,0 +1,76 @@
+/// The groups of parameters, and how they are tabulated: a row has the symbol, the unit, the meaning, and how the value and
+/// its error follow from what the group has computed.
+///
+/// Rows that several subjects share, such as the profiles in some directions, have `{}` where the subject's name stands.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "stats/measure.hpp"
+
+namespace asperity {
+
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+inline constexpr std::string_view of_field = "";  ///< in place of a unit: that of the heights
+
+struct Estimate {
+  double value;
+  double standard_error = unknown;
+  std::optional<Interval> interval = {};
+};
+
+template <class Of>
+struct Definition {
+  std::string_view symbol;
+  std::string_view unit;
+  std::string_view meaning;
+  Estimate (*estimate)(const Of&);
+};
+
+/// What is a member of `Of`, without an error.
+template <auto member, class Of>
+Estimate value_of(const Of& of) {
+  return {of.*member};
+}
+
+/// What stands for {} in symbols and in meanings; why a value may be missing, and why the error of one that is there.
+struct Words {
+  std::string symbol = {}, meaning = {}, why = {}, why_no_error = {};
+};
+
+/// A table of parameters that is being filled; `units` are those of the field.
+class ParameterList {
+ public:
+  explicit ParameterList(std::string units) : units_(std::move(units)) {}
+
+  void add(std::string_view symbol, std::string_view unit, std::string_view meaning, const Estimate& estimate,
+           const Words& words = {});
+  template <class Of, std::size_t N>
+  void add(const Definition<Of> (&table)[N], const Of& of, const Words& words = {}) {
+    for (const auto& [symbol, unit, meaning, estimate] : table)
+      add(symbol, unit, meaning, estimate(of), words);
+  }
+  /// Without errors, where there are too few independent heights to tell any.
+  Parameters told(const EffectiveSampleSize& size) &&;
+  Parameters all() && { return std::move(parameters_); }
+
+ private:
+  std::string units_;
+  Parameters parameters_;
+};
+
+Parameters height_parameters(const Sample& sample);
+Parameters quantiles(const Sample& sample, const std::vector<double>& shares);
+/// Each test's statistic and p-value, with and without the correlation of the heights.
+Parameters gaussianity(const Sample& sample);
+Parameters material_parameters(const Sample& sample, const MeasureOptions& options);
+Parameters hybrid_parameters(const Sample& sample, const std::optional<Direction>& direction);
+Parameters spatial_parameters(const Sample& sample, double acf_level);
+/// Named P…, or R… where long waves were filtered out.
+Parameters profile_averages(const Sample& sample, const MeasureOptions& options);
+
+}  // namespace asperity

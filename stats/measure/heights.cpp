@@ -1,0 +1,142 @@
+// Moments, quantiles, tests of Gaussianity, the material ratio.
+#include <cmath>
+#include <utility>
+
+#include "core/words.hpp"
+#include "stats/height/material_ratio.hpp"
+#include "stats/measure/groups.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
+#include "stats/uncertainty/translation_error.hpp"
+
+namespace asperity {
+namespace {
+
+// ---- moments ----
+
+struct Heights {
+  double level;  ///< the mean
+  const Moments& m;
+  const EffectiveSampleSize& size;
+  MomentErrors error;
+  MomentIntervals interval;
+};
+
+template <auto value, auto error, auto interval>
+Estimate moment(const Heights& h) {
+  return {h.m.*value, h.error.*error, h.interval.*interval};
+}
+template <auto value>
+Estimate extreme(const Heights& h) {
+  return {h.m.*value};
+}
+template <int k>
+Estimate worth(const Heights& h) {
+  return {std::isfinite(h.size.effective(k)) ? h.size.effective(k) : unknown};
+}
+
+constexpr Definition<Heights> height_table[] = {
+    {"mean", of_field, "mean, subtracted from the heights below",
+     [](const Heights& h) {
+       const auto& [low, high, why] = h.interval.mean;
+       return Estimate{h.level, h.error.mean, Interval::about(h.level, (high - low) / 2)};
+     }},
+    {"Sa", of_field, "arithmetic mean height", moment<&Moments::sa, &MomentErrors::sa, &MomentIntervals::sa>},
+    {"Sq", of_field, "root mean square height",
+     moment<&Moments::sq, &MomentErrors::sq, &MomentIntervals::sq>},
+    {"Ssk", "1", "skewness, 0 for a Gaussian",
+     moment<&Moments::ssk, &MomentErrors::ssk, &MomentIntervals::ssk>},
+    {"Sku", "1", "kurtosis, 3 for a Gaussian",
+     moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>},
+    {"Sp", of_field, "highest peak of the whole field", extreme<&Moments::sp>},
+    {"Sv", of_field, "deepest valley of the whole field", extreme<&Moments::sv>},
+    {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
+    {"N", "1", "points", [](const Heights& h) { return Estimate{h.size.points()}; }},
+    {"N_eff_mean", "1", "independent points with the same error of the mean", worth<1>},
+    {"N_eff", "1", "independent points with the same error of Sq", worth<2>},
+    {"N_eff_Ssk", "1", "independent points with the same error of Ssk", worth<3>},
+    {"N_eff_Sku", "1", "independent points with the same error of Sku", worth<4>}};
+
+// Of Gaussian heights, or of those that the field was drawn with or evidently has.
+Heights heights_of(const Sample& sample) {
+  const Moments& m = sample.moments();
+  const EffectiveSampleSize& size = sample.size();
+  const double level = sample.surface().level;
+  const MomentErrors gaussian = standard_errors(m, size);
+  std::optional<Translation> heights = sample.surface().distribution;
+  if (!heights) heights = evident_translation(m, gaussian);
+  if (!heights) return {level, m, size, gaussian, confidence_intervals(m, size)};
+  const TranslationErrors errors(*heights, sample.basis().size_below(CorrelationMap(*heights)));
+  return {level, m, size, errors.standard_errors(m.sq), confidence_intervals(m, errors, size)};
+}
+
+// ---- the material ratio ----
+
+constexpr Definition<CoreParameters> core_table[] = {
+    {"Sk", of_field, "core height", value_of<&CoreParameters::sk>},
+    {"Spk", of_field, "reduced peak height", value_of<&CoreParameters::spk>},
+    {"Svk", of_field, "reduced dale height", value_of<&CoreParameters::svk>},
+    {"Smr1", "1", "material ratio where the core begins", value_of<&CoreParameters::smr1>},
+    {"Smr2", "1", "material ratio where the core ends", value_of<&CoreParameters::smr2>}};
+
+constexpr Definition<VolumeParameters> volume_table[] = {
+    {"Vmp", of_field, "peak material volume per area", value_of<&VolumeParameters::vmp>},
+    {"Vmc", of_field, "core material volume per area", value_of<&VolumeParameters::vmc>},
+    {"Vvc", of_field, "core void volume per area", value_of<&VolumeParameters::vvc>},
+    {"Vvv", of_field, "dale void volume per area", value_of<&VolumeParameters::vvv>}};
+
+// ---- tests ----
+
+constexpr Definition<GoodnessOfFit> test_table[] = {
+    {"{}", "1", "{}, statistic", value_of<&GoodnessOfFit::statistic>},
+    {"{}_p", "1", "{}, p of a Gaussian field so correlated", value_of<&GoodnessOfFit::p>},
+    {"{}_naive_p", "1", "{}, p if heights were independent, for comparison",
+     value_of<&GoodnessOfFit::naive_p>}};
+
+}  // namespace
+
+Parameters height_parameters(const Sample& sample) {
+  ParameterList out(sample.surface().units);
+  out.add(height_table, heights_of(sample),
+          {.why = "the correlation that was found sums to zero, and no number of points has that error"});
+  if (!sample.basis().pairs.complete())
+    out.add("N_missing", "1", "missing points, left out of everything",
+            {static_cast<double>(sample.grid().shape.cells()) - sample.size().points()});
+  return std::move(out).told(sample.size());
+}
+
+Parameters quantiles(const Sample& sample, const std::vector<double>& shares) {
+  const std::vector<double> heights = sample.quantiles(shares);
+  ParameterList out(sample.surface().units);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    out.add("quantile_{}", of_field, "height below which this share of the surface lies",
+            {heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())},
+            {.symbol = shortest(shares[i])});
+  return std::move(out).told(sample.size());
+}
+
+Parameters gaussianity(const Sample& sample) {
+  constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
+  auto fits = sample.goodness_of_fit();
+  ParameterList out(sample.surface().units);
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (!sample.size().tells_errors()) fits[i].p = unknown;
+    out.add(test_table, fits[i], {symbols[i], std::string(fits[i].test), untold(sample.size())});
+  }
+  return std::move(out).all();
+}
+
+Parameters material_parameters(const Sample& sample, const MeasureOptions& options) {
+  const MaterialRatioCurve curve = sample.material_ratio();
+  const auto [p, q] = options.material_ratios;
+  const VolumeParameters volumes = curve.volumes(p, q);
+  ParameterList out(sample.surface().units);
+  out.add(core_table, curve.core());
+  for (const auto& [name, ratio] : {std::pair{"p", p}, {"q", q}})
+    out.add("Smc_{}", of_field, "inverse material ratio at {}",
+            {curve.height(ratio), material_height_error(ratio, sample.moments(), sample.size())},
+            {name, shortest(ratio), ""});
+  out.add(volume_table, volumes);
+  return std::move(out).told(sample.size());
+}
+
+}  // namespace asperity

@@ -1,0 +1,74 @@
+#include "stats/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "stats/measure/groups.hpp"
+
+namespace asperity {
+namespace {
+
+std::string filled_in(std::string_view text, const std::string& word) {
+  std::string out(text);
+  if (const auto place = out.find("{}"); place != out.npos) out.replace(place, 2, word);
+  return out;
+}
+
+}  // namespace
+
+Parameters measure(const Surface& surface, const MeasureOptions& options) {
+  const Sample sample(prepared(surface, options.preparation, options.threads),
+                      options.groups.contains(Group::hybrid), options.threads);
+  Parameters out;
+  for (const Group group : options.groups)
+    std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
+  return out;
+}
+
+Parameters measure(const Sample& sample, Group group, const MeasureOptions& options) {
+  switch (group) {
+    case Group::height:
+      return height_parameters(sample);
+    case Group::quantiles:
+      return quantiles(sample, options.quantiles);
+    case Group::gaussianity:
+      return gaussianity(sample);
+    case Group::material:
+      return material_parameters(sample, options);
+    case Group::hybrid:
+      return hybrid_parameters(sample, options.direction);
+    case Group::spatial:
+      return spatial_parameters(sample, options.acf_level);
+    case Group::profiles:
+      break;
+  }
+  return profile_averages(sample, options);
+}
+
+std::string missing(const Parameters& parameters) {
+  const bool any = std::ranges::any_of(parameters, [](const auto& p) { return std::isfinite(p.value); });
+  return parameters.empty() || any ? "" : parameters.front().why;
+}
+
+void ParameterList::add(std::string_view symbol, std::string_view unit, std::string_view meaning,
+                        const Estimate& estimate, const Words& words) {
+  parameters_.push_back({.name = filled_in(symbol, words.symbol),
+                         .value = estimate.value,
+                         .unit = unit == of_field ? units_ : std::string(unit),
+                         .standard_error = estimate.standard_error,
+                         .meaning = filled_in(meaning, words.meaning),
+                         .interval = estimate.interval,
+                         .why = std::isfinite(estimate.value) ? words.why_no_error : words.why});
+}
+
+Parameters ParameterList::told(const EffectiveSampleSize& size) && {
+  const std::string why = untold(size);
+  for (Parameter& parameter : parameters_)
+    if (!why.empty() && !std::isnan(parameter.standard_error))
+      parameter.standard_error = unknown, parameter.why = why;
+  return std::move(parameters_);
+}
+
+}  // namespace asperity

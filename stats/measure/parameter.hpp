@@ -1,0 +1,36 @@
+/// A measured quantity: its value, what is known of its error, and its unit.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stats/uncertainty/interval.hpp"
+
+namespace asperity {
+
+/// Of a 95 % interval of a Gaussian quantity, in standard errors.
+inline constexpr double half_width_95 = 1.959963984540054;
+
+struct Parameter {
+  std::string name;  ///< the symbol of the standard, where it has one: "Sq"
+  double value;
+  std::string unit;       ///< SI, in UDUNITS' notation
+  double standard_error;  ///< not finite: none is known
+  std::string meaning;
+  /// Of 95 % confidence; absent: 1.96 standard errors about the value.
+  std::optional<Interval> interval = {};
+  std::string why = {};  ///< the value or its error is missing, in words
+
+  Interval interval_95() const {
+    if (!std::isfinite(standard_error)) return {};
+    return interval.value_or(Interval::about(value, half_width_95 * standard_error));
+  }
+  /// Why something is missing; "" where nothing is, or no more than an error that no theory gives.
+  std::string note() const { return why.empty() ? interval_95().why : why; }
+};
+
+using Parameters = std::vector<Parameter>;
+
+}  // namespace asperity

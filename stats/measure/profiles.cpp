@@ -1,0 +1,75 @@
+// Means over the profiles along x or along y.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "stats/measure/groups.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double least_profiles = 5;  // independent ones, with which errors can be told
+
+struct Definition1D {
+  const char* symbol;
+  std::string_view unit;
+  const char* meaning;
+};
+
+// In the order of ProfileParameters.
+constexpr std::array<Definition1D, profile_parameters_count> table{
+    {{"a", of_field, "arithmetic mean height"},
+     {"q", of_field, "root mean square height"},
+     {"sk", "1", "skewness, 0 for a Gaussian"},
+     {"ku", "1", "kurtosis, 3 for a Gaussian"},
+     {"p", of_field, "peak height, mean over the sections"},
+     {"v", of_field, "valley depth, mean over the sections"},
+     {"z", of_field, "maximum height, mean over the sections"},
+     {"t", of_field, "total height of the profile"},
+     {"dq", "1", "root mean square slope, by seven points"},
+     {"Sm", "m", "mean spacing of profile elements"}}};
+
+// Throws DataError where profiles have a single point.
+ProfileAverages averages_of(const Sample& sample, Axis1D along, double cutoff) {
+  const Shape shape = sample.grid().shape;
+  if ((along == Axis1D::x ? shape.nx : shape.ny) < 2)
+    throw DataError(sample.surface().variable, std::string("a profile along ") +
+                                                   (along == Axis1D::x ? "x" : "y") +
+                                                   " needs two points, and there is one");
+  return sample.profiles(along, std::isnan(cutoff) ? unlimited : cutoff);
+}
+
+std::string untold_profiles(double independent) {
+  if (!(independent < least_profiles)) return "";
+  return "not told: profiles_eff = " + rounded(independent) + " is below " + shortest(least_profiles);
+}
+
+}  // namespace
+
+Parameters profile_averages(const Sample& sample, const MeasureOptions& options) {
+  const double cutoff = options.preparation.long_cutoff;
+  const std::string prefix = std::isnan(cutoff) ? "P" : "R";
+  const ProfileAverages averages = averages_of(sample, options.profiles, cutoff);
+  const bool few = averages.independent < least_profiles;
+  ParameterList out(sample.surface().units);
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    if (i == profile_dq && sample.surface().units != "m") continue;
+    const auto& [name, unit, meaning] = table[k];
+    const std::string symbol = prefix + name;
+    out.add(symbol, unit, meaning, {averages.mean[i], few ? unknown : averages.standard_error[i]},
+            {.why = "no profile has one", .why_no_error = untold_profiles(averages.independent)});
+    out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", {averages.spread[i]},
+            {.meaning = symbol});
+  }
+  out.add("profiles", "1", "profiles along {}", {averages.profiles},
+          {.meaning = options.profiles == Axis1D::x ? "x" : "y"});
+  out.add("profiles_eff", "1", "independent profiles with the same error", {averages.independent});
+  return std::move(out).all();
+}
+
+}  // namespace asperity

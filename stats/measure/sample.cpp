@@ -1,0 +1,141 @@
+#include "stats/measure/sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stats/spatial/strip_acf.hpp"
+
+namespace asperity {
+namespace {
+
+// Sums of the strips but for their correlation, heights above `level`.
+class Sums {
+ public:
+  explicit Sums(const Mean& level) : level_(level.value()), moments_(level) {}
+
+  void add(const Strip& strip, bool derivatives, int threads) {
+    moments_.add(strip.z.topRows(strip.core));
+    if (!derivatives) return;
+    slopes_.add(strip, threads);
+    spectral_.add(strip, level_, threads);
+    summits_.add(strip, level_, threads);
+  }
+  SurfaceSums with(const Moments& moments, const ErrorBasis& basis, bool reaches_beyond = false) const {
+    return {moments, slopes_, spectral_, summits_, basis, reaches_beyond};
+  }
+  Moments moments(const std::string& variable) const { return moments_.moments(variable); }
+
+ private:
+  double level_;
+  MomentSums moments_;
+  SlopeSums slopes_;
+  SpectralMomentSums spectral_;
+  SummitSums summits_;
+};
+
+SurfaceSums summed(const Surface& surface, bool derivatives, int threads) {
+  Sums sums(mean_above_base(surface.heights));
+  sums.add(Strip::whole(surface.heights, surface.grid), derivatives, threads);
+  return sums.with(sums.moments(surface.variable), error_basis(surface, threads));
+}
+
+SurfaceSums summed(const StripReader& reader, const Surface& surface, bool derivatives, int threads) {
+  const Grid& grid = reader.grid();
+  const bool known = surface.correlation.has_value(),
+             complete = reader.points() == static_cast<double>(grid.shape.cells());
+  StripAutocorrelation correlation(grid, reader.rows(), threads);
+  Sums sums(Mean{});
+  reader.for_each_strip(derivatives ? 2 : 0, [&](const Field& strip, Index core, Index) {
+    sums.add({strip, grid, core}, derivatives, threads);
+    if (!known || !complete) correlation.add(strip.topRows(core));
+  });
+  const Moments m = sums.moments(surface.variable);
+  refuse_round_off(std::max(m.sp, m.sv), reader.largest(), reader.degree(), surface.variable);
+  const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs()};
+  return sums.with(m, basis, (!known || !complete) && correlation.reaches_beyond(basis.known_lags()));
+}
+
+}  // namespace
+
+Sample::Sample(Surface surface, bool derivatives, int threads)
+    : surface_(std::move(surface)),
+      sums_(summed(surface_, derivatives, threads)),
+      size_(basis().size()),
+      threads_(threads) {}
+
+Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int threads)
+    : surface_(std::move(surface)),
+      reader_(reader),
+      sums_(summed(reader, surface_, derivatives, threads)),
+      size_(basis().size()),
+      threads_(threads) {
+  surface_.level = reader.level();
+}
+
+DerivativeErrors Sample::derivative_errors() const {
+  const Pairs& pairs = basis().pairs;
+  return basis().derivative_errors(reader_ ? DifferencePairs(pairs)
+                                           : DifferencePairs(pairs, surface_.heights, threads_));
+}
+
+MaterialRatioCurve Sample::material_ratio() const {
+  return reader_ ? MaterialRatioCurve(bins()) : MaterialRatioCurve(surface_.heights, threads_);
+}
+
+std::array<GoodnessOfFit, 4> Sample::goodness_of_fit() const {
+  const GaussianityTest test(size_);
+  return reader_ ? test(bins(), moments()) : test(surface_.heights, moments());
+}
+
+ProfileAverages Sample::profiles(Axis1D along, double section) const {
+  ProfileSums sums(grid(), along, section);
+  if (!reader_)
+    sums.add(surface_.heights);
+  else if (along == Axis1D::y)
+    reader_->for_each_strip(0, [&](const Field& strip, Index, Index) { sums.add(strip); });
+  else
+    reader_->for_each_columns([&](const Field& columns) { sums.add(columns); });
+  return sums.averages(basis().pairs, basis().known_lags());
+}
+
+std::vector<double> Sample::quantiles(const std::vector<double>& shares) const {
+  if (reader_) return selected(shares);
+  const MaterialRatioCurve curve = material_ratio();
+  std::vector<double> out(shares.size());
+  std::ranges::transform(shares, out.begin(), [&](double share) { return curve.quantile(share); });
+  return out;
+}
+
+// Between the two heights beside it, as the material ratio curve has it.
+std::vector<double> Sample::selected(const std::vector<double>& shares) const {
+  const double last = reader_->points() - 1;
+  std::vector<std::uint64_t> ranks;
+  for (const double share : shares) {
+    const double below = std::min(std::floor(share * last), std::max(0.0, last - 1));
+    ranks.push_back(static_cast<std::uint64_t>(below));
+    ranks.push_back(static_cast<std::uint64_t>(std::min(below + 1, last)));
+  }
+  RankSelection selection(ranks);
+  for (int pass = 0; pass < RankSelection::passes; ++pass) {
+    reader_->for_each_strip(0, [&](const Field& strip, Index, Index) { selection.add(strip); });
+    selection.end_pass();
+  }
+  std::vector<double> out;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double lower = selection.height(2 * i), upper = selection.height(2 * i + 1);
+    out.push_back(lower + (shares[i] * last - static_cast<double>(ranks[2 * i])) * (upper - lower));
+  }
+  return out;
+}
+
+const std::vector<HeightBin>& Sample::bins() const {
+  if (!bins_) {
+    HeightBins bins(moments());
+    reader_->for_each_strip(0, [&](const Field& strip, Index, Index) { bins.add(strip); });
+    bins_ = bins.ascending();
+  }
+  return *bins_;
+}
+
+}  // namespace asperity

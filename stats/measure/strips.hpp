@@ -1,0 +1,66 @@
+/// A field that stays in a file, read in strips of whole rows, as many as memory holds.
+///
+/// It is read once for the mean, two or three times for a form, once for the moments, derivatives and the correlation, once
+/// for the order of the heights, once for profiles (along x in strips of columns), and four times for quantiles.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "core/field.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/measure/surface.hpp"
+
+namespace asperity {
+
+/// `count` rows, or columns, of the field from `first` on, in SI, missing points NaN.
+struct FieldParts {
+  Grid grid;
+  std::function<Field(Index first, Index count)> rows, columns;
+};
+
+/// Reads parts of a field above its mean and its form.
+class StripReader {
+ public:
+  /// Throws ParameterError("memory", …) for less than four rows, and as FormFit does.
+  StripReader(FieldParts parts, int degree, std::size_t memory);
+
+  const Grid& grid() const { return parts_.grid; }
+  Index rows() const { return rows_; }    ///< of a strip, but for the last
+  int degree() const { return degree_; }  ///< of the form
+  double level() const { return mean_.value(); }
+  double points() const { return points_; }    ///< that are there
+  double largest() const { return largest_; }  ///< the size of the largest value, form and all
+
+  /// visit(strip, core, first): `core` rows from the field's row `first` on, and behind them a halo of `halo` rows, as a Strip
+  /// has them.
+  template <class Visit>
+  void for_each_strip(Index halo, Visit visit) const {
+    for (Index first = 0; first < grid().shape.nx; first += rows_) {
+      const Index core = std::min(rows_, grid().shape.nx - first);
+      visit(strip(first, core, halo), core, first);
+    }
+  }
+  /// visit(columns): whole columns.
+  template <class Visit>
+  void for_each_columns(Visit visit) const {
+    for (Index first = 0; first < grid().shape.ny; first += columns_)
+      visit(columns(first, std::min(columns_, grid().shape.ny - first)));
+  }
+
+ private:
+  Field strip(Index first, Index core, Index halo) const;
+  Field columns(Index first, Index count) const;
+  void find_level();
+  void fit_form();
+
+  FieldParts parts_;
+  int degree_;
+  Index rows_, columns_;
+  Mean mean_ = {};
+  double points_ = 0, largest_ = 0;
+  std::optional<FormFit> form_ = {};
+};
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+#include "stats/measure/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/filter/gaussian_filter.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/translation_error.hpp"
+
+namespace asperity {
+namespace {
+
+std::string form_of(int degree) {
+  return degree == 0 ? "mean" : degree == 1 ? "plane" : "degree " + std::to_string(degree);
+}
+
+double largest_of(const Field& z) { return z.abs().maxCoeff<Eigen::PropagateNumbers>(); }
+
+void filter(Surface& surface, const Preparation& preparation, int threads) {
+  auto mean_surface = [&](const char* name, double cutoff) {
+    try {
+      return gaussian_mean_surface(surface.heights, surface.grid, cutoff, threads);
+    } catch (const ParameterError& error) {
+      throw ParameterError(name, error.what());
+    }
+  };
+  const auto [degree, shorter, longer] = preparation;
+  if (!std::isnan(shorter)) surface.heights = mean_surface("lambda-s", shorter);
+  if (!std::isnan(longer)) surface.heights -= mean_surface("lambda-c", longer);
+  if (preparation.filters()) surface.correlation.reset(), surface.distribution.reset();
+}
+
+}  // namespace
+
+Surface prepared(Surface surface, const Preparation& preparation, int threads) {
+  surface.level = mean(surface.heights);
+  const double size = largest_of(surface.heights);
+  surface.heights = remove_form(surface.heights, preparation.degree);
+  filter(surface, preparation, threads);
+  refuse_round_off(largest_of(surface.heights), size, preparation.degree, surface.variable);
+  return surface;
+}
+
+void refuse_round_off(double largest, double size, int degree, const std::string& variable) {
+  constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
+  if (!(largest > 0)) throw DataError(variable, "every value is the same");
+  if (largest <= round_off * size)
+    throw DataError(variable, "zero to round-off above its form (" + form_of(degree) + "): no more than " +
+                                  shortest(largest) + " is left of values up to " + shortest(size));
+}
+
+EffectiveSampleSize ErrorBasis::size_of(const LagField& rho) const {
+  return estimated ? EffectiveSampleSize::of_estimate(rho, pairs) : EffectiveSampleSize(rho, pairs);
+}
+
+EffectiveSampleSize ErrorBasis::size_below(const CorrelationMap& map) const {
+  return size_of(underlying_correlation(correlation, map));
+}
+
+LagField ErrorBasis::known_lags() const {
+  return estimated ? significant_lags(correlation, pairs) : correlation;
+}
+
+DerivativeErrors ErrorBasis::derivative_errors(const DifferencePairs& differences) const {
+  return estimated ? derivative_errors_of_estimate(correlation, differences)
+                   : asperity::derivative_errors(correlation, differences);
+}
+
+ErrorBasis error_basis(const Surface& surface, int threads) {
+  const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
+  if (surface.correlation) return {*surface.correlation, false, pairs};
+  const AcfParameters half{.max_lag = default_max_lag(surface.grid), .threads = threads};
+  return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs};
+}
+
+std::string rounded(double independent) { return shortest(std::round(10 * independent) / 10); }
+
+std::string untold(const EffectiveSampleSize& size) {
+  if (size.tells_errors()) return "";
+  return "not told: N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
+}
+
+}  // namespace asperity

@@ -1,0 +1,77 @@
+/// A field as it is measured: without its form, filtered, and with what its errors rest on.
+///
+/// Heights are measured from the form that is taken away, the F-operation of ISO 25178-2 (stats/filter/form.hpp); the
+/// S-filter then removes waves shorter than λs, the L-filter those longer than λc (stats/filter/gaussian_filter.hpp).
+/// Standard errors rest on the autocorrelation of the field: on the one that it was drawn with, which is better known
+/// than any estimate, or on the estimate. Filtered heights have another one than those that were drawn.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "core/field.hpp"
+#include "marginal/correlation_map.hpp"
+#include "marginal/translation.hpp"
+#include "stats/hybrid/derivative_error.hpp"
+#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
+#include "stats/uncertainty/effective_size.hpp"
+
+namespace asperity {
+
+struct Preparation {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  int degree = 0;                                  ///< of the form: 0 the mean, 1 the plane
+  double short_cutoff = none, long_cutoff = none;  ///< λs, λc [m]
+
+  bool filters() const { return !std::isnan(short_cutoff) || !std::isnan(long_cutoff); }
+};
+
+/// Missing heights are NaN.
+struct Surface {
+  Grid grid;
+  Field heights = {};  ///< empty where the field is read in strips
+  double level = 0;    ///< the mean that was subtracted
+  std::string variable = "heights", units = "m";
+  std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it
+  std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
+};
+
+/// Throws ParameterError("level"), ("lambda-s") or ("lambda-c") as the form and the filters do, and DataError(variable)
+/// where no roughness is left, refuse_round_off.
+Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
+
+/// Throws DataError(variable, …) for heights up to `largest` that are what rounding left of values of some size.
+void refuse_round_off(double largest, double size, int degree, const std::string& variable);
+
+/// The correlation that errors rest on, known or estimated, and the pairs of points that the field has.
+struct ErrorBasis {
+  LagField correlation;
+  bool estimated;
+  Pairs pairs;
+
+  EffectiveSampleSize size() const { return size_of(correlation); }
+  /// Of the Gaussian field below heights of this map.
+  EffectiveSampleSize size_below(const CorrelationMap& map) const;
+  /// Zero where it is not known.
+  LagField known_lags() const;
+  std::optional<LagField> known() const {
+    return estimated ? std::nullopt : std::optional<LagField>(correlation);
+  }
+  DerivativeErrors derivative_errors(const DifferencePairs& differences) const;
+
+ private:
+  EffectiveSampleSize size_of(const LagField& rho) const;
+};
+
+/// The known correlation, else the estimate up to half the field.
+ErrorBasis error_basis(const Surface& surface, int threads = 1);
+
+/// A number of independent heights or profiles, to a tenth.
+std::string rounded(double independent);
+/// Why no error is told of a field worth so few independent heights; "" where one can be.
+std::string untold(const EffectiveSampleSize& size);
+
+}  // namespace asperity

@@ -1,0 +1,73 @@
+// The façade: what a surface has is what the rooms compute of it, group by group.
+#include "stats/measure.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "holes.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const Parameter& named(const Parameters& parameters, const std::string& name) {
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  REQUIRE(found != parameters.end());
+  return *found;
+}
+
+Surface surface_of(const Field& z) { return {.grid = grid(z.rows(), z.cols()), .heights = z}; }
+
+}  // namespace
+
+TEST_CASE("measure() has the moments of the field and their errors, points missing or not",
+          "[measure][exact]") {
+  for (const bool holes : {false, true}) {
+    const Field drawn = moving_average({64, 60}, {3, 2}, 401),
+                z = holes ? with_holes(drawn, 0.1, 402) : drawn;
+    const Parameters all = measure(surface_of(z));
+    const Moments m = moments(remove_form(z));
+    const ErrorBasis basis = error_basis(surface_of(remove_form(z)));
+    CHECK(named(all, "Sq").value == m.sq);
+    CHECK(named(all, "Sku").value == m.sku);
+    CHECK(named(all, "Sq").standard_error == standard_errors(m, basis.size()).sq);
+    CHECK(named(all, "Sq").unit == "m");
+    CHECK(named(all, "mean").value == mean(z));
+    CHECK(std::ranges::count(all, "N_missing", &Parameter::name) == (holes ? 1 : 0));
+  }
+}
+
+TEST_CASE("measure() computes the groups that are asked for, in one order, and no others",
+          "[measure][contract]") {
+  const Surface surface = surface_of(moving_average({40, 44}, {3, 2}, 403));
+  const Parameters one = measure(surface, {.groups = {Group::material}}),
+                   both = measure(surface, {.groups = {Group::hybrid, Group::material}});
+  CHECK(one.front().name == "Sk");
+  CHECK(one.back().name == "Vvv");
+  CHECK(both.front().name == "Sk");
+  CHECK(named(both, "Sdq").value > 0);
+  CHECK(both.size() > one.size());
+}
+
+TEST_CASE("of a field that is no length hybrid parameters have no value, and say why",
+          "[measure][contract]") {
+  Surface surface = surface_of(moving_average({40, 44}, {3, 2}, 404));
+  surface.units = "Pa";
+  CHECK(missing(measure(surface, {.groups = {Group::hybrid}})).find("heights in m") != std::string::npos);
+  CHECK(missing(measure(surface)).empty());
+  CHECK(named(measure(surface), "Sa").unit == "Pa");
+}
+
+TEST_CASE("a surface in strips has no spatial parameters, and one without roughness no parameters at all",
+          "[measure][contract]") {
+  const Field z = moving_average({40, 44}, {3, 2}, 405);
+  const StripReader reader(
+      {grid(40, 44), [&](Index first, Index count) { return z.middleRows(first, count); },
+       [&](Index first, Index count) { return z.middleCols(first, count); }},
+      0, 10 * 44 * 80);
+  const Sample strips(reader, {.grid = grid(40, 44)});
+  CHECK(relative_error(strips.moments().sq, moments(z).sq) <= 1e-13);
+  CHECK_THROWS_AS(measure(strips, Group::spatial, {}), DataError);
+  CHECK_THROWS_AS(measure(surface_of(Field::Ones(9, 9))), DataError);
+}

@@ -1,0 +1,152 @@
+#include "tools/measure/field_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "acf/table.hpp"
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/variable_units.hpp"
+#include "tools/surface/marginal_dataset.hpp"
+
+namespace asperity::cli {
+namespace {
+
+std::string metres(double length) { return format_quantity(length, "m"); }
+
+int form_degree(const std::string& level) {
+  if (level == "mean" || level == "plane") return level == "plane";
+  int degree = -1;
+  const auto [end, error] = std::from_chars(level.data(), level.data() + level.size(), degree);
+  if (error != std::errc() || end != level.data() + level.size())
+    throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
+  return degree;
+}
+
+// λs < λc, and both within the longer side of the field, beyond which a filter separates nothing.
+void check_cutoffs(const Preparation& asked, const Grid& grid) {
+  if (asked.short_cutoff >= asked.long_cutoff)
+    throw UsageError("lambda-s", metres(asked.short_cutoff) + " is not below --lambda-c, " +
+                                     metres(asked.long_cutoff) + ": no wave passes between them");
+  const double side = std::max(grid.size_x(), grid.size_y());
+  for (const auto& [option, cutoff] :
+       {std::pair{"lambda-s", asked.short_cutoff}, {"lambda-c", asked.long_cutoff}})
+    if (cutoff > side * (1 + 1e-12))
+      throw UsageError(option, metres(cutoff) + " is longer than the field, " + metres(side) +
+                                   ": it has no such waves to separate; leave the filter out");
+}
+
+// A side of more than one point that is shorter than the cut-off.
+void warn_of_short_sides(const Tool& tool, const Preparation& asked, const Grid& grid) {
+  const double cutoff = std::isnan(asked.long_cutoff) ? asked.short_cutoff : asked.long_cutoff;
+  auto warn = [&](const char* axis, double side, Index points) {
+    if (points > 1 && cutoff > side * (1 + 1e-12))
+      tool.warn("the cut-off, " + metres(cutoff) + ", is longer than the field in " + axis + ", " +
+                metres(side) + ": in that direction no more than the mean is taken off");
+  };
+  warn("x", grid.size_x(), grid.shape.nx);
+  warn("y", grid.size_y(), grid.shape.ny);
+}
+
+}  // namespace
+
+void FieldOptions::declare(Tool& tool) {
+  declare_field(tool);
+  tool.choice(
+      "--correlation", correlation, {"auto", "drawn", "estimate"},
+      "What standard errors rest on: the correlation that the heights were drawn with, where the dataset "
+      "carries it, or the estimate",
+      "Field");
+}
+
+void FieldOptions::declare_field(Tool& tool) {
+  tool.text("--variable", variable, "NAME",
+            "The field on (x, y) that is measured, its missing points (mask, _FillValue, NaN) left out",
+            "Field");
+  tool.text("--level", level, "FORM",
+            "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
+            "Field");
+  tool.quantity(
+      "--lambda-s", short_cutoff, "m",
+      "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves; below --lambda-c",
+      "Field");
+  tool.quantity("--lambda-c", long_cutoff, "m",
+                "Cut-off of the L-filter, which removes longer waves; no longer than the field", "Field");
+}
+
+Preparation FieldOptions::preparation() const { return {form_degree(level), short_cutoff, long_cutoff}; }
+
+Surface FieldOptions::without_heights(const Dataset& data) const {
+  Surface out{.grid = grid_of(data), .variable = variable, .units = si_unit_of(data.at(variable))};
+  const bool as_drawn = !preparation().filters();
+  if (variable == "heights" && as_drawn && correlation != "estimate") {
+    out.correlation = carried_correlation(data, "acf_achieved", out.grid);
+    if (!out.correlation) out.correlation = carried_correlation(data, "acf_target", out.grid);
+    if (const auto marginal = marginal_of(data)) out.distribution = marginal->translation;
+  }
+  if (correlation == "drawn" && !out.correlation)
+    throw DataError(variable,
+                    as_drawn ? "the dataset does not carry the correlation it was drawn with (acf_target)"
+                             : "filtered heights have another correlation than they were drawn with");
+  return out;
+}
+
+Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
+  Surface surface = without_heights(data);
+  surface.heights = field_of(data, variable, Missing::not_a_number);
+  const Preparation asked = preparation();
+  check_cutoffs(asked, surface.grid);
+  warn_of_short_sides(tool, asked, surface.grid);
+  return prepared(std::move(surface), asked, tool.thread_count());
+}
+
+std::optional<LagField> carried_correlation(const Dataset& data, const std::string& name, const Grid& grid) {
+  if (!data.has(name)) return std::nullopt;
+  auto fits = [&](std::string_view lag, double spacing) {
+    const Variable* axis = data.find(lag);
+    const auto lags = axis ? lags_of(*axis) : std::nullopt;
+    return !lags || lags->size() < 2 || std::abs((*lags)[1] - (*lags)[0] - spacing) <= 1e-6 * spacing;
+  };
+  if (!fits("p", grid.dx) || !fits("q", grid.dy)) return std::nullopt;
+  return LagField(known_lags(table_of(data, name, Missing::not_a_number))).normalised();
+}
+
+std::string unit_to(const std::string& unit, int power) {
+  return unit == "1" ? unit : unit + std::to_string(power);
+}
+
+void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
+  const double least = size.least_effective();
+  if (size.effective(2) >= 2 * least) return;
+  tool.warn("the surface is worth N_eff = " + rounded(size.effective(2)) +
+            " independent points: standard errors and intervals " +
+            (size.tells_errors() ? "are rough, and cannot be told below " : "cannot be told below ") +
+            shortest(least) + "; measure a larger field, or filter waviness out (--lambda-c)");
+}
+
+bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid) {
+  const double sample = std::min(grid.dx, grid.dy), half = std::max(grid.size_x(), grid.size_y()) / 2;
+  const double place = std::pow(10, std::floor(std::log10(length)) - 3);
+  const std::string found = name + " = " + metres(std::round(length / place) * place);
+  if (length < sample)
+    tool.warn(
+        found + " is below a sample, " + metres(sample) +
+        ": neighbours are hardly correlated, and the length is the interpolation's; sample more finely");
+  if (length > half)
+    tool.warn(found + " is beyond half the field, " + metres(half) +
+              ": no correlation as long can be told from it; measure a larger field");
+  return length >= sample && length <= half;
+}
+
+void warn_of_decays(const Tool& tool, const Parameters& spatial, double level, const Grid& grid) {
+  auto found = [&](const char* name) { return std::ranges::find(spatial, name, &Parameter::name); };
+  if (found("slowest_decay") == spatial.end())
+    tool.warn("no lag within half the field has an ACF of " + shortest(level) +
+              " or less in some direction: Str has no value");
+  if (const auto sal = found("Sal"); sal != spatial.end()) warn_of_length(tool, "Sal", sal->value, grid);
+}
+
+}  // namespace asperity::cli

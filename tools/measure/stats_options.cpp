@@ -1,0 +1,119 @@
+#include "tools/measure/stats_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include "core/words.hpp"
+#include "tools/cli/quantity.hpp"
+#include "tools/cli/series.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr std::array<std::pair<const char*, Group>, 5> group_names{{{"height", Group::height},
+                                                                    {"gaussianity", Group::gaussianity},
+                                                                    {"material", Group::material},
+                                                                    {"hybrid", Group::hybrid},
+                                                                    {"spatial", Group::spatial}}};
+
+std::vector<double> shares(const std::string& option, const std::string& list) {
+  std::vector<double> out;
+  for (const std::string& word : split(list, ',')) {
+    double value = -1;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !(value >= 0 && value <= 1))
+      throw UsageError(option, "value \"" + word + "\" is not a number from 0 to 1");
+    if (std::ranges::find(out, value) != out.end())
+      throw UsageError(option, "value \"" + word + "\" is given twice");
+    out.push_back(value);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string name_of(Group group) {
+  return std::ranges::find(group_names, group, &std::pair<const char*, Group>::second)->first;
+}
+
+void StatsOptions::declare(Tool& tool) {
+  field.declare(tool);
+  tool.text(
+      "--parameters", groups, "GROUP,...",
+      "height (Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample sizes), gaussianity (the tests of "
+      "Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling and Pearson, with p-values that allow for the "
+      "correlation and naive ones that do not), material (Sk, Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv), "
+      "hybrid (Sdq, Sdr, spectral moments, summits), spatial (Sal, Str, Std, ellipticity), or all; only what "
+      "is asked for is computed",
+      "Parameters");
+  tool.choice(
+      "--profile", profile, {"x", "y"},
+      "Profile parameters of ISO 21920-2 in place of these, Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, or "
+      "Ra and so on after --lambda-c, averaged over all profiles along x or y; each with its spread over "
+      "them",
+      "Parameters");
+  tool.text("--quantiles", quantiles, "P,...",
+            "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
+  tool.numbers_pair("--material-ratio", material_ratios,
+                    "Shares p,q that bound the core in Vmp, Vmc, Vvc, Vvv, and of Smc_p, Smc_q",
+                    "Parameters");
+  tool.number("--acf-level", acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
+              "Parameters");
+  tool.memory(
+      "Largest memory for the field. A file of more than an eighth of it is read in strips, above any "
+      "--level, for all but spatial and the filters, which need the whole field and are refused if the bound "
+      "was given. The order of the heights takes 25 MB more. Errors then rest on the correlation within the "
+      "strips, where the dataset carries none");
+  tool.text("--direction", direction, "ANGLE",
+            "Spectral moments in this direction too, from +x towards +y: 30deg", "Parameters");
+}
+
+MeasureOptions StatsOptions::checked(const Tool& tool) const {
+  MeasureOptions out{.groups = asked_groups(),
+                     .preparation = field.preparation(),
+                     .material_ratios = material_ratios,
+                     .acf_level = acf_level,
+                     .profiles = profile == "y" ? Axis1D::y : Axis1D::x,
+                     .threads = tool.thread_count()};
+  check_belonging(tool, out.groups);
+  if (!direction.empty()) out.direction = {parse_angle("direction", direction), direction};
+  if (!profile.empty()) {
+    out.groups = {Group::profiles};
+  } else if (!quantiles.empty()) {
+    out.quantiles = shares("quantiles", quantiles);
+    out.groups.insert(Group::quantiles);
+  }
+  return out;
+}
+
+std::set<Group> StatsOptions::asked_groups() const {
+  std::set<Group> out;
+  const std::vector<std::string> words = split(groups, ',');
+  for (const std::string& word : words) {
+    const auto named = [&](const auto& group) { return word == group.first || word == "all"; };
+    if (std::ranges::none_of(group_names, named))
+      throw UsageError("parameters",
+                       "value \"" + word + "\" is not height, gaussianity, material, hybrid, spatial or all");
+    if (std::ranges::count(words, word) > 1)
+      throw UsageError("parameters", "value \"" + word + "\" is given twice");
+    for (const auto& [name, group] : group_names)
+      if (word == name || word == "all") out.insert(group);
+  }
+  return out;
+}
+
+void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
+  for (const char* areal : {"parameters", "quantiles", "material-ratio", "acf-level", "direction"})
+    if (!profile.empty() && tool.given(std::string("--") + areal))
+      throw UsageError(areal, "is of the surface, and does not go together with --profile");
+  constexpr std::array<std::pair<const char*, Group>, 3> of_a_group{
+      {{"material-ratio", Group::material}, {"acf-level", Group::spatial}, {"direction", Group::hybrid}}};
+  for (const auto& [option, group] : of_a_group)
+    if (tool.given(std::string("--") + option) && !asked.contains(group))
+      throw UsageError(option, "belongs to --parameters " + name_of(group) + ", which is not asked for");
+}
+
+}  // namespace asperity::cli

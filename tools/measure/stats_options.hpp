@@ -1,0 +1,30 @@
+/// Which parameters asperity-stats prints: groups, each computed only when asked for.
+#pragma once
+
+#include <string>
+
+#include "stats/measure.hpp"
+#include "tools/measure/field_options.hpp"
+
+namespace asperity::cli {
+
+struct StatsOptions {
+  FieldOptions field = {};
+  std::string groups = "height", quantiles = {}, direction = {};
+  std::array<double, 2> material_ratios{0.1, 0.8};
+  double acf_level = 0.2;
+  std::string profile = {};  ///< x or y: profile parameters in place of the areal ones
+
+  void declare(Tool& tool);
+  /// Throws UsageError for words that are unknown or repeated, and for an option of a group that is not asked for.
+  MeasureOptions checked(const Tool& tool) const;
+
+ private:
+  std::set<Group> asked_groups() const;
+  void check_belonging(const Tool& tool, const std::set<Group>& asked) const;
+};
+
+/// As it stands on the command line.
+std::string name_of(Group group);
+
+}  // namespace asperity::cli
