@@ -211,6 +211,12 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
   return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
+void refuse_terminal(const std::string& output, const std::string& what) {
+  if (output == "-" && stdout_is_terminal())
+    throw ParameterError("output",
+                         what + " is binary and standard output is a terminal; pipe it on or name a file");
+}
+
 bool stdin_is_device() {
   struct stat status {};
   return ::fstat(STDIN_FILENO, &status) == 0 && S_ISCHR(status.st_mode);

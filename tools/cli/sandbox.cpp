@@ -1,4 +1,4 @@
-#include "tools/cli/apart.hpp"
+#include "tools/cli/sandbox.hpp"
 
 #include <array>
 #include <bit>
@@ -173,7 +173,7 @@ int status_of(pid_t child) {
 
 }  // namespace
 
-Bytes made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
+Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
   Pipe pipe;
   const EndOfChildren heard;
   const pid_t parent = ::getpid(), child = ::fork();
