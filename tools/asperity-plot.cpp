@@ -18,7 +18,7 @@ namespace {
 
 struct Kind {
   const char* name;
-  plot::Script (*draw)(const plot::Cases&, const plot::Request&);
+  plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
 };
 constexpr Kind kinds[] = {
     {"map", plot::map}, {"surface", plot::surface}, {"profile", plot::profile},   {"acf", plot::acf},
@@ -162,7 +162,7 @@ int draw(cli::Tool& tool, const Options& options) {
   const plot::Request request = request_of(tool, options);
   const plot::Cases cases = read_cases(tool, options);
   const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);
-  const plot::Picture picture = plot::run_gnuplot(kind->draw(cases, request));
+  const plot::Picture picture = plot::run_gnuplot(plot::script_of(kind->describe(cases, request), request));
   if (!picture.remarks.empty()) tool.detail("gnuplot: " + picture.remarks);
   cli::write_all(options.output, picture.bytes);
   return cli::done;

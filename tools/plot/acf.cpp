@@ -77,15 +77,16 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const AcfError error(significant_lags(rho, pairs), pairs);
   profiles.with_errors = EffectiveSize::of_estimate(rho, pairs).tells_errors();
   const double most = lag_worth_showing(profiles, rho, grid);
-  for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {
-    profiles.found[0].lag.push_back(static_cast<double>(p) * grid.dx);
-    profiles.found[0].rho.push_back(rho(p, 0));
-    if (profiles.with_errors) profiles.found[0].error.push_back(error.normalised(p, 0));
-  }
-  for (Index q = 0; q <= rho.max_q() && static_cast<double>(q) * grid.dy <= most; ++q) {
-    profiles.found[1].lag.push_back(static_cast<double>(q) * grid.dy);
-    profiles.found[1].rho.push_back(rho(0, q));
-    if (profiles.with_errors) profiles.found[1].error.push_back(error.normalised(0, q));
+  const double steps[] = {grid.dx, grid.dy};
+  const Index last[] = {rho.max_p(), rho.max_q()};
+  for (std::size_t d = 0; d < 2; ++d) {
+    Curve& found = profiles.found[d];
+    for (Index k = 0; k <= last[d] && static_cast<double>(k) * steps[d] <= most; ++k) {
+      const Index p = d == 0 ? k : 0, q = d == 0 ? 0 : k;
+      found.lag.push_back(static_cast<double>(k) * steps[d]);
+      found.rho.push_back(rho(p, q));
+      if (profiles.with_errors) found.error.push_back(error.normalised(p, q));
+    }
   }
   profiles.estimated = true;
 }
@@ -104,11 +105,6 @@ std::vector<double> affine(const std::vector<double>& a, const std::vector<doubl
   std::vector<double> out(a.size());
   for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + factor * b[k];
   return out;
-}
-
-std::vector<double> divided(std::vector<double> values, double by) {
-  for (double& v : values) v /= by;
-  return values;
 }
 
 double longest_lag(const Profiles& profiles) {
@@ -161,7 +157,7 @@ std::vector<LegendEntry> legend(const Profiles& profiles) {
 
 }  // namespace
 
-Script acf(const Cases& cases, const Request& request) {
+Figure acf(const Cases& cases, const Request& request) {
   std::vector<Profiles> all;
   double longest = 0, lowest = 0;
   for (const Case& c : cases) {
@@ -171,21 +167,19 @@ Script acf(const Cases& cases, const Request& request) {
   }
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
-  const char* title = !all[0].estimated    ? "kernel"
-                      : all[0].with_errors ? "surface ± 2 standard errors"
-                                           : "surface, of too few independent heights for errors";
-  Sheet sheet = side_by_side(request, cases.size());
-  sheet.legend = legend(all[0]);
-  Figure figure(request, sheet, title);
+  Figure out = side_by_side(request, cases);
+  out.title = !all[0].estimated    ? "kernel"
+              : all[0].with_errors ? "surface ± 2 standard errors"
+                                   : "surface, of too few independent heights for errors";
+  out.legend = legend(all[0]);
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    figure.panel(c, cases[c].label);
-    figure.x_axis({0, longest / length.factor}, length.label("lag"));
-    figure.y_axis({lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ");
-    if (c + 1 == cases.size()) figure.legend();
-    figure.script.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
-    figure.script.draw("plot", layers_of(all[c], length.factor));
+    Panel& panel = out.panels[c];
+    panel.x = axis_of({0, longest}, length, "lag");
+    panel.y = {{lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ"};
+    panel.commands.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
+    panel.layers = layers_of(all[c], length.factor);
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

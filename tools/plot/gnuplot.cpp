@@ -103,7 +103,19 @@ void escape_ends_of_sections(std::string& bytes) {
     bytes.replace(at, end.size(), escaped);
 }
 
+// Of an image gnuplot draws no line of cells alone: it stands twice, at half the width.
+void halve(Field& values, double& first, double& step, bool rows) {
+  values = rows ? Field(values.replicate(2, 1)) : Field(values.replicate(1, 2));
+  first -= 0.25 * step;
+  step *= 0.5;
+}
+
 }  // namespace
+
+std::vector<double> divided(std::vector<double> values, double by) {
+  for (double& v : values) v /= by;
+  return values;
+}
 
 Layer points(const std::vector<std::vector<double>>& columns, std::string_view style) {
   const std::size_t rows = columns.front().size();
@@ -119,17 +131,6 @@ Layer points(const std::vector<std::vector<double>>& columns, std::string_view s
   out.command = fmt::format("binary record=({}) format='{}' using {} {}", rows, format, use, style);
   return out;
 }
-
-namespace {
-
-// Of an image gnuplot draws no line of cells alone: it stands twice, at half the width.
-void halve(Field& values, double& first, double& step, bool rows) {
-  values = rows ? Field(values.replicate(2, 1)) : Field(values.replicate(1, 2));
-  first -= 0.25 * step;
-  step *= 0.5;
-}
-
-}  // namespace
 
 Layer raster(const Field& cells, Lattice at, std::string_view style) {
   Field values = cells;

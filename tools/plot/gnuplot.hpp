@@ -23,6 +23,7 @@ struct Layer {
   std::vector<double> numbers;
 };
 
+std::vector<double> divided(std::vector<double> values, double by);
 /// Columns of equal length, drawn as `style` says: "with lines lw 2".
 Layer points(const std::vector<std::vector<double>>& columns, std::string_view style);
 
@@ -40,6 +41,7 @@ class Script {
   void line(fmt::format_string<T...> format, T&&... values) {
     text_ += fmt::format(format, std::forward<T>(values)...) + '\n';
   }
+  void add(const Script& commands) { text_ += commands.text_; }
   /// `verb` is "plot" or "splot".
   void draw(std::string_view verb, const std::vector<Layer>& layers);
   const std::string& text() const { return text_; }

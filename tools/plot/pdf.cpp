@@ -81,9 +81,7 @@ std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
       points({centre, low, none, rise}, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
 }
 
-std::string default_title(const std::vector<Distribution>& all, const Quantity& quantity) {
-  if (all.size() > 1) return "";
-  const Moments& m = all[0].moments;
+std::string title_of(const Moments& m, const Quantity& quantity) {
   const Unit unit = unit_for(m.sq, quantity.unit);
   return fmt::format("Sq = {} {}, Ssk = {}, Sku = {}", brief(m.sq / unit.factor), unit.name, brief(m.ssk),
                      brief(m.sku));
@@ -91,27 +89,24 @@ std::string default_title(const std::vector<Distribution>& all, const Quantity& 
 
 }  // namespace
 
-Script pdf(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "heights" : request.variable;
+Figure pdf(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable_or("heights");
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   std::vector<Distribution> all;
   for (const Case& c : cases) all.push_back(distribution_of(c, variable));
   const Scales scales = scales_of(all, quantity);
-  using enum LegendEntry::Key;
-  Sheet sheet = side_by_side(request, cases.size());
   const bool with_errors = std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.count_error > 0; });
-  sheet.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"},
-                  {line, "#d55e00", "Gaussian"}};
-  Figure figure(request, sheet, default_title(all, quantity));
+  using enum LegendEntry::Key;
+  Figure out = side_by_side(request, cases);
+  if (!out.comparison) out.title = title_of(all[0].moments, quantity);
+  out.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"},
+                {line, "#d55e00", "Gaussian"}};
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    figure.panel(c, cases[c].label);
-    figure.x_axis({scales.x.low / scales.height.factor, scales.x.high / scales.height.factor},
-                  scales.height.label(quantity.name));
-    figure.y_axis({0, scales.top}, scales.per_height);
-    if (c + 1 == cases.size()) figure.legend();
-    figure.script.draw("plot", layers_of(all[c], scales));
+    out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);
+    out.panels[c].y = {{0, scales.top}, scales.per_height};
+    out.panels[c].layers = layers_of(all[c], scales);
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

@@ -145,7 +145,7 @@ void hide_below(Cuts& cuts, double least) {
 }
 
 Cuts cuts_of(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "von_mises" : request.variable;
+  const std::string variable = request.variable_or("von_mises");
   Cuts cuts;
   for (const Case& c : cases) cuts.list.push_back(cut_of(c, variable, request));
   cuts.quantity = quantity_of(cases[0].data.at(variable));
@@ -170,30 +170,27 @@ std::string default_title(const Cuts& cuts, const Unit& value, double stretch) {
 
 }  // namespace
 
-Script section(const Cases& cases, const Request& request) {
+Figure section(const Cases& cases, const Request& request) {
   const Cuts cuts = cuts_of(cases, request);
   const Patch& first = cuts.list[0].patch;
   const double true_aspect = first.y.width() / first.x.width();
-  Sheet sheet = side_by_side(request, cases.size());
-  sheet.right = 7.6;
-  sheet.aspect = std::clamp(true_aspect, cases.size() > 1 ? 0.35 : 0.25, tallest);
-  const double ratio = sheet.aspect / true_aspect, stretch = std::abs(ratio - 1) < 0.01 ? 1 : ratio;
+  Figure out = side_by_side(request, cases);
+  out.right = 7.6;
+  out.aspect = std::clamp(true_aspect, out.comparison ? 0.35 : 0.25, tallest);
+  const double ratio = out.aspect / true_aspect, stretch = std::abs(ratio - 1) < 0.01 ? 1 : ratio;
   const Unit along = unit_for(first.x.magnitude(), "m"),
              depth = stretch == 1 ? along : unit_for(first.y.magnitude(), "m"),
              value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
-  Figure figure(request, sheet, default_title(cuts, value, stretch));
+  out.title = default_title(cuts, value, stretch);
+  out.colours = {cuts.colours, value, cuts.quantity.name};
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.list[c].patch;
-    figure.panel(c, cases[c].label);
-    figure.x_axis({p.x.low / along.factor, p.x.high / along.factor},
-                  along.label(cuts.list[c].section.along_x ? "x" : "y"));
-    figure.y_axis({p.y.low / depth.factor, p.y.high / depth.factor}, depth.label("depth z"), true);
-    figure.colours(cuts.colours, value, cuts.quantity.name);
-    const Lattice at{p.x_at(0) / along.factor, p.y_at(0) / depth.factor, p.dx() / along.factor,
-                     p.dy() / depth.factor};
-    figure.script.draw("plot", {raster(p.values / value.factor, at, "with image")});
+    out.panels[c].x = axis_of(p.x, along, cuts.list[c].section.along_x ? "x" : "y");
+    out.panels[c].y = axis_of(p.y, depth, "depth z");
+    out.panels[c].y->downwards = true;
+    out.panels[c].layers = {raster(p.values / value.factor, lattice_of(p, along, depth), "with image")};
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

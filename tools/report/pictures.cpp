@@ -7,12 +7,12 @@
 namespace asperity::report {
 namespace {
 
-using Draw = plot::Script (*)(const plot::Cases&, const plot::Request&);
+using Describe = plot::Figure (*)(const plot::Cases&, const plot::Request&);
 enum class Format { png, svg };
 
 struct Wanted {
   std::string title;
-  Draw draw;
+  Describe describe;
   Format format;
   std::string variable, section = {};
 };
@@ -59,7 +59,7 @@ Picture picture_of(const plot::Cases& dataset, const Wanted& wanted) {
   request.format = png ? "png" : "svg";
   try {
     return {wanted.title, png ? "image/png" : "image/svg+xml",
-            plot::run_gnuplot(wanted.draw(dataset, request)).bytes, ""};
+            plot::run_gnuplot(plot::script_of(wanted.describe(dataset, request), request)).bytes, ""};
   } catch (const DataError& error) {
     return {wanted.title, "", "", error.name + ": " + error.what()};
   }
