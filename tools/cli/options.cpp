@@ -53,7 +53,11 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-std::string without_hyphens(const std::string& name) { return name.substr(name.find_first_not_of('-')); }
+// What is given for an option, parsed, as the value of a variable.
+template <class T, class Parse>
+auto into(T& value, Parse parse) {
+  return [&value, parse](const std::string& key, const std::string& given) { value = parse(key, given); };
+}
 
 }  // namespace
 
@@ -68,19 +72,9 @@ Tool::Tool(std::string name, std::string description)
   app_->allow_config_extras(CLI::config_extras_mode::error);
 }
 
-Tool::~Tool() = default;
-
-std::string Tool::description() const { return app_->get_description(); }
-
-std::vector<Option> Tool::options() const {
-  std::vector<Option> out;
-  for (CLI::Option* option : app_->get_options({})) out.emplace_back(option);
-  return out;
-}
-
 Option Tool::parsed(const std::string& name, const std::string& kind, const std::string& text,
                     const std::string& group, const std::string& shown, const Read& read) {
-  const std::string key = without_hyphens(name);
+  const std::string key = name.substr(name.find_first_not_of('-'));
   CLI::Option* option = app_->add_option_function<std::string>(
       name, [key, read](const std::string& given) { read(key, given); }, text);
   option->group(group)->type_name(kind);
@@ -94,85 +88,79 @@ Option Tool::flag(const std::string& name, bool& value, const std::string& text,
 
 Option Tool::integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                      const std::string& group) {
-  return parsed(name, "N", text, group, std::to_string(value),
-                [bounds, &value](const std::string& key, const std::string& given) {
-                  value = static_cast<int>(parse_count(key, given, bounds));
-                });
+  const auto read = [bounds](const std::string& key, const std::string& given) {
+    return static_cast<int>(parse_count(key, given, bounds));
+  };
+  return parsed(name, "N", text, group, std::to_string(value), into(value, read));
 }
 
 Option Tool::number(const std::string& name, double& value, const std::string& text,
                     const std::string& group) {
-  return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value),
-                [&value](const std::string& key, const std::string& given) {
-                  if (given.find(',') != given.npos)
-                    throw ParameterError(key, "'" + given + "' is more than one number");
-                  value = parse_numbers(key, given)[0];
-                });
+  const auto read = [](const std::string& key, const std::string& given) {
+    if (given.find(',') != given.npos) throw ParameterError(key, "'" + given + "' is more than one number");
+    return parse_numbers(key, given)[0];
+  };
+  return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value), into(value, read));
 }
 
 Option Tool::numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
                           const std::string& group) {
-  const bool known = !std::isnan(values[0]);
-  return parsed(
-      name, "A[,B]", text, group, known ? shortest(values[0]) + "," + shortest(values[1]) : "",
-      [&values](const std::string& key, const std::string& given) { values = parse_numbers(key, given); });
+  const std::string shown = shortest(values[0]) + "," + shortest(values[1]);
+  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown, into(values, parse_numbers));
 }
 
 Option Tool::text(const std::string& name, std::string& value, const std::string& what,
                   const std::string& text, const std::string& group) {
-  return parsed(name, what, text, group, value,
-                [&value](const std::string&, const std::string& given) { value = given; });
+  const auto read = [](const std::string&, const std::string& given) { return given; };
+  return parsed(name, what, text, group, value, into(value, read));
 }
 
 Option Tool::choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
                     const std::string& text, const std::string& group) {
   const std::string list = fmt::format("{}", fmt::join(among, "|"));
-  return parsed(name, list, text, group, value,
-                [list, among, &value](const std::string& key, const std::string& given) {
-                  if (std::ranges::find(among, given) == among.end())
-                    throw ParameterError(key, "'" + given + "' is none of " + list);
-                  value = given;
-                });
+  const auto read = [list, among](const std::string& key, const std::string& given) {
+    if (std::ranges::find(among, given) == among.end())
+      throw ParameterError(key, "'" + given + "' is none of " + list);
+    return given;
+  };
+  return parsed(name, list, text, group, value, into(value, read));
 }
 
 Option Tool::quantity(const std::string& name, double& value, const std::string& unit,
                       const std::string& text, const std::string& group) {
+  const auto read = [unit](const std::string& key, const std::string& given) {
+    return parse_quantity(key, given, unit);
+  };
   return parsed(name, "QUANTITY", text, group, std::isnan(value) ? "" : format_quantity(value, unit),
-                [unit, &value](const std::string& key, const std::string& given) {
-                  value = parse_quantity(key, given, unit);
-                });
+                into(value, read));
 }
 
 Option Tool::quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
                         const std::string& text, const std::string& group) {
   const std::string shown = format_quantity(values[0], unit) + "," + format_quantity(values[1], unit);
-  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown,
-                [unit, &values](const std::string& key, const std::string& given) {
-                  values = parse_quantities(key, given, unit);
-                });
+  const auto read = [unit](const std::string& key, const std::string& given) {
+    return parse_quantities(key, given, unit);
+  };
+  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown, into(values, read));
 }
 
 Option Tool::lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
                      const std::string& group) {
-  return parsed(name, "A[,B]", text, group, "", [&values](const std::string& key, const std::string& given) {
-    values = parse_lengths(key, given);
-  });
+  return parsed(name, "A[,B]", text, group, "", into(values, parse_lengths));
 }
 
 Option Tool::counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
                     const std::string& group) {
+  const auto read = [bounds](const std::string& key, const std::string& given) {
+    return parse_counts(key, given, bounds);
+  };
   const std::string shown = value.nx > 0 ? std::to_string(value.nx) + "x" + std::to_string(value.ny) : "";
-  return parsed(name, "AxB", text, group, shown,
-                [bounds, &value](const std::string& key, const std::string& given) {
-                  value = parse_counts(key, given, bounds);
-                });
+  return parsed(name, "AxB", text, group, shown, into(value, read));
 }
 
 Option Tool::bytes(const std::string& name, std::size_t& value, const std::string& text,
                    const std::string& group) {
-  return parsed(
-      name, "SIZE", text, group, format_bytes(value),
-      [&value](const std::string& key, const std::string& given) { value = parse_bytes(key, given); });
+  return parsed(name, "SIZE", text, group, format_bytes(value), into(value, parse_bytes));
 }
 
 Option Tool::argument(const std::string& name, std::string& value, const std::string& kind,

@@ -31,6 +31,12 @@ bool have(const std::vector<std::string>& arguments, const Option& option) {
 
 }  // namespace
 
+std::vector<Option> Tool::options() const {
+  std::vector<Option> out;
+  for (CLI::Option* option : app_->get_options({})) out.emplace_back(option);
+  return out;
+}
+
 std::optional<Option> Tool::find(const std::string& name) const {
   CLI::Option* option = app_->get_option_no_throw(name);
   return option == nullptr ? std::nullopt : std::optional(Option(option));

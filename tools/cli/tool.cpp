@@ -44,6 +44,10 @@ void check_output_name(const std::string& name, bool dataset, bool table, bool j
 
 }  // namespace
 
+Tool::~Tool() = default;
+
+std::string Tool::description() const { return app_->get_description(); }
+
 MemoryBound Tool::memory_bound(std::size_t held) const { return {std::max(memory_, always_read), held}; }
 
 int Tool::thread_count() const { return resolve_threads(threads_); }
@@ -161,7 +165,7 @@ void Tool::require_memory(double bytes, const std::string& option, const std::st
 }
 
 void Tool::writes(const std::string& option, const std::string& name) {
-  Identity own = identity_of_output(name);
+  Identity own = identity_of_output(place_of(name));
   if (own.empty() && name == "-") own = name;
   const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
   if (!alone && !own.empty())

@@ -17,7 +17,8 @@ namespace asperity::plot {
 namespace {
 
 struct Curve {
-  std::vector<double> lag, rho, error;  ///< lag in metres, or samples where no spacing is known
+  std::vector<double> lag, rho;   ///< lag in metres, or samples where no spacing is known
+  std::vector<double> low, high;  ///< two standard errors about rho; empty where none can be told
 };
 
 // Both profiles of a case: the target and what is held against it.
@@ -85,7 +86,9 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
       const Index p = d == 0 ? k : 0, q = d == 0 ? 0 : k;
       found.lag.push_back(static_cast<double>(k) * steps[d]);
       found.rho.push_back(rho(p, q));
-      if (profiles.with_errors) found.error.push_back(error.normalised(p, q));
+      if (!profiles.with_errors) continue;
+      found.low.push_back(rho(p, q) - 2 * error.normalised(p, q));
+      found.high.push_back(rho(p, q) + 2 * error.normalised(p, q));
     }
   }
   profiles.estimated = true;
@@ -101,29 +104,16 @@ Profiles profiles_of(const Case& c) {
   return out;
 }
 
-std::vector<double> affine(const std::vector<double>& a, const std::vector<double>& b, double factor) {
-  std::vector<double> out(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + factor * b[k];
-  return out;
-}
-
-double longest_lag(const Profiles& profiles) {
-  double out = 0;
+// The longest lag, and the lowest value of the curves and the bands about them.
+std::pair<double, double> extremes(const Profiles& profiles) {
+  double longest = 0, lowest = 0;
   for (const auto& pair : {std::span(profiles.found), std::span(profiles.target)})
-    for (const Curve& curve : pair)
-      if (!curve.lag.empty()) out = std::max(out, curve.lag.back());
-  return out;
-}
-
-// Of the curves and the bands about them.
-double lowest_value(const Profiles& profiles) {
-  double out = 0;
-  for (const Curve& curve : profiles.found)
-    for (std::size_t k = 0; k < curve.rho.size(); ++k)
-      out = std::min(out, curve.rho[k] - (curve.error.empty() ? 0 : 2 * curve.error[k]));
-  for (const Curve& curve : profiles.target)
-    for (const double rho : curve.rho) out = std::min(out, rho);
-  return out;
+    for (const Curve& curve : pair) {
+      for (const auto& values : {curve.rho, curve.low})
+        for (const double value : values) lowest = std::min(lowest, value);
+      if (!curve.lag.empty()) longest = std::max(longest, curve.lag.back());
+    }
+  return {longest, lowest};
 }
 
 // Bands first, then what was found, the target on top.
@@ -133,9 +123,9 @@ std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
     const Curve &found = profiles.found[d], &target = profiles.target[d];
     const std::vector<double> lag = divided(found.lag, factor);
     const char* colour = line_colour(d);
-    if (!found.error.empty())
+    if (!found.low.empty())
       bands.push_back(points(
-          {lag, affine(found.rho, found.error, -2), affine(found.rho, found.error, 2)},
+          {lag, found.low, found.high},
           fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18", colour)));
     curves.push_back(
         points({lag, found.rho}, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
@@ -162,8 +152,9 @@ Figure acf(const Cases& cases, const Request& request) {
   double longest = 0, lowest = 0;
   for (const Case& c : cases) {
     all.push_back(profiles_of(c));
-    longest = std::max(longest, longest_lag(all.back()));
-    lowest = std::min(lowest, lowest_value(all.back()));
+    const auto [lag, value] = extremes(all.back());
+    longest = std::max(longest, lag);
+    lowest = std::min(lowest, value);
   }
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
