@@ -16,16 +16,17 @@
 namespace asperity::plot {
 namespace {
 
-struct Curve {
-  std::vector<double> lag, rho;   ///< lag in metres, or samples where no spacing is known
-  std::vector<double> low, high;  ///< two standard errors about rho; empty where none can be told
+struct Point {
+  double lag;  ///< in metres, or samples where no spacing is known
+  double rho, error = 0;
 };
+using Curve = std::vector<Point>;
 
 // Both profiles of a case: the target and what is held against it.
 struct Profiles {
   Curve target[2], found[2];  ///< along x, along y
   bool estimated = false;     ///< found in the heights, not the kernel's own
-  bool with_errors = true;    ///< that can be told
+  bool with_errors = false;   ///< that can be told
   bool in_metres = true;
 };
 
@@ -54,9 +55,7 @@ void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bo
   const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
   const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
   auto add = [&](Curve& curve, double lag, double value) {
-    if (std::isnan(value)) return;  // beyond a target's table
-    curve.lag.push_back(lag);
-    curve.rho.push_back(value / table(p0, q0));
+    if (!std::isnan(value)) curve.push_back({lag, value / table(p0, q0)});  // it is beyond a target's table
   };
   for (Index i = p0; i < table.rows(); ++i) add(curves[0], p[static_cast<std::size_t>(i)], table(i, q0));
   for (Index j = q0; j < table.cols(); ++j) add(curves[1], q[static_cast<std::size_t>(j)], table(p0, j));
@@ -64,8 +63,8 @@ void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bo
 
 // Without a target to go by, four 10 % lengths show all that there is to see.
 double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Grid& grid) {
-  if (!profiles.target[0].lag.empty())
-    return 1.25 * std::max(profiles.target[0].lag.back(), profiles.target[1].lag.back());
+  if (!profiles.target[0].empty())
+    return 1.25 * std::max(profiles.target[0].back().lag, profiles.target[1].back().lag);
   const auto x = first_crossing(rho.along_x(), 0.1), y = first_crossing(rho.along_y(), 0.1);
   return x && y ? 4 * std::max(x->lag * grid.dx, y->lag * grid.dy) : unlimited;
 }
@@ -80,17 +79,12 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const double most = lag_worth_showing(profiles, rho, grid);
   const double steps[] = {grid.dx, grid.dy};
   const Index last[] = {rho.max_p(), rho.max_q()};
-  for (std::size_t d = 0; d < 2; ++d) {
-    Curve& found = profiles.found[d];
+  for (std::size_t d = 0; d < 2; ++d)
     for (Index k = 0; k <= last[d] && static_cast<double>(k) * steps[d] <= most; ++k) {
       const Index p = d == 0 ? k : 0, q = d == 0 ? 0 : k;
-      found.lag.push_back(static_cast<double>(k) * steps[d]);
-      found.rho.push_back(rho(p, q));
-      if (!profiles.with_errors) continue;
-      found.low.push_back(rho(p, q) - 2 * error.normalised(p, q));
-      found.high.push_back(rho(p, q) + 2 * error.normalised(p, q));
+      profiles.found[d].push_back(
+          {static_cast<double>(k) * steps[d], rho(p, q), profiles.with_errors ? error.normalised(p, q) : 0});
     }
-  }
   profiles.estimated = true;
 }
 
@@ -104,34 +98,24 @@ Profiles profiles_of(const Case& c) {
   return out;
 }
 
-// The longest lag, and the lowest value of the curves and the bands about them.
-std::pair<double, double> extremes(const Profiles& profiles) {
-  double longest = 0, lowest = 0;
-  for (const auto& pair : {std::span(profiles.found), std::span(profiles.target)})
-    for (const Curve& curve : pair) {
-      for (const auto& values : {curve.rho, curve.low})
-        for (const double value : values) lowest = std::min(lowest, value);
-      if (!curve.lag.empty()) longest = std::max(longest, curve.lag.back());
-    }
-  return {longest, lowest};
-}
-
 // Bands first, then what was found, the target on top.
 std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
   std::vector<Layer> bands, curves, targets;
   for (std::size_t d = 0; d < 2; ++d) {
-    const Curve &found = profiles.found[d], &target = profiles.target[d];
-    const std::vector<double> lag = divided(found.lag, factor);
+    std::vector<double> band, curve, target;
+    for (const Point& p : profiles.found[d]) {
+      band.insert(band.end(), {p.lag / factor, p.rho - 2 * p.error, p.rho + 2 * p.error});
+      curve.insert(curve.end(), {p.lag / factor, p.rho});
+    }
+    for (const Point& p : profiles.target[d]) target.insert(target.end(), {p.lag / factor, p.rho});
     const char* colour = line_colour(d);
-    if (!found.low.empty())
+    if (profiles.with_errors)
       bands.push_back(points(
-          {lag, found.low, found.high},
+          band, 3,
           fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18", colour)));
-    curves.push_back(
-        points({lag, found.rho}, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
-    if (!target.lag.empty())
-      targets.push_back(points({divided(target.lag, factor), target.rho},
-                               "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
+    curves.push_back(points(curve, 2, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
+    if (!target.empty())
+      targets.push_back(points(target, 2, "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
   }
   bands.insert(bands.end(), curves.begin(), curves.end());
   bands.insert(bands.end(), targets.begin(), targets.end());
@@ -141,7 +125,7 @@ std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
 std::vector<LegendEntry> legend(const Profiles& profiles) {
   using enum LegendEntry::Key;
   std::vector<LegendEntry> out{{line, line_colour(0), "along x"}, {line, line_colour(1), "along y"}};
-  if (!profiles.target[0].lag.empty()) out.push_back({dashes, "black", "target"});
+  if (!profiles.target[0].empty()) out.push_back({dashes, "black", "target"});
   return out;
 }
 
@@ -152,9 +136,12 @@ Figure acf(const Cases& cases, const Request& request) {
   double longest = 0, lowest = 0;
   for (const Case& c : cases) {
     all.push_back(profiles_of(c));
-    const auto [lag, value] = extremes(all.back());
-    longest = std::max(longest, lag);
-    lowest = std::min(lowest, value);
+    for (const auto& curves : {std::span(all.back().found), std::span(all.back().target)})
+      for (const Curve& curve : curves)
+        for (const Point& p : curve) {
+          longest = std::max(longest, p.lag);
+          lowest = std::min(lowest, p.rho - 2 * p.error);
+        }
   }
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "core/words.hpp"
 
@@ -96,24 +97,15 @@ void halve(Field& values, double& first, double& step, bool rows) {
 
 }  // namespace
 
-std::vector<double> divided(std::vector<double> values, double by) {
-  for (double& v : values) v /= by;
-  return values;
-}
-
-Layer points(const std::vector<std::vector<double>>& columns, std::string_view style) {
-  const std::size_t rows = columns.front().size();
-  Layer out;
-  out.numbers.reserve(rows * columns.size());
-  for (std::size_t r = 0; r < rows; ++r)
-    for (const auto& column : columns) out.numbers.push_back(column[r]);
+Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style) {
   std::string format, use;
-  for (std::size_t c = 1; c <= columns.size(); ++c) {
+  for (std::size_t c = 1; c <= columns; ++c) {
     format += "%float64";
     use += (c == 1 ? "" : ":") + std::to_string(c);
   }
-  out.command = fmt::format("binary record=({}) format='{}' using {} {}", rows, format, use, style);
-  return out;
+  return {
+      fmt::format("binary record=({}) format='{}' using {} {}", numbers.size() / columns, format, use, style),
+      std::move(numbers)};
 }
 
 Layer raster(const Field& cells, Lattice at, std::string_view style) {

@@ -23,9 +23,8 @@ struct Layer {
   std::vector<double> numbers;
 };
 
-std::vector<double> divided(std::vector<double> values, double by);
-/// Columns of equal length, drawn as `style` says: "with lines lw 2".
-Layer points(const std::vector<std::vector<double>>& columns, std::string_view style);
+/// Rows of so many numbers each, drawn as `style` says: "with lines lw 2".
+Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style);
 
 /// A field of cells of dx × dy whose first centre is (x, y), on paper ("plot") or in space ("splot"); a cell
 /// that is not a number stays empty.

@@ -28,8 +28,8 @@ Trace trace_of(const Case& c, const std::string& variable, const Section& sectio
     out.value.push_back(section.along_x ? patch.values(k, section.index) : patch.values(section.index, k));
   }
   if (out.position.size() < 2)
-    throw DataError(variable, std::string("a profile along ") + (section.along_x ? "x" : "y") +
-                                  " needs two points, and there is one");
+    throw DataError(variable,
+                    fmt::format("a profile along {} needs two points, and there is one", section.along()));
   return out;
 }
 
@@ -74,13 +74,17 @@ std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const 
 
 Panel panel_of(const Row& row, const Unit& length, const Axis& values, double unit) {
   Panel out;
-  out.x = axis_of(range_of(row.traces[0].position), length, row.section.along_x ? "x" : "y");
+  out.x = axis_of(range_of(row.traces[0].position), length, row.section.along());
   out.x->label += " at " + row.section.label();
   out.y = values;
-  for (std::size_t c = 0; c < row.traces.size(); ++c)
+  for (std::size_t c = 0; c < row.traces.size(); ++c) {
+    const auto& [position, value] = row.traces[c];
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < position.size(); ++k)
+      numbers.insert(numbers.end(), {position[k] / length.factor, value[k] / unit});
     out.layers.push_back(
-        points({divided(row.traces[c].position, length.factor), divided(row.traces[c].value, unit)},
-               fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", line_colour(c))));
+        points(numbers, 2, fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", line_colour(c))));
+  }
   return out;
 }
 

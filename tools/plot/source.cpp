@@ -82,6 +82,12 @@ std::vector<Patch> patches_of(const Cases& cases, const std::string& variable, c
   return out;
 }
 
+Range range_of(const std::vector<Patch>& patches) {
+  Range out{unlimited, -unlimited};
+  for (const Patch& p : patches) out = united(out, range_of(p.values));
+  return out;
+}
+
 Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y) {
   return {patch.x_at(0) / x.factor, patch.y_at(0) / y.factor, patch.dx() / x.factor, patch.dy() / y.factor};
 }
@@ -122,16 +128,13 @@ Range value_range(const Request& request, const std::string& unit, Range otherwi
 }
 
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
-  Range range = range_of(patches[0].values);
-  double mean = 0;
-  for (const Patch& p : patches) {
-    range = united(range, range_of(p.values));
-    mean += mean_of(p.values) / static_cast<double>(patches.size());
-  }
+  const Range range = range_of(patches);
   if (!request.range.empty())
     return {value_range(request, quantity.unit, range),
             quantity.signed_value ? Palette::diverging : Palette::sequential};
   if (!quantity.signed_value) return one_sided(range);
+  double mean = 0;
+  for (const Patch& p : patches) mean += mean_of(p.values) / static_cast<double>(patches.size());
   return about(quantity.name == "height" ? mean : 0.0, range);
 }
 

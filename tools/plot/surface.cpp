@@ -72,25 +72,24 @@ std::string default_title(const Quantity& quantity, double factor, Index stride)
 struct Relief {
   std::vector<Patch> patches;
   Quantity quantity;
-  Range values;
+  Range values = {};
   Index stride = 1;
-  double factor = 1;   ///< heights are enlarged by it
-  Unit length, value;  ///< of the axes
+  double factor = 1;             ///< heights are enlarged by it
+  Unit length = {}, value = {};  ///< of the axes
 
   double scale() const { return factor / length.factor; }  ///< plotted units a unit of the quantity
 };
 
 Relief relief_of(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
-  Relief out{{}, quantity_of(cases[0].data.at(variable)), {unlimited, -unlimited}, 1, 1, {}, {}};
-  for (const Case& c : cases) {
-    out.patches.push_back(patch_of(c.data, variable, request));
-    out.values = united(out.values, range_of(out.patches.back().values));
-    require_two_points(variable, out.patches.back());
-    out.stride = std::max(out.stride, stride_of(out.patches.back().values));
+  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
+  for (const Patch& p : out.patches) {
+    require_two_points(variable, p);
+    out.stride = std::max(out.stride, stride_of(p.values));
   }
+  out.values = value_range(request, out.quantity.unit, range_of(out.patches));
   for (Patch& p : out.patches) p = thinned(p, out.stride);
-  out.values = value_range(request, out.quantity.unit, out.values);
   if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
     const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
     out.values = {out.values.low - room, out.values.high + room};
