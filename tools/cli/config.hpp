@@ -25,8 +25,8 @@ namespace asperity::cli {
 
 /// Reads such a file.
 std::shared_ptr<CLI::Config> config_reader();
-/// The options that have been given, group by group as in --help, and as comments those that have defaults: what is read back
-/// to the same run.
+/// The options that have been given, group by group as in --help, and as comments those that have defaults: read back, they
+/// give the same run.
 std::string config_text(const std::string& tool, const std::vector<Option>& options);
 
 /// The message of an error in a file.
