@@ -164,22 +164,22 @@ void declare(cli::Tool& tool, Options& what) {
             "Lengths");
   tool.text("--direction", what.direction, "ANGLE",
             "Lengths in this direction too, from +x towards +y: 30deg", "Lengths");
-  CLI::Option* quantiles = tool.flag(
+  const cli::Option quantiles = tool.flag(
       "--quantiles", what.quantiles,
       "Add the distribution of the heights to the dataset, for asperity-generate --marginal measured",
       "Estimate");
-  CLI::Option* lengths =
+  const cli::Option lengths =
       tool.flag("--lengths", what.lengths, "Print the lengths and the ellipticity", "Result")
-          ->excludes(quantiles);
-  CLI::Option* profiles =
+          .excludes(quantiles);
+  const cli::Option profiles =
       tool.flag("--profiles", what.profiles,
                 "Print the two profiles R(p,0) and R(0,q); so do --json alone and a terminal", "Result")
-          ->excludes(lengths)
-          ->excludes(quantiles);
+          .excludes(lengths)
+          .excludes(quantiles);
   tool.flag("--dataset", what.dataset, "Write the dataset with the ACF added, as into a pipe or a file",
             "Result")
-      ->excludes(lengths)
-      ->excludes(profiles);
+      .excludes(lengths)
+      .excludes(profiles);
   tool.input();
   tool.table();
   tool.output();

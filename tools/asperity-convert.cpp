@@ -125,8 +125,7 @@ int convert(cli::Tool& tool, const Options& options) {
     return cli::done;
   }
   const std::string out = encoded(tool, format, options, target, std::move(bytes));
-  if (tool.output_is_terminal() && !is_text(out))
-    throw cli::UsageError("output", "this format is binary and does not go to a terminal");
+  if (!is_text(out)) cli::refuse_terminal(tool.output_name(), "this format");
   tool.write_text(out);
   return cli::done;
 }

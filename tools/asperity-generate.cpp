@@ -78,11 +78,10 @@ void declare(cli::Tool& tool, Options& o) {
 
 // The first option given of those that say which kernel to solve for, or nothing.
 std::string target_option(const cli::Tool& tool, bool filters) {
-  for (const CLI::Option* option : tool.app().get_options())
-    if ((option->get_group() == "Autocorrelation" || option->get_group() == "Solution") &&
-        option->count() > 0 && option->get_name() != "--kernel" &&
-        !(filters && option->get_name() == "--method"))
-      return option->get_name().substr(2);
+  for (const cli::Option& option : tool.options())
+    if ((option.group() == "Autocorrelation" || option.group() == "Solution") && option.given() &&
+        option.key() != "kernel" && !(filters && option.key() == "method"))
+      return option.key();
   return {};
 }
 

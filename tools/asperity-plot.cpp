@@ -18,7 +18,7 @@ namespace {
 
 struct Kind {
   const char* name;
-  plot::Script (*draw)(const plot::Cases&, const plot::Request&);
+  plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
 };
 constexpr Kind kinds[] = {
     {"map", plot::map}, {"surface", plot::surface}, {"profile", plot::profile},   {"acf", plot::acf},
@@ -44,7 +44,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
               "pdf: histogram and Gaussian; contact: states; von-mises: vertical section; section: one of "
               "any --variable(z, x, y)",
               group)
-      ->required();
+      .required();
   tool.text("--variable", o.request.variable, "NAME",
             "What is drawn: heights, pressure, gap, noise, stress_zz, ... (default: the kind's own)", group);
   tool.text("--section", o.request.section, "AXIS=PLACE",
@@ -59,7 +59,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
                "Panels side by side, the others below them; 1: for print 8 cm wide, 2: 11.5 cm, 3: 15 cm "
                "(default: all side by side)",
                group)
-      ->default_str("");
+      .without_default();
   tool.counts("--pixels", o.request.pixels, {200, 10'000, "of which a picture takes 400 MB"},
               "Size; letters grow with the width. A PDF has this shape and is 8, 11.5, 15 cm wide for one, "
               "two, three columns (default: as suits)",
@@ -67,14 +67,14 @@ void declare_figure(cli::Tool& tool, Options& o) {
   tool.text("--format", o.request.format, "png|svg|pdf", "For -o - only; a file's name tells", group);
   tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Where the picture goes; - is standard output",
             group)
-      ->required();
+      .required();
 }
 
 void declare_scales(cli::Tool& tool, Options& o) {
   const std::string group = "Scales";
-  tool.quantities("--x-range", o.x, "m", "Part shown along x", group)->default_str("");
-  tool.quantities("--y-range", o.y, "m", "Part shown along y", group)->default_str("");
-  tool.quantities("--depth-range", o.depth, "m", "Part shown of a section's depth", group)->default_str("");
+  tool.quantities("--x-range", o.x, "m", "Part shown along x", group).without_default();
+  tool.quantities("--y-range", o.y, "m", "Part shown along y", group).without_default();
+  tool.quantities("--depth-range", o.depth, "m", "Part shown of a section's depth", group).without_default();
   tool.text("--range", o.request.range, "LOW,HIGH", "Values that the colours or the axis span, with unit",
             group);
   tool.choice("--scale-by", o.scale_by, {"p0"},
@@ -121,8 +121,7 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
     throw cli::UsageError("columns", "profiles of several inputs are drawn into one panel");
   if (tool.given("--above") && !(request.above > 0 && std::isfinite(request.above)))
     throw cli::UsageError("above", "it must be positive");
-  if (o.output == "-" && cli::stdout_is_terminal())
-    throw cli::UsageError("output", "a picture is binary and standard output is a terminal; name a file");
+  cli::refuse_terminal(o.output, "a picture");
   return request;
 }
 
@@ -163,7 +162,7 @@ int draw(cli::Tool& tool, const Options& options) {
   const plot::Request request = request_of(tool, options);
   const plot::Cases cases = read_cases(tool, options);
   const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);
-  const plot::Picture picture = plot::run_gnuplot(kind->draw(cases, request));
+  const plot::Picture picture = plot::run_gnuplot(plot::script_of(kind->describe(cases, request), request));
   if (!picture.remarks.empty()) tool.detail("gnuplot: " + picture.remarks);
   cli::write_all(options.output, picture.bytes);
   return cli::done;
@@ -174,10 +173,8 @@ int draw(cli::Tool& tool, const Options& options) {
 int main(int argc, char** argv) {
   cli::Tool tool("asperity-plot", "Draws figures of a dataset, or of several side by side, with gnuplot");
   Options options;
-  tool.app()
-      .add_option("INPUT", options.inputs, "Datasets to draw on shared scales; - is standard input")
-      ->type_name("FILE...")
-      ->capture_default_str();
+  tool.arguments("INPUT", options.inputs, "FILE...",
+                 "Datasets to draw on shared scales; - is standard input");
   declare_figure(tool, options);
   declare_scales(tool, options);
   tool.example(

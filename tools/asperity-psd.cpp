@@ -81,16 +81,16 @@ void add_to(Dataset& data, const Surface& surface, const LagField& psd, const st
 void declare(cli::Tool& tool, Options& what) {
   tool.choice("--window", what.window, {"auto", "none", "hann"},
               "Weight towards the edges; auto: Hann's unless the field is periodic", "Estimate");
-  CLI::Option* radial =
+  const cli::Option radial =
       tool.flag("--radial", what.radial,
                 "Print the mean over rings of wave numbers; so do --json alone and a terminal", "Result");
-  CLI::Option* profiles = tool.flag("--profiles", what.profiles,
-                                    "Print the mean over the profiles along x, and along y", "Result")
-                              ->excludes(radial);
+  const cli::Option profiles = tool.flag("--profiles", what.profiles,
+                                         "Print the mean over the profiles along x, and along y", "Result")
+                                   .excludes(radial);
   tool.flag("--dataset", what.dataset, "Write the dataset with the PSD added, as into a pipe or a file",
             "Result")
-      ->excludes(radial)
-      ->excludes(profiles);
+      .excludes(radial)
+      .excludes(profiles);
   tool.input();
   tool.table();
   tool.output();

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
-#include "tools/cli/apart.hpp"
+#include "tools/cli/sandbox.hpp"
 
 // UDUNITS' lexer forgets a few bytes of a unit that it does not understand. The leak sanitizer asks.
 extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions() { return "leak:libudunits2"; }
@@ -48,7 +48,7 @@ inline Reading any_reading(std::size_t size) {
 inline bool reads(const std::string& format, std::string_view bytes) {
   try {
     if (format.starts_with("netcdf")) {
-      read_netcdf4_apart(&cli::made_apart);
+      read_netcdf4_apart(&cli::run_in_sandbox);
       decode_netcdf(std::string(bytes));
     } else {
       const Format& read = format_named(format, "format");

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <toml++/toml.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "tools/cli/table.hpp"
@@ -96,9 +97,9 @@ bool is_number(const std::string& word) {
 // ---- writing ----
 
 // A text that looks like a number is none: a file "1.50" would come back as "1.5".
-std::string toml(const CLI::Option& option, const std::string& value) {
-  const std::string& kind = option.get_type_name();
-  if ((kind == "N" || kind == "NUMBER") && is_number(value)) return value;
+std::string toml(const Option& option, const std::string& value) {
+  const bool number = option.kind() == "N" || option.kind() == "NUMBER";
+  if (number && is_number(value)) return value;
   std::string out = "\"";
   for (const char c : value) {
     const auto code = static_cast<unsigned char>(c);
@@ -110,41 +111,32 @@ std::string toml(const CLI::Option& option, const std::string& value) {
   return out + "\"";
 }
 
-std::string toml(const CLI::Option& option, const std::vector<std::string>& values) {
+std::string toml(const Option& option, const std::vector<std::string>& values) {
+  if (!option.is_list()) return toml(option, values.front());
   std::string out;
   for (const std::string& value : values) out += (out.empty() ? "" : ", ") + toml(option, value);
   return "[" + out + "]";
 }
 
 // "key = value", a comment when it is the default, or nothing where there is none.
-std::string line_of(const CLI::Option& option) {
-  const std::string& key = option.get_single_name();
-  if (option.count() > 0) {
-    if (is_flag(option)) return key + (option.as<bool>() ? " = true\n" : " = false\n");
-    const std::vector<std::string>& given = option.results();
-    return key + " = " +
-           (option.get_items_expected_max() > 1 ? toml(option, given) : toml(option, given.front())) + "\n";
-  }
-  if (is_flag(option)) return "# " + key + " = false\n";
-  return option.get_default_str().empty()
-             ? ""
-             : "# " + key + " = " + toml(option, option.get_default_str()) + "\n";
+std::string line_of(const Option& option) {
+  const std::string key = option.key();
+  if (option.is_flag())
+    return option.given() ? key + (option.flag_value() ? " = true\n" : " = false\n")
+                          : "# " + key + " = false\n";
+  if (option.given()) return key + " = " + toml(option, option.values()) + "\n";
+  const std::string usual = option.shown_default();
+  return usual.empty() ? "" : "# " + key + " = " + toml(option, usual) + "\n";
 }
 
-}  // namespace
+class ConfigReader : public CLI::Config {
+ public:
+  std::string to_config(const CLI::App*, bool, bool, std::string) const override { return {}; }
+  std::vector<CLI::ConfigItem> from_config(std::istream& in) const override;
+  std::string to_flag(const CLI::ConfigItem& item) const override;
+};
 
-std::string ConfigFile::to_config(const CLI::App* app, bool, bool, std::string) const {
-  std::string out = "# Options of " + app->get_name() + ", for --config; behind # what is so by default.\n";
-  for (const std::string& group : app->get_groups()) {
-    std::string lines;
-    for (const CLI::Option* option : app->get_options())
-      if (option->get_group() == group && option->get_configurable()) lines += line_of(*option);
-    if (!lines.empty()) out += "\n# " + group + "\n" + lines;
-  }
-  return out;
-}
-
-std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& in) const {
+std::vector<CLI::ConfigItem> ConfigReader::from_config(std::istream& in) const {
   const std::string text = text_in(in);
   refuse_deep_keys(text);
   try {
@@ -161,10 +153,25 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& in) const {
   }
 }
 
-std::string ConfigFile::to_flag(const CLI::ConfigItem& item) const {
+std::string ConfigReader::to_flag(const CLI::ConfigItem& item) const {
   if (item.inputs.size() == 1 && (item.inputs[0] == "true" || item.inputs[0] == "false"))
     return item.inputs[0];
   throw CLI::ConfigError(item.name + ": is true or false");
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::Config> config_reader() { return std::make_shared<ConfigReader>(); }
+
+std::string config_text(const std::string& tool, const std::vector<Option>& options) {
+  std::string out = "# Options of " + tool + ", for --config; behind # what is so by default.\n";
+  for (const OptionGroup& group : by_group(options)) {
+    std::string lines;
+    for (const Option& option : group.options)
+      if (option.in_config()) lines += line_of(option);
+    if (!lines.empty()) out += "\n# " + group.heading + "\n" + lines;
+  }
+  return out;
 }
 
 std::string in_words(const CLI::ConfigError& error) {

@@ -10,22 +10,24 @@
 /// which calls itself for each part of a dotted key: no key has more than 8 of them, and a file at most 1 MiB.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/cli/option.hpp"
+
+namespace CLI {
+class Config;
+class ConfigError;
+}  // namespace CLI
 
 namespace asperity::cli {
 
-class ConfigFile : public CLI::Config {
- public:
-  /// The options that have been given, group by group as in --help, and as comments those that have defaults: what
-  /// from_config reads back to the same run.
-  std::string to_config(const CLI::App* app, bool defaults, bool descriptions,
-                        std::string prefix) const override;
-  std::vector<CLI::ConfigItem> from_config(std::istream& in) const override;
-  std::string to_flag(const CLI::ConfigItem& item) const override;
-};
-
-/// Whether an option stands alone, without a value.
-inline bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
+/// Reads such a file.
+std::shared_ptr<CLI::Config> config_reader();
+/// The options that have been given, group by group as in --help, and as comments those that have defaults: read back, they
+/// give the same run.
+std::string config_text(const std::string& tool, const std::vector<Option>& options);
 
 /// The message of an error in a file.
 std::string in_words(const CLI::ConfigError& error);

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "tools/cli/config.hpp"
 #include "tools/cli/record.hpp"
 
 namespace asperity::cli {
@@ -37,39 +36,34 @@ std::string section(const std::string& name, const std::string& body) {
 std::string paragraph(const std::string& text) { return text.empty() ? "" : roff(flowing(text)) + "\n"; }
 
 // "-o, --output FILE"
-std::string names_of(const CLI::Option& option) {
+std::string names_of(const Option& option) {
+  if (option.is_positional()) return italic(option.key());
   std::string out;
-  auto add = [&](const std::string& name) { out += (out.empty() ? "" : ", ") + bold(name); };
-  for (const std::string& name : option.get_snames()) add("-" + name);
-  for (const std::string& name : option.get_lnames()) add("--" + name);
-  if (out.empty()) return italic(option.get_single_name());
-  if (!is_flag(option)) out += " " + italic(option.get_type_name());
-  return out;
+  for (const std::string& name : option.names()) out += (out.empty() ? "" : ", ") + bold(name);
+  return option.is_flag() ? out : out + " " + italic(option.kind());
 }
 
-std::string entry(const CLI::Option& option) {
-  std::string text = flowing(option.get_description());
+std::string entry(const Option& option) {
+  std::string text = flowing(option.text());
   if (!text.ends_with('.')) text += ".";
-  if (option.get_required()) text += " Required.";
-  if (!option.get_default_str().empty()) text += " Default: " + option.get_default_str() + ".";
+  if (option.is_required()) text += " Required.";
+  if (const std::string usual = option.shown_default(); !usual.empty()) text += " Default: " + usual + ".";
   return ".TP\n" + names_of(option) + "\n" + roff(text) + "\n";
 }
 
-std::string options_by_group(const CLI::App& app) {
+std::string options_by_group(const Tool& tool) {
   std::string out;
-  for (const std::string& group : app.get_groups()) {
-    std::string entries;
-    for (const CLI::Option* option : app.get_options())
-      if (option->get_group() == group) entries += entry(*option);
-    if (!entries.empty()) out += ".SS " + roff(group == "Options" ? "Arguments" : group) + "\n" + entries;
+  for (const OptionGroup& group : by_group(tool.options())) {
+    out += ".SS " + roff(group.heading == "Options" ? "Arguments" : group.heading) + "\n";
+    for (const Option& option : group.options) out += entry(option);
   }
   return out;
 }
 
 std::string synopsis(const Tool& tool) {
   std::string out = bold(tool.name()) + " [" + italic("OPTION") + "]...";
-  for (const CLI::Option* option : tool.app().get_options())
-    if (option->get_positional()) out += " [" + italic(option->get_single_name()) + "]";
+  for (const Option& option : tool.options())
+    if (option.is_positional()) out += " [" + italic(option.key()) + "]";
   return out + "\n";
 }
 
@@ -128,6 +122,11 @@ unsigned code_point(const std::string& text, std::size_t& at) {
 }  // namespace
 
 std::string roff(const std::string& text) {
+  constexpr struct {
+    char character;
+    const char* escape;
+  } escapes[] = {{'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"},
+                 {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
@@ -135,36 +134,16 @@ std::string roff(const std::string& text) {
       out += fmt::format("\\[u{:04X}]", code_point(text, at));
       continue;
     }
-    if (c == '.' && (out.empty() || out.back() == '\n')) out += "\\&";
-    switch (c) {
-      case '\\':
-        out += "\\e";
-        break;
-      case '-':
-        out += "\\-";
-        break;
-      case '\'':
-        out += "\\(aq";
-        break;
-      case '`':
-        out += "\\(ga";
-        break;
-      case '^':
-        out += "\\(ha";
-        break;
-      case '~':
-        out += "\\(ti";
-        break;
-      default:
-        out += c;
-    }
     ++at;
+    if (c == '.' && (out.empty() || out.back() == '\n')) out += "\\&";
+    const auto* own = std::ranges::find_if(escapes, [&](const auto& e) { return e.character == c; });
+    out += own == std::end(escapes) ? std::string(1, c) : own->escape;
   }
   return out;
 }
 
 std::string man_page(const Tool& tool) {
-  const std::string description = flowing(tool.app().get_description());
+  const std::string description = flowing(tool.description());
   return ".TH " + upper(tool.name()) + " 1 " + timestamp().substr(0, 10) + " \"Asperity " + version() +
          "\" \"Asperity\"\n" +
          section("NAME", roff(tool.name()) + " \\- " + roff(summary(description)) + "\n") +
@@ -172,7 +151,7 @@ std::string man_page(const Tool& tool) {
          section("DESCRIPTION", paragraph(description.ends_with('.') ? description : description + ".")) +
          section("OPTIONS", paragraph("Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts "
                                       "samples.") +
-                                options_by_group(tool.app())) +
+                                options_by_group(tool)) +
          section("EXAMPLES", example(tool.example())) + section("ACCURACY", paragraph(tool.accuracy())) +
          section("ENVIRONMENT", environment()) + section("EXIT STATUS", statuses()) +
          section("SEE ALSO", see_also(tool.name()));

@@ -1,4 +1,4 @@
-/// The manual page of a tool, from the same table of options as --help.
+/// The manual page of a tool.
 #pragma once
 
 #include <string>

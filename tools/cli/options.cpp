@@ -5,11 +5,16 @@
 #include <memory>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
 #include "tools/cli/completion.hpp"
 #include "tools/cli/config.hpp"
 #include "tools/cli/man.hpp"
 #include "tools/cli/record.hpp"
-#include "tools/cli/table.hpp"
+#include "tools/cli/resources.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -48,123 +53,130 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-std::string without_hyphens(const std::string& name) { return name.substr(name.find_first_not_of('-')); }
+// What is given for an option, parsed, as the value of a variable.
+template <class T, class Parse>
+auto into(T& value, Parse parse) {
+  return [&value, parse](const std::string& key, const std::string& given) { value = parse(key, given); };
+}
 
 }  // namespace
 
 Tool::Tool(std::string name, std::string description)
-    : app_(std::move(description), name), name_(std::move(name)) {
+    : app_(std::make_unique<CLI::App>(std::move(description), name)),
+      name_(std::move(name)),
+      memory_(half_of_memory()) {
   auto formatter = std::make_shared<HelpFormatter>();
   formatter->column_width(option_width);
-  app_.formatter(formatter);
-  app_.set_help_flag();
-  app_.allow_config_extras(CLI::config_extras_mode::error);
+  app_->formatter(formatter);
+  app_->set_help_flag();
+  app_->allow_config_extras(CLI::config_extras_mode::error);
 }
 
-CLI::Option* Tool::flag(const std::string& name, bool& value, const std::string& text,
-                        const std::string& group) {
-  return app_.add_flag(name, value, text)->group(group);
-}
-
-CLI::Option* Tool::parsed(const std::string& name, const std::string& kind, const std::string& text,
-                          const std::string& group, const std::string& shown,
-                          const std::function<void(const std::string&)>& parse) {
-  CLI::Option* option = app_.add_option_function<std::string>(name, parse, text);
+Option Tool::parsed(const std::string& name, const std::string& kind, const std::string& text,
+                    const std::string& group, const std::string& shown, const Read& read) {
+  const std::string key = name.substr(name.find_first_not_of('-'));
+  CLI::Option* option = app_->add_option_function<std::string>(
+      name, [key, read](const std::string& given) { read(key, given); }, text);
   option->group(group)->type_name(kind);
   if (!shown.empty()) option->default_str(shown);
-  return option;
+  return Option(option);
 }
 
-CLI::Option* Tool::integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
-                           const std::string& group) {
-  const std::string key = without_hyphens(name);
-  return parsed(name, "N", text, group, std::to_string(value),
-                [key, bounds, &value](const std::string& given) {
-                  value = static_cast<int>(parse_count(key, given, bounds));
-                });
+Option Tool::flag(const std::string& name, bool& value, const std::string& text, const std::string& group) {
+  return Option(app_->add_flag(name, value, text)->group(group));
 }
 
-CLI::Option* Tool::number(const std::string& name, double& value, const std::string& text,
+Option Tool::integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
+                     const std::string& group) {
+  const auto read = [bounds](const std::string& key, const std::string& given) {
+    return static_cast<int>(parse_count(key, given, bounds));
+  };
+  return parsed(name, "N", text, group, std::to_string(value), into(value, read));
+}
+
+Option Tool::number(const std::string& name, double& value, const std::string& text,
+                    const std::string& group) {
+  const auto read = [](const std::string& key, const std::string& given) {
+    if (given.find(',') != given.npos) throw ParameterError(key, "'" + given + "' is more than one number");
+    return parse_numbers(key, given)[0];
+  };
+  return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value), into(value, read));
+}
+
+Option Tool::numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
                           const std::string& group) {
-  const std::string key = without_hyphens(name);
-  return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value),
-                [key, &value](const std::string& given) {
-                  if (given.find(',') != given.npos)
-                    throw ParameterError(key, "'" + given + "' is more than one number");
-                  value = parse_numbers(key, given)[0];
-                });
+  const std::string shown = shortest(values[0]) + "," + shortest(values[1]);
+  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown, into(values, parse_numbers));
 }
 
-CLI::Option* Tool::numbers_pair(const std::string& name, std::array<double, 2>& values,
-                                const std::string& text, const std::string& group) {
-  const std::string key = without_hyphens(name);
-  const bool known = !std::isnan(values[0]);
-  return parsed(name, "A[,B]", text, group, known ? shortest(values[0]) + "," + shortest(values[1]) : "",
-                [key, &values](const std::string& given) { values = parse_numbers(key, given); });
+Option Tool::text(const std::string& name, std::string& value, const std::string& what,
+                  const std::string& text, const std::string& group) {
+  const auto read = [](const std::string&, const std::string& given) { return given; };
+  return parsed(name, what, text, group, value, into(value, read));
 }
 
-CLI::Option* Tool::text(const std::string& name, std::string& value, const std::string& what,
-                        const std::string& text, const std::string& group) {
-  return parsed(name, what, text, group, value, [&value](const std::string& given) { value = given; });
-}
-
-CLI::Option* Tool::choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
-                          const std::string& text, const std::string& group) {
-  const std::string key = without_hyphens(name);
-  std::string list;
-  for (const std::string& word : among) list += (list.empty() ? "" : "|") + word;
-  return parsed(name, list, text, group, value, [key, list, among, &value](const std::string& given) {
+Option Tool::choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
+                    const std::string& text, const std::string& group) {
+  const std::string list = fmt::format("{}", fmt::join(among, "|"));
+  const auto read = [list, among](const std::string& key, const std::string& given) {
     if (std::ranges::find(among, given) == among.end())
       throw ParameterError(key, "'" + given + "' is none of " + list);
-    value = given;
-  });
+    return given;
+  };
+  return parsed(name, list, text, group, value, into(value, read));
 }
 
-CLI::Option* Tool::quantity(const std::string& name, double& value, const std::string& unit,
-                            const std::string& text, const std::string& group) {
-  const std::string key = without_hyphens(name);
+Option Tool::quantity(const std::string& name, double& value, const std::string& unit,
+                      const std::string& text, const std::string& group) {
+  const auto read = [unit](const std::string& key, const std::string& given) {
+    return parse_quantity(key, given, unit);
+  };
   return parsed(name, "QUANTITY", text, group, std::isnan(value) ? "" : format_quantity(value, unit),
-                [key, unit, &value](const std::string& given) { value = parse_quantity(key, given, unit); });
+                into(value, read));
 }
 
-CLI::Option* Tool::quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
-                              const std::string& text, const std::string& group) {
-  const std::string key = without_hyphens(name);
-  const bool known = !std::isnan(values[0]);
-  return parsed(
-      name, "A[,B]", text, group,
-      known ? format_quantity(values[0], unit) + "," + format_quantity(values[1], unit) : "",
-      [key, unit, &values](const std::string& given) { values = parse_quantities(key, given, unit); });
+Option Tool::quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
+                        const std::string& text, const std::string& group) {
+  const std::string shown = format_quantity(values[0], unit) + "," + format_quantity(values[1], unit);
+  const auto read = [unit](const std::string& key, const std::string& given) {
+    return parse_quantities(key, given, unit);
+  };
+  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown, into(values, read));
 }
 
-CLI::Option* Tool::lengths(const std::string& name, std::array<SampledLength, 2>& values,
-                           const std::string& text, const std::string& group) {
-  const std::string key = without_hyphens(name);
-  return parsed(name, "A[,B]", text, group, "",
-                [key, &values](const std::string& given) { values = parse_lengths(key, given); });
+Option Tool::lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
+                     const std::string& group) {
+  return parsed(name, "A[,B]", text, group, "", into(values, parse_lengths));
 }
 
-CLI::Option* Tool::counts(const std::string& name, Shape& value, const Bounds& bounds,
-                          const std::string& text, const std::string& group) {
-  const std::string key = without_hyphens(name);
+Option Tool::counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
+                    const std::string& group) {
+  const auto read = [bounds](const std::string& key, const std::string& given) {
+    return parse_counts(key, given, bounds);
+  };
   const std::string shown = value.nx > 0 ? std::to_string(value.nx) + "x" + std::to_string(value.ny) : "";
-  return parsed(name, "AxB", text, group, shown, [key, bounds, &value](const std::string& given) {
-    value = parse_counts(key, given, bounds);
-  });
+  return parsed(name, "AxB", text, group, shown, into(value, read));
 }
 
-CLI::Option* Tool::bytes(const std::string& name, std::size_t& value, const std::string& text,
-                         const std::string& group) {
-  const std::string key = without_hyphens(name);
-  return parsed(name, "SIZE", text, group, format_bytes(value),
-                [key, &value](const std::string& given) { value = parse_bytes(key, given); });
+Option Tool::bytes(const std::string& name, std::size_t& value, const std::string& text,
+                   const std::string& group) {
+  return parsed(name, "SIZE", text, group, format_bytes(value), into(value, parse_bytes));
+}
+
+Option Tool::argument(const std::string& name, std::string& value, const std::string& kind,
+                      const std::string& text) {
+  return Option(app_->add_option(name, value, text)->type_name(kind)->capture_default_str());
+}
+
+Option Tool::arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
+                       const std::string& text) {
+  CLI::Option* option = app_->add_option(name, values, text)->type_name(kind);
+  return Option(values.empty() ? option : option->capture_default_str());
 }
 
 void Tool::input() {
   takes_input_ = true;
-  app_.add_option("INPUT", input_, "Dataset to read; - is standard input")
-      ->type_name("FILE")
-      ->capture_default_str();
+  argument("INPUT", input_, "FILE", "Dataset to read; - is standard input");
   input_format();
 }
 
@@ -172,7 +184,7 @@ void Tool::memory(const std::string& text) {
   bytes("--memory", memory_,
         text + ". An input that takes more is refused, but for 16 MiB. Absent: half of the machine's",
         "Resources")
-      ->default_str("");
+      .without_default();
 }
 
 void Tool::input_format(const std::string& name) {
@@ -185,7 +197,7 @@ void Tool::input_format(const std::string& name) {
 
 // The options that all or several tools have stand last in --help, in one order.
 void Tool::add_common() {
-  if (reads_ && app_.get_option_no_throw("--memory") == nullptr)
+  if (reads_ && !find("--memory"))
     memory("Largest memory that reading may take: an input's bytes and three times its map");
   if (writes_dataset_ || writes_table_)
     text("-o,--output", output_, "FILE",
@@ -206,8 +218,8 @@ void Tool::add_common() {
 }
 
 void Tool::add_running() {
-  app_.config_formatter(std::make_shared<ConfigFile>());
-  app_.set_config("--config", "", "Read options from a TOML file, such as --dump-config writes")
+  app_->config_formatter(config_reader());
+  app_->set_config("--config", "", "Read options from a TOML file, such as --dump-config writes")
       ->group(common)
       ->type_name("FILE.toml");
   flag("-q,--quiet", quiet_, "Say nothing but warnings and errors", common);
@@ -221,35 +233,40 @@ void Tool::add_running() {
 
 // What a tool tells about itself, in place of running.
 void Tool::add_documents() {
-  auto document = [](CLI::Option* option) { option->group(common)->configurable(false); };
-  document(app_.add_flag("--dump-config", dump_config_,
-                         "Print the options given here, in the environment and in --config as a file for "
-                         "--config, the defaults as comments, and exit"));
-  document(app_.add_flag_callback(
-      "--man", [this] { throw Answer{man_page(*this)}; }, "Print the manual page, for man -l, and exit"));
-  document(app_.add_option_function<std::string>(
-                   "--completion",
-                   [this](const std::string& shell) {
-                     if (shell != "bash" && shell != "zsh")
-                       throw ParameterError("completion", "'" + shell + "' is none of bash|zsh");
-                     throw Answer{shell == "bash" ? bash_completion(app_) : zsh_completion(app_)};
-                   },
-                   "Print the completion of this command for a shell and exit")
-               ->type_name("bash|zsh"));
-  document(app_.set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")",
-                                 "Print the versions of the tool and its libraries and exit"));
-  document(app_.set_help_flag("-h,--help", "Print this help and exit"));
+  flag("--dump-config", dump_config_,
+       "Print the options given here, in the environment and in --config as a file for --config, the "
+       "defaults as "
+       "comments, and exit",
+       common)
+      .only_on_demand();
+  Option(app_->add_flag_callback(
+                 "--man", [this] { throw Answer{man_page(*this)}; },
+                 "Print the manual page, for man -l, and exit")
+             ->group(common))
+      .only_on_demand();
+  parsed(
+      "--completion", "bash|zsh", "Print the completion of this command for a shell and exit", common, "",
+      [this](const std::string& key, const std::string& shell) {
+        if (shell != "bash" && shell != "zsh")
+          throw ParameterError(key, "'" + shell + "' is none of bash|zsh");
+        throw Answer{shell == "bash" ? bash_completion(name_, options()) : zsh_completion(name_, options())};
+      })
+      .only_on_demand();
+  app_->set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")",
+                         "Print the versions of the tool and its libraries and exit")
+      ->group(common)
+      ->configurable(false);
+  app_->set_help_flag("-h,--help", "Print this help and exit")->group(common)->configurable(false);
 }
 
 void Tool::add_seed() {
   parsed(
       "--seed", "N", "Seed of the random numbers, 0 to 2^53; absent: from entropy. Always recorded", common,
-      "", [this](const std::string& given) {
+      "", [this](const std::string& key, const std::string& given) {
         std::uint64_t value = 0;
         const auto [rest, error] = std::from_chars(given.data(), given.data() + given.size(), value);
         if (error != std::errc() || rest != given.data() + given.size() || value > (std::uint64_t{1} << 53))
-          throw ParameterError("seed",
-                               "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
+          throw ParameterError(key, "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
         seed_ = value;
       });
   integer(

@@ -38,13 +38,8 @@ Identity identity(const struct stat& status, const std::string& name = {}) {
 }
 
 // Two outputs of a device do each other no harm.
-Identity identity_unless_device(const struct stat& status) {
-  return S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode) ? Identity() : identity(status);
-}
-
-Identity identity_of_descriptor(int fd) {
-  struct stat status {};
-  return ::fstat(fd, &status) == 0 ? identity_unless_device(status) : Identity();
+Identity identity_unless_device(bool present, const struct stat& status) {
+  return !present || S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode) ? Identity() : identity(status);
 }
 
 }  // namespace
@@ -64,20 +59,20 @@ Place place_of(const std::string& name) {
   return {replaceable ? Place::Kind::file : Place::Kind::other, target, -1};
 }
 
-Identity identity_of_output(const std::string& name) {
-  const Place place = place_of(name);
+Identity identity_of_output(const Place& place) {
   struct stat status {};
-  if (place.kind == Place::Kind::descriptor) return identity_of_descriptor(place.descriptor);
-  if (::stat(place.path.c_str(), &status) == 0) return identity_unless_device(status);
+  if (place.kind == Place::Kind::descriptor)
+    return identity_unless_device(::fstat(place.descriptor, &status) == 0, status);
+  if (::stat(place.path.c_str(), &status) == 0) return identity_unless_device(true, status);
   const fs::path path = place.path;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   return ::stat(folder.c_str(), &status) == 0 ? identity(status, path.filename()) : Identity();
 }
 
 Identity identity_of_input(const std::string& name) {
-  if (name == "-") return identity_of_descriptor(STDIN_FILENO);
   struct stat status {};
-  return ::stat(name.c_str(), &status) == 0 ? identity_unless_device(status) : Identity();
+  const int found = name == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(name.c_str(), &status);
+  return identity_unless_device(found == 0, status);
 }
 
 }  // namespace asperity::cli

@@ -26,7 +26,7 @@ Place place_of(const std::string& name);
 /// Which regular file or pipe a name leads to, the same for all its names; empty for devices, and for an input that is
 /// not there.
 using Identity = std::string;
-Identity identity_of_output(const std::string& name);
+Identity identity_of_output(const Place& place);
 Identity identity_of_input(const std::string& name);  ///< "-" is standard input
 
 }  // namespace asperity::cli

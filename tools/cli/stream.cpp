@@ -24,42 +24,43 @@ constexpr const char* own_descriptors = "/proc/self/fd";
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-// A file descriptor; closing is part of writing and is checked by close().
-class Descriptor {
- public:
-  Descriptor(int fd, std::string name, bool owned) : fd_(fd), name_(std::move(name)), owned_(owned) {
-    if (fd_ < 0) fail(name_);
+Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
+  constexpr std::size_t chunk = 1 << 20;
+  struct stat status {};
+  const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+  if (!regular) ::fcntl(fd, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
+  const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
+  memory.require(static_cast<double>(regular ? status.st_size : 0), name);
+  for (Bytes bytes;;) {
+    memory.require(static_cast<double>(bytes.size()), name);
+    const std::size_t step =
+        regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
+    const ssize_t n = ::read(fd, bytes.room(step), step);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(name);
+    if (n == 0) return bytes;
+    bytes.add(static_cast<std::size_t>(n));
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (owned_ && fd_ >= 0) ::close(fd_);
-  }
+}
 
-  Bytes read(const MemoryBound& memory) const {
-    constexpr std::size_t chunk = 1 << 20;
-    struct stat status {};
-    const bool regular = ::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode);
-    if (!regular) ::fcntl(fd_, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
-    const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
-    memory.require(static_cast<double>(regular ? status.st_size : 0), name_);
-    for (Bytes bytes;;) {
-      memory.require(static_cast<double>(bytes.size()), name_);
-      const std::size_t step =
-          regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
-      const ssize_t n = ::read(fd_, bytes.room(step), step);
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail(name_);
-      if (n == 0) return bytes;
-      bytes.add(static_cast<std::size_t>(n));
-    }
+// Closes a file that was opened here, no standard stream.
+struct Closing {
+  int fd;
+  ~Closing() {
+    if (fd > STDERR_FILENO) ::close(fd);
   }
-
- private:
-  int fd_;
-  std::string name_;
-  bool owned_;
 };
+
+// All of the bytes; `put` writes some of those that are left, as write() does.
+template <class Put>
+void put_all(std::string_view bytes, const std::string& name, const Put& put) {
+  while (!bytes.empty()) {
+    const ssize_t n = put(bytes);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(name);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
 
 // What a new file gets of the one that it replaces: its mode, and its owner and group as far as this process may give
 // them. What a group was allowed is not passed on to another one.
@@ -81,9 +82,10 @@ std::string random_word() {
 
 Bytes read_all(const std::string& name, const MemoryBound& memory) {
   const bool piped = name == "-";
-  const int fd = piped ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
   const std::string words = piped ? "standard input" : name;
-  Bytes bytes = Descriptor(fd, words, !piped).read(memory);
+  const Closing file{piped ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.fd < 0) fail(words);
+  Bytes bytes = read_to_end(file.fd, words, memory);
   if (bytes.size() == 0)
     throw DataError(words, piped ? "it is empty: the tool before it wrote nothing" : "it is empty");
   return bytes;
@@ -157,12 +159,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(name_);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
+  put_all(bytes, name_, [&](std::string_view rest) { return ::write(fd_, rest.data(), rest.size()); });
 }
 
 void OutputFile::rewrite(std::string_view bytes) {
@@ -173,13 +170,10 @@ void OutputFile::rewrite(std::string_view bytes) {
 }
 
 void OutputFile::write_at(std::string_view bytes, std::int64_t at) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(at));
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(name_);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-    at += n;
-  }
+  put_all(bytes, name_, [&](std::string_view rest) {
+    const auto behind = at + (rest.data() - bytes.data());
+    return ::pwrite(fd_, rest.data(), rest.size(), static_cast<off_t>(behind));
+  });
 }
 
 void OutputFile::close() {
@@ -209,6 +203,12 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
   const std::size_t least = width.empty() ? 0 : std::stoul(width);
   if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
   return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
+}
+
+void refuse_terminal(const std::string& output, const std::string& what) {
+  if (output == "-" && stdout_is_terminal())
+    throw ParameterError("output",
+                         what + " is binary and standard output is a terminal; pipe it on or name a file");
 }
 
 bool stdin_is_device() {

@@ -62,6 +62,8 @@ class OutputFile {
 /// pattern has no place for the number.
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
+/// Throws ParameterError("output", …) where `what`, which is binary, would go to a terminal.
+void refuse_terminal(const std::string& output, const std::string& what = "a dataset");
 bool stdin_is_terminal();
 bool stdin_is_device();  ///< a terminal, or /dev/null: nobody pipes anything in
 bool stdout_is_terminal();

@@ -3,53 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <fcntl.h>
 #include <iostream>
-#include <iterator>
 #include <random>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
+#include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
 
 #include "core/parallel.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "tools/cli/apart.hpp"
 #include "tools/cli/config.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/cli/resources.hpp"
+#include "tools/cli/sandbox.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/usage.hpp"
 
 namespace asperity::cli {
 namespace {
-
-std::string environment_name(const std::string& option) {
-  std::string out = "ASPERITY_";
-  for (char c : option)
-    out += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return out;
-}
-
-// Whether the arguments name the option, as "--size 3mm", "--size=3mm", "-o x" or "-ox".
-bool names(const std::vector<std::string>& arguments, const CLI::Option& option) {
-  return std::ranges::any_of(arguments, [&](const std::string& a) {
-    auto is_long = [&](const std::string& n) { return a == "--" + n || a.starts_with("--" + n + "="); };
-    auto is_short = [&](const std::string& n) { return a.starts_with("-" + n); };
-    return std::ranges::any_of(option.get_lnames(), is_long) ||
-           std::ranges::any_of(option.get_snames(), is_short);
-  });
-}
-
-[[noreturn]] void refuse_empty(const std::string& key) {
-  throw ParameterError(key, "is empty: give it a value or leave it out");
-}
 
 // The number of a standard stream that its parent closed goes to no other file, into which messages would go.
 void keep_standard_streams() {
@@ -66,6 +44,12 @@ void check_output_name(const std::string& name, bool dataset, bool table, bool j
 
 }  // namespace
 
+Tool::~Tool() = default;
+
+std::string Tool::description() const { return app_->get_description(); }
+
+MemoryBound Tool::memory_bound(std::size_t held) const { return {std::max(memory_, always_read), held}; }
+
 int Tool::thread_count() const { return resolve_threads(threads_); }
 
 bool Tool::shows_progress() const {
@@ -79,77 +63,6 @@ std::uint64_t Tool::seed_value() {
     seed_ = (static_cast<std::uint64_t>(entropy()) << 21) ^ entropy();
   }
   return *seed_;
-}
-
-// ---- running ----
-
-std::vector<std::string> Tool::environment() const {
-  std::vector<std::string> out;
-  for (const CLI::Option* option : app_.get_options()) {
-    const bool told_so = option->get_configurable() || option == app_.get_config_ptr();
-    if (option->get_lnames().empty() || !told_so || names(arguments_, *option)) continue;
-    const std::string& key = option->get_lnames().front();
-    if (const char* value = std::getenv(environment_name(key).c_str()))
-      out.push_back("--" + key + "=" + value);
-  }
-  return out;
-}
-
-void Tool::parse(int argc, char** argv) {
-  add_common();
-  app_.footer(footer());
-  arguments_.assign(argv + 1, argv + argc);
-  command_line_ = name_;
-  for (const std::string& a : arguments_) command_line_ += " " + shell_word(a);
-  environment_ = environment();
-  refuse_empty_values();
-  std::vector<std::string> all = with_empty_values(environment_);
-  std::ranges::copy(with_empty_values(arguments_), std::back_inserter(all));
-  std::ranges::reverse(all);
-  app_.parse(std::move(all));
-}
-
-// "--counter=" as two arguments, for CLI11 would take the next one for its value. What follows "--" are no options.
-std::vector<std::string> Tool::with_empty_values(const std::vector<std::string>& arguments) const {
-  std::vector<std::string> out;
-  const auto end = std::ranges::find(arguments, "--");
-  for (auto a = arguments.begin(); a != end; ++a) {
-    const bool empty = a->starts_with("--") && a->find('=') == a->size() - 1;
-    const std::string name = a->substr(0, a->size() - empty);
-    const CLI::Option* option = empty ? app_.get_option_no_throw(name) : nullptr;
-    if (option != nullptr && is_flag(*option)) refuse_empty(name.substr(2));
-    out.push_back(option == nullptr ? *a : name);
-    if (option != nullptr) out.emplace_back();
-  }
-  out.insert(out.end(), end, arguments.end());
-  return out;
-}
-
-void Tool::refuse_empty_values() {
-  for (CLI::Option* option : app_.get_options()) {
-    const std::vector<std::string>& names = option->get_lnames();
-    const std::string key = names.empty() ? option->get_name() : names.front();
-    if (is_flag(*option) || option == may_be_empty_) continue;
-    option->check([key](const std::string& value) {
-      if (value.empty()) refuse_empty(key);
-      return std::string();
-    });
-  }
-}
-
-std::string Tool::config_file() const {
-  const CLI::Option* config = app_.get_config_ptr();
-  return config == nullptr || config->count() == 0 ? "" : config->results().front();
-}
-
-// Where the value of an option came from, as its user would look for it.
-std::string Tool::origin(const std::string& key) const {
-  const CLI::Option* option = app_.get_option_no_throw("--" + key);
-  if (option == nullptr && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
-  if (option == nullptr) return (app_.get_option_no_throw(key) == nullptr ? "--" : "") + key;
-  if (names(arguments_, *option)) return "--" + key;
-  if (names(environment_, *option)) return environment_name(key);
-  return config_file().empty() || option->count() == 0 ? "--" + key : config_file() + ": " + key;
 }
 
 // A line on standard error, in place of one of progress, whatever the texts of files in it.
@@ -166,10 +79,8 @@ int Tool::fail(Exit code, const std::string& message) const {
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
   source_date();  // refused before the work, not after
-  if (dump_config_) throw Answer{app_.config_to_str()};
-  if (writes_dataset_ && !writes_any_ && !writes_table_ && output_is_terminal())
-    return fail(usage_error,
-                "--output: a dataset is binary and standard output is a terminal; pipe it on or name a file");
+  if (dump_config_) throw Answer{config_text(name_, options())};
+  if (writes_dataset_ && !writes_any_ && !writes_table_) refuse_terminal(output_);
   if ((writes_dataset_ || writes_table_) && !writes_any_)
     check_output_name(output_, writes_dataset_, writes_table_, json_);
   if (!report_.empty()) check_table_name(report_, true, "report");
@@ -181,7 +92,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
     return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " --help tells more)");
   return body();
 } catch (const CLI::CallForHelp&) {
-  write_all("-", app_.help());
+  write_all("-", app_->help());
   return done;
 } catch (const CLI::CallForVersion& version) {
   write_all("-", std::string(version.what()) + "\n");
@@ -192,7 +103,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 }
 
 int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
-  read_netcdf4_apart(&made_apart);
+  read_netcdf4_apart(&run_in_sandbox);
   gsl_set_error_handler_off();  // called for want of memory alone: a line in place of an abort
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
@@ -254,7 +165,7 @@ void Tool::require_memory(double bytes, const std::string& option, const std::st
 }
 
 void Tool::writes(const std::string& option, const std::string& name) {
-  Identity own = identity_of_output(name);
+  Identity own = identity_of_output(place_of(name));
   if (own.empty() && name == "-") own = name;
   const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
   if (!alone && !own.empty())
@@ -276,8 +187,7 @@ void Tool::reads(const std::string& name, bool passed_on) const {
 void Tool::write(Dataset& dataset) { write(dataset, output_); }
 
 void Tool::write(Dataset& dataset, const std::string& name) {
-  if (name == "-" && stdout_is_terminal())
-    throw UsageError("output", "a dataset is binary and does not go to a terminal");
+  refuse_terminal(name);
   if (!writes_any_) check_dataset_name(name);
   sign(dataset);
   OutputFile file(name);

@@ -20,22 +20,21 @@
 /// (cli/config.hpp), else its default; a value that is wrong is named by where it came from.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include <CLI/CLI.hpp>
+#include <vector>
 
 #include "core/memory_bound.hpp"
 #include "core/stopwatch.hpp"
 #include "dataset/dataset.hpp"
 #include "tools/cli/input_format.hpp"
-#include "tools/cli/memory.hpp"
+#include "tools/cli/option.hpp"
 #include "tools/cli/quantity.hpp"
 
 namespace asperity::cli {
@@ -51,48 +50,54 @@ class Tool {
  public:
   /// `accuracy` is the last paragraph of --help, `example` a command line that works as it stands.
   Tool(std::string name, std::string description);
+  ~Tool();
+  Tool(const Tool&) = delete;
+  Tool& operator=(const Tool&) = delete;
+
   void example(std::string command) { example_ = std::move(command); }
   void accuracy(std::string text) { accuracy_ = std::move(text); }
 
+  const std::string& name() const { return name_; }
+  std::string description() const;
   const std::string& example() const { return example_; }
   const std::string& accuracy() const { return accuracy_; }
 
-  CLI::App& app() { return app_; }
-  const CLI::App& app() const { return app_; }
-
-  // Options. Each returns CLI11's option, for further restrictions. `group` is the heading in --help. The
-  // present value of the variable is the default and is shown in --help.
-  CLI::Option* flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
-  CLI::Option* integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
-                       const std::string& group);
-  CLI::Option* number(const std::string& name, double& value, const std::string& text,
-                      const std::string& group);
+  // Options. `group` is the heading in --help. The present value of the variable is the default and is shown in --help.
+  Option flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
+  Option integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
+                 const std::string& group);
+  Option number(const std::string& name, double& value, const std::string& text, const std::string& group);
   /// "A,B", or one value for both: pure numbers.
-  CLI::Option* numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
-                            const std::string& group);
-  CLI::Option* text(const std::string& name, std::string& value, const std::string& what,
-                    const std::string& text, const std::string& group);
-  CLI::Option* choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
-                      const std::string& text, const std::string& group);
-  /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
-  CLI::Option* quantity(const std::string& name, double& value, const std::string& unit,
-                        const std::string& text, const std::string& group);
-  /// "A,B", or one value for both.
-  CLI::Option* quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
-                          const std::string& text, const std::string& group);
-  /// "17px,4px", "0.4mm", or one value for both: lengths that may count samples.
-  CLI::Option* lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
-                       const std::string& group);
-  /// "AxB", each within the bounds.
-  CLI::Option* counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
+  Option numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
                       const std::string& group);
+  Option text(const std::string& name, std::string& value, const std::string& what, const std::string& text,
+              const std::string& group);
+  Option choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
+                const std::string& text, const std::string& group);
+  /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
+  Option quantity(const std::string& name, double& value, const std::string& unit, const std::string& text,
+                  const std::string& group);
+  /// "A,B", or one value for both.
+  Option quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
+                    const std::string& text, const std::string& group);
+  /// "17px,4px", "0.4mm", or one value for both: lengths that may count samples.
+  Option lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
+                 const std::string& group);
+  /// "AxB", each within the bounds.
+  Option counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
+                const std::string& group);
+  /// A word, or several of them, known by its place: INPUT.
+  Option argument(const std::string& name, std::string& value, const std::string& kind,
+                  const std::string& text);
+  Option arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
+                   const std::string& text);
 
   /// An empty value is a usage error, wherever it comes from, but of this option, to which it means something.
-  void may_be_empty(const CLI::Option* option) { may_be_empty_ = option; }
+  void may_be_empty(const Option& option) { may_be_empty_ = option; }
 
   /// A size of memory: "512MB", "2GiB".
-  CLI::Option* bytes(const std::string& name, std::size_t& value, const std::string& text,
-                     const std::string& group);
+  Option bytes(const std::string& name, std::size_t& value, const std::string& text,
+               const std::string& group);
 
   // What the tool has of the options that several tools share.
   void input();  ///< positional INPUT, "-" unless given, and input_format()
@@ -107,14 +112,14 @@ class Tool {
   void memory(const std::string& text);
   void seed() { seeded_ = true; }  ///< --seed N and --stream K
 
-  bool given(const std::string& option) const { return app_.count(option) > 0; }
-  const std::string& name() const { return name_; }
+  std::vector<Option> options() const;          ///< in the order of --help
+  bool given(const std::string& option) const;  ///< false of one that the tool does not have
   const std::string& input_name() const { return input_; }
   const std::string& output_name() const { return output_; }
   int thread_count() const;                       ///< resolved: at least 1
   std::size_t memory() const { return memory_; }  ///< that the run may take [byte]
   /// What reading may take of it, `held` of which is taken.
-  MemoryBound memory_bound(std::size_t held = 0) const { return {std::max(memory_, always_read), held}; }
+  MemoryBound memory_bound(std::size_t held = 0) const;
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
   std::uint64_t stream_value() const { return static_cast<std::uint64_t>(stream_); }
   bool json() const { return json_; }
@@ -164,9 +169,9 @@ class Tool {
   };
 
  private:
-  CLI::Option* parsed(const std::string& name, const std::string& kind, const std::string& text,
-                      const std::string& group, const std::string& shown,
-                      const std::function<void(const std::string&)>& parse);
+  using Read = std::function<void(const std::string& key, const std::string& given)>;
+  Option parsed(const std::string& name, const std::string& kind, const std::string& text,
+                const std::string& group, const std::string& shown, const Read& read);
   void add_common();
   void add_seed();
   void add_running();
@@ -178,12 +183,12 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string config_file() const;
   std::string footer() const;
+  std::optional<Option> find(const std::string& name) const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
-  void refuse_empty_values();
   static void say(const std::string& line);
   int fail(Exit code, const std::string& message) const;
 
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   std::string name_, example_, accuracy_, command_line_;
   std::vector<std::string> arguments_, environment_;  ///< of the command line; those that variables stand for
   std::string input_ = "-", output_ = "-", report_, progress_ = "auto";
@@ -191,9 +196,9 @@ class Tool {
     std::string option, name;
   };
   std::map<std::string, Output> outputs_;  ///< by what they are (cli/place.hpp)
-  const CLI::Option* may_be_empty_ = nullptr;
+  std::optional<Option> may_be_empty_;
   InputFormat format_;
-  std::size_t memory_ = half_of_memory();
+  std::size_t memory_;
   Stopwatch clock_;
   int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;

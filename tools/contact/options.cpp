@@ -41,16 +41,15 @@ void ContactOptions::declare(Tool& tool) {
 
 void ContactOptions::declare_surface(Tool& tool) {
   const std::string surface = "Surfaces";
-  CLI::Option* from =
-      tool.app().add_option("INPUT", input, "Dataset with heights(x,y) to read; - is standard input");
-  from->type_name("FILE")->capture_default_str();
+  const Option from =
+      tool.argument("INPUT", input, "FILE", "Dataset with heights(x,y) to read; - is standard input");
   tool.input_format();
-  CLI::Option* named = tool.text("--variable", variable, "NAME", "The heights that are read", surface);
-  CLI::Option* plain =
+  const Option named = tool.text("--variable", variable, "NAME", "The heights that are read", surface);
+  const Option plain =
       tool.flag("--smooth", smooth, "The first body is smooth: starts a chain, reads nothing", surface);
-  plain->excludes(from)->excludes(named);
-  tool.counts("--shape", shape, 1, "Cells in x and y, with --smooth", surface)->needs(plain);
-  tool.quantities("--size", size, "m", "Sides of the domain, with --smooth", surface)->needs(plain);
+  plain.excludes(from).excludes(named);
+  tool.counts("--shape", shape, 1, "Cells in x and y, with --smooth", surface).needs(plain);
+  tool.quantities("--size", size, "m", "Sides of the domain, with --smooth", surface).needs(plain);
   tool.text(
       "--counter", counter, "FILE",
       "Heights of the second body, on the same grid and positive towards the first: the gap is the form "
@@ -65,15 +64,13 @@ void ContactOptions::declare_surface(Tool& tool) {
 void ContactOptions::declare_bodies(Tool& tool) {
   const std::string group = "Bodies";
   const std::string more = " of each body; inf is straight, below 0 hollow";
-  CLI::Option* both =
+  const Option both =
       tool.quantities("--radius", radius_, "m", "Radius of each body; inf is a flat, below 0 hollow", group);
-  tool.quantities("--radius-x", radius_x_, "m", "Radius of the section along x" + more, group)
-      ->excludes(both);
-  tool.quantities("--radius-y", radius_y_, "m", "Radius of the section along y" + more, group)
-      ->excludes(both);
+  tool.quantities("--radius-x", radius_x_, "m", "Radius of the section along x" + more, group).excludes(both);
+  tool.quantities("--radius-y", radius_y_, "m", "Radius of the section along y" + more, group).excludes(both);
   tool.quantities("--young", bodies.young, "Pa", "Young's modulus of each body; inf is rigid", group)
-      ->required();
-  tool.numbers_pair("--poisson", bodies.poisson, "Poisson's ratio of each body", group)->required();
+      .required();
+  tool.numbers_pair("--poisson", bodies.poisson, "Poisson's ratio of each body", group).required();
 }
 
 void ContactOptions::declare_load(Tool& tool) {
@@ -81,10 +78,10 @@ void ContactOptions::declare_load(Tool& tool) {
   tool.quantity("--load", load_, "N", "Force that presses the bodies together", load);
   tool.quantity("--approach", approach_, "m",
                 "Or their approach from where the smooth forms touch; the load is then a result", load);
-  CLI::Option* yield = tool.quantity("--yield", yield_, "Pa",
+  const Option yield = tool.quantity("--yield", yield_, "Pa",
                                      "Yield stress of the softer body: no pressure exceeds 3 of it", load);
   tool.quantity("--limit-pressure", contact.limit_pressure, "Pa", "The greatest pressure itself", load)
-      ->excludes(yield);
+      .excludes(yield);
   tool.flag(
       "--stiffness", contact.stiffness,
       "Add contact_stiffness, dQ/d(approach) of the cells in contact; those at the limit pressure give way, "
@@ -143,8 +140,7 @@ void ContactOptions::check_streams(Tool& tool) const {
     throw UsageError("smooth", "no input: pipe a dataset in, name a file, or press smooth bodies");
   if (!smooth && input == "-" && counter == "-")
     throw UsageError("counter", "standard input is the first body already");
-  if (!sweeps() && tool.output_is_terminal())
-    throw UsageError("output", "a dataset is binary and does not go to a terminal");
+  if (!sweeps()) refuse_terminal(tool.output_name());
   if (!sweeps() && tool.json()) throw UsageError("json", "prints the table of --loads, which is not given");
   if (!sweeps() && !each.empty()) throw UsageError("each", "is for each of --loads, which are not given");
   tool.writes_dataset(!sweeps());

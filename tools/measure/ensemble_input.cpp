@@ -23,7 +23,7 @@ Names matches(const std::string& name) {
   const int outcome = glob(name.c_str(), 0, nullptr, &found);
   Names names(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
-  if (outcome != 0) throw CLI::ValidationError("SURFACES", "no file matches '" + name + "'");
+  if (outcome != 0) throw UsageError("SURFACES", "no file matches '" + name + "'");
   return names;
 }
 
@@ -41,7 +41,7 @@ Names listed(const Bytes& bytes) {
   Names out;
   for (std::string name; std::getline(lines, name);)
     if (!name.empty()) out.push_back(name);
-  if (out.empty()) throw CLI::ValidationError("SURFACES", "the list on standard input names none");
+  if (out.empty()) throw UsageError("SURFACES", "the list on standard input names none");
   return out;
 }
 
@@ -49,7 +49,7 @@ Names listed(const Bytes& bytes) {
 Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
                           const EnsembleInput::VisitPath& taken) {
   if (stdin_is_terminal())
-    throw CLI::ValidationError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
+    throw UsageError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
   tool.reads("-");
   if (taken("/proc/self/fd/0")) return {};  // when it is a file
   std::optional<Bytes> bytes = read_all("-", tool.memory_bound());
@@ -64,10 +64,9 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
 }  // namespace
 
 void EnsembleInput::declare(Tool& tool) {
-  tool.app().add_option(
-      "SURFACES", files,
-      "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names of files, one "
-      "a line");
+  tool.arguments("SURFACES", files, "TEXT",
+                 "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names "
+                 "of files, one a line");
   tool.input_format();
 }
 

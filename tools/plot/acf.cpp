@@ -16,15 +16,17 @@
 namespace asperity::plot {
 namespace {
 
-struct Curve {
-  std::vector<double> lag, rho, error;  ///< lag in metres, or samples where no spacing is known
+struct Point {
+  double lag;  ///< in metres, or samples where no spacing is known
+  double rho, error = 0;
 };
+using Curve = std::vector<Point>;
 
 // Both profiles of a case: the target and what is held against it.
 struct Profiles {
   Curve target[2], found[2];  ///< along x, along y
   bool estimated = false;     ///< found in the heights, not the kernel's own
-  bool with_errors = true;    ///< that can be told
+  bool with_errors = false;   ///< that can be told
   bool in_metres = true;
 };
 
@@ -53,9 +55,7 @@ void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bo
   const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
   const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
   auto add = [&](Curve& curve, double lag, double value) {
-    if (std::isnan(value)) return;  // beyond a target's table
-    curve.lag.push_back(lag);
-    curve.rho.push_back(value / table(p0, q0));
+    if (!std::isnan(value)) curve.push_back({lag, value / table(p0, q0)});  // it is beyond a target's table
   };
   for (Index i = p0; i < table.rows(); ++i) add(curves[0], p[static_cast<std::size_t>(i)], table(i, q0));
   for (Index j = q0; j < table.cols(); ++j) add(curves[1], q[static_cast<std::size_t>(j)], table(p0, j));
@@ -63,8 +63,8 @@ void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bo
 
 // Without a target to go by, four 10 % lengths show all that there is to see.
 double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Grid& grid) {
-  if (!profiles.target[0].lag.empty())
-    return 1.25 * std::max(profiles.target[0].lag.back(), profiles.target[1].lag.back());
+  if (!profiles.target[0].empty())
+    return 1.25 * std::max(profiles.target[0].back().lag, profiles.target[1].back().lag);
   const auto x = first_crossing(rho.along_x(), 0.1), y = first_crossing(rho.along_y(), 0.1);
   return x && y ? 4 * std::max(x->lag * grid.dx, y->lag * grid.dy) : unlimited;
 }
@@ -77,16 +77,14 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const AcfError error(significant_lags(rho, pairs), pairs);
   profiles.with_errors = EffectiveSampleSize::of_estimate(rho, pairs).tells_errors();
   const double most = lag_worth_showing(profiles, rho, grid);
-  for (Index p = 0; p <= rho.max_p() && static_cast<double>(p) * grid.dx <= most; ++p) {
-    profiles.found[0].lag.push_back(static_cast<double>(p) * grid.dx);
-    profiles.found[0].rho.push_back(rho(p, 0));
-    if (profiles.with_errors) profiles.found[0].error.push_back(error.normalised(p, 0));
-  }
-  for (Index q = 0; q <= rho.max_q() && static_cast<double>(q) * grid.dy <= most; ++q) {
-    profiles.found[1].lag.push_back(static_cast<double>(q) * grid.dy);
-    profiles.found[1].rho.push_back(rho(0, q));
-    if (profiles.with_errors) profiles.found[1].error.push_back(error.normalised(0, q));
-  }
+  const double steps[] = {grid.dx, grid.dy};
+  const Index last[] = {rho.max_p(), rho.max_q()};
+  for (std::size_t d = 0; d < 2; ++d)
+    for (Index k = 0; k <= last[d] && static_cast<double>(k) * steps[d] <= most; ++k) {
+      const Index p = d == 0 ? k : 0, q = d == 0 ? 0 : k;
+      profiles.found[d].push_back(
+          {static_cast<double>(k) * steps[d], rho(p, q), profiles.with_errors ? error.normalised(p, q) : 0});
+    }
   profiles.estimated = true;
 }
 
@@ -100,52 +98,24 @@ Profiles profiles_of(const Case& c) {
   return out;
 }
 
-std::vector<double> affine(const std::vector<double>& a, const std::vector<double>& b, double factor) {
-  std::vector<double> out(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + factor * b[k];
-  return out;
-}
-
-std::vector<double> divided(std::vector<double> values, double by) {
-  for (double& v : values) v /= by;
-  return values;
-}
-
-double longest_lag(const Profiles& profiles) {
-  double out = 0;
-  for (const auto& pair : {std::span(profiles.found), std::span(profiles.target)})
-    for (const Curve& curve : pair)
-      if (!curve.lag.empty()) out = std::max(out, curve.lag.back());
-  return out;
-}
-
-// Of the curves and the bands about them.
-double lowest_value(const Profiles& profiles) {
-  double out = 0;
-  for (const Curve& curve : profiles.found)
-    for (std::size_t k = 0; k < curve.rho.size(); ++k)
-      out = std::min(out, curve.rho[k] - (curve.error.empty() ? 0 : 2 * curve.error[k]));
-  for (const Curve& curve : profiles.target)
-    for (const double rho : curve.rho) out = std::min(out, rho);
-  return out;
-}
-
 // Bands first, then what was found, the target on top.
 std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
   std::vector<Layer> bands, curves, targets;
   for (std::size_t d = 0; d < 2; ++d) {
-    const Curve &found = profiles.found[d], &target = profiles.target[d];
-    const std::vector<double> lag = divided(found.lag, factor);
+    std::vector<double> band, curve, target;
+    for (const Point& p : profiles.found[d]) {
+      band.insert(band.end(), {p.lag / factor, p.rho - 2 * p.error, p.rho + 2 * p.error});
+      curve.insert(curve.end(), {p.lag / factor, p.rho});
+    }
+    for (const Point& p : profiles.target[d]) target.insert(target.end(), {p.lag / factor, p.rho});
     const char* colour = line_colour(d);
-    if (!found.error.empty())
+    if (profiles.with_errors)
       bands.push_back(points(
-          {lag, affine(found.rho, found.error, -2), affine(found.rho, found.error, 2)},
+          band, 3,
           fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18", colour)));
-    curves.push_back(
-        points({lag, found.rho}, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
-    if (!target.lag.empty())
-      targets.push_back(points({divided(target.lag, factor), target.rho},
-                               "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
+    curves.push_back(points(curve, 2, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
+    if (!target.empty())
+      targets.push_back(points(target, 2, "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
   }
   bands.insert(bands.end(), curves.begin(), curves.end());
   bands.insert(bands.end(), targets.begin(), targets.end());
@@ -155,37 +125,39 @@ std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
 std::vector<LegendEntry> legend(const Profiles& profiles) {
   using enum LegendEntry::Key;
   std::vector<LegendEntry> out{{line, line_colour(0), "along x"}, {line, line_colour(1), "along y"}};
-  if (!profiles.target[0].lag.empty()) out.push_back({dashes, "black", "target"});
+  if (!profiles.target[0].empty()) out.push_back({dashes, "black", "target"});
   return out;
 }
 
 }  // namespace
 
-Script acf(const Cases& cases, const Request& request) {
+Figure acf(const Cases& cases, const Request& request) {
   std::vector<Profiles> all;
   double longest = 0, lowest = 0;
   for (const Case& c : cases) {
     all.push_back(profiles_of(c));
-    longest = std::max(longest, longest_lag(all.back()));
-    lowest = std::min(lowest, lowest_value(all.back()));
+    for (const auto& curves : {std::span(all.back().found), std::span(all.back().target)})
+      for (const Curve& curve : curves)
+        for (const Point& p : curve) {
+          longest = std::max(longest, p.lag);
+          lowest = std::min(lowest, p.rho - 2 * p.error);
+        }
   }
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
-  const char* title = !all[0].estimated    ? "kernel"
-                      : all[0].with_errors ? "surface ± 2 standard errors"
-                                           : "surface, of too few independent heights for errors";
-  Sheet sheet = side_by_side(request, cases.size());
-  sheet.legend = legend(all[0]);
-  Figure figure(request, sheet, title);
+  Figure out = side_by_side(request, cases);
+  out.title = !all[0].estimated    ? "kernel"
+              : all[0].with_errors ? "surface ± 2 standard errors"
+                                   : "surface, of too few independent heights for errors";
+  out.legend = legend(all[0]);
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    figure.panel(c, cases[c].label);
-    figure.x_axis({0, longest / length.factor}, length.label("lag"));
-    figure.y_axis({lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ");
-    if (c + 1 == cases.size()) figure.legend();
-    figure.script.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
-    figure.script.draw("plot", layers_of(all[c], length.factor));
+    Panel& panel = out.panels[c];
+    panel.x = axis_of({0, longest}, length, "lag");
+    panel.y = {{lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ"};
+    panel.commands.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
+    panel.layers = layers_of(all[c], length.factor);
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "core/words.hpp"
 
@@ -17,57 +18,41 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has 
 namespace asperity::plot {
 namespace {
 
-// A file without a name, gone with the process whatever happens.
-class Nameless {
- public:
-  Nameless() : file_(std::tmpfile(), &std::fclose) {
-    if (!file_) throw std::system_error(errno, std::generic_category(), "temporary file");
-  }
-  int descriptor() const { return ::fileno(file_.get()); }
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-  void fill(std::string_view bytes) {
-    const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
-    if (!whole || std::fflush(file_.get()) != 0)
-      throw std::system_error(errno, std::generic_category(), "temporary file");
-    std::rewind(file_.get());
-  }
+// Without a name, gone with the process whatever happens.
+File nameless(std::string_view content = {}) {
+  File out(std::tmpfile(), &std::fclose);
+  if (!out || std::fwrite(content.data(), 1, content.size(), out.get()) != content.size() ||
+      std::fflush(out.get()) != 0)
+    throw std::system_error(errno, std::generic_category(), "temporary file");
+  std::rewind(out.get());
+  return out;
+}
 
-  std::string content() {
-    std::rewind(file_.get());
-    std::string out;
-    char chunk[1 << 16];
-    while (const std::size_t n = std::fread(chunk, 1, sizeof chunk, file_.get())) out.append(chunk, n);
-    return out;
-  }
+std::string content_of(const File& file) {
+  std::rewind(file.get());
+  std::string out;
+  char chunk[1 << 16];
+  while (const std::size_t n = std::fread(chunk, 1, sizeof chunk, file.get())) out.append(chunk, n);
+  return out;
+}
 
- private:
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-};
-
-class Redirection {
- public:
-  Redirection() { posix_spawn_file_actions_init(&actions_); }
-  Redirection(const Redirection&) = delete;
-  Redirection& operator=(const Redirection&) = delete;
-  ~Redirection() { posix_spawn_file_actions_destroy(&actions_); }
-
-  void redirect(const Nameless& file, int as) {
-    posix_spawn_file_actions_adddup2(&actions_, file.descriptor(), as);
-  }
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-pid_t spawn(const Redirection& redirection) {
+// With these files as its standard input, output and error.
+pid_t spawn(const File& input, const File& output, const File& error) {
   char program[] = "gnuplot", defaults[] = "--default-settings", standard_input[] = "-";
   char* const arguments[] = {program, defaults, standard_input, nullptr};
+  posix_spawn_file_actions_t streams{};
+  posix_spawn_file_actions_init(&streams);
+  int stream = STDIN_FILENO;
+  for (const File* file : {&input, &output, &error})
+    posix_spawn_file_actions_adddup2(&streams, ::fileno(file->get()), stream++);
   pid_t child = -1;
-  const int error = posix_spawnp(&child, program, redirection.get(), nullptr, arguments, environ);
-  if (error == ENOENT)
+  const int failure = posix_spawnp(&child, program, &streams, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&streams);
+  if (failure == ENOENT)
     throw std::runtime_error("the program gnuplot is not on the PATH: install gnuplot (Debian: gnuplot-nox)");
-  if (error != 0) throw std::system_error(error, std::generic_category(), "gnuplot");
+  if (failure != 0) throw std::system_error(failure, std::generic_category(), "gnuplot");
   return child;
 }
 
@@ -103,25 +88,6 @@ void escape_ends_of_sections(std::string& bytes) {
     bytes.replace(at, end.size(), escaped);
 }
 
-}  // namespace
-
-Layer points(const std::vector<std::vector<double>>& columns, std::string_view style) {
-  const std::size_t rows = columns.front().size();
-  Layer out;
-  out.numbers.reserve(rows * columns.size());
-  for (std::size_t r = 0; r < rows; ++r)
-    for (const auto& column : columns) out.numbers.push_back(column[r]);
-  std::string format, use;
-  for (std::size_t c = 1; c <= columns.size(); ++c) {
-    format += "%float64";
-    use += (c == 1 ? "" : ":") + std::to_string(c);
-  }
-  out.command = fmt::format("binary record=({}) format='{}' using {} {}", rows, format, use, style);
-  return out;
-}
-
-namespace {
-
 // Of an image gnuplot draws no line of cells alone: it stands twice, at half the width.
 void halve(Field& values, double& first, double& step, bool rows) {
   values = rows ? Field(values.replicate(2, 1)) : Field(values.replicate(1, 2));
@@ -130,6 +96,17 @@ void halve(Field& values, double& first, double& step, bool rows) {
 }
 
 }  // namespace
+
+Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style) {
+  std::string format, use;
+  for (std::size_t c = 1; c <= columns; ++c) {
+    format += "%float64";
+    use += (c == 1 ? "" : ":") + std::to_string(c);
+  }
+  return {
+      fmt::format("binary record=({}) format='{}' using {} {}", numbers.size() / columns, format, use, style),
+      std::move(numbers)};
+}
 
 Layer raster(const Field& cells, Lattice at, std::string_view style) {
   Field values = cells;
@@ -163,14 +140,9 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 Picture run_gnuplot(const Script& script) {
-  Nameless input, output, error;
-  input.fill(script.text());
-  Redirection redirection;
-  redirection.redirect(input, STDIN_FILENO);
-  redirection.redirect(output, STDOUT_FILENO);
-  redirection.redirect(error, STDERR_FILENO);
-  const bool well = succeeded(spawn(redirection));
-  Picture picture{output.content(), error.content()};
+  const File input = nameless(script.text()), output = nameless(), error = nameless();
+  const bool well = succeeded(spawn(input, output, error));
+  Picture picture{content_of(output), content_of(error)};
   blank_date(picture.bytes);
   escape_ends_of_sections(picture.bytes);
   if (!well) throw std::runtime_error("gnuplot failed: " + reason(picture.remarks));

@@ -23,8 +23,8 @@ struct Layer {
   std::vector<double> numbers;
 };
 
-/// Columns of equal length, drawn as `style` says: "with lines lw 2".
-Layer points(const std::vector<std::vector<double>>& columns, std::string_view style);
+/// Rows of so many numbers each, drawn as `style` says: "with lines lw 2".
+Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style);
 
 /// A field of cells of dx × dy whose first centre is (x, y), on paper ("plot") or in space ("splot"); a cell
 /// that is not a number stays empty.
@@ -40,6 +40,7 @@ class Script {
   void line(fmt::format_string<T...> format, T&&... values) {
     text_ += fmt::format(format, std::forward<T>(values)...) + '\n';
   }
+  void add(const Script& commands) { text_ += commands.text_; }
   /// `verb` is "plot" or "splot".
   void draw(std::string_view verb, const std::vector<Layer>& layers);
   const std::string& text() const { return text_; }

@@ -1,43 +1,76 @@
+// Fields seen from above, both axes to one scale.
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "tools/plot/kinds.hpp"
-#include "tools/plot/plan_view.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {
 
+// Apart in lightness too, so that a grey print tells them: L* 94, 62, 34.
+constexpr struct {
+  const char *colour, *name;
+} states[] = {{"#ecece6", "open"}, {"#4d9fd6", "elastic"}, {"#a3123a", "at the limit"}};
+
+// Values are divided by `unit`.
+Figure plan_view(const Cases& cases, const std::vector<Patch>& patches, double unit, const Request& request) {
+  const Unit length = unit_for(reach(patches[0]), "m");
+  Figure out = side_by_side(request, cases);
+  out.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Patch& p = patches[c];
+    out.panels[c].x = axis_of(p.x, length, "x");
+    out.panels[c].y = axis_of(p.y, length, "y");
+    out.panels[c].layers = {raster(p.values / unit, lattice_of(p, length, length), "with image")};
+  }
+  return out;
+}
+
 // One field needs no label in its panel; its title says what the colours cannot.
-std::string default_title(const std::vector<Patch>& patches, const Quantity& quantity) {
-  if (patches.size() > 1) return "";
-  const Range range = range_of(patches[0].values);
+std::string range_in_words(const Patch& patch, const Quantity& quantity) {
+  const Range range = range_of(patch.values);
   const Unit unit = unit_for(range.magnitude(), quantity.unit);
   return fmt::format("{} from {} to {} {}", quantity.name, brief(range.low / unit.factor),
                      brief(range.high / unit.factor), unit.name);
 }
 
+std::string shares_in_words(const Field& found) {
+  const auto points = static_cast<double>(found.isFinite().count());
+  return fmt::format("{:.1f} % in contact, {:.1f} % at the limit pressure",
+                     100 * static_cast<double>((found >= 1).count()) / points,
+                     100 * static_cast<double>((found == 2).count()) / points);
+}
+
 }  // namespace
 
-Script map(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "heights" : request.variable;
-  std::vector<Patch> patches;
-  for (const Case& c : cases) patches.push_back(patch_of(c.data, variable, request));
+Figure map(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable_or("heights");
+  const std::vector<Patch> patches = patches_of(cases, variable, request);
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   const Colours colours = field_colours(patches, quantity, request);
-  const Unit length = unit_for(reach(patches[0]), "m"),
-             value = unit_for(colours.range.magnitude(), quantity.unit);
-  Sheet sheet = side_by_side(request, cases.size());
-  sheet.right = 7.6;
-  sheet.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
-  Figure figure(request, sheet, default_title(patches, quantity));
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Lattice at = plan_view(figure, patches[c], length, c, cases[c].label);
-    figure.colours(colours, value, quantity.name);
-    figure.script.draw("plot", {raster(patches[c].values / value.factor, at, "with image")});
-  }
-  return figure.script;
+  const Unit value = unit_for(colours.range.magnitude(), quantity.unit);
+  Figure out = plan_view(cases, patches, value.factor, request);
+  if (!out.comparison) out.title = range_in_words(patches[0], quantity);
+  out.right = 7.6;
+  out.colours = {colours, value, quantity.name};
+  return out;
+}
+
+Figure contact(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable_or("contact");
+  const std::vector<Patch> patches = patches_of(cases, variable, request);
+  for (const Patch& p : patches)
+    if (const Range r = range_of(p.values); r.low < 0 || r.high > 2)
+      throw DataError(variable, fmt::format("the state {} is none of 0 (open), 1 (elastic), 2 (at the limit)",
+                                            r.low < 0 ? r.low : r.high));
+  Figure out = plan_view(cases, patches, 1, request);
+  if (!out.comparison) out.title = shares_in_words(patches[0].values);
+  for (const auto& state : states) out.legend.push_back({LegendEntry::Key::box, state.colour, state.name});
+  out.commands.line("set palette maxcolors 3 defined (0 '{}', 1 '{}', 2 '{}')", states[0].colour,
+                    states[1].colour, states[2].colour);
+  out.commands.line("set cbrange [-0.5:2.5]");
+  return out;
 }
 
 }  // namespace asperity::plot

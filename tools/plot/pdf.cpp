@@ -38,10 +38,9 @@ double gaussian(const Moments& m, double z) {
 }
 
 struct Scales {
-  Unit height, per;        ///< of the axis, and what the density is per: its numbers are 1 to 1000
-  std::string per_height;  ///< "density [1/µm]"
-  Range x;                 ///< in SI
-  double top;              ///< of the density, per unit of height
+  Unit height, per;  ///< of the axis, and what the density is per: its numbers are 1 to 1000
+  Range x;           ///< in SI
+  double top;        ///< of the density, per unit of height
 };
 
 Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity) {
@@ -52,38 +51,32 @@ Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity)
     for (const Bin& b : d.bins) peak = std::max(peak, d.density(b.count + 2 * b.count_error, b));
   }
   const Unit height = unit_for(x.magnitude(), quantity.unit), per = unit_for(1000 / peak, quantity.unit);
-  const std::string label = per.name.empty() ? "density" : "density [1/" + per.name + "]";
-  return {height, per, label, x, 1.05 * peak * per.factor};
+  return {height, per, x, 1.05 * peak * per.factor};
 }
 
 std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
   const double f = scales.height.factor, per = scales.per.factor;
-  std::vector<double> centre, density, width, low, rise, none, z, normal;
+  std::vector<double> boxes, normal, errors;
   for (const Bin& b : d.bins) {
-    centre.push_back(b.centre() / f);
-    density.push_back(d.density(b.count, b) * per);
-    width.push_back(b.width() / f);
-    low.push_back(d.density(b.count - 2 * b.count_error, b) * per);
-    rise.push_back(4 * d.density(b.count_error, b) * per);
+    const double centre = b.centre() / f;
+    boxes.insert(boxes.end(), {centre, d.density(b.count, b) * per, b.width() / f});
+    errors.insert(errors.end(), {centre, d.density(b.count - 2 * b.count_error, b) * per, 0,
+                                 4 * d.density(b.count_error, b) * per});
   }
-  none.assign(low.size(), 0.0);
   constexpr int samples = 400;
   for (int k = 0; k <= samples; ++k) {
     const double at = scales.x.low + k * scales.x.width() / samples;
-    z.push_back(at / f);
-    normal.push_back(gaussian(d.moments, at) * per);
+    normal.insert(normal.end(), {at / f, gaussian(d.moments, at) * per});
   }
   return {
       points(
-          {centre, density, width},
+          boxes, 3,
           "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb '#b9d3e8'"),
-      points({z, normal}, "with lines linewidth 1.6 linecolor rgb '#d55e00'"),
-      points({centre, low, none, rise}, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
+      points(normal, 2, "with lines linewidth 1.6 linecolor rgb '#d55e00'"),
+      points(errors, 4, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
 }
 
-std::string default_title(const std::vector<Distribution>& all, const Quantity& quantity) {
-  if (all.size() > 1) return "";
-  const Moments& m = all[0].moments;
+std::string title_of(const Moments& m, const Quantity& quantity) {
   const Unit unit = unit_for(m.sq, quantity.unit);
   return fmt::format("Sq = {} {}, Ssk = {}, Sku = {}", brief(m.sq / unit.factor), unit.name, brief(m.ssk),
                      brief(m.sku));
@@ -91,27 +84,25 @@ std::string default_title(const std::vector<Distribution>& all, const Quantity& 
 
 }  // namespace
 
-Script pdf(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "heights" : request.variable;
+Figure pdf(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable_or("heights");
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   std::vector<Distribution> all;
   for (const Case& c : cases) all.push_back(distribution_of(c, variable));
   const Scales scales = scales_of(all, quantity);
-  using enum LegendEntry::Key;
-  Sheet sheet = side_by_side(request, cases.size());
   const bool with_errors = std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.count_error > 0; });
-  sheet.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"},
-                  {line, "#d55e00", "Gaussian"}};
-  Figure figure(request, sheet, default_title(all, quantity));
+  const std::string& per = scales.per.name;
+  using enum LegendEntry::Key;
+  Figure out = side_by_side(request, cases);
+  if (!out.comparison) out.title = title_of(all[0].moments, quantity);
+  out.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"},
+                {line, "#d55e00", "Gaussian"}};
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    figure.panel(c, cases[c].label);
-    figure.x_axis({scales.x.low / scales.height.factor, scales.x.high / scales.height.factor},
-                  scales.height.label(quantity.name));
-    figure.y_axis({0, scales.top}, scales.per_height);
-    if (c + 1 == cases.size()) figure.legend();
-    figure.script.draw("plot", layers_of(all[c], scales));
+    out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);
+    out.panels[c].y = {{0, scales.top}, per.empty() ? "density" : "density [1/" + per + "]"};
+    out.panels[c].layers = layers_of(all[c], scales);
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

@@ -28,8 +28,8 @@ Trace trace_of(const Case& c, const std::string& variable, const Section& sectio
     out.value.push_back(section.along_x ? patch.values(k, section.index) : patch.values(section.index, k));
   }
   if (out.position.size() < 2)
-    throw DataError(variable, std::string("a profile along ") + (section.along_x ? "x" : "y") +
-                                  " needs two points, and there is one");
+    throw DataError(variable,
+                    fmt::format("a profile along {} needs two points, and there is one", section.along()));
   return out;
 }
 
@@ -40,11 +40,6 @@ std::vector<std::string> sections(const Request& request, const Dataset& data) {
   if (shape.ny < 2) return {"y=0"};
   if (shape.nx < 2) return {"x=0"};
   return {"y=0", "x=0"};
-}
-
-std::vector<double> divided(std::vector<double> values, double by) {
-  for (double& v : values) v /= by;
-  return values;
 }
 
 // A little room above and below, none below zero for what is never negative.
@@ -60,53 +55,58 @@ std::vector<LegendEntry> legend(const Cases& cases) {
   return out;
 }
 
+// A section and its traces, one a case.
 struct Row {
   Section section;
   std::vector<Trace> traces;
 };
 
-}  // namespace
-
-Script profile(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "heights" : request.variable;
-  std::vector<Row> rows;
-  Range values{unlimited, -unlimited};
+std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const Request& request) {
+  std::vector<Row> out;
   for (const std::string& text : sections(request, cases[0].data)) {
     Row row{section_of(cases[0].data, text), {}};
-    for (const Case& c : cases) {
+    for (const Case& c : cases)
       row.traces.push_back(trace_of(c, variable, section_of(c.data, text), request));
-      values = united(values, range_of(row.traces.back().value));
-    }
-    rows.push_back(std::move(row));
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+Panel panel_of(const Row& row, const Unit& length, const Axis& values, double unit) {
+  Panel out;
+  out.x = axis_of(range_of(row.traces[0].position), length, row.section.along());
+  out.x->label += " at " + row.section.label();
+  out.y = values;
+  for (std::size_t c = 0; c < row.traces.size(); ++c) {
+    const auto& [position, value] = row.traces[c];
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < position.size(); ++k)
+      numbers.insert(numbers.end(), {position[k] / length.factor, value[k] / unit});
+    out.layers.push_back(
+        points(numbers, 2, fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", line_colour(c))));
+  }
+  return out;
+}
+
+}  // namespace
+
+Figure profile(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable_or("heights");
+  const std::vector<Row> rows = rows_of(cases, variable, request);
+  Range values{unlimited, -unlimited};
+  double reach = 0;
+  for (const Row& row : rows) {
+    for (const Trace& trace : row.traces) values = united(values, range_of(trace.value));
+    reach = std::max(reach, range_of(row.traces[0].position).magnitude());
   }
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   values = value_range(request, quantity.unit, with_room(values));
-  double reach = 0;
-  for (const Row& row : rows) reach = std::max(reach, range_of(row.traces[0].position).magnitude());
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
-  Sheet sheet{.panels = rows.size(), .gap_y = 4.8};
-  if (cases.size() > 1) sheet.legend = legend(cases);
-  sheet.aspect = rows.size() > 1 ? 0.32 : 0.45;
-  Figure figure(request, sheet, "");
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const Row& row = rows[r];
-    figure.panel(r);
-    const Range along = range_of(row.traces[0].position);
-    figure.x_axis(
-        {along.low / length.factor, along.high / length.factor},
-        fmt::format("{} at {}", length.label(row.section.along_x ? "x" : "y"), row.section.label()));
-    figure.y_axis({values.low / value.factor, values.high / value.factor}, value.label(quantity.name));
-    if (r == 0) figure.legend();
-    std::vector<Layer> layers;
-    for (std::size_t c = 0; c < cases.size(); ++c) {
-      const char* colour = line_colour(c);
-      layers.push_back(
-          points({divided(row.traces[c].position, length.factor), divided(row.traces[c].value, value.factor)},
-                 fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", colour)));
-    }
-    figure.script.draw("plot", layers);
-  }
-  return figure.script;
+  Figure out{.aspect = rows.size() > 1 ? 0.32 : 0.45, .gap_y = 4.8};
+  if (cases.size() > 1) out.legend = legend(cases);
+  for (const Row& row : rows)
+    out.panels.push_back(panel_of(row, length, axis_of(values, value, quantity.name), value.factor));
+  return out;
 }
 
 }  // namespace asperity::plot

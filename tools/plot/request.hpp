@@ -26,6 +26,8 @@ struct Request {
   int columns = 0;     ///< of panels, where there are several; 0: as many as panels
   Shape pixels;        ///< 0 × 0: what suits the figure
   std::string format;  ///< "png", "svg" or "pdf"
+
+  std::string variable_or(const char* own) const { return variable.empty() ? own : variable; }
 };
 
 /// A dataset and its name in a comparison.

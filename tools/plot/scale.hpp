@@ -16,6 +16,7 @@ struct Range {
   double width() const { return high - low; }
   double magnitude() const;  ///< the larger of |low| and |high|
   bool contains(double v) const { return low <= v && v <= high; }
+  Range operator/(double unit) const { return {low / unit, high / unit}; }
   bool operator==(const Range&) const = default;
 };
 

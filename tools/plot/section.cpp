@@ -11,12 +11,6 @@
 namespace asperity::plot {
 namespace {
 
-// A vertical section as it is drawn: along the surface (first index) and down, evenly spaced.
-struct Cut {
-  Patch patch;  ///< x: position along the section, y: depth
-  Section section;
-};
-
 constexpr Index fine_columns = 480, fine_rows = 320;
 
 // Where a position falls among ascending points: the point before it and the share of the next one.
@@ -92,22 +86,22 @@ Range clipped(Range asked, Range present, const char* option) {
   return out;
 }
 
-Cut cut_of(const Case& c, const std::string& variable, const Request& request) {
-  const Grid grid = grid_of(c.data);
-  const Section section = section_on(c.data, c.data.at(variable), request.section);
-  const std::vector<double> depths = depths_of(c.data);
+// As it is drawn: along the section (x) and down (y), evenly spaced.
+Patch patch_of(const Dataset& data, const std::string& variable, const Grid& grid, const Section& section,
+               const Request& request) {
+  const std::vector<double> depths = depths_of(data);
   if (depths.size() < 2 || !std::ranges::is_sorted(depths, std::less_equal<>()))
     throw DataError("z", "a section needs two depths or more, each below the one before");
   std::vector<double> along;
   for (Index i = 0; i < (section.along_x ? grid.shape.nx : grid.shape.ny); ++i)
     along.push_back(section.along_x ? grid.x(i) : grid.y(i));
   if (along.size() < 2)
-    throw DataError(section.along_x ? "x" : "y", "a section along it needs two points, and there is one");
+    throw DataError(section.along(), "a section along it needs two points, and there is one");
   const Range position = clipped(section.along_x ? request.x : request.y, {along.front(), along.back()},
                                  section.along_x ? "x-range" : "y-range"),
               depth = clipped(request.depth, {depths.front(), depths.back()}, "depth-range");
-  const Field values = section_values(c.data, c.data.at(variable), section);
-  return {{resampled(values, along, depths, position, depth), position, depth}, section};
+  const Field values = section_values(data, data.at(variable), section);
+  return {resampled(values, along, depths, position, depth), position, depth};
 }
 
 // p0 where the dataset knows it and it is asked for.
@@ -120,7 +114,8 @@ double hertz_pressure(const Dataset& data) {
 
 // The sections of all cases, their values in one unit, and how they are coloured.
 struct Cuts {
-  std::vector<Cut> list;
+  std::vector<Patch> patches;  ///< along the surface and down, a case each
+  std::vector<Section> sections;
   Quantity quantity;
   Range range;  ///< of the values
   Colours colours;
@@ -128,7 +123,7 @@ struct Cuts {
 };
 
 void scale_by_hertz(Cuts& cuts, const Cases& cases) {
-  for (std::size_t c = 0; c < cases.size(); ++c) cuts.list[c].patch.values /= hertz_pressure(cases[c].data);
+  for (std::size_t c = 0; c < cases.size(); ++c) cuts.patches[c].values /= hertz_pressure(cases[c].data);
   cuts.quantity.name += " / p₀";
   cuts.quantity.unit.clear();
 }
@@ -137,21 +132,23 @@ void hide_below(Cuts& cuts, double least) {
   if (!(least < cuts.range.high))
     throw ParameterError("above", fmt::format("no value of the section reaches {}; the largest is {}",
                                               brief(least), brief(cuts.range.high)));
-  for (Cut& c : cuts.list)
-    c.patch.values =
-        (c.patch.values >= least).select(c.patch.values, std::numeric_limits<double>::quiet_NaN());
+  for (Patch& p : cuts.patches)
+    p.values = (p.values >= least).select(p.values, std::numeric_limits<double>::quiet_NaN());
   cuts.least = least;
   cuts.colours = {{least, cuts.range.high}, Palette::sequential};
 }
 
 Cuts cuts_of(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "von_mises" : request.variable;
+  const std::string variable = request.variable_or("von_mises");
   Cuts cuts;
-  for (const Case& c : cases) cuts.list.push_back(cut_of(c, variable, request));
+  for (const auto& [data, label] : cases) {
+    const Grid grid = grid_of(data);
+    cuts.sections.push_back(section_on(data, data.at(variable), request.section));
+    cuts.patches.push_back(patch_of(data, variable, grid, cuts.sections.back(), request));
+  }
   cuts.quantity = quantity_of(cases[0].data.at(variable));
   if (request.scale_by_hertz) scale_by_hertz(cuts, cases);
-  cuts.range = range_of(cuts.list[0].patch.values);
-  for (const Cut& c : cuts.list) cuts.range = united(cuts.range, range_of(c.patch.values));
+  cuts.range = range_of(cuts.patches);
   cuts.colours = cuts.quantity.signed_value ? about(0, cuts.range) : one_sided(cuts.range);
   if (request.above > 0) hide_below(cuts, request.above * (request.scale_by_hertz ? 1.0 : cuts.range.high));
   cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.colours.range);
@@ -159,9 +156,9 @@ Cuts cuts_of(const Cases& cases, const Request& request) {
 }
 
 std::string default_title(const Cuts& cuts, const Unit& value, double stretch) {
-  std::string out = "section " + cuts.list[0].section.label();
-  for (const Cut& c : cuts.list)
-    if (c.section.label() != cuts.list[0].section.label()) out = "section at the maximum";
+  std::string out = "section " + cuts.sections[0].label();
+  for (const Section& s : cuts.sections)
+    if (s.label() != cuts.sections[0].label()) out = "section at the maximum";
   if (cuts.least > 0)
     out += fmt::format(", above {} {}", brief(cuts.least / value.factor),
                        value.name.empty() ? "p₀" : value.name);
@@ -170,30 +167,27 @@ std::string default_title(const Cuts& cuts, const Unit& value, double stretch) {
 
 }  // namespace
 
-Script section(const Cases& cases, const Request& request) {
+Figure section(const Cases& cases, const Request& request) {
   const Cuts cuts = cuts_of(cases, request);
-  const Patch& first = cuts.list[0].patch;
+  const Patch& first = cuts.patches[0];
   const double true_aspect = first.y.width() / first.x.width();
-  Sheet sheet = side_by_side(request, cases.size());
-  sheet.right = 7.6;
-  sheet.aspect = std::clamp(true_aspect, cases.size() > 1 ? 0.35 : 0.25, tallest);
-  const double ratio = sheet.aspect / true_aspect, stretch = std::abs(ratio - 1) < 0.01 ? 1 : ratio;
+  Figure out = side_by_side(request, cases);
+  out.right = 7.6;
+  out.aspect = std::clamp(true_aspect, out.comparison ? 0.35 : 0.25, tallest);
+  const double ratio = out.aspect / true_aspect, stretch = std::abs(ratio - 1) < 0.01 ? 1 : ratio;
   const Unit along = unit_for(first.x.magnitude(), "m"),
              depth = stretch == 1 ? along : unit_for(first.y.magnitude(), "m"),
              value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
-  Figure figure(request, sheet, default_title(cuts, value, stretch));
+  out.title = default_title(cuts, value, stretch);
+  out.colours = {cuts.colours, value, cuts.quantity.name};
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Patch& p = cuts.list[c].patch;
-    figure.panel(c, cases[c].label);
-    figure.x_axis({p.x.low / along.factor, p.x.high / along.factor},
-                  along.label(cuts.list[c].section.along_x ? "x" : "y"));
-    figure.y_axis({p.y.low / depth.factor, p.y.high / depth.factor}, depth.label("depth z"), true);
-    figure.colours(cuts.colours, value, cuts.quantity.name);
-    const Lattice at{p.x_at(0) / along.factor, p.y_at(0) / depth.factor, p.dx() / along.factor,
-                     p.dy() / depth.factor};
-    figure.script.draw("plot", {raster(p.values / value.factor, at, "with image")});
+    const Patch& p = cuts.patches[c];
+    out.panels[c].x = axis_of(p.x, along, cuts.sections[c].along());
+    out.panels[c].y = axis_of(p.y, depth, "depth z");
+    out.panels[c].y->downwards = true;
+    out.panels[c].layers = {raster(p.values / value.factor, lattice_of(p, along, depth), "with image")};
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

@@ -31,6 +31,21 @@ Span cells_within(Range range, Index n, Position position, const char* option) {
   return {first, last - first + 1};
 }
 
+// A place as typed, or where the dataset says that the von Mises stress is largest.
+double place_of(const Dataset& data, const std::string& text, bool along_x) {
+  if (text == "0") return 0;
+  if (text != "max") return cli::parse_quantity("section", text, "m");
+  const char* attribute = along_x ? "stress_max_y" : "stress_max_x";
+  const double place = data.attributes.number(attribute, std::nan(""));
+  if (std::isnan(place)) throw DataError(attribute, "the dataset does not have this attribute");
+  return place;
+}
+
+double mean_of(const Field& values) {
+  const auto finite = values.isFinite();
+  return finite.select(values, 0.0).sum() / static_cast<double>(finite.count());
+}
+
 }  // namespace
 
 Quantity quantity_of(const Variable& variable) {
@@ -61,26 +76,28 @@ Patch patch_of(const Dataset& data, const std::string& variable, const Request& 
   return patch;
 }
 
+std::vector<Patch> patches_of(const Cases& cases, const std::string& variable, const Request& request) {
+  std::vector<Patch> out;
+  for (const Case& c : cases) out.push_back(patch_of(c.data, variable, request));
+  return out;
+}
+
+Range range_of(const std::vector<Patch>& patches) {
+  Range out{unlimited, -unlimited};
+  for (const Patch& p : patches) out = united(out, range_of(p.values));
+  return out;
+}
+
+Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y) {
+  return {patch.x_at(0) / x.factor, patch.y_at(0) / y.factor, patch.dx() / x.factor, patch.dy() / y.factor};
+}
+
 double reach(const Patch& patch) { return std::max(patch.x.magnitude(), patch.y.magnitude()); }
 
 std::string Section::label() const {
   const Unit unit = unit_for(std::abs(place), "m");
   return fmt::format("{} = {} {}", along_x ? "y" : "x", brief(place / unit.factor), unit.name);
 }
-
-namespace {
-
-// A place as typed, or where the dataset says that the von Mises stress is largest.
-double place_of(const Dataset& data, const std::string& text, bool along_x) {
-  if (text == "0") return 0;
-  if (text != "max") return cli::parse_quantity("section", text, "m");
-  const char* attribute = along_x ? "stress_max_y" : "stress_max_x";
-  const double place = data.attributes.number(attribute, std::nan(""));
-  if (std::isnan(place)) throw DataError(attribute, "the dataset does not have this attribute");
-  return place;
-}
-
-}  // namespace
 
 Section section_of(const Dataset& data, const std::string& text) {
   if (!text.starts_with("x=") && !text.starts_with("y="))
@@ -110,26 +127,14 @@ Range value_range(const Request& request, const std::string& unit, Range otherwi
   return {low, high};
 }
 
-namespace {
-
-double mean_of(const Field& values) {
-  const auto finite = values.isFinite();
-  return finite.select(values, 0.0).sum() / static_cast<double>(finite.count());
-}
-
-}  // namespace
-
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
-  Range range = range_of(patches[0].values);
-  double mean = 0;
-  for (const Patch& p : patches) {
-    range = united(range, range_of(p.values));
-    mean += mean_of(p.values) / static_cast<double>(patches.size());
-  }
+  const Range range = range_of(patches);
   if (!request.range.empty())
     return {value_range(request, quantity.unit, range),
             quantity.signed_value ? Palette::diverging : Palette::sequential};
   if (!quantity.signed_value) return one_sided(range);
+  double mean = 0;
+  for (const Patch& p : patches) mean += mean_of(p.values) / static_cast<double>(patches.size());
   return about(quantity.name == "height" ? mean : 0.0, range);
 }
 

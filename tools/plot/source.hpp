@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/plot/gnuplot.hpp"
 #include "tools/plot/request.hpp"
 
 namespace asperity::plot {
@@ -31,8 +32,12 @@ Quantity quantity_of(const Variable& variable);
 
 /// variable(x, y) within the request's x and y ranges; masked points are not numbers.
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request);
+std::vector<Patch> patches_of(const Cases& cases, const std::string& variable, const Request& request);
+Range range_of(const std::vector<Patch>& patches);
 /// The largest magnitude of the places shown [m].
 double reach(const Patch& patch);
+/// Where its cells lie, in these units.
+Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y);
 
 /// Where a straight section runs: along x at y = place, or along y at x = place.
 struct Section {
@@ -40,6 +45,7 @@ struct Section {
   double place = 0;  ///< [m]
   Index index = 0;   ///< of the nearest row of cells
 
+  const char* along() const { return along_x ? "x" : "y"; }
   std::string label() const;  ///< "y = 11.7 µm"
 };
 /// The section that "y=0", "x=0.2mm" or "y=max" (through the largest von Mises stress) names, moved to the

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "tools/plot/kinds.hpp"
+#include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -71,25 +72,24 @@ std::string default_title(const Quantity& quantity, double factor, Index stride)
 struct Relief {
   std::vector<Patch> patches;
   Quantity quantity;
-  Range values;
+  Range values = {};
   Index stride = 1;
-  double factor = 1;   ///< heights are enlarged by it
-  Unit length, value;  ///< of the axes
+  double factor = 1;             ///< heights are enlarged by it
+  Unit length = {}, value = {};  ///< of the axes
 
   double scale() const { return factor / length.factor; }  ///< plotted units a unit of the quantity
 };
 
 Relief relief_of(const Cases& cases, const Request& request) {
-  const std::string variable = request.variable.empty() ? "heights" : request.variable;
-  Relief out{{}, quantity_of(cases[0].data.at(variable)), {unlimited, -unlimited}, 1, 1, {}, {}};
-  for (const Case& c : cases) {
-    out.patches.push_back(patch_of(c.data, variable, request));
-    out.values = united(out.values, range_of(out.patches.back().values));
-    require_two_points(variable, out.patches.back());
-    out.stride = std::max(out.stride, stride_of(out.patches.back().values));
+  const std::string variable = request.variable_or("heights");
+  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
+  for (const Patch& p : out.patches) {
+    require_two_points(variable, p);
+    out.stride = std::max(out.stride, stride_of(p.values));
   }
+  out.values = value_range(request, out.quantity.unit, range_of(out.patches));
   for (Patch& p : out.patches) p = thinned(p, out.stride);
-  out.values = value_range(request, out.quantity.unit, out.values);
   if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
     const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
     out.values = {out.values.low - room, out.values.high + room};
@@ -100,19 +100,21 @@ Relief relief_of(const Cases& cases, const Request& request) {
   return out;
 }
 
-void set_view(Script& script, const Relief& relief) {
+Script view_of(const Relief& relief) {
+  Script script;
   script.line("set view 50,30,0.98\nset view equal xyz");
   script.line("set xyplane at {}", relief.values.low * relief.scale());
   script.line("set pm3d depthorder explicit corners2color mean");
   script.line("set pm3d lighting primary 0.45 specular 0.0");
   script.line("set border 127+256+512 linewidth 0.6");
   script.line("set grid ztics linewidth 0.4 linecolor rgb '#c8c8c8'");
+  return script;
 }
 
 // Of the heights' numbers, which stand 0.8 em apart or more: in this view the longer side takes some 0.6 of the panel's
 // width. A finer choice than round_step's, for where there is room for two or three.
-double step_of_heights(const Figure& figure, const Relief& relief, const Patch& p) {
-  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * figure.em_wide();
+double step_of_heights(double ems_wide, const Relief& relief, const Patch& p) {
+  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * ems_wide;
   const double side = std::max(p.x.width(), p.y.width()) / relief.length.factor;
   const double most = std::clamp(seen * relief.values.width() * relief.scale() / side / 0.8, 1.5, 4.0);
   const double least = relief.values.width() / relief.value.factor / most;
@@ -122,8 +124,8 @@ double step_of_heights(const Figure& figure, const Relief& relief, const Patch& 
   return 10 * decade;
 }
 
-void set_axes(Figure& figure, const Relief& relief, const Patch& p, bool first) {
-  Script& script = figure.script;
+Script axes_of(double ems_wide, const Relief& relief, const Patch& p, bool first) {
+  Script script;
   const double unit = relief.length.factor, scale = relief.scale();
   script.line("set xrange [{}:{}]\nset yrange [{}:{}]", p.x.low / unit, p.x.high / unit, p.y.low / unit,
               p.y.high / unit);
@@ -132,36 +134,39 @@ void set_axes(Figure& figure, const Relief& relief, const Patch& p, bool first) 
   // The lowest of y would stand where the highest of x does, at the corner in front.
   const double step = round_step(p.y.width() / unit, 4), corner = (p.y.low + 0.06 * p.y.width()) / unit;
   script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
-  script.line("set ztics ({})", tics(relief.values, step_of_heights(figure, relief, p), scale, relief.value));
+  script.line("set ztics ({})",
+              tics(relief.values, step_of_heights(ems_wide, relief, p), scale, relief.value));
   script.line("set xlabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("x")));
   script.line("set ylabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("y")));
   script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
               gnuplot_string(first ? relief.value.label(relief.quantity.name) : ""));
+  return script;
 }
 
 }  // namespace
 
-Script surface(const Cases& cases, const Request& request) {
+Figure surface(const Cases& cases, const Request& request) {
   const Relief relief = relief_of(cases, request);
   const double scale = relief.scale();
   Colours colours = field_colours(relief.patches, relief.quantity, request);
   colours.range = {colours.range.low * scale, colours.range.high * scale};
-  Sheet sheet = side_by_side(request, cases.size());
-  sheet.aspect = 0.72;
-  sheet.left = 4.5, sheet.right = 4, sheet.bottom = 3.2;
-  sheet.gap_x = 3.5, sheet.gap_y = 3.2;
-  Figure figure(request, sheet, default_title(relief.quantity, relief.factor, relief.stride));
-  set_view(figure.script, relief);
+  Figure out = side_by_side(request, cases);
+  out.title = default_title(relief.quantity, relief.factor, relief.stride);
+  out.in_space = true;
+  out.aspect = 0.72;
+  out.left = 4.5, out.right = 4, out.bottom = 3.2;
+  out.gap_x = 3.5, out.gap_y = 3.2;
+  out.colours = {colours, {}, ""};
+  out.commands = view_of(relief);
+  const Layout layout = layout_of(out, request);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = relief.patches[c];
-    figure.panel(c, cases[c].label);
-    figure.colours(colours, {}, "");
-    set_axes(figure, relief, p, c == 0);
-    const double unit = relief.length.factor;
-    const Lattice at{p.x_at(0) / unit, p.y_at(0) / unit, p.dx() / unit, p.dy() / unit, true};
-    figure.script.draw("splot", {raster(p.values * scale, at, "with pm3d")});
+    Lattice at = lattice_of(p, relief.length, relief.length);
+    at.in_space = true;
+    out.panels[c].commands = axes_of(layout.panel_width / layout.em, relief, p, c == 0);
+    out.panels[c].layers = {raster(p.values * scale, at, "with pm3d")};
   }
-  return figure.script;
+  return out;
 }
 
 }  // namespace asperity::plot

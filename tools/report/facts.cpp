@@ -110,31 +110,23 @@ constexpr Entry entries[] = {
     {"stress_accurate_depth", achieved, "m", "accurate from this depth on"},
     {"stress_seconds", achieved, "s", "time"}};
 
-std::string joined(const std::vector<std::string>& words, const char* separator) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : separator) + word;
-  return out;
-}
-
 // Of both bodies; one number where they agree.
 std::string numbers_text(const std::vector<double>& values, const std::string& unit) {
   std::vector<std::string> words;
-  words.reserve(values.size());
   for (const double v : values) words.push_back(readable(v, unit));
   const bool alike = std::ranges::adjacent_find(words, std::ranges::not_equal_to()) == words.end();
-  return words.empty() ? "–" : alike ? words.front() : joined(words, ", ");
+  return words.empty() ? "–" : alike ? words.front() : fmt::format("{}", fmt::join(words, ", "));
 }
 
 // Of x, and of y; in metres too where the samples have a grid.
 std::string samples_text(const Dataset& data, const std::vector<double>& values) {
   std::vector<std::string> counts, lengths;
-  counts.reserve(values.size());
   for (const double v : values) counts.push_back(digits_of(v));
-  const std::string samples = joined(counts, " × ") + " samples";
+  const std::string samples = fmt::format("{} samples", fmt::join(counts, " × "));
   if (!data.find("x") || !data.find("y")) return samples;
   const Grid grid = grid_of(data);
   for (const double v : values) lengths.push_back(readable(v * (lengths.empty() ? grid.dx : grid.dy), "m"));
-  return samples + " (" + joined(lengths, " × ") + ")";
+  return fmt::format("{} ({})", samples, fmt::join(lengths, " × "));
 }
 
 std::string text_of(const Dataset& data, const Values& values, std::string unit) {
@@ -174,20 +166,23 @@ std::vector<Fact> other_attributes(const Dataset& data) {
 std::vector<std::string> warnings_of(const Dataset& data) {
   std::vector<std::string> out;
   const Attributes& a = data.attributes;
+  const auto number = [&](const char* name) { return readable(a.number(name, NAN), "1"); };
   if (a.number("kernel_converged", 1) == 0)
-    out.push_back("The kernel did not converge (" + a.text("kernel_reason") + "): residual " +
-                  readable(a.number("kernel_residual", NAN), "1") + ", tolerance " +
-                  readable(a.number("kernel_tolerance", NAN), "1") +
-                  ". Surfaces drawn from it do not have the autocorrelation asked for.");
+    out.push_back(
+        fmt::format("The kernel did not converge ({}): residual {}, tolerance {}. Surfaces drawn from it do "
+                    "not have the autocorrelation asked for.",
+                    a.text("kernel_reason"), number("kernel_residual"), number("kernel_tolerance")));
   if (a.number("contact_converged", 1) == 0)
-    out.push_back("The contact did not converge: residual " +
-                  readable(a.number("contact_residual", NAN), "1") + ", tolerance " +
-                  readable(a.number("contact_tolerance", NAN), "1") +
-                  ". Pressure, area and all that rests on them are not a solution.");
+    out.push_back(
+        fmt::format("The contact did not converge: residual {}, tolerance {}. Pressure, area and all that "
+                    "rests on them are not a solution.",
+                    number("contact_residual"), number("contact_tolerance")));
   const std::string answer = a.text("kernel_answer");
   if ((answer == "nearest" || answer == "least-squares") && a.number("kernel_change", 0) > 1e-6)
-    out.push_back("No kernel of this reach has the autocorrelation asked for; it was changed by up to " +
-                  readable(a.number("kernel_change", NAN), "1") + " of the variance.");
+    out.push_back(
+        fmt::format("No kernel of this reach has the autocorrelation asked for; it was changed by up to {} "
+                    "of the variance.",
+                    number("kernel_change")));
   return out;
 }
 
@@ -202,7 +197,7 @@ std::string text_of(const Values& values) {
     }
     words.push_back(cli::shortest(v));
   }
-  return joined(words, ", ");
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 }  // namespace asperity::report

@@ -1,5 +1,7 @@
 #include "tools/report/html.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/words.hpp"
@@ -7,21 +9,14 @@
 namespace asperity::report {
 namespace {
 
+constexpr struct {
+  char character;
+  const char* escape;
+} escapes[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+
 std::string escaped(char c) {
-  switch (c) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    default:
-      return {c};
-  }
+  const auto* own = std::ranges::find_if(escapes, [&](const auto& e) { return e.character == c; });
+  return own == std::end(escapes) ? std::string(1, c) : own->escape;
 }
 
 bool shown(char c) {
@@ -54,6 +49,21 @@ std::string base64(std::string_view bytes) {
 std::string element(std::string_view name, std::string_view content, std::string_view css_class) {
   const std::string attribute = css_class.empty() ? "" : fmt::format(" class=\"{}\"", css_class);
   return fmt::format("<{}{}>{}</{}>\n", name, attribute, content, name);
+}
+
+std::string labelled(std::string_view name, std::string_view meaning) {
+  return fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", name, meaning);
+}
+
+std::string cell(std::string_view content, std::string_view css_class) {
+  return fmt::format("<td class=\"{}\">{}</td>", css_class, content);
+}
+
+std::string table(std::initializer_list<const char*> columns, const std::string& rows,
+                  std::string_view css_class) {
+  std::string head;
+  for (const char* column : columns) head += fmt::format("<th scope=\"col\">{}</th>", column);
+  return element("table", element("thead", element("tr", head)) + element("tbody", rows), css_class);
 }
 
 }  // namespace asperity::report

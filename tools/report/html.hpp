@@ -1,6 +1,7 @@
 /// Text as HTML: what a file holds is shown, and never taken for markup.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -15,5 +16,11 @@ std::string base64(std::string_view bytes);
 
 /// `<name class="…">content</name>`; the content is HTML already.
 std::string element(std::string_view name, std::string_view content, std::string_view css_class = "");
+
+// Of tables, from HTML.
+std::string labelled(std::string_view name, std::string_view meaning);  ///< the head of a row
+std::string cell(std::string_view content, std::string_view css_class);
+std::string table(std::initializer_list<const char*> columns, const std::string& rows,
+                  std::string_view css_class);
 
 }  // namespace asperity::report

@@ -104,21 +104,7 @@ std::string warnings(const Dataset& data) {
   return out;
 }
 
-// ---- pictures and tables ----
-
-std::string pictures(const Content& c) {
-  std::string shown, omitted;
-  for (const Picture& p : pictures_of(c.dataset, c.variable)) {
-    const std::string title = escaped(p.title);
-    if (p.omitted.empty())
-      shown += fmt::format(
-          "<figure><img alt=\"{}\" src=\"data:{};base64,{}\"><figcaption>{}</figcaption></figure>\n", title,
-          p.type, base64(p.bytes), title);
-    else
-      omitted += element("p", fmt::format("{} is not drawn: {}.", title, escaped(p.omitted)), "soft");
-  }
-  return (shown.empty() ? "" : element("div", shown, "pictures")) + omitted;
-}
+// ---- tables ----
 
 std::string parameters_of_surface(const Content& c) {
   std::string out;
@@ -166,7 +152,7 @@ std::string body(const Content& c) {
   const Dataset& data = c.dataset[0].data;
   const std::vector<Fact> list = facts_of(data);
   return element("header", element("h1", escaped(c.title)) + element("p", escaped(what_it_is(c)), "soft")) +
-         warnings(data) + tiles(c) + section("Pictures", pictures(c)) +
+         warnings(data) + tiles(c) + section("Pictures", pictures(c.dataset, c.variable)) +
          section("Contact", contact_results(data)) +
          section("Stress below the surface", facts(list, Role::result, "stress")) +
          section(c.variable == "heights" ? "Surface" : "Field " + c.variable, parameters_of_surface(c)) +

@@ -1,19 +1,21 @@
 #include "tools/report/pictures.hpp"
 
+#include <vector>
+
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 #include "tools/plot/gnuplot.hpp"
 #include "tools/plot/kinds.hpp"
+#include "tools/report/html.hpp"
 
 namespace asperity::report {
 namespace {
 
-using Draw = plot::Script (*)(const plot::Cases&, const plot::Request&);
-enum class Format { png, svg };
-
 struct Wanted {
   std::string title;
-  Draw draw;
-  Format format;
+  plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
+  const char* format;
   std::string variable, section = {};
 };
 
@@ -22,55 +24,51 @@ bool is_field(const Dataset& data, const std::string& name) {
   return variable && variable->dimensions == std::vector<std::string>{"x", "y"};
 }
 
-void want_surface(std::vector<Wanted>& out, const Dataset& data, const std::string& variable) {
-  if (is_field(data, variable)) {
-    out.push_back({"Map of " + variable, plot::map, Format::png, variable});
-    out.push_back({"Profiles of " + variable, plot::profile, Format::svg, variable});
-    out.push_back({"Distribution of " + variable, plot::pdf, Format::svg, variable});
-  }
-  const bool correlated =
-      variable == "heights" ? is_field(data, variable) || data.has("acf_achieved") : false;
-  if (correlated) out.push_back({"Autocorrelation", plot::acf, Format::svg, ""});
-}
-
-// Through the largest stress where the dataset says where it is, and holds more than one section.
-void want_stress(std::vector<Wanted>& out, const Dataset& data) {
-  const Variable* stress = data.find("von_mises");
-  if (!stress) return;
-  const bool placed = stress->dimensions.size() == 3 && data.attributes.find("stress_max_y");
-  const std::string along = data.length("x") < 2 ? "x=max" : "y=max";
-  out.push_back({"Von Mises stress", plot::section, Format::png, "von_mises", placed ? along : ""});
-}
-
+// A section goes through the largest stress where the dataset says where it is, and holds more than one section.
 std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
   std::vector<Wanted> out;
-  want_surface(out, data, variable);
-  if (is_field(data, "pressure")) out.push_back({"Contact pressure", plot::map, Format::png, "pressure"});
-  if (is_field(data, "contact")) out.push_back({"State of contact", plot::contact, Format::png, ""});
-  want_stress(out, data);
+  const bool field = is_field(data, variable);
+  if (field) {
+    out.push_back({"Map of " + variable, plot::map, "png", variable});
+    out.push_back({"Profiles of " + variable, plot::profile, "svg", variable});
+    out.push_back({"Distribution of " + variable, plot::pdf, "svg", variable});
+  }
+  if (variable == "heights" && (field || data.has("acf_achieved")))
+    out.push_back({"Autocorrelation", plot::acf, "svg", ""});
+  if (is_field(data, "pressure")) out.push_back({"Contact pressure", plot::map, "png", "pressure"});
+  if (is_field(data, "contact")) out.push_back({"State of contact", plot::contact, "png", ""});
+  if (const Variable* stress = data.find("von_mises")) {
+    const bool placed = stress->dimensions.size() == 3 && data.attributes.find("stress_max_y");
+    const std::string largest = data.length("x") < 2 ? "x=max" : "y=max";
+    out.push_back({"Von Mises stress", plot::section, "png", "von_mises", placed ? largest : ""});
+  }
   return out;
 }
 
-Picture picture_of(const plot::Cases& dataset, const Wanted& wanted) {
+std::string drawn(const plot::Cases& dataset, const Wanted& wanted) {
   plot::Request request;
   request.variable = wanted.variable;
   request.section = wanted.section;
-  const bool png = wanted.format == Format::png;
-  request.format = png ? "png" : "svg";
-  try {
-    return {wanted.title, png ? "image/png" : "image/svg+xml",
-            plot::run_gnuplot(wanted.draw(dataset, request)).bytes, ""};
-  } catch (const DataError& error) {
-    return {wanted.title, "", "", error.name + ": " + error.what()};
-  }
+  request.format = wanted.format;
+  return plot::run_gnuplot(plot::script_of(wanted.describe(dataset, request), request)).bytes;
 }
 
 }  // namespace
 
-std::vector<Picture> pictures_of(const plot::Cases& dataset, const std::string& variable) {
-  std::vector<Picture> out;
-  for (const Wanted& w : wanted(dataset.at(0).data, variable)) out.push_back(picture_of(dataset, w));
-  return out;
+std::string pictures(const plot::Cases& dataset, const std::string& variable) {
+  std::string shown, omitted;
+  for (const Wanted& w : wanted(dataset.at(0).data, variable)) {
+    const std::string title = escaped(w.title), type = w.format == std::string("svg") ? "svg+xml" : w.format;
+    try {
+      shown += fmt::format(
+          "<figure><img alt=\"{}\" src=\"data:image/{};base64,{}\"><figcaption>{}</figcaption></figure>\n",
+          title, type, base64(drawn(dataset, w)), title);
+    } catch (const DataError& error) {
+      const std::string why = escaped(error.name + ": " + error.what());
+      omitted += element("p", fmt::format("{} is not drawn: {}.", title, why), "soft");
+    }
+  }
+  return (shown.empty() ? "" : element("div", shown, "pictures")) + omitted;
 }
 
 }  // namespace asperity::report

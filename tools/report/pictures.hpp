@@ -2,18 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "tools/plot/request.hpp"
 
 namespace asperity::report {
 
-struct Picture {
-  std::string title, type, bytes;  ///< type: "image/png" or "image/svg+xml"
-  std::string omitted;             ///< in place of the bytes: why there are none
-};
-
-/// Of one dataset; `variable` is what takes the place of heights. Fields are PNG, curves SVG.
-std::vector<Picture> pictures_of(const plot::Cases& dataset, const std::string& variable);
+/// HTML with the pictures of one dataset in it, fields as PNG, curves as SVG, and why others are not drawn. `variable` is what
+/// takes the place of heights.
+std::string pictures(const plot::Cases& dataset, const std::string& variable);
 
 }  // namespace asperity::report

@@ -20,10 +20,6 @@ std::string data_element(double value, const std::string& text) {
                               : text;
 }
 
-std::string cell(const std::string& content, const char* css_class) {
-  return fmt::format("<td class=\"{}\">{}</td>", css_class, content);
-}
-
 // An end that lies beyond what can be told is left open.
 std::string interval(double low, double high, const Measurement& m) {
   const bool below = std::isfinite(low), above = std::isfinite(high);
@@ -36,8 +32,8 @@ std::string row_of(const cli::Quantities::Row& row) {
   const auto ends = row.interval_95();
   const bool known = !m.error.empty();
   const std::string note = row.note();
-  std::string out = fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", escaped(row.name),
-                                escaped(note.empty() ? row.meaning : row.meaning + "; " + note));
+  std::string out =
+      labelled(escaped(row.name), escaped(note.empty() ? row.meaning : row.meaning + "; " + note));
   out += cell(data_element(row.value, m.value), "number");
   out += cell(known ? data_element(row.standard_error, m.error) : "", "number error");
   out += cell(known ? interval(ends.low, ends.high, m) : "", "number interval");
@@ -53,7 +49,7 @@ struct Comparison {
 };
 
 std::string row_of(const Comparison& c, bool with_smooth) {
-  std::string out = fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", c.label, c.remark);
+  std::string out = labelled(c.label, c.remark);
   out += cell(data_element(c.value, readable(c.value, c.unit)), "number");
   if (!with_smooth) return element("tr", out);
   const bool known = std::isfinite(c.smooth);
@@ -83,27 +79,12 @@ std::vector<Comparison> comparisons(const Dataset& data) {
       {"stiffness", value("stiffness"), 1.5 * value("load") / value("hertz_approach"), "N/m"}};  // δ ~ Q^⅔
 }
 
-std::string head(std::initializer_list<const char*> columns) {
-  std::string out;
-  for (const char* column : columns) out += fmt::format("<th scope=\"col\">{}</th>", column);
-  return element("thead", element("tr", out));
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
-
 }  // namespace
 
 std::string measurements(const std::vector<cli::Quantities::Row>& rows) {
   std::string body;
   for (const auto& row : rows) body += row_of(row);
-  return element(
-      "table",
-      head({"quantity", "value", "standard error", "95\u00A0% interval", "unit"}) + element("tbody", body),
-      "measurements");
+  return table({"quantity", "value", "standard error", "95\u00A0% interval", "unit"}, body, "measurements");
 }
 
 std::string contact_results(const Dataset& data) {
@@ -112,9 +93,8 @@ std::string contact_results(const Dataset& data) {
   std::string body;
   for (const Comparison& c : comparisons(data))
     if (std::isfinite(c.value)) body += row_of(c, with_smooth);
-  const std::string columns = with_smooth ? head({"quantity", "value", "smooth bodies (Hertz)", "ratio"})
-                                          : head({"quantity", "value"});
-  return element("table", columns + element("tbody", body), "results");
+  if (!with_smooth) return table({"quantity", "value"}, body, "results");
+  return table({"quantity", "value", "smooth bodies (Hertz)", "ratio"}, body, "results");
 }
 
 std::string facts(const std::vector<Fact>& facts, Role role, const std::string& stage) {
@@ -133,12 +113,11 @@ std::string contents(const Dataset& data) {
     std::vector<std::string> lengths;
     for (const std::string& d : v.dimensions) lengths.push_back(fmt::format("{} = {}", d, data.length(d)));
     const std::string unit = v.attributes.text("units");
-    body += element("tr", fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", escaped(v.name),
-                                      escaped(v.attributes.text("long_name"))) +
-                              cell(escaped(joined(lengths)), "dimensions") +
+    body += element("tr", labelled(escaped(v.name), escaped(v.attributes.text("long_name"))) +
+                              cell(escaped(fmt::format("{}", fmt::join(lengths, ", "))), "dimensions") +
                               cell(escaped(unit == "1" ? "" : unit), "unit"));
   }
-  return element("table", head({"variable", "dimensions", "unit"}) + element("tbody", body), "contents");
+  return table({"variable", "dimensions", "unit"}, body, "contents");
 }
 
 std::string history(const std::string& text) {

@@ -6,6 +6,7 @@
 
 #include "core/poisson.hpp"
 #include "tools/cli/output_name.hpp"
+#include "tools/cli/stream.hpp"
 #include "tools/stress/quantity.hpp"
 
 namespace asperity::cli {
@@ -39,12 +40,12 @@ void StressOptions::declare(Tool& tool) {
               content);
   tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
   tool.integer("--body", body, {1, 2}, "Which body's ratio to take from the dataset, 1 or 2", which);
-  CLI::Option* slides =
+  const Option slides =
       tool.number("--friction", friction,
                   "Coefficient of friction: a traction of so much of the pressure acts too", load);
   tool.text("--friction-angle", friction_angle, "ANGLE",
             "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
-      ->needs(slides);
+      .needs(slides);
   tool.memory(
       "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
       "for each variable. Into files layers go as they are made");
@@ -70,7 +71,7 @@ void StressOptions::check(Tool& tool) const {
   refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset already");
   tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
-  refuse(!table && tool.output_is_terminal(), "output", "a dataset is binary and does not go to a terminal");
+  if (!table) refuse_terminal(tool.output_name());
 }
 
 double StressOptions::poisson_of(const Dataset& data) const {

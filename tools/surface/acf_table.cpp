@@ -182,7 +182,7 @@ AcfTable from_matrix(const Text& text) {
 AcfTable from_columns(const Text& text) {
   const auto x = place(text.columns, "lag_x"), y = place(text.columns, "lag_y"),
              r = place(text.columns, "acf");
-  if (!x || !y) refuse(std::string("its header names no column ") + (x ? "lag_y" : "lag_x"));
+  if (!x || !y) refuse(x ? "its header names no column lag_y" : "its header names no column lag_x");
   const std::string &unit_x = text.columns[*x].unit, &unit_y = text.columns[*y].unit;
   if (counts_samples(unit_x) != counts_samples(unit_y))
     refuse("one lag has a unit of length, the other none");

@@ -128,8 +128,7 @@ class Writer {
 }  // namespace
 
 void Drawing::write(const Tool& tool, Dataset data, const std::string& name) const {
-  if (name == "-" && stdout_is_terminal())
-    throw UsageError("output", "a dataset is binary and does not go to a terminal");
+  refuse_terminal(name);
   Writer(*this, tool, std::move(data), name).write();
 }
 

@@ -50,10 +50,9 @@ void take_table(Wanted& out, const Tool& tool, const KernelOptions& options) {
   tool.reads(options.acf, !table.dataset.variables.empty());
   for (std::size_t axis : {0u, 1u})
     if (out.spacing && table.spacing && std::abs((*out.spacing)[axis] / (*table.spacing)[axis] - 1) > 1e-6)
-      throw UsageError(
-          tool.app().get_option_no_throw("--spacing") && tool.given("--spacing") ? "spacing" : "size",
-          "gives samples of " + format_quantity((*out.spacing)[axis], "m") + ", the table has " +
-              format_quantity((*table.spacing)[axis], "m"));
+      throw UsageError(tool.given("--spacing") ? "spacing" : "size",
+                       "gives samples of " + format_quantity((*out.spacing)[axis], "m") + ", the table has " +
+                           format_quantity((*table.spacing)[axis], "m"));
   if (table.left_out)
     tool.warn("the lags of the table beyond " +
               text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +

@@ -1,8 +1,9 @@
-#include "tools/cli/usage.hpp"
+#include "tools/cli/resources.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,12 @@ long peak_kibibytes(const rusage& own) {
 }
 
 }  // namespace
+
+std::size_t half_of_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  if (pages < 1 || page < 1) return std::size_t{1} << 30;
+  return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page);
+}
 
 std::string usage_of_run(double wall_seconds) {
   rusage own{}, children{};

@@ -1,4 +1,4 @@
-#include "tools/cli/apart.hpp"
+#include "tools/cli/sandbox.hpp"
 
 #include <csignal>
 #include <ctime>
@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 using namespace asperity;
-using cli::made_apart;
+using cli::run_in_sandbox;
 
 namespace {
 
@@ -19,12 +19,12 @@ using Sink = std::function<void(std::string_view)>;
 constexpr WorkLimits small{.seconds = 1, .memory = 64 << 20};
 
 std::string bytes_of(const std::function<void(const Sink&)>& work) {
-  return std::string(made_apart(work, small, "work"));
+  return std::string(run_in_sandbox(work, small, "work"));
 }
 
 std::string refusal_of(const std::function<void(const Sink&)>& work) {
   try {
-    made_apart(work, small, "work");
+    run_in_sandbox(work, small, "work");
     return "";
   } catch (const DataError& error) {
     CHECK(error.name == "work");
@@ -79,7 +79,7 @@ TEST_CASE("read apart, a NetCDF-4 file holds the same, and one at which the HDF5
     return out.str();
   };
   const std::string here = encode_netcdf(decode_netcdf(bytes("whole")));
-  read_netcdf4_apart(&made_apart);
+  read_netcdf4_apart(&run_in_sandbox);
   CHECK(encode_netcdf(decode_netcdf(bytes("whole"))) == here);
   CHECK(NetcdfFile(folder + "whole", {"x", "y"}).rows("heights", 0, 1).index() ==
         decode_netcdf(here).at("heights").values.index());

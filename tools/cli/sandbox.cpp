@@ -1,16 +1,11 @@
-#include "tools/cli/apart.hpp"
+#include "tools/cli/sandbox.hpp"
 
-#include <array>
-#include <bit>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <fcntl.h>
 #include <new>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <sys/prctl.h>
@@ -25,8 +20,8 @@
 namespace asperity::cli {
 namespace {
 
-// How a child ends that could say so.
-enum Ending { done = 0, refused = 1, out_of_memory = 2, failed = 3 };
+// How a child ends that could say so, apart from what a library ends with.
+enum Ending { done = 0, refused = 101, out_of_memory = 102, failed = 103 };
 
 // A process that ignores its children's end cannot wait for it.
 class EndOfChildren {
@@ -115,32 +110,18 @@ class Pipe {
   int ends_[2] = {-1, -1};
 };
 
-using Length = std::uint64_t;
-
-// Bytes of the work, or, behind what there is of them, the words with which it refuses and their number.
+// Bytes of the work, or, behind what there is of them and a NUL, the words with which it refuses.
 Ending work_into(const Pipe& out, const WorkOfBytes& work) {
   try {
     work([&](std::string_view bytes) { out.write(bytes); });
     return done;
   } catch (const DataError& error) {
-    const std::string_view words = error.what();
-    const auto length = std::bit_cast<std::array<char, sizeof(Length)>>(Length{words.size()});
-    out.write(words);
-    out.write({length.data(), length.size()});
+    out.write(std::string_view("", 1));
+    out.write(error.what());
     return refused;
   } catch (const std::bad_alloc&) {
     return out_of_memory;
   }
-}
-
-// None where the child did not end as work_into() does.
-std::optional<std::string> words_at_end(std::string_view bytes) {
-  Length length = 0;
-  if (bytes.size() < sizeof length) return std::nullopt;
-  std::memcpy(&length, bytes.data() + bytes.size() - sizeof length, sizeof length);
-  bytes.remove_suffix(sizeof length);
-  if (length > bytes.size()) return std::nullopt;
-  return std::string(bytes.substr(bytes.size() - length));
 }
 
 Ending ending_of(const Pipe& out, const WorkOfBytes& work) noexcept {
@@ -160,7 +141,7 @@ int status_of(pid_t child) {
 
 [[noreturn]] void refuse(int status, std::string_view out, WorkLimits limits, const std::string& variable) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == refused)
-    if (const auto words = words_at_end(out)) throw DataError(variable, *words);
+    throw DataError(variable, std::string(out.substr(out.rfind('\0') + 1)));
   if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory)
     throw DataError(variable, "reading it takes more memory than the " +
                                   std::to_string(limits.memory / 1'000'000) +
@@ -173,7 +154,7 @@ int status_of(pid_t child) {
 
 }  // namespace
 
-Bytes made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
+Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
   Pipe pipe;
   const EndOfChildren heard;
   const pid_t parent = ::getpid(), child = ::fork();

@@ -21,6 +21,6 @@ namespace asperity::cli {
 /// The bytes that the work hands to its sink. Throws DataError(variable, …) with the work's own words where it
 /// threw one, and where it broke a limit or the process.
 /// The limit of memory is not heeded under the address sanitizer.
-Bytes made_apart(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
+Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
 
 }  // namespace asperity::cli

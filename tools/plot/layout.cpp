@@ -1,0 +1,90 @@
+#include "tools/plot/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace asperity::plot {
+namespace {
+
+constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
+constexpr double free_aspect = 0.62, free_aspect_of_rows = 0.45;
+constexpr double title_height = 2.0, letter_width = 0.6;
+
+// The width of a sheet [em]: of one column 32, of three 60.
+double em_across(std::size_t columns) { return 18.0 + 14.0 * static_cast<double>(columns); }
+
+// A line is broken before the entry that would not fit in.
+std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double longest) {
+  std::vector<LegendLine> out;
+  for (const LegendEntry& e : entries) {
+    if (out.empty() || length_of(out.back()) + legend_gap + length_of(e) > longest) out.emplace_back();
+    out.back().push_back(e);
+  }
+  return out;
+}
+
+// Panels into rows of this height.
+void fit(Layout& layout, double room, bool keeps_aspect) {
+  if (!(room >= 2 * layout.em))
+    throw ParameterError(
+        "pixels", fmt::format("{}x{} is too flat for this figure", layout.pixels.nx, layout.pixels.ny));
+  if (!keeps_aspect) layout.panel_height = room;
+  layout.panel_width = std::min(layout.panel_width, room / (layout.panel_height / layout.panel_width));
+  layout.panel_height = std::min(layout.panel_height, room);
+}
+
+}  // namespace
+
+// Of UTF-8 every byte but the continuing ones begins a character.
+double length_of(const LegendEntry& e) {
+  const auto letters =
+      std::ranges::count_if(e.name, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+  return key_length + letter_width * static_cast<double>(letters);
+}
+
+double length_of(const LegendLine& line) {
+  double out = -legend_gap;
+  for (const LegendEntry& e : line) out += length_of(e) + legend_gap;
+  return out;
+}
+
+Layout layout_of(const Figure& figure, const Request& request) {
+  Layout out{};
+  out.title = request.titled ? request.title : figure.title;
+  out.columns = figure.columns;
+  out.rows = (figure.panels.size() + figure.columns - 1) / figure.columns;
+  out.legend = lines_of(figure.legend, em_across(figure.columns) - figure.left);
+  const bool given = request.pixels.nx > 0;
+  out.em = given ? static_cast<double>(request.pixels.nx) / em_across(figure.columns)
+                 : (figure.columns == 1 ? em_of_single : em_of_many);
+  const double above = figure.comparison ? label_height : 0,
+               top = figure.top + (out.title.empty() ? 0 : title_height) +
+                     line_of_legend * static_cast<double>(out.legend.size()) + above;
+  const double em = out.em, n = static_cast<double>(out.columns), m = static_cast<double>(out.rows),
+               gap_x = figure.gap_x * em, gap_y = (figure.gap_y + above) * em,
+               width = em_across(out.columns) * em,
+               frame_x = (figure.left + figure.right) * em + (n - 1) * gap_x,
+               frame_y = (figure.bottom + top) * em + (m - 1) * gap_y;
+  const double aspect = figure.aspect > 0 ? figure.aspect : out.rows > 1 ? free_aspect_of_rows : free_aspect;
+  out.panel_width = (width - frame_x) / n;
+  out.panel_height = out.panel_width * aspect;
+  out.pixels = {static_cast<Index>(std::lround(width)),
+                static_cast<Index>(std::lround(frame_y + m * out.panel_height))};
+  if (given) {
+    out.pixels = request.pixels;
+    fit(out, (static_cast<double>(out.pixels.ny) - frame_y) / m, figure.aspect > 0);
+  }
+  const double spare_x = static_cast<double>(out.pixels.nx) - frame_x - n * out.panel_width,
+               spare_y = static_cast<double>(out.pixels.ny) - frame_y - m * out.panel_height;
+  out.left = figure.left * em + 0.5 * spare_x;
+  out.bottom = figure.bottom * em + 0.5 * spare_y;
+  out.step_x = out.panel_width + gap_x;
+  out.step_y = out.panel_height + gap_y;
+  out.panels_wide = n * out.step_x - gap_x;
+  out.panels_high = m * out.step_y - gap_y;
+  return out;
+}
+
+}  // namespace asperity::plot
