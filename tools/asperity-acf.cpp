@@ -86,13 +86,13 @@ void add_to(Dataset& data, const cli::Measured& measured, const Result& result,
               {measured.units_to(2), "mean square difference of two points a lag apart"},
               Missing::not_a_number);
   const Moments height = moments(measured.heights);
-  data.attributes.set_any("acf_skewness", height.ssk);
-  data.attributes.set_any("acf_kurtosis", height.sku);
+  data.attributes.set("acf_skewness", height.ssk);
+  data.attributes.set("acf_kurtosis", height.sku);
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (measured.units == "m") data.attributes.set("acf_variance", estimate.variance);
   cli::check_finite(lengths);
-  for (const auto& row : lengths.rows) data.attributes.set_any("acf_" + row.name, row.value);
+  for (const auto& row : lengths.rows) data.attributes.set("acf_" + row.name, row.value);
 }
 
 // ---- the command line ----

@@ -31,9 +31,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/memory_bound.hpp"
 #include "core/stopwatch.hpp"
 #include "dataset/dataset.hpp"
+#include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
 #include "tools/cli/memory.hpp"
 #include "tools/cli/quantity.hpp"
