@@ -139,13 +139,13 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
               {cli::unit_to(surface.units, 2), "mean square difference of two points a lag apart"},
               Missing::not_a_number);
   const Moments height = moments(surface.heights);
-  data.attributes.set_any("acf_skewness", height.ssk);
-  data.attributes.set_any("acf_kurtosis", height.sku);
+  data.attributes.set("acf_skewness", height.ssk);
+  data.attributes.set("acf_kurtosis", height.sku);
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
   cli::check_finite(cli::Quantities{lengths});
-  for (const Parameter& length : lengths) data.attributes.set_any("acf_" + length.name, length.value);
+  for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
 }
 
 // ---- the command line ----

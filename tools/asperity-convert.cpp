@@ -22,7 +22,11 @@ using namespace asperity;
 namespace {
 
 // What a whole dataset is written as, beside the formats of maps.
-constexpr std::string_view datasets[] = {"netcdf", "vti", "vtr"};
+struct DatasetFormat {
+  std::string_view name;
+  std::string (*encode)(const Dataset& dataset);
+};
+constexpr DatasetFormat datasets[] = {{"netcdf", encode_netcdf}, {"vti", encode_vti}, {"vtr", encode_vtr}};
 
 std::string extensions() {
   std::string out = ".nc, .vti, .vtr";
@@ -51,7 +55,7 @@ struct Options {
 
 std::vector<std::string> targets() {
   std::vector<std::string> out{"auto"};
-  out.insert(out.end(), std::begin(datasets), std::end(datasets));
+  for (const DatasetFormat& format : datasets) out.emplace_back(format.name);
   for (const Format& format : formats()) out.emplace_back(format.name);
   return out;
 }
@@ -104,8 +108,8 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
 // All that is not NetCDF.
 std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                     const std::string& target, std::optional<cli::Bytes> bytes) {
-  if (target == "vti") return encode_vti(dataset_from(tool, format, options, std::move(bytes)));
-  if (target == "vtr") return encode_vtr(dataset_from(tool, format, options, std::move(bytes)));
+  for (const DatasetFormat& whole : datasets)
+    if (target == whole.name) return whole.encode(dataset_from(tool, format, options, std::move(bytes)));
   if (options.surface)
     throw cli::UsageError("surface", "only netcdf, vti and vtr hold what lies below one, not " + target);
   const Map map = map_from(tool, format, options, *bytes);
@@ -120,7 +124,7 @@ int convert(cli::Tool& tool, const Options& options) {
   format.reading = options.map.reading(*bytes, format.found(*bytes, tool.input_name()));
   if (target == "netcdf") {
     Dataset data = dataset_from(tool, format, options, std::move(bytes));
-    if (options.to_order == "yx") data = in_viewers_order(std::move(data));
+    if (options.to_order == "yx") data = to_viewer_axes(std::move(data));
     tool.write(data);
     return cli::done;
   }

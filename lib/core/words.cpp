@@ -1,8 +1,9 @@
 #include "core/words.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <locale.h>
 #include <vector>
 
 namespace asperity {
@@ -59,9 +60,29 @@ bool speaks(std::string_view character) {
 }  // namespace
 
 std::string shortest(double value) {
-  if (std::isnan(value)) return "nan";
-  char digits[32] = {};
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+  std::string out;
+  append_number(out, value);
+  return out;
+}
+
+void append_number(std::string& text, double value) {
+  char digits[32];
+  if (std::isnan(value))
+    text += "nan";
+  else
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+std::string in_digits(double value, int most) {
+  char digits[64];
+  const auto general = std::chars_format::general;
+  return {digits, std::to_chars(digits, digits + sizeof digits, value, general, most).ptr};
+}
+
+// from_chars does not say which of the two it is. Not in the language that a process may have chosen.
+double beyond_range(std::string_view number) {
+  static const locale_t c = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  return ::strtod_l(std::string(number).c_str(), nullptr, c);
 }
 
 std::string counted(std::int64_t count, std::string_view thing) {

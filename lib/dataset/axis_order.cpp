@@ -149,7 +149,7 @@ void let_ascend(Dataset& dataset) {
 
 }  // namespace
 
-Dataset in_own_order(Dataset dataset) {
+Dataset to_native_axes(Dataset dataset) {
   if (swap_axes(dataset, "y", "x")) name_axes(dataset);
   constexpr std::pair<const char*, const char*> tables[] = {
       {"l", "k"}, {"q", "p"}, {"lag_y", "lag_x"}, {"wave_number_y", "wave_number_x"}};
@@ -162,7 +162,7 @@ Dataset in_own_order(Dataset dataset) {
   return dataset;
 }
 
-Dataset in_viewers_order(Dataset dataset) {
+Dataset to_viewer_axes(Dataset dataset) {
   if (swap_axes(dataset, "x", "y")) forget_axes(dataset);
   if (Variable* z = vertical(dataset, "down")) {
     turn(*z, "up", "height above the surface");

@@ -24,8 +24,8 @@ namespace asperity {
 /// Of any dataset: every variable whose last dimensions are (y, x) comes to lie on (x, y), likewise tables, a z that is positive
 /// upwards becomes a depth, and its layers run downwards. Where x, y, a depth, a lag or a wave number descends, it and all
 /// that lies on it are turned around, each value at its coordinate; a line in front of `history` and one of the notes say so.
-Dataset in_own_order(Dataset dataset);
+Dataset to_native_axes(Dataset dataset);
 /// Of a dataset in Asperity's order.
-Dataset in_viewers_order(Dataset dataset);
+Dataset to_viewer_axes(Dataset dataset);
 
 }  // namespace asperity

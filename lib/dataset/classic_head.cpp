@@ -21,6 +21,8 @@ constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
 // NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf looks for each name among all before it.
 constexpr std::uint64_t longest_list = 8192;
 
+std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
+
 // Reads from the front of the bytes, and never beyond them.
 class Reader {
  public:
@@ -53,11 +55,11 @@ class Reader {
   /// Records whose number is not told reach to the end.
   void require_all() { end_ = all_; }
   /// The end of what was read and required so far, padded to four bytes.
-  std::uint64_t end() const { return std::min((std::max(end_, all_ - rest_.size()) + 3) / 4 * 4, all_); }
+  std::uint64_t end() const { return std::min(padded(std::max(end_, all_ - rest_.size())), all_); }
   /// n things of `size` bytes, padded to four.
   void skip_padded(std::uint64_t n, std::uint64_t size) {
     if (n > rest_.size() / size) refuse_cut_short();
-    skip((n * size + 3) / 4 * 4);
+    skip(padded(n * size));
   }
   void skip_name() {
     const std::uint64_t length = count();
@@ -115,16 +117,6 @@ void check_attributes(Reader& reader) {
   }
 }
 
-// The lengths; 0 is the number of records.
-std::vector<std::uint64_t> take_dimensions(Reader& reader) {
-  std::vector<std::uint64_t> lengths;
-  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
-    reader.skip_name();
-    lengths.push_back(reader.count());
-  }
-  return lengths;
-}
-
 // Where the values of a variable lie: of one record, where it has records. `told` is where the head tells it, behind
 // the number of bytes.
 struct Extent {
@@ -133,7 +125,19 @@ struct Extent {
   std::size_t told = 0;
 };
 
-Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) {
+// The length of a dimension, 0 of that of records, and where the head tells it.
+struct Length {
+  std::uint64_t points = 0;
+  std::size_t told = 0;
+};
+
+struct Head {
+  std::uint64_t records = 0;
+  std::vector<Length> lengths;
+  std::vector<Extent> extents;  // of the variables
+};
+
+Extent take_variable(Reader& reader, const std::vector<Length>& lengths) {
   Extent out;
   reader.skip_name();
   std::uint64_t cells = 1;
@@ -142,10 +146,10 @@ Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) 
   for (std::uint64_t d = 0; d < rank; ++d) {
     const std::uint64_t id = reader.count();
     if (id >= lengths.size()) refuse("its head names a dimension that there is not");
-    if (d == 0 && lengths[id] == 0)
+    if (d == 0 && lengths[id].points == 0)
       out.records = true;
     else
-      cells = reader.product(cells, lengths[id]);
+      cells = reader.product(cells, lengths[id].points);
   }
   check_attributes(reader);
   out.bytes = reader.product(cells, size_of_type(reader.word()));
@@ -155,27 +159,35 @@ Extent take_variable(Reader& reader, const std::vector<std::uint64_t>& lengths) 
   return out;
 }
 
-// Records follow each other, each of all variables that have them, padded unless there is one such variable.
-void check_records(Reader& reader, const std::vector<Extent>& extents, std::uint64_t records) {
-  if (records == 0 || extents.empty()) return;
-  if (records == reader.unknown_records()) return reader.require_all();
-  std::uint64_t record = 0;
-  for (const Extent& e : extents) record += (e.bytes + 3) / 4 * 4;
-  if (extents.size() == 1) record = extents[0].bytes;
-  const std::uint64_t before = reader.product(records - 1, record);
-  for (const Extent& e : extents) reader.require(e.begin, before + e.bytes);
+Head take_head(Reader& reader) {
+  Head out;
+  out.records = reader.count();
+  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
+    reader.skip_name();
+    const std::size_t told = reader.place();
+    out.lengths.push_back({reader.count(), told});
+  }
+  check_attributes(reader);
+  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
+    out.extents.push_back(take_variable(reader, out.lengths));
+  return out;
 }
 
-void check_variables(Reader& reader, const std::vector<std::uint64_t>& lengths, std::uint64_t records) {
-  std::vector<Extent> of_records;
-  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n) {
-    const Extent e = take_variable(reader, lengths);
-    if (e.records)
-      of_records.push_back(e);
-    else
+// Records follow each other, each of all variables that have them, padded unless there is one such variable.
+void check_extents(Reader& reader, const Head& head) {
+  std::uint64_t record = 0, last = 0, in_records = 0;
+  for (const Extent& e : head.extents)
+    if (e.records) {
+      record += padded(last = e.bytes);
+      ++in_records;
+    } else {
       reader.require(e.begin, e.bytes);
-  }
-  check_records(reader, of_records, records);
+    }
+  if (head.records == 0 || in_records == 0) return;
+  if (head.records == reader.unknown_records()) return reader.require_all();
+  const std::uint64_t before = reader.product(head.records - 1, in_records == 1 ? last : record);
+  for (const Extent& e : head.extents)
+    if (e.records) reader.require(e.begin, before + e.bytes);
 }
 
 void put(std::string& file, std::size_t at, std::uint64_t number, std::size_t width) {
@@ -186,38 +198,27 @@ void put(std::string& file, std::size_t at, std::uint64_t number, std::size_t wi
 
 void check_classic_head(std::string_view bytes) {
   Reader reader(bytes);
-  const std::uint64_t records = reader.count();
-  const std::vector<std::uint64_t> lengths = take_dimensions(reader);
-  check_attributes(reader);
-  check_variables(reader, lengths, records);
+  check_extents(reader, take_head(reader));
   refuse_rest(bytes.substr(reader.end()), "dataset");
 }
 
 std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
                          const std::vector<std::uint64_t>& bytes) {
   Reader reader(file);
+  const Head small = take_head(reader);
   const std::size_t width = reader.wide_counts() ? 8 : 4;
   const std::uint64_t most = reader.wide_counts() ? ~std::uint64_t{0} : 0xffffffff;
-  reader.count();
-  std::vector<std::uint64_t> former;
-  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
-    reader.skip_name();
-    const std::size_t told = reader.place();
-    former.push_back(reader.count());
-    put(file, told, lengths.at(former.size() - 1), width);
-  }
-  check_attributes(reader);
-  std::vector<Extent> extents;
-  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
-    extents.push_back(take_variable(reader, former));
+  for (std::size_t d = 0; d < small.lengths.size(); ++d)
+    put(file, small.lengths[d].told, lengths.at(d), width);
   std::uint64_t begin = reader.place();
   file.resize(begin);
   for (const bool records : {false, true})
-    for (std::size_t v = 0; v < extents.size(); ++v) {
-      if (extents[v].records != records) continue;
-      const std::uint64_t size = (bytes.at(v) + 3) / 4 * 4;
-      put(file, extents[v].told - width, std::min(size, most), width);
-      put(file, extents[v].told, begin, 8);
+    for (std::size_t v = 0; v < small.extents.size(); ++v) {
+      const Extent& e = small.extents[v];
+      if (e.records != records) continue;
+      const std::uint64_t size = padded(bytes.at(v));
+      put(file, e.told - width, std::min(size, most), width);
+      put(file, e.told, begin, 8);
       begin += size;
     }
   return file;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -27,11 +27,7 @@ bool is_floating(const Values& values) {
   throw DataError(variable.name, "its " + attribute + " is " + what + "; correct it in the file (ncatted)");
 }
 
-std::string text_of(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
+std::string text_of(double value) { return in_digits(value, 6); }
 
 // The Users Guide's: the least number but one of signed types, the greatest of unsigned ones (but one of 64 bits).
 template <class T>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "dataset/catalogue.hpp"
 
 namespace asperity {
 namespace {
@@ -46,13 +47,11 @@ void Attributes::set(std::string_view name, std::string_view text) {
   set_values(name, Values(std::string(text)));
 }
 void Attributes::set(std::string_view name, double number) {
-  if (!std::isfinite(number))
+  const KnownAttribute* known = std::isfinite(number) ? nullptr : known_attribute(name);
+  if (!std::isfinite(number) && !(known && known->open))
     throw DataError(std::string(name), std::string("it comes out ") +
                                            (std::isnan(number) ? "as no number" : "infinite") +
                                            ": what is asked for leaves the range of doubles");
-  set_any(name, number);
-}
-void Attributes::set_any(std::string_view name, double number) {
   set_values(name, Values(std::vector<double>{number}));
 }
 void Attributes::set(std::string_view name, int number) {

@@ -36,10 +36,8 @@ struct Attribute {
 class Attributes {
  public:
   void set(std::string_view name, std::string_view text);
-  /// Throws DataError(name, …) for a number that is not finite, which no result is.
+  /// Throws DataError(name, …) for a number that is not finite, unless the catalogue has it that this one may be.
   void set(std::string_view name, double number);
-  /// Of what may be infinite, or not known, which is NaN.
-  void set_any(std::string_view name, double number);
   void set(std::string_view name, int number);
   void set_values(std::string_view name, Values values);
   void erase(std::string_view name);

@@ -15,7 +15,7 @@ using Names = std::vector<std::string>;
 
 FieldFile::FieldFile(const std::string& path, std::string_view variable, const MemoryBound& memory)
     : file_(path, {"x", "y"}, memory),
-      dataset_(in_own_order(file_.dataset())),
+      dataset_(to_native_axes(file_.dataset())),
       grid_(grid_of(dataset_)),
       variable_(variable) {
   if (dataset().at(variable_).dimensions != Names{"x", "y"})
@@ -45,7 +45,7 @@ Field FieldFile::part(Axis along, Index first, Index count) const {
                                                     : file_.columns(name, first, count);
       strip.variables.push_back(std::move(part));
     }
-  return field_of(in_own_order(std::move(strip)), variable_, Missing::not_a_number);
+  return field_of(to_native_axes(std::move(strip)), variable_, Missing::not_a_number);
 }
 
 }  // namespace asperity

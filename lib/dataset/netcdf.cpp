@@ -11,6 +11,7 @@
 #include "dataset/classic_head.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/mapped_file.hpp"
+#include "dataset/netcdf_read.hpp"
 #include "dataset/netcdf_types.hpp"
 #include "dataset/rest.hpp"
 
@@ -19,181 +20,6 @@ namespace asperity {
 using namespace netcdf;
 
 namespace {
-
-std::string attribute_name(int file, int variable, int index) {
-  char name[NC_MAX_NAME + 1] = {};
-  check(nc_inq_attname(file, variable, index, name), "attribute");
-  return name;
-}
-
-// NetCDF-4 alone has attributes of type string; one of them is plain text elsewhere.
-Values read_string_attribute(int file, int variable, const std::string& name, std::size_t n) {
-  if (n != 1) refuse(name + " is a list of strings, which only NetCDF-4 has");
-  char* text = nullptr;
-  check(nc_get_att_string(file, variable, name.c_str(), &text), name);
-  std::string copy = text ? text : "";
-  nc_free_string(1, &text);
-  return copy;
-}
-
-Attributes read_attributes(int file, int variable, int number) {
-  Attributes out;
-  for (int a = 0; a < number; ++a) {
-    const std::string name = attribute_name(file, variable, a);
-    nc_type type = 0;
-    std::size_t n = 0;
-    check(nc_inq_att(file, variable, name.c_str(), &type, &n), name);
-    if (type == NC_STRING) {
-      out.set_values(name, read_string_attribute(file, variable, name, n));
-      continue;
-    }
-    Values values = allocate(type, n, name);
-    if (n > 0) check(nc_get_att(file, variable, name.c_str(), data(values)), name);
-    out.set_values(name, std::move(values));
-  }
-  return out;
-}
-
-std::vector<Dimension> read_dimensions(int file, int number) {
-  std::vector<Dimension> out;
-  for (int d = 0; d < number; ++d) {
-    char name[NC_MAX_NAME + 1] = {};
-    std::size_t length = 0;
-    check(nc_inq_dim(file, d, name, &length), "dimension");
-    out.push_back({name, static_cast<Index>(length)});
-  }
-  return out;
-}
-
-// Name, type, dimensions and attributes; the values stay in the file.
-struct Header {
-  Variable variable;
-  nc_type type = 0;
-  std::size_t elements = 1, bytes = 0;
-};
-
-Header read_header(int file, int id, const std::vector<Dimension>& dimensions) {
-  Header out;
-  char name[NC_MAX_NAME + 1] = {};
-  int rank = 0, attributes = 0;
-  int dims[NC_MAX_VAR_DIMS] = {};
-  check(nc_inq_var(file, id, name, &out.type, &rank, dims, &attributes), "variable");
-  out.variable.name = name;
-  for (int d = 0; d < rank; ++d) {
-    const Dimension& dimension = dimensions.at(static_cast<std::size_t>(dims[d]));
-    const auto length = static_cast<std::size_t>(dimension.length);
-    out.variable.dimensions.push_back(dimension.name);
-    if (length > 0 && out.elements > SIZE_MAX / 16 / length)
-      refuse(out.variable.name + " claims an impossible size");
-    out.elements *= length;
-  }
-  std::size_t size = 0;
-  check(nc_inq_type(file, out.type, nullptr, &size), out.variable.name);
-  out.bytes = out.elements * size;
-  out.variable.attributes = read_attributes(file, id, attributes);
-  return out;
-}
-
-bool classic(int file) {
-  int format = 0;
-  check(nc_inq_format(file, &format), "format");
-  return format == NC_FORMAT_CLASSIC || format == NC_FORMAT_64BIT_OFFSET || format == NC_FORMAT_CDF5;
-}
-
-[[noreturn]] void refuse_cut_short(const std::string& name, std::size_t bytes) {
-  refuse(name + " ends beyond the " + std::to_string(bytes) + " bytes that there are: the file is cut short");
-}
-
-// A classic file holds its values as they are: fewer bytes than values is a file cut short, and a header that
-// lies about its sizes must not make us allocate them.
-void refuse_if_cut_short(const std::vector<Header>& headers, std::size_t bytes) {
-  std::size_t needed = 0;
-  for (const Header& h : headers) {
-    needed += h.bytes;
-    if (h.bytes > bytes || needed > bytes)
-      refuse(h.variable.name + " ends beyond the " + std::to_string(bytes) +
-             " bytes that there are: it is cut short");
-  }
-}
-
-// In memory the library answers EPERM where a variable reaches beyond the last byte.
-void read_values(int file, int id, Variable& variable, std::size_t bytes) {
-  const int status = nc_get_var(file, id, data(variable.values));
-  if (status == EPERM) refuse_cut_short(variable.name, bytes);
-  check(status, variable.name + " cannot be read");
-}
-
-void refuse_groups(int file) {
-  int groups = 0;
-  if (nc_inq_grps(file, &groups, nullptr) == NC_NOERR && groups > 0)
-    refuse("it has groups, which only NetCDF-4 has");
-}
-
-// NetCDF-4 deflates, and need not hold what was never written: no more is made of its bytes than deflating could.
-std::size_t most_made_of(std::size_t bytes) {
-  constexpr std::size_t most_inflated = 1032;
-  return std::min(bytes, SIZE_MAX / 4 / most_inflated) * most_inflated;
-}
-
-void refuse_if_thin(const std::vector<Header>& headers, std::size_t bytes) {
-  std::size_t left = most_made_of(bytes);
-  for (const Header& h : headers) {
-    if (h.bytes > left)
-      refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " +
-             std::to_string(bytes) + " can hold");
-    left -= h.bytes;
-  }
-}
-
-bool lies_on(const Variable& variable, const std::vector<std::string>& dimensions) {
-  return !dimensions.empty() && std::ranges::all_of(dimensions, [&](const std::string& name) {
-    return std::ranges::find(variable.dimensions, name) != variable.dimensions.end();
-  });
-}
-
-// How a file is read: the values of variables that lie on all of the deferred dimensions are not; all others are held
-// so many times.
-struct Extent {
-  std::size_t bytes = 0;  // of the file
-  std::vector<std::string> deferred = {};
-  MemoryBound memory = {};
-  int times = 1;
-  bool whole = true;  // a variable will be taken out at once
-};
-
-// The values so many times, and the largest variable as doubles where a whole one will be taken out.
-void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
-  double values = 0, most = 0;
-  for (const Header& h : headers) {
-    if (lies_on(h.variable, extent.deferred)) continue;
-    values += static_cast<double>(h.bytes);
-    most = std::max(most, static_cast<double>(h.elements));
-  }
-  const double doubles = extent.whole ? sizeof(double) * most : 0;
-  extent.memory.require(extent.times * values + doubles, "dataset");
-}
-
-Dataset read_dataset(int file, const Extent& extent) {
-  refuse_groups(file);
-  int dimensions = 0, variables = 0, attributes = 0;
-  check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
-  Dataset out;
-  out.dimensions = read_dimensions(file, dimensions);
-  out.attributes = read_attributes(file, NC_GLOBAL, attributes);
-  std::vector<Header> headers;
-  headers.reserve(static_cast<std::size_t>(variables));
-  for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
-  classic(file) ? refuse_if_cut_short(headers, extent.bytes) : refuse_if_thin(headers, extent.bytes);
-  refuse_if_large(headers, extent);
-  for (int v = 0; v < variables; ++v) {
-    Header& header = headers[static_cast<std::size_t>(v)];
-    const bool stays = lies_on(header.variable, extent.deferred);
-    header.variable.values = allocate(header.type, stays ? 0 : header.elements, header.variable.name);
-    if (!stays && header.elements > 0) read_values(file, v, header.variable, extent.bytes);
-    out.variables.push_back(std::move(header.variable));
-  }
-  return out;
-}
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
@@ -284,7 +110,7 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
     const Bytes classic = classic_from(bytes, done_apart, memory, true);
     return decode_netcdf(classic, memory.beside(classic.size()));
   }
-  return in_own_order(with_plain_values(decode_here(bytes, {.memory = memory})));
+  return to_native_axes(with_plain_values(decode_here(bytes, {.memory = memory})));
 }
 
 NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred,

@@ -25,10 +25,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/memory_bound.hpp"
 #include "dataset/bytes.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/dataset.hpp"
+#include "dataset/memory_bound.hpp"
 
 namespace asperity {
 

@@ -1,8 +1,8 @@
-/// NetCDF's types and statuses as the program's own, and an open file; for dataset/netcdf.cpp and
-/// dataset/netcdf_write.cpp alone.
+/// NetCDF's types and statuses as the program's own, and an open file; for dataset/netcdf*.cpp alone.
 #pragma once
 
 #include <cerrno>
+#include <iterator>
 #include <new>
 #include <string>
 #include <type_traits>
@@ -39,24 +39,12 @@ class Handle {
   bool open = false;
 };
 
-template <class T>
-constexpr nc_type external_type() {
-  if constexpr (std::is_same_v<T, char>) return NC_CHAR;
-  if constexpr (std::is_same_v<T, std::int8_t>) return NC_BYTE;
-  if constexpr (std::is_same_v<T, std::uint8_t>) return NC_UBYTE;
-  if constexpr (std::is_same_v<T, std::int16_t>) return NC_SHORT;
-  if constexpr (std::is_same_v<T, std::uint16_t>) return NC_USHORT;
-  if constexpr (std::is_same_v<T, std::int32_t>) return NC_INT;
-  if constexpr (std::is_same_v<T, std::uint32_t>) return NC_UINT;
-  if constexpr (std::is_same_v<T, std::int64_t>) return NC_INT64;
-  if constexpr (std::is_same_v<T, std::uint64_t>) return NC_UINT64;
-  if constexpr (std::is_same_v<T, float>) return NC_FLOAT;
-  if constexpr (std::is_same_v<T, double>) return NC_DOUBLE;
-}
+// Of the alternatives of Values, in their order.
+inline constexpr nc_type external_types[] = {NC_CHAR, NC_BYTE,  NC_UBYTE,  NC_SHORT, NC_USHORT, NC_INT,
+                                             NC_UINT, NC_INT64, NC_UINT64, NC_FLOAT, NC_DOUBLE};
+static_assert(std::size(external_types) == std::variant_size_v<Values>);
 
-inline nc_type type_of(const Values& values) {
-  return std::visit([]<class V>(const V&) { return external_type<typename V::value_type>(); }, values);
-}
+inline nc_type type_of(const Values& values) { return external_types[values.index()]; }
 
 inline std::size_t element_size(const Values& values) {
   return std::visit([]<class V>(const V&) { return sizeof(typename V::value_type); }, values);
@@ -71,33 +59,18 @@ std::vector<Element> room_for(std::size_t n) {
   return out;
 }
 
-// Room for n elements of an external type.
-inline Values allocate(nc_type type, std::size_t n, const std::string& name) {
-  switch (type) {
-    case NC_CHAR:
+// Room for n elements of an external type, which is looked for among those of Values from the one numbered `alternative` on.
+template <std::size_t alternative = 0>
+Values allocate(nc_type type, std::size_t n, const std::string& name) {
+  if constexpr (alternative == std::variant_size_v<Values>) {
+    refuse(name + " is of a type that only NetCDF-4 has");
+  } else {
+    using List = std::variant_alternative_t<alternative, Values>;
+    if (type != external_types[alternative]) return allocate<alternative + 1>(type, n, name);
+    if constexpr (std::is_same_v<List, std::string>)
       return std::string(n, '\0');
-    case NC_BYTE:
-      return room_for<std::int8_t>(n);
-    case NC_UBYTE:
-      return room_for<std::uint8_t>(n);
-    case NC_SHORT:
-      return room_for<std::int16_t>(n);
-    case NC_USHORT:
-      return room_for<std::uint16_t>(n);
-    case NC_INT:
-      return room_for<std::int32_t>(n);
-    case NC_UINT:
-      return room_for<std::uint32_t>(n);
-    case NC_INT64:
-      return room_for<std::int64_t>(n);
-    case NC_UINT64:
-      return room_for<std::uint64_t>(n);
-    case NC_FLOAT:
-      return room_for<float>(n);
-    case NC_DOUBLE:
-      return room_for<double>(n);
-    default:
-      refuse(name + " is of a type that only NetCDF-4 has");
+    else
+      return room_for<typename List::value_type>(n);
   }
 }
 

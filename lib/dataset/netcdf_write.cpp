@@ -27,16 +27,8 @@ void write_checked(int status, const std::string& what) {
 }
 
 bool needs_cdf5_type(const Values& values) {
-  switch (type_of(values)) {
-    case NC_UBYTE:
-    case NC_USHORT:
-    case NC_UINT:
-    case NC_INT64:
-    case NC_UINT64:
-      return true;
-    default:
-      return false;
-  }
+  constexpr nc_type newer[] = {NC_UBYTE, NC_USHORT, NC_UINT, NC_INT64, NC_UINT64};
+  return std::ranges::find(newer, type_of(values)) != std::end(newer);
 }
 
 std::size_t places_of(const Dataset& dataset, const Variable& variable) {

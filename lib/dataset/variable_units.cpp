@@ -1,36 +1,23 @@
 #include "dataset/variable_units.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "dataset/catalogue.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
 
 namespace asperity {
-namespace {
-
-// What tools know by its name must measure this.
-std::string_view needed_unit(std::string_view name) {
-  if (name == "pressure" || name == "von_mises") return "Pa";
-  constexpr std::string_view lengths[] = {"heights", "heights_residual", "gap", "displacement",
-                                          "displacement_plastic"};
-  return std::ranges::find(lengths, name) == std::end(lengths) ? "" : "m";
-}
-
-}  // namespace
-
 std::string unit_of(const Variable& variable) {
   const std::string unit = variable.attributes.text("units");
   return unit.empty() ? variable.attributes.text("unit") : unit;
 }
 
 std::string si_unit_of(const Variable& variable) {
-  const std::string_view needed = needed_unit(variable.name);
+  const KnownVariable* known = known_variable(variable.name);
   const std::string own = unit_of(variable);
-  if (!needed.empty()) return std::string(needed);
+  if (known && !known->unit.empty()) return std::string(known->unit);
   for (const char* unit : {"m", "Pa"})
     if (measures(own, unit)) return unit;
   return own.empty() ? "1" : own;

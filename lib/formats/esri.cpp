@@ -52,17 +52,12 @@ double nodata_of(const Field& values) {
   return out;
 }
 
-std::string entry(std::string_view key, double value) {
-  std::string out(key);
-  out += ' ';
-  append_number(out, value);
-  return out + '\n';
-}
-
 std::string head_of(const Map& map, double nodata) {
   const auto [dx, dy] = map.spacing;
-  std::string out = "ncols " + std::to_string(map.values.rows()) + "\nnrows " +
-                    std::to_string(map.values.cols()) + "\nxllcorner 0\nyllcorner 0\n";
+  const auto entry = [](std::string_view key, auto value) { return head_line(key, " ", value); };
+  std::string out = entry("ncols", std::to_string(map.values.rows())) +
+                    entry("nrows", std::to_string(map.values.cols())) + entry("xllcorner", 0.0) +
+                    entry("yllcorner", 0.0);
   out += dx == dy ? entry("cellsize", dx) : entry("dx", dx) + entry("dy", dy);
   return out + entry("NODATA_value", nodata);
 }

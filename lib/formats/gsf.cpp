@@ -21,18 +21,9 @@ double spacing_of(const Head& head, std::string_view key, Index points) {
   return unit.empty() ? Map::unknown : size * metres_per(unit, "map") / static_cast<double>(points);
 }
 
-std::string entry(std::string_view key, std::string_view value) {
-  return std::string(key) + " = " + one_line(value) + "\n";
-}
-
-std::string entry(std::string_view key, double value) {
-  std::string digits;
-  append_number(digits, value);
-  return entry(key, digits);
-}
-
 std::string head_of(const Map& map) {
   const auto nx = static_cast<double>(map.values.rows()), ny = static_cast<double>(map.values.cols());
+  const auto entry = [](std::string_view key, auto value) { return head_line(key, " = ", value); };
   std::string out(magic);
   out += entry("XRes", std::to_string(map.values.rows())) + entry("YRes", std::to_string(map.values.cols()));
   if (std::isfinite(map.spacing[0]) && std::isfinite(map.spacing[1]))

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/rest.hpp"
+#include "formats/head.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 
@@ -38,15 +39,15 @@ std::optional<Length> length_of(std::string_view text) {
   return Length{*number, trimmed(text.substr(blank))};
 }
 
-struct Head {
+struct GwyddionHead {
   std::vector<Length> lengths;
   std::string_view channel, units;
   std::size_t lines = 0;
 };
 
 // Takes the lines that begin with # off the text.
-Head take_head(std::string_view& text) {
-  Head out;
+GwyddionHead take_head(std::string_view& text) {
+  GwyddionHead out;
   for (; text.starts_with('#'); ++out.lines) {
     const auto entry = entry_of(take_line(text));
     if (!entry) continue;
@@ -66,16 +67,6 @@ double metres(const Length& length) {
   return size;
 }
 
-std::string entry(std::string_view key, std::string_view value) {
-  return "# " + std::string(key) + ": " + one_line(value) + "\n";
-}
-
-std::string length_entry(std::string_view key, double length) {
-  std::string value;
-  append_number(value, length);
-  return entry(key, value + " m");
-}
-
 }  // namespace
 
 bool recognises_gwyddion_text(std::string_view bytes) {
@@ -84,7 +75,7 @@ bool recognises_gwyddion_text(std::string_view bytes) {
 }
 
 Map decode_gwyddion_text(std::string_view bytes, const Reading& reading) {
-  const Head head = take_head(bytes);
+  const GwyddionHead head = take_head(bytes);
   if (const std::size_t line = bytes.find("\n#"); line != bytes.npos)
     refuse_rest(bytes.substr(line + 1), "map");  // another head
   if (head.lengths.size() < 2) throw DataError("map", "its head does not state a width and a height");
@@ -98,9 +89,11 @@ Map decode_gwyddion_text(std::string_view bytes, const Reading& reading) {
 
 std::string encode_gwyddion_text(const Map& map, Order) {
   const double nx = static_cast<double>(map.values.rows()), ny = static_cast<double>(map.values.cols());
-  std::string out = entry("Channel", map.title.empty() ? "heights" : map.title);
-  out += length_entry("Width", map.spacing[0] * nx) + length_entry("Height", map.spacing[1] * ny);
-  if (!map.units.empty()) out += entry("Value units", map.units);
+  const auto entry = [](std::string_view key, std::string_view value) { return head_line(key, ": ", value); };
+  std::string out = entry("# Channel", map.title.empty() ? "heights" : map.title);
+  out += entry("# Width", shortest(map.spacing[0] * nx) + " m") +
+         entry("# Height", shortest(map.spacing[1] * ny) + " m");
+  if (!map.units.empty()) out += entry("# Value units", map.units);
   return out + text_of(map.values.transpose());
 }
 

@@ -55,4 +55,24 @@ Index Head::count(std::string_view key) const {
   return *out;
 }
 
+std::string_view take_head(std::string_view& bytes, std::size_t& lines, bool (*ends)(std::string_view line),
+                           std::string_view end) {
+  const std::string_view all = bytes;
+  for (std::string_view rest = bytes; !rest.empty();) {
+    ++lines;
+    if (!ends(trimmed(take_line(rest)))) continue;
+    bytes = rest;
+    return all.substr(0, all.size() - rest.size());
+  }
+  throw DataError("map", "its head has no end, " + std::string(end));
+}
+
+std::string head_line(std::string_view key, std::string_view separator, std::string_view value) {
+  return std::string(key) + std::string(separator) + one_line(value) + "\n";
+}
+
+std::string head_line(std::string_view key, std::string_view separator, double value) {
+  return head_line(key, separator, shortest(value));
+}
+
 }  // namespace asperity

@@ -28,4 +28,13 @@ class Head {
   std::string_view lines_, separators_;
 };
 
+/// The lines up to the first that ends a head, taken off the bytes and counted in `lines`. Throws DataError("map", …) where
+/// there is none, which is called `end`.
+std::string_view take_head(std::string_view& bytes, std::size_t& lines, bool (*ends)(std::string_view line),
+                           std::string_view end);
+
+/// A line of a head that is written.
+std::string head_line(std::string_view key, std::string_view separator, std::string_view value);
+std::string head_line(std::string_view key, std::string_view separator, double value);
+
 }  // namespace asperity

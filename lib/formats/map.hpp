@@ -15,8 +15,8 @@
 #include <string_view>
 
 #include "core/field.hpp"
-#include "core/memory_bound.hpp"
 #include "dataset/dataset.hpp"
+#include "dataset/memory_bound.hpp"
 
 namespace asperity {
 

@@ -1,6 +1,5 @@
 #include "formats/npy.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -45,12 +44,11 @@ class Literals {
 
   Index integer() {
     skip_blanks();
-    Index out = 0;
-    const auto [rest, error] = std::from_chars(text_.data(), text_.data() + text_.size(), out);
-    if (error != std::errc() || out < 0) refuse();
-    text_.remove_prefix(static_cast<std::size_t>(rest - text_.data()));
+    const auto out = leading_number<Index>(text_);
+    if (!out.in_range || out.number < 0) refuse();
+    text_ = out.rest;
     take("L");  // Python 2's
-    return out;
+    return out.number;
   }
 
   [[noreturn]] void refuse() const {

@@ -84,18 +84,6 @@ double number_in(const Words& words, std::size_t place, std::string_view name) {
   return *out;
 }
 
-// Lines before the first that is empty, which is taken off too.
-std::string_view take_head(std::string_view& bytes, std::size_t& lines) {
-  const std::string_view all = bytes;
-  for (std::string_view rest = bytes; !rest.empty();) {
-    ++lines;
-    if (!trimmed(take_line(rest)).empty()) continue;
-    bytes = rest;
-    return all.substr(0, all.size() - rest.size());
-  }
-  refuse("its head has no end, an empty line");
-}
-
 struct Axes {
   std::size_t x = 0, y = 1;
   Shape shape;
@@ -223,10 +211,6 @@ void check_attached(const Head& head) {
       refuse("it has a " + std::string(skip) + ", which is not read");
 }
 
-std::string line(std::string_view name, std::string_view value) {
-  return std::string(name) + ": " + one_line(value) + "\n";
-}
-
 }  // namespace
 
 bool recognises_nrrd(std::string_view bytes) {
@@ -237,7 +221,8 @@ bool recognises_nrrd(std::string_view bytes) {
 Map decode_nrrd(std::string_view bytes, const Reading& reading) {
   if (!recognises_nrrd(bytes)) refuse("it does not begin as NRRD0001 to NRRD0005");
   std::size_t lines = 0;
-  const Head head(take_head(bytes, lines), ":");
+  const auto empty = [](std::string_view line) { return line.empty(); };
+  const Head head(take_head(bytes, lines, empty, "an empty line"), ":");
   check_attached(head);
   const Axes axes = axes_of(head);
   const std::array spacing{spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
@@ -250,9 +235,10 @@ Map decode_nrrd(std::string_view bytes, const Reading& reading) {
 }
 
 std::string encode_nrrd(const Map& map, Order) {
-  std::string spacings;
-  append_number(spacings, map.spacing[0]);
-  append_number(spacings += ' ', map.spacing[1]);
+  const std::string spacings = shortest(map.spacing[0]) + " " + shortest(map.spacing[1]);
+  const auto line = [](std::string_view name, std::string_view value) {
+    return head_line(name, ": ", value);
+  };
   std::string out = "NRRD0004\n" + line("type", "double") + line("dimension", "2");
   out += line("sizes", std::to_string(map.values.rows()) + " " + std::to_string(map.values.cols()));
   out += line("spacings", spacings) + line("units", "\"m\" \"m\"");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -14,34 +13,6 @@ namespace asperity {
 namespace {
 
 constexpr Index block = 32;
-
-// Calls visit(T{}) with the type's number.
-template <class Visit>
-auto with_type(NumberType type, Visit visit) {
-  switch (type) {
-    case NumberType::int8:
-      return visit(std::int8_t{});
-    case NumberType::uint8:
-      return visit(std::uint8_t{});
-    case NumberType::int16:
-      return visit(std::int16_t{});
-    case NumberType::uint16:
-      return visit(std::uint16_t{});
-    case NumberType::int32:
-      return visit(std::int32_t{});
-    case NumberType::uint32:
-      return visit(std::uint32_t{});
-    case NumberType::int64:
-      return visit(std::int64_t{});
-    case NumberType::uint64:
-      return visit(std::uint64_t{});
-    case NumberType::float32:
-      return visit(float{});
-    case NumberType::float64:
-      break;
-  }
-  return visit(double{});
-}
 
 // Calls at(i, j, place) for all cells, place counted in the file's order, such that both stay in the cache.
 template <class At>
@@ -55,12 +26,6 @@ void for_each_cell(Shape shape, Order order, At at) {
     for (Index first_j = 0; first_j < shape.ny; first_j += block)
       for (Index i = first_i; i < std::min(first_i + block, shape.nx); ++i)
         for (Index j = first_j; j < std::min(first_j + block, shape.ny); ++j) at(i, j, j * shape.nx + i);
-}
-
-template <class T>
-void reverse_bytes(T& number) {
-  char* bytes = reinterpret_cast<char*>(&number);
-  std::reverse(bytes, bytes + sizeof(T));
 }
 
 template <class T>
@@ -88,25 +53,6 @@ T converted(double value) {
 std::size_t size_of(NumberType type) {
   return with_type(type, [](auto number) { return sizeof number; });
 }
-
-template <class T>
-T number_from(const char* bytes, std::endian order) {
-  T number;
-  std::memcpy(&number, bytes, sizeof number);
-  if (order != std::endian::native) reverse_bytes(number);
-  return number;
-}
-
-template std::int8_t number_from(const char*, std::endian);
-template std::uint8_t number_from(const char*, std::endian);
-template std::int16_t number_from(const char*, std::endian);
-template std::uint16_t number_from(const char*, std::endian);
-template std::int32_t number_from(const char*, std::endian);
-template std::uint32_t number_from(const char*, std::endian);
-template std::int64_t number_from(const char*, std::endian);
-template std::uint64_t number_from(const char*, std::endian);
-template float number_from(const char*, std::endian);
-template double number_from(const char*, std::endian);
 
 void check_shape(Shape shape, std::size_t cells, const std::string& variable) {
   const std::string size = std::to_string(shape.nx) + " x " + std::to_string(shape.ny);
@@ -137,9 +83,8 @@ std::string bytes_of(const Field& field, const Raster& raster) {
   with_type(raster.type, [&](auto kind) {
     using T = decltype(kind);
     for_each_cell(shape_of(field), raster.order, [&](Index i, Index j, Index place) {
-      T number = converted<T>(field(i, j));
-      if (raster.endian != std::endian::native) reverse_bytes(number);
-      std::memcpy(out.data() + static_cast<std::size_t>(place) * sizeof(T), &number, sizeof number);
+      const auto raw = bytes_of(converted<T>(field(i, j)), raster.endian);
+      std::ranges::copy(raw, out.data() + static_cast<std::size_t>(place) * sizeof(T));
     });
   });
   return out;

@@ -5,10 +5,13 @@
 /// Cost      one pass, transposed in blocks that stay in the cache.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "core/field.hpp"
 #include "formats/map.hpp"
@@ -19,9 +22,32 @@ enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64
 
 std::size_t size_of(NumberType type);
 
+/// Calls visit(T{}) with a number of the type.
+template <class Visit>
+auto with_type(NumberType type, Visit visit) {
+  using Number = std::variant<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
+                              std::uint32_t, std::int64_t, std::uint64_t, float, double>;
+  constexpr Number numbers[] = {std::int8_t{},  std::uint8_t{},  std::int16_t{}, std::uint16_t{},
+                                std::int32_t{}, std::uint32_t{}, std::int64_t{}, std::uint64_t{},
+                                float{},        double{}};
+  return std::visit(visit, numbers[static_cast<std::size_t>(type)]);
+}
+
 /// A number of type T from its bytes.
 template <class T>
-T number_from(const char* bytes, std::endian order);
+T number_from(const char* bytes, std::endian order) {
+  std::array<char, sizeof(T)> raw;
+  std::copy_n(bytes, sizeof(T), raw.begin());
+  if (order != std::endian::native) std::ranges::reverse(raw);
+  return std::bit_cast<T>(raw);
+}
+/// The bytes of a number.
+template <class T>
+std::array<char, sizeof(T)> bytes_of(T number, std::endian order) {
+  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
+  if (order != std::endian::native) std::ranges::reverse(raw);
+  return raw;
+}
 
 /// How a file's block of numbers is to be read.
 struct Raster {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "core/error.hpp"
 #include "dataset/rest.hpp"
@@ -55,19 +55,6 @@ Map heights_of(Field values, const Described& d) {
   return map;
 }
 
-// The lines before the one that begins with *, which is taken off too.
-std::string_view take_head(std::string_view& text, std::size_t& lines) {
-  const std::string_view all = text;
-  for (std::string_view rest = text; !rest.empty();) {
-    const auto before = static_cast<std::size_t>(rest.data() - all.data());
-    ++lines;
-    if (!trimmed(take_line(rest)).starts_with('*')) continue;
-    text = rest;
-    return all.substr(0, before);
-  }
-  throw DataError("map", "its head has no end, a line that begins with *");
-}
-
 // The maker's text may follow the numbers, and no second map.
 void check_trailer(std::string_view rest) {
   bool another = !is_text(rest);
@@ -81,7 +68,8 @@ void check_trailer(std::string_view rest) {
 
 Map decode_text(std::string_view bytes, const Reading& reading) {
   std::size_t lines = 0;
-  const Head head(take_head(bytes, lines), "=");
+  const auto star = [](std::string_view line) { return line.starts_with('*'); };
+  const Head head(take_head(bytes, lines, star, "a line that begins with *"), "=");
   const Described d{{head.count("NumPoints"), head.count("NumProfiles")},
                     head.number("Xscale"),
                     head.number("Yscale"),
@@ -135,30 +123,13 @@ struct Missing {
   double least = Map::unknown, greatest = Map::unknown;
 };
 
-template <class T>
-constexpr double greatest = static_cast<double>(std::numeric_limits<T>::max());
-template <class T>
-constexpr double least = static_cast<double>(std::numeric_limits<T>::lowest());
-
-Missing missing_of(Index type, bool bcr) {
-  switch (type) {
-    case 0:
-      return {.greatest = greatest<std::uint8_t>};
-    case 1:
-      return {.greatest = greatest<std::uint16_t>};
-    case 2:
-      return {.greatest = greatest<std::uint32_t>};
-    case 3:
-      return {least<float>, greatest<float>};
-    case 4:
-      return {least<std::int8_t>, bcr ? greatest<std::int8_t> : Map::unknown};
-    case 5:
-      return {least<std::int16_t>, bcr ? greatest<std::int16_t> : Map::unknown};
-    case 6:
-      return {least<std::int32_t>, bcr ? greatest<std::int32_t> : Map::unknown};
-    default:
-      return {least<double>, greatest<double>};
-  }
+Missing missing_of(NumberType type, bool bcr) {
+  return with_type(type, [bcr]<class T>(T) {
+    using Limits = std::numeric_limits<T>;
+    const Missing both{static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())};
+    if (std::is_unsigned_v<T>) return Missing{.greatest = both.greatest};
+    return std::is_floating_point_v<T> || bcr ? both : Missing{.least = both.least};
+  });
 }
 
 Map decode_binary(std::string_view bytes, const Reading& reading) {
@@ -171,7 +142,7 @@ Map decode_binary(std::string_view bytes, const Reading& reading) {
   check_trailer(bytes.substr(numbers));
   Field values = field_from(bytes.substr(0, numbers), d.shape, {type, std::endian::little, Order::yx}, "map",
                             reading.memory);
-  const Missing missing = missing_of(d.type, version.starts_with("BCR"));
+  const Missing missing = missing_of(type, version.starts_with("BCR"));
   values = (values == missing.least || values == missing.greatest).select(Map::unknown, values);
   return heights_of(std::move(values), d);
 }
@@ -185,16 +156,8 @@ void check_holds(const Map& map) {
 
 template <class T>
 void append(std::string& bytes, T number) {
-  char copy[sizeof(T)];
-  std::memcpy(copy, &number, sizeof(T));
-  if (std::endian::native == std::endian::big) std::reverse(copy, copy + sizeof(T));
-  bytes.append(copy, sizeof(T));
-}
-
-std::string entry(std::string_view name, double value) {
-  std::string out(name);
-  append_number(out += " = ", value);
-  return out + '\n';
+  const auto raw = bytes_of(number, std::endian::little);
+  bytes.append(raw.data(), raw.size());
 }
 
 }  // namespace
@@ -220,12 +183,13 @@ std::string encode_sdf(const Map& map, Order) {
 
 std::string encode_sdf_text(const Map& map, Order) {
   check_holds(map);
-  std::string out = "aISO-1.0\nManufacID = " + std::string(maker) + "\nCreateDate = " + std::string(date) +
-                    "\nModDate = " + std::string(date) + "\n";
-  out += "NumPoints = " + std::to_string(map.values.rows()) +
-         "\nNumProfiles = " + std::to_string(map.values.cols()) + "\n";
-  out += entry("Xscale", map.spacing[0]) + entry("Yscale", map.spacing[1]) + entry("Zscale", 1) +
-         entry("Zresolution", -1);
+  const auto entry = [](std::string_view key, auto value) { return head_line(key, " = ", value); };
+  std::string out =
+      "aISO-1.0\n" + entry("ManufacID", maker) + entry("CreateDate", date) + entry("ModDate", date);
+  out += entry("NumPoints", std::to_string(map.values.rows())) +
+         entry("NumProfiles", std::to_string(map.values.cols()));
+  out += entry("Xscale", map.spacing[0]) + entry("Yscale", map.spacing[1]) + entry("Zscale", 1.0) +
+         entry("Zresolution", -1.0);
   out += "Compression = 0\nDataType = 7\nCheckType = 0\n*\n";
   return out + text_of(map.values.transpose(), ' ', "BAD") + "*\n*\n";
 }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <locale.h>
+
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -59,17 +58,10 @@ std::optional<std::string> in_c(std::string_view word, Comma comma) {
   return out;
 }
 
-// Zero or infinite: what is too small or too large. Not in the language that a process may have chosen.
-double beyond_range(const std::string& word) {
-  static const locale_t c = ::newlocale(LC_ALL_MASK, "C", nullptr);
-  return ::strtod_l(word.c_str(), nullptr, c);
-}
-
+// Infinite, or 0, where it is beyond the range of doubles.
 std::optional<double> plain_number_of(std::string_view word) {
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (rest != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
-  return error == std::errc() ? value : beyond_range(std::string(word));
+  const auto out = leading_number<double>(word);
+  return out.found && out.rest.empty() ? std::optional(out.number) : std::nullopt;
 }
 
 }  // namespace
@@ -105,20 +97,8 @@ std::optional<double> number_of(std::string_view word, Comma comma) {
 }
 
 std::optional<Index> whole_number_of(std::string_view word) {
-  Index value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (rest != word.data() + word.size() || error != std::errc() || value < 0) return std::nullopt;
-  return value;
-}
-
-void append_number(std::string& text, double value) {
-  if (std::isnan(value)) {
-    text += "nan";
-    return;
-  }
-  char digits[32];
-  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-  text.append(digits, end);
+  const auto out = to_number<Index>(word);
+  return out && *out >= 0 ? out : std::nullopt;
 }
 
 std::string text_of(const Field& rows, char separator, std::string_view missing) {

@@ -22,8 +22,6 @@ std::optional<double> number_of(std::string_view word, Comma comma = Comma::none
 /// A whole word as a whole number from 0 on; nothing when it is none, or too large.
 std::optional<Index> whole_number_of(std::string_view word);
 
-/// The shortest decimal fraction that is read back the same; "nan" for a missing point.
-void append_number(std::string& text, double value);
 /// A line for each row of the field, with a word for what is missing.
 std::string text_of(const Field& rows, char separator = '\t', std::string_view missing = "nan");
 

@@ -94,12 +94,6 @@ bool labelled(const Field& lines) {
   return even(lines.col(0).tail(n)) && even(lines.row(0).tail(columns)) && !even(lines.col(columns).tail(n));
 }
 
-std::string number(double value) {
-  std::string out;
-  append_number(out, value);
-  return out;
-}
-
 [[noreturn]] void refuse(const std::string& what) { throw DataError("map", what); }
 
 Axis grid_axis(const Column& coordinates, const std::string& name) {
@@ -107,8 +101,8 @@ Axis grid_axis(const Column& coordinates, const std::string& name) {
   const Axis out = axis_of(coordinates);
   if (out.off > unevenness)
     refuse("its " + std::to_string(out.count) + " coordinates " + name +
-           " are not evenly spaced: " + number(out.worst) + " lies " +
-           number(std::round(100 * out.off) / 100) + " spacings from its place");
+           " are not evenly spaced: " + shortest(out.worst) + " lies " +
+           shortest(std::round(100 * out.off) / 100) + " spacings from its place");
   return out;
 }
 
@@ -141,7 +135,7 @@ Map map_of_points(const Field& lines, double metres) {
     const Index at_x = x.place(xs(i)), at_y = y.place(ys(i));
     const auto at = static_cast<std::size_t>(at_x * y.count + at_y);
     if (given[at])
-      refuse("the point x = " + number(xs(i)) + (columns == 3 ? ", y = " + number(ys(i)) : "") +
+      refuse("the point x = " + shortest(xs(i)) + (columns == 3 ? ", y = " + shortest(ys(i)) : "") +
              " is given twice");
     given[at] = true;
     map.values(at_x, at_y) = lines(i, columns - 1);

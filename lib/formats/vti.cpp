@@ -14,7 +14,6 @@
 #include "dataset/variable_units.hpp"
 #include "formats/map.hpp"
 #include "formats/raster.hpp"
-#include "formats/text_numbers.hpp"
 
 namespace asperity {
 namespace {
@@ -115,12 +114,6 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-std::string decimal(double value) {
-  std::string out;
-  append_number(out, value);
-  return out;
-}
-
 // Grows the XML; knows where in the appended bytes the next array stands.
 class Document {
  public:
@@ -147,8 +140,8 @@ class Document {
     xml_.reserve(xml_.size() + offset_ + 64);
   }
   void begin_array(std::size_t bytes) {
-    std::uint64_t length = bytes;
-    for (int i = 0; i < 8; ++i, length >>= 8) xml_ += static_cast<char>(length & 0xFF);
+    const auto raw = bytes_of(std::uint64_t{bytes}, std::endian::little);
+    xml_.append(raw.data(), raw.size());
   }
   void append(const Field& layer, NumberType type) {
     xml_ += bytes_of(layer, {type, std::endian::little, Order::yx});
@@ -235,8 +228,6 @@ std::string encode(const Block& block, const std::string& kind, const std::strin
 
 }  // namespace
 
-bool has_even_depths(const Dataset& dataset) { return evenly_spaced(heights_of_layers(dataset)); }
-
 std::string encode_vti(const Dataset& dataset) {
   const Block block(dataset);
   const Grid grid = grid_of(dataset);
@@ -244,9 +235,9 @@ std::string encode_vti(const Dataset& dataset) {
     throw DataError("z",
                     "its depths are not evenly spaced, as image data needs: write a rectilinear grid, vtr");
   const std::string origin =
-      decimal(block.x.front()) + " " + decimal(block.y.front()) + " " + decimal(block.z.front());
+      shortest(block.x.front()) + " " + shortest(block.y.front()) + " " + shortest(block.z.front());
   const std::string spacing =
-      decimal(grid.dx) + " " + decimal(grid.dy) + " " + decimal(step_of(block.z, grid.dx));
+      shortest(grid.dx) + " " + shortest(grid.dy) + " " + shortest(step_of(block.z, grid.dx));
   return encode(block, "ImageData", " Origin=\"" + origin + "\" Spacing=\"" + spacing + "\"", false);
 }
 

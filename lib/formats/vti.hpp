@@ -7,7 +7,7 @@
 ///
 /// A dataset with volumes (z, x, y) becomes a block whose point data they are; its fields (x, y) belong to no layer of
 /// it and stand as field data, nx·ny numbers each, x fastest. A dataset without volumes is one layer at z = 0, with the
-/// fields as its point data; asperity-convert --surface makes one of the other. Components of stress remain arrays of
+/// fields as its point data. Components of stress remain arrays of
 /// their own (stress_xx, …).
 ///
 /// Memory    the file's bytes once, and a layer.
@@ -20,9 +20,6 @@
 #include "dataset/dataset.hpp"
 
 namespace asperity {
-
-/// Whether a dataset fits into image data: it has no volumes, or their depths are evenly spaced.
-bool has_even_depths(const Dataset& dataset);
 
 /// Throw DataError for a dataset without fields and volumes, of coordinates that do not ascend, or, for image data, of
 /// depths that are not evenly spaced.

@@ -1,6 +1,5 @@
 #include "formats/x3p.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -8,9 +7,11 @@
 #include <pugixml.hpp>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/archive.hpp"
 #include "formats/raster.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/x3p_list.hpp"
 
 namespace asperity {
 namespace {
@@ -53,11 +54,9 @@ double number_in(pugi::xml_node node, std::string_view name, double otherwise) {
 
 Index size_in(pugi::xml_node dimensions, std::string_view name) {
   const std::string_view text = text_of_child(dimensions, name);
-  Index size = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size())
-    refuse(std::string(name) + " '" + std::string(text.substr(0, 24)) + "' is no size");
-  return size;
+  const auto size = to_number<Index>(text);
+  if (!size) refuse(std::string(name) + " '" + std::string(text.substr(0, 24)) + "' is no size");
+  return *size;
 }
 
 // A real list of numbers deflates less than 32-fold; a document of elements without end deflates a thousandfold.
@@ -102,10 +101,12 @@ double spacing_of(pugi::xml_node axes, std::string_view name) {
 }
 
 NumberType type_of(std::string_view code) {
-  if (code == "I") return NumberType::int16;
-  if (code == "L") return NumberType::int32;
-  if (code == "F") return NumberType::float32;
-  if (code == "D") return NumberType::float64;
+  constexpr std::pair<std::string_view, NumberType> types[] = {{"I", NumberType::int16},
+                                                               {"L", NumberType::int32},
+                                                               {"F", NumberType::float32},
+                                                               {"D", NumberType::float64}};
+  for (const auto& [name, type] : types)
+    if (code == name) return type;
   refuse("the data type '" + std::string(code.substr(0, 24)) + "' of CZ is none of I, L, F, D");
 }
 
@@ -123,59 +124,6 @@ Head head_of(pugi::xml_node root) {
            .offset = number_in(z, "Offset", 0)};
   if (out.increment == 0) refuse("the increment of CZ is zero");
   return out;
-}
-
-// ---- the list, apart ----
-
-// Where the content of the first DataList stands; at the end, and empty, where there is none.
-struct Place {
-  std::size_t begin, end;
-};
-
-// Behind the mark that ends what a comment and the like hold, which is no markup; 0 where none begins.
-std::size_t behind_no_markup(std::string_view xml, std::size_t at) {
-  constexpr std::pair<std::string_view, std::string_view> marks[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}};
-  for (const auto& [begin, end] : marks)
-    if (xml.substr(at).starts_with(begin)) return std::min(xml.find(end, at), xml.size() - 1);
-  return 0;
-}
-
-Place list_in(std::string_view xml) {
-  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
-    if (const std::size_t behind = behind_no_markup(xml, at); behind > 0) {
-      at = behind;
-      continue;
-    }
-    const std::size_t end = std::min(xml.find_first_of(" \t\r\n/><", at + 1), xml.size());
-    const std::string_view name = xml.substr(at + 1, end - at - 1);
-    if (name.substr(name.find(':') + 1) != "DataList") continue;
-    const std::size_t begin = xml.find('>', end), close = xml.find("</" + std::string(name), end);
-    if (close == xml.npos || begin > close) break;
-    return {begin + 1, close};
-  }
-  return {xml.size(), xml.size()};
-}
-
-// The first of the elements that begin from a place on.
-std::size_t find_element(std::string_view list, std::size_t from) {
-  std::size_t at = list.find('<', from);
-  while (at != list.npos && at + 1 < list.size() && list[at + 1] == '/') at = list.find('<', at + 1);
-  return std::min(at, list.size());
-}
-
-// Calls take(element) for all of a list, which a parser sees by pieces: its nodes take twenty times the map's memory.
-template <class Take>
-void for_each_element(std::string_view list, Take take) {
-  constexpr std::size_t piece = 1 << 16;
-  for (pugi::xml_document document; !list.empty();) {
-    const std::size_t end = find_element(list, piece);
-    if (const auto parsed = document.load_buffer(list.data(), end, pugi::parse_default | pugi::parse_fragment,
-                                                 pugi::encoding_utf8);
-        !parsed)
-      refuse(std::string("the DataList is no XML: ") + parsed.description());
-    for (const pugi::xml_node node : document) take(node);
-    list.remove_prefix(end);
-  }
 }
 
 // ---- the numbers ----
@@ -250,10 +198,8 @@ std::string element(std::string_view name, std::string_view content) {
 }
 
 std::string axis_of(std::string_view name, double increment) {
-  std::string number;
-  append_number(number, increment);
   return element(name, "\n" + element("AxisType", "I") + element("DataType", "D") +
-                           element("Increment", number) + element("Offset", "0"));
+                           element("Increment", shortest(increment)) + element("Offset", "0"));
 }
 
 std::string main_of(const Map& map, std::string_view checksum) {
@@ -286,7 +232,7 @@ Map decode_x3p(std::string_view bytes, const Reading& reading) {
   const std::string main = read_main(archive, reading.memory);
   const MemoryBound memory = reading.memory.beside(main.size());
   check_main(archive, main);
-  const Place place = list_in(main);
+  const ListPlace place = list_in(main);
   const std::string_view list = std::string_view(main).substr(place.begin, place.end - place.begin);
   if (main.size() - list.size() > most_of_main) refuse_size(main_file, main.size());
   std::string rest = main.substr(0, place.begin);

@@ -53,7 +53,7 @@ double at(const Dataset& data, const char* name, Index place) {
 
 TEST_CASE("in the order of viewers a volume lies on (z, y, x), its lowest layer first, and z is a height",
           "[axes][exact]") {
-  const Dataset data = in_viewers_order(body());
+  const Dataset data = to_viewer_axes(body());
   const auto [nx, ny] = grid.shape;
   CHECK(data.at("von_mises").dimensions == std::vector<std::string>{"z", "y", "x"});
   CHECK(data.at("heights").dimensions == std::vector<std::string>{"y", "x"});
@@ -75,8 +75,8 @@ TEST_CASE("in the order of viewers a volume lies on (z, y, x), its lowest layer 
 TEST_CASE("a dataset comes back from the order of viewers the same in every byte", "[axes][exact]") {
   for (const Dataset& data : {surface(), body()}) {
     const std::string bytes = encode_netcdf(data);
-    CHECK(encode_netcdf(decode_netcdf(encode_netcdf(in_viewers_order(data)))) == bytes);
-    CHECK(encode_netcdf(in_own_order(data)) == bytes);
+    CHECK(encode_netcdf(decode_netcdf(encode_netcdf(to_viewer_axes(data)))) == bytes);
+    CHECK(encode_netcdf(to_native_axes(data)) == bytes);
   }
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("heights(y, x) of any program are read by rows and columns as they are
           "[axes][exact]") {
   const std::string path =
       std::filesystem::temp_directory_path() / ("asperity_axes_" + std::to_string(getpid()) + ".nc");
-  std::ofstream(path, std::ios::binary) << encode_netcdf(in_viewers_order(surface()));
+  std::ofstream(path, std::ios::binary) << encode_netcdf(to_viewer_axes(surface()));
   const FieldFile file(path, "heights");
   const Field whole = field_of(surface(), "heights", Missing::not_a_number);
   const auto equal = [](const Field& a, const Field& b) {
@@ -104,7 +104,7 @@ TEST_CASE("a height in whole numbers becomes a depth, and names of other axes st
   data.variables.back().attributes.set("positive", "up");
   data.variables.push_back({"v", {"z"}, std::vector<float>{1, 2}, {}});
   data.variables.push_back({"table", {"row", "column"}, std::vector<float>{1, 2, 3, 4, 5, 6}, {}});
-  const Dataset own = in_own_order(data);
+  const Dataset own = to_native_axes(data);
   CHECK(own.at("z").values == Values(std::vector<double>{-3, 0}));
   CHECK(own.at("v").values == Values(std::vector<float>{2, 1}));
   CHECK(own.at("table").values == data.at("table").values);

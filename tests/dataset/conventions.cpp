@@ -227,7 +227,7 @@ TEST_CASE("packed heights are read by rows and columns as they are read whole, i
       attributes.set_values("missing_value", std::vector<std::int16_t>{6, 8});
       Dataset data = surface(shorts, attributes);
       data.put({"mask", {"x", "y"}, Twelve<std::int8_t>{0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {}});
-      if (transposed) data = in_viewers_order(std::move(data));
+      if (transposed) data = to_viewer_axes(std::move(data));
       for (const char axis : turned) {
         auto& points = std::get<std::vector<double>>(data.find(std::string(1, axis))->values);
         std::ranges::reverse(points);

@@ -71,7 +71,7 @@ TEST_CASE("whatever lies on a coordinate that descends is turned around with it,
     back.attributes.erase("history");
     CHECK(encode_netcdf(back) == encode_netcdf(data));
   }
-  const Dataset both = decode_netcdf(encode_netcdf(in_viewers_order(turned(turned(data, "y"), "x"))));
+  const Dataset both = decode_netcdf(encode_netcdf(to_viewer_axes(turned(turned(data, "y"), "x"))));
   CHECK((field_of(both, "heights") == field_of(data, "heights")).all());
   CHECK(grid_of(both).periodic);
   CHECK(both.notes ==

@@ -15,6 +15,25 @@ TEST_CASE("one thing is singular, none and several are plural", "[words][contrac
   CHECK(counted(20, "Newton step") == "20 Newton steps");
 }
 
+// from_chars leaves the number as it was where it is too large or too small, and does not say which.
+TEST_CASE("a word is a number as a whole or not at all, and what lies beyond the range is told",
+          "[words][exact]") {
+  CHECK(to_number<double>("1.5e-6") == 1.5e-6);
+  CHECK(to_number<std::int64_t>("-12") == -12);
+  for (const char* none : {"", "1 ", " 1", "+1", "1,5", "0x1", "1e", "m"}) {
+    CAPTURE(none);
+    CHECK(!to_number<double>(none));
+    CHECK(!to_number<int>(none));
+  }
+  CHECK(!to_number<double>("1e400"));
+  CHECK(!to_number<std::uint64_t>("-1"));
+  const auto large = leading_number<double>("-1e400 m"), small = leading_number<double>("1e-400m");
+  CHECK((large.found && !large.in_range && large.number == -HUGE_VAL && large.rest == " m"));
+  CHECK((small.found && !small.in_range && small.number == 0 && small.rest == "m"));
+  CHECK(leading_number<int>("-99999999999x").number == std::numeric_limits<int>::min());
+  CHECK(!leading_number<int>("x").found);
+}
+
 // std::to_string(1e300) has 301 digits, of 1e-9 none but zeros.
 TEST_CASE("a number has as many digits as it takes to read it back", "[words][exact]") {
   CHECK(shortest(1e300) == "1e+300");

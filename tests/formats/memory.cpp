@@ -1,5 +1,6 @@
 // What reading takes is known from a file's head, and refused before it is taken.
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "formats/gzip.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"

@@ -65,7 +65,7 @@ TEST_CASE("an NRRD is read in every type of number, by its names, and order of i
   CHECK(pair(raw("unsigned short int", "big"), std::string("\xff\xfe\1\0", 4)) == Pair{65534, 256});
   CHECK(pair(raw("int"), std::string("\xff\xff\xff\xff\0\0\1\0", 8)) == Pair{-1, 65536});
   CHECK(pair(raw("uint32"), std::string("\xff\xff\xff\xff\0\0\1\0", 8)) == Pair{4294967295.0, 65536});
-  CHECK(pair(raw("long long", "big"), std::string(8, '\xff') + std::string("\0\0\0\1\0\0\0\0", 8)) ==
+  CHECK(pair(raw("long long", "big"), std::string("\xff\xff\xff\xff\xff\xff\xff\xff\0\0\0\1\0\0\0\0", 16)) ==
         Pair{-1, 4294967296.0});
   CHECK(pair(raw("ulonglong", "big"), std::string("\0\0\0\0\0\0\0\2\0\0\0\1\0\0\0\0", 16)) ==
         Pair{2, 4294967296.0});

@@ -1,45 +1,13 @@
 #include "tools/cli/lineage.hpp"
 
 #include <algorithm>
-#include <iterator>
+
+#include "dataset/catalogue.hpp"
 
 namespace asperity::cli {
 namespace {
 
 using Names = std::vector<std::string>;
-
-// A tool that writes a new name adds it here: a test looks for it in the sources and in what they write.
-constexpr Result table[] = {
-    {"kernel", "", "kernel acf_target acf_achieved kernel_quantiles",
-     "kernel_target kernel_length kernel_level kernel_angle kernel_smoothness kernel_exponent kernel_hurst "
-     "kernel_wavelength kernel_rms kernel_period kernel_heights kernel_skewness kernel_kurtosis "
-     "kernel_least_acf "
-     "kernel_hermite_tail kernel_formulation kernel_method kernel_solver kernel_lags kernel_tolerance "
-     "kernel_acf_tolerance kernel_answer kernel_residual kernel_change kernel_error kernel_mirrored_error "
-     "kernel_tail kernel_feasibility kernel_newton_iterations kernel_residuals kernel_jacobian_products "
-     "kernel_preconditionings kernel_seconds kernel_converged kernel_reason"},
-    {"heights", "kernel", "heights values mask noise",
-     "generate_seed generate_stream generate_surface generate_rng generate_rms generate_exact_rq "
-     "generate_method generate_seconds generate_heights generate_skewness_expected "
-     "generate_kurtosis_expected generate_acf_error_expected"},
-    {"acf", "heights", "acf structure_function acf_quantiles",
-     "acf_variable acf_variance acf_skewness acf_kurtosis acf_length_* acf_gamma_* acf_ellipticity_* "
-     "acf_target_*"},
-    {"psd", "heights", "psd", "psd_variable psd_window"},
-    {"contact", "heights", "pressure gap contact displacement displacement_plastic",
-     "contact_variable contact_counter contact_radius contact_radius_x contact_radius_y contact_young "
-     "contact_poisson contact_composite_modulus contact_boundary contact_limit_pressure contact_tolerance "
-     "contact_load contact_approach contact_max_pressure contact_area contact_plastic_area "
-     "contact_mean_gap contact_stiffness contact_stiffness_residual contact_stiffness_converged "
-     "contact_residual contact_load_error contact_converged contact_convolutions "
-     "contact_preconditionings contact_levels contact_setup_seconds contact_seconds contact_hertz_*"},
-    {"residual", "heights contact", "heights_residual", ""},
-    {"stress", "contact",
-     "von_mises max_shear octahedral_shear stress_1 stress_2 stress_3 stress_xx stress_yy stress_zz "
-     "stress_xy stress_xz stress_yz direction_1_* direction_2_* direction_3_* section_x section_y",
-     "stress_poisson stress_resolution stress_accurate_depth stress_friction stress_friction_angle "
-     "stress_above stress_section_x stress_section_y stress_max_von_mises stress_max_x stress_max_y "
-     "stress_max_depth stress_seconds"}};
 
 // The words of a list.
 std::vector<std::string_view> words_of(std::string_view list) {
@@ -52,30 +20,27 @@ std::vector<std::string_view> words_of(std::string_view list) {
   return out;
 }
 
-// The result that a variable or an attribute belongs to; null of a user's own.
-const Result* owner_of(std::string_view name) {
-  const auto found = std::ranges::find_if(
-      table, [&](const Result& r) { return lists(r.variables, name) || lists(r.attributes, name); });
-  return found == std::end(table) ? nullptr : found;
+using Gone = std::vector<const KnownResult*>;
+
+bool has(const Gone& gone, const KnownResult* result) {
+  return std::ranges::find(gone, result) != gone.end();
 }
 
 // Where it says that it was computed from another field than the heights, on that one.
-bool rests_on(const Dataset& data, const Result& result, const std::vector<const Result*>& gone) {
+bool rests_on(const Dataset& data, const KnownResult& result, const Gone& gone) {
   const std::string from = data.attributes.text(std::string(result.name) + "_variable");
   return std::ranges::any_of(words_of(result.rests_on), [&](std::string_view base) {
-    const Result* other = owner_of(base == "heights" && !from.empty() ? std::string_view(from) : base);
-    return std::ranges::find(gone, other) != gone.end();
+    return has(gone, result_of(base == "heights" && !from.empty() ? std::string_view(from) : base));
   });
 }
 
-std::vector<const Result*> stale(const Dataset& data, std::string_view replaced, std::string_view input) {
-  const Result* const kept = owner_of(input);
-  std::vector<const Result*> gone{std::ranges::find(table, replaced, &Result::name)};
+Gone stale(const Dataset& data, std::string_view replaced, std::string_view input) {
+  const KnownResult* const kept = result_of(input);
+  Gone gone{&*std::ranges::find(known_results(), replaced, &KnownResult::name)};
   for (std::size_t before = 0; before != gone.size();) {
     before = gone.size();
-    for (const Result& r : table)
-      if (&r != kept && std::ranges::find(gone, &r) == gone.end() && rests_on(data, r, gone))
-        gone.push_back(&r);
+    for (const KnownResult& r : known_results())
+      if (&r != kept && !has(gone, &r) && rests_on(data, r, gone)) gone.push_back(&r);
   }
   return gone;
 }
@@ -104,11 +69,14 @@ void erase_variables(Dataset& data, Predicate gone) {
 std::string in_short(const Names& names) {
   constexpr std::ptrdiff_t few = 2;
   std::string line;
-  std::vector<const Result*> told;
+  Gone told;
+  const auto of_same = [&](const KnownResult* result) {
+    return std::ranges::count_if(names, [&](const std::string& n) { return result_of(n) == result; });
+  };
   for (const std::string& name : names) {
-    const Result* const result = owner_of(name);
-    if (result && std::ranges::find(told, result) != told.end()) continue;
-    const auto all = result ? std::ranges::count(names, result, owner_of) : 1;
+    const KnownResult* const result = result_of(name);
+    if (result && has(told, result)) continue;
+    const auto all = result ? of_same(result) : 1;
     line += line.empty() ? "" : ", ";
     if (all <= few) {
       line += name;
@@ -122,24 +90,16 @@ std::string in_short(const Names& names) {
 
 }  // namespace
 
-std::span<const Result> results() { return table; }
-
-bool lists(std::string_view list, std::string_view name) {
-  return std::ranges::any_of(words_of(list), [&](std::string_view word) {
-    return word.ends_with('*') ? name.starts_with(word.substr(0, word.size() - 1)) : name == word;
-  });
-}
-
 void drop_results(Dataset& data, std::string_view result, std::string_view input) {
-  const std::vector<const Result*> gone = stale(data, result, input);
-  const auto any = [&](std::string_view Result::*list, std::string_view name) {
-    return std::ranges::any_of(gone, [&](const Result* r) { return lists(r->*list, name); });
-  };
-  erase_variables(data,
-                  [&](const Variable& v) { return v.name != input && any(&Result::variables, v.name); });
+  const Gone gone = stale(data, result, input);
+  erase_variables(data, [&](const Variable& v) {
+    const KnownVariable* known = known_variable(v.name);
+    return v.name != input && known && has(gone, result_of(*known));
+  });
   Names attributes;
   for (const Attribute& a : data.attributes)
-    if (any(&Result::attributes, a.name)) attributes.push_back(a.name);
+    if (const KnownAttribute* known = known_attribute(a.name); known && has(gone, result_of(*known)))
+      attributes.push_back(a.name);
   for (const std::string& name : attributes) data.attributes.erase(name);
 }
 
@@ -167,7 +127,10 @@ std::vector<std::string> Inventory::missing_in(const Dataset& now) const {
 void Inventory::tell(const Tool& tool, const Dataset& now, const std::string& replaced,
                      std::string_view coming) const {
   Names gone = missing_in(now);
-  std::erase_if(gone, [&](const std::string& name) { return lists(coming, name); });
+  const std::vector<std::string_view> written = words_of(coming);
+  std::erase_if(gone, [&](const std::string& name) {
+    return std::ranges::any_of(written, [&](std::string_view word) { return fits(word, name); });
+  });
   if (!gone.empty()) tool.note("dropped what does not belong to the new " + replaced + ": " + in_short(gone));
 }
 

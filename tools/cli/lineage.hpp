@@ -1,9 +1,4 @@
-/// What the tools write into a dataset, and what each of it rests on: one table.
-///
-/// A result is what one run computes together, variables and global attributes. It rests on another one when it was
-/// computed from it, and is stale once that is replaced:
-///
-///     kernel ← heights ← contact ← residual, stress          acf, psd ← the field that was measured
+/// A result that is replaced takes with it all that was computed from it (dataset/catalogue.hpp).
 ///
 /// Contact, acf and psd may have been computed from another field than the heights: their attribute contact_variable,
 /// acf_variable or psd_variable says which, and they rest on that one. A tool that replaces a result leaves nothing
@@ -14,10 +9,9 @@
 ///     ...                                                     // the new pressure
 ///     before.tell(tool, data, "pressure");
 ///
-/// What the table does not name is a user's own and stays, unless the surface or the grid that it stands on is another.
+/// What the catalogue does not name is a user's own and stays, unless the surface or the grid that it stands on is another.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,16 +19,6 @@
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
-
-/// Lists of names are separated by blanks; a name may end in *, which is any rest.
-struct Result {
-  std::string_view name, rests_on;         ///< the result, and those that it rests on
-  std::string_view variables, attributes;  ///< that it consists of; coordinates go with what lies on them
-};
-
-std::span<const Result> results();
-/// Whether the list has the name, or a pattern that it fits.
-bool lists(std::string_view list, std::string_view name);
 
 /// Removes a result that is about to be replaced, and all that rests on it, on that again, and so on. `input`, the
 /// variable that the new result is computed from, stays, and with it what rests on it.
@@ -49,7 +33,8 @@ class Inventory {
   explicit Inventory(const Dataset& data);
 
   std::vector<std::string> missing_in(const Dataset& now) const;
-  /// One line, a note, of what is missing in `now`; `coming` lists those that will be written behind it. `replaced`
+  /// One line, a note, of what is missing in `now`; `coming` lists, between blanks, those that will be written
+  /// behind it. `replaced`
   /// says what is new: "pressure".
   void tell(const Tool& tool, const Dataset& now, const std::string& replaced,
             std::string_view coming = {}) const;

@@ -1,6 +1,5 @@
 #include "tools/cli/place.hpp"
 
-#include <charconv>
 #include <fcntl.h>
 #include <filesystem>
 #include <linux/magic.h>
@@ -8,6 +7,8 @@
 #include <sys/vfs.h>
 #include <system_error>
 #include <unistd.h>
+
+#include "core/words.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -26,11 +27,8 @@ bool stands_for_open_file(const fs::path& link) {
 int own_descriptor(const fs::path& link) {
   std::error_code none;
   const std::string digits = link.filename();
-  int number = -1;
-  const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool own = error == std::errc() && rest == digits.data() + digits.size() &&
-                   fs::equivalent(link.parent_path(), "/proc/self/fd", none);
-  return own ? number : -1;
+  const bool own = fs::equivalent(link.parent_path(), "/proc/self/fd", none);
+  return own ? to_number<int>(digits).value_or(-1) : -1;
 }
 
 Identity identity(const struct stat& status, const std::string& name = {}) {

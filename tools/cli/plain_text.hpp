@@ -1,13 +1,13 @@
 /// Words in plain text, separated by blanks, tabs, commas or semicolons; tables of numbers are read by formats/text_table.hpp.
 #pragma once
 
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity::cli {
 
@@ -24,11 +24,10 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
 
 /// Throws DataError(variable, …) that names the line where the word is no finite number.
 inline double number_of(std::string_view word, std::size_t line, const std::string& variable) {
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
+  const auto value = to_number<double>(word);
+  if (!value || !std::isfinite(*value))
     throw DataError(variable, "line " + std::to_string(line) + " does not hold finite numbers alone");
-  return value;
+  return *value;
 }
 
 }  // namespace asperity::cli

@@ -1,13 +1,13 @@
 #include "tools/cli/quantity.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
 
+#include "core/words.hpp"
 #include "dataset/units.hpp"
 
 namespace asperity::cli {
@@ -31,13 +31,10 @@ constexpr ByteUnit byte_units[] = {{"B", 1},        {"kB", 1e3},     {"MB", 1e6}
 }
 
 NumberAndUnit split(const std::string& option, const std::string& text) {
-  double number = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc::result_out_of_range) refuse(option, text, "is beyond the range of a double");
-  if (error != std::errc() || std::isnan(number)) refuse(option, text, "does not begin with a number");
-  const std::string_view unit(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
-  const auto first = unit.find_first_not_of(' ');
-  return {number, first == unit.npos ? std::string() : std::string(unit.substr(first))};
+  const auto [number, unit, found, in_range] = leading_number<double>(text);
+  if (found && !in_range) refuse(option, text, "is beyond the range of a double");
+  if (!found || std::isnan(number)) refuse(option, text, "does not begin with a number");
+  return {number, std::string(unit.substr(std::min(unit.find_first_not_of(' '), unit.size())))};
 }
 
 // Units as one would type them for a quantity of this dimension.
@@ -97,12 +94,8 @@ std::array<double, 2> parse_numbers(const std::string& option, const std::string
 }
 
 Index parse_count(const std::string& option, const std::string& text, const Bounds& bounds) {
-  Index value = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (rest != text.data() + text.size() || error == std::errc::invalid_argument)
-    throw ParameterError(option, "'" + text + "' is no whole number");
-  if (error != std::errc())
-    value = text.starts_with('-') ? std::numeric_limits<Index>::min() : std::numeric_limits<Index>::max();
+  const auto [value, rest, found, in_range] = leading_number<Index>(text);
+  if (!found || !rest.empty()) throw ParameterError(option, "'" + text + "' is no whole number");
   if (value < bounds.least) throw ParameterError(option, text + " is below " + std::to_string(bounds.least));
   if (value > bounds.greatest)
     throw ParameterError(option, text + " is above " + std::to_string(bounds.greatest) +
@@ -111,22 +104,21 @@ Index parse_count(const std::string& option, const std::string& text, const Boun
 }
 
 Shape parse_counts(const std::string& option, const std::string& text, const Bounds& bounds) {
-  auto read = [&](const char* begin, const char* end, Index& value) {
-    const auto [rest, error] = std::from_chars(begin, end, value);
-    if (error == std::errc::invalid_argument || rest != end)
-      refuse(option, text, "is not of the form AxB, such as 128x128");
+  auto read = [&](std::string_view word) {
+    const auto [value, rest, found, in_range] = leading_number<Index>(word);
+    if (!found || !rest.empty()) refuse(option, text, "is not of the form AxB, such as 128x128");
     const Index most = std::min<Index>(bounds.greatest, 1 << 20);
-    if (error != std::errc() || value < bounds.least || value > most)
+    if (value < bounds.least || value > most)
       refuse(option, text,
              "must lie between " + std::to_string(bounds.least) + " and " + std::to_string(most) +
                  (bounds.reason.empty() ? "" : ", " + bounds.reason));
+    return value;
   };
   const auto cross = text.find('x');
   if (cross == std::string::npos) refuse(option, text, "is not of the form AxB, such as 128x128");
-  Shape out;
-  read(text.data(), text.data() + cross, out.nx);
-  read(text.data() + cross + 1, text.data() + text.size(), out.ny);
-  return out;
+  const std::string_view whole = text;
+  const Index nx = read(whole.substr(0, cross));
+  return {nx, read(whole.substr(cross + 1))};
 }
 
 double parse_angle(const std::string& option, const std::string& text) {
@@ -161,11 +153,7 @@ std::string format_quantity(double value, const std::string& unit) {
     double factor;
     const char* prefix;
   } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
-  char digits[32] = {};
-  auto print = [&](double v) {
-    return std::string(digits,
-                       std::to_chars(digits, digits + sizeof digits, v, std::chars_format::general, 9).ptr);
-  };
+  const auto print = [](double v) { return in_digits(v, 9); };
   if (unit == "1" || value == 0 || !std::isfinite(value)) return print(value);
   const auto* p = std::ranges::find_if(prefixes, [&](const auto& q) { return std::abs(value) >= q.factor; });
   if (p == std::end(prefixes)) return print(value) + unit;

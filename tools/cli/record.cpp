@@ -1,6 +1,5 @@
 #include "tools/cli/record.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -56,9 +55,8 @@ std::optional<std::time_t> source_date() {
   const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
   if (epoch == nullptr) return std::nullopt;
   const std::string_view text = epoch;
-  std::time_t out = -1;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || rest != text.data() + text.size() || out < 0 || out > latest)
+  const auto out = to_number<std::time_t>(text);
+  if (!out || *out < 0 || *out > latest)
     throw ParameterError("SOURCE_DATE_EPOCH",
                          "\"" + one_line(text, 64) +
                              "\" is no whole number of seconds from 0, the year 1970, to " +

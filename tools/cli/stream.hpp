@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/memory_bound.hpp"
 #include "dataset/bytes.hpp"
+#include "dataset/memory_bound.hpp"
 #include "tools/cli/temporary.hpp"
 
 namespace asperity::cli {

@@ -30,9 +30,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/memory_bound.hpp"
 #include "core/stopwatch.hpp"
 #include "dataset/dataset.hpp"
+#include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
 #include "tools/cli/option.hpp"
 #include "tools/cli/quantity.hpp"

@@ -23,7 +23,7 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
   a.set("contact_composite_modulus", b.composite_modulus());
   a.set("contact_boundary", grid.periodic ? "periodic" : "free");
   if (!o.counter.empty()) a.set("contact_counter", o.counter);
-  a.set_any("contact_limit_pressure", o.contact.limit_pressure);
+  a.set("contact_limit_pressure", o.contact.limit_pressure);
   a.set("contact_tolerance", o.contact.tolerance);
 }
 
@@ -58,8 +58,8 @@ void record_result(Attributes& a, const Contact& c) {
 // Not that of a former run.
 void record_stiffness(Attributes& a, const ContactOptions& o, const Contact& c) {
   if (!o.contact.stiffness) return;
-  a.set_any("contact_stiffness", c.stiffness);
-  a.set_any("contact_stiffness_residual", c.stiffness_residual);
+  a.set("contact_stiffness", c.stiffness);
+  a.set("contact_stiffness_residual", c.stiffness_residual);
   a.set("contact_stiffness_converged", std::isnan(c.stiffness) ? 0 : 1);
 }
 

@@ -1,9 +1,10 @@
 #include "tools/convert/map_options.hpp"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/units.hpp"
 #include "formats/fill.hpp"
 #include "formats/format.hpp"
@@ -17,10 +18,7 @@ struct Range {
 };
 
 Index index_of(std::string_view word, Index otherwise) {
-  if (word.empty()) return otherwise;
-  Index value = -1;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && rest == word.data() + word.size() ? value : -1;
+  return word.empty() ? otherwise : to_number<Index>(word).value_or(-1);
 }
 
 // "A:B" of n points, either end may be left out.
@@ -68,27 +66,25 @@ double coordinate_of(const std::string& unit) {
   return metres;
 }
 
-Separator separator_of(const std::string& name) {
-  if (name == "blank") return Separator::blank;
-  if (name == "tab") return Separator::tab;
-  if (name == "comma") return Separator::comma;
-  return name == "semicolon" ? Separator::semicolon : Separator::any;
-}
+using Words = std::vector<std::string>;
 
-DecimalMark decimal_of(const std::string& name) {
-  if (name == "comma") return DecimalMark::comma;
-  return name == "point" ? DecimalMark::point : DecimalMark::any;
+// In the order of Separator, and of DecimalMark.
+const Words separators{"auto", "blank", "tab", "comma", "semicolon"}, decimals{"auto", "point", "comma"};
+
+template <class Enum>
+Enum chosen(const Words& words, const std::string& word) {
+  return static_cast<Enum>(std::ranges::find(words, word) - words.begin());
 }
 
 }  // namespace
 
 void MapOptions::declare(Tool& tool) {
   tool.choice(
-      "--separator", separator_, {"auto", "blank", "tab", "comma", "semicolon"},
+      "--separator", separator_, separators,
       "What stands between the numbers of a text; auto: what lets every line hold as many, refused where "
       "that is not one thing",
       "Input");
-  tool.choice("--decimal", decimal_, {"auto", "point", "comma"},
+  tool.choice("--decimal", decimal_, decimals,
               "What marks the decimals of a text; auto: a point, or a comma that cannot be anything else",
               "Input");
   tool.text(
@@ -124,8 +120,8 @@ Reading MapOptions::reading(std::string_view bytes, std::string_view format) con
   if (!points_.empty() && format != "text") refuse("points");
   if (heights_ && format != "text") refuse("heights");
   Reading out;
-  out.separator = separator_of(separator_);
-  out.decimal = decimal_of(decimal_);
+  out.separator = chosen<Separator>(separators, separator_);
+  out.decimal = chosen<DecimalMark>(decimals, decimal_);
   out.heights = heights_;
   if (!points_.empty()) out.coordinate = coordinate_of(points_);
   return out;

@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "dataset/catalogue.hpp"
 #include "dataset/dataset.hpp"
 
 namespace asperity::report {
-
-enum class Role { parameter, result, achieved };
 
 struct Fact {
   Role role;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
-#include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/report/facts.hpp"
 #include "tools/report/html.hpp"
@@ -44,9 +43,10 @@ std::vector<std::string> parts(const Content& c) {
     out.push_back(c.groups.empty() ? "a kernel and its autocorrelation"
                                    : "the kernel of its autocorrelation");
   if (data.has("pressure")) out.push_back("a contact");
-  const auto stress = std::ranges::find(cli::results(), "stress", &cli::Result::name);
-  if (std::ranges::any_of(data.variables,
-                          [&](const Variable& v) { return cli::lists(stress->variables, v.name); }))
+  if (std::ranges::any_of(data.variables, [](const Variable& v) {
+        const KnownVariable* known = known_variable(v.name);
+        return known && known->result == "stress";
+      }))
     out.push_back(out.empty() ? "stress below a surface" : "the stress below it");
   return out;
 }

@@ -12,8 +12,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/memory_bound.hpp"
 #include "dataset/dataset.hpp"
+#include "dataset/memory_bound.hpp"
 #include "tools/surface/kernel_dataset.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 

@@ -1,0 +1,192 @@
+#include "dataset/catalogue.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace asperity {
+namespace {
+
+using enum Role;
+
+constexpr KnownResult results[] = {{"kernel", "", "kernel_"},          {"heights", "kernel", "generate_"},
+                                   {"acf", "heights", "acf_"},         {"psd", "heights", "psd_"},
+                                   {"contact", "heights", "contact_"}, {"residual", "heights contact", ""},
+                                   {"stress", "contact", "stress_"}};
+
+constexpr KnownVariable variables[] = {{"kernel", "kernel"},
+                                       {"acf_target", "kernel"},
+                                       {"acf_achieved", "kernel"},
+                                       {"kernel_quantiles", "kernel"},
+                                       {"heights", "heights", "m"},
+                                       {"values", "heights"},
+                                       {"mask", "heights"},
+                                       {"noise", "heights"},
+                                       {"acf", "acf"},
+                                       {"structure_function", "acf"},
+                                       {"acf_quantiles", "acf"},
+                                       {"psd", "psd"},
+                                       {"pressure", "contact", "Pa"},
+                                       {"gap", "contact", "m"},
+                                       {"contact", "contact"},
+                                       {"displacement", "contact", "m"},
+                                       {"displacement_plastic", "contact", "m"},
+                                       {"heights_residual", "residual", "m"},
+                                       {"von_mises", "stress", "Pa"},
+                                       {"max_shear", "stress"},
+                                       {"octahedral_shear", "stress"},
+                                       {"stress_1", "stress"},
+                                       {"stress_2", "stress"},
+                                       {"stress_3", "stress"},
+                                       {"stress_xx", "stress"},
+                                       {"stress_yy", "stress"},
+                                       {"stress_zz", "stress"},
+                                       {"stress_xy", "stress"},
+                                       {"stress_xz", "stress"},
+                                       {"stress_yz", "stress"},
+                                       {"direction_1_*", "stress"},
+                                       {"direction_2_*", "stress"},
+                                       {"direction_3_*", "stress"},
+                                       {"section_x", "stress"},
+                                       {"section_y", "stress"}};
+
+// A tool that writes a new name adds it here: a test looks for it in the sources and in what they write.
+constexpr KnownAttribute attributes[] = {
+    {"kernel_target", parameter, "", "autocorrelation asked for"},
+    {"kernel_length", parameter, "sample", "correlation length along x, y"},
+    {"kernel_level", parameter, "1", "level that it is the length to"},
+    {"kernel_angle", parameter, "rad", "turned by"},
+    {"kernel_smoothness", parameter, "1", "smoothness ν"},
+    {"kernel_exponent", parameter, "1", "exponent"},
+    {"kernel_hurst", parameter, "1", "Hurst exponent"},
+    {"kernel_wavelength", parameter, "sample", "wavelength"},
+    {"kernel_rms", parameter, "height", "rms height"},
+    {"kernel_heights", parameter, "", "distribution of heights"},
+    {"kernel_skewness", parameter, "1", "skewness asked for"},
+    {"kernel_kurtosis", parameter, "1", "kurtosis asked for"},
+    {"kernel_lags", parameter, "sample", "reach of the kernel along x, y"},
+    {"kernel_period", parameter, "sample", "period of the surfaces that it is for, along x, y"},
+    {"kernel_formulation", parameter, "", "formulation"},
+    {"kernel_method", parameter, "", "method"},
+    {"kernel_tolerance", parameter, "1", "tolerance of the residual"},
+    {"kernel_acf_tolerance", parameter, "1", "tolerance of the autocorrelation"},
+    {"kernel_converged", achieved, "yes", "converged"},
+    {"kernel_reason", achieved, "", "ended because"},
+    {"kernel_answer", achieved, "", "answer"},
+    {"kernel_residual", achieved, "1", "residual"},
+    {"kernel_error", achieved, "1", "largest error of the autocorrelation"},
+    {"kernel_change", achieved, "1", "change of the target"},
+    {"kernel_tail", achieved, "1", "autocorrelation beyond the kernel"},
+    {"kernel_feasibility", achieved, "1", "least spectral density of the target over its largest"},
+    {"kernel_hermite_tail", achieved, "1", "error of the translation"},
+    {"kernel_newton_iterations", achieved, "1", "Newton steps"},
+    {"kernel_residuals", achieved, "1", "residuals evaluated"},
+    {"kernel_jacobian_products", achieved, "1", "products with the Jacobian"},
+    {"kernel_solver", achieved, "", "solver"},
+    {"kernel_seconds", achieved, "s", "time"},
+    {"kernel_least_acf", other, "1", "least autocorrelation that such heights can have"},
+    {"kernel_mirrored_error", other, "1", "largest error over mirrored lags"},
+    {"kernel_preconditionings", other, "1", "preconditionings"},
+    {"generate_rms", parameter, "m", "rms height of the ensemble"},
+    {"generate_exact_rq", parameter, "yes", "rescaled to this rms exactly"},
+    {"generate_seed", parameter, "1", "seed"},
+    {"generate_stream", parameter, "1", "stream of random numbers"},
+    {"generate_surface", parameter, "1", "member of the ensemble"},
+    {"generate_rng", parameter, "", "random numbers"},
+    {"generate_heights", parameter, "", "heights"},
+    {"generate_method", parameter, "", "summation"},
+    {"generate_skewness_expected", achieved, "1", "skewness expected"},
+    {"generate_kurtosis_expected", achieved, "1", "kurtosis expected"},
+    {"generate_acf_error_expected", achieved, "1", "error of the autocorrelation expected", true},
+    {"generate_seconds", achieved, "s", "time"},
+    {"acf_variable", other, "", "field that was measured"},
+    {"acf_variance", other, "m2", "variance"},
+    {"acf_skewness", other, "1", "skewness", true},
+    {"acf_kurtosis", other, "1", "kurtosis", true},
+    {"acf_length_*", other, "m", "correlation length", true},
+    {"acf_gamma_*", other, "1", "length in x over length in y", true},
+    {"acf_ellipticity_*", other, "1",
+     "long over short axis of the contour, and the direction of the long one", true},
+    {"acf_target_*", other, "", "the same of the target", true},
+    {"psd_variable", other, "", "field that was measured"},
+    {"psd_window", other, "", "window"},
+    {"contact_load", result, "N", "load"},
+    {"contact_approach", result, "m", "approach"},
+    {"contact_max_pressure", result, "Pa", "largest pressure"},
+    {"contact_area", result, "m2", "real contact area"},
+    {"contact_plastic_area", result, "m2", "area at the limit pressure"},
+    {"contact_mean_gap", result, "m", "mean gap"},
+    {"contact_stiffness", result, "N/m", "stiffness", true},
+    {"contact_hertz_pressure", result, "Pa", "largest pressure, smooth (Hertz)"},
+    {"contact_hertz_radius_x", result, "m", "contact half-axis along x, smooth (Hertz)"},
+    {"contact_hertz_radius_y", result, "m", "contact half-axis along y, smooth (Hertz)"},
+    {"contact_hertz_approach", result, "m", "approach, smooth (Hertz)"},
+    {"contact_radius_x", parameter, "m", "radii along x of the bodies", true},
+    {"contact_radius_y", parameter, "m", "radii along y of the bodies", true},
+    {"contact_young", parameter, "Pa", "Young's moduli", true},
+    {"contact_poisson", parameter, "1", "Poisson's ratios"},
+    {"contact_composite_modulus", parameter, "Pa", "composite modulus"},
+    {"contact_boundary", parameter, "", "boundary"},
+    {"contact_variable", parameter, "", "surface that is pressed"},
+    {"contact_counter", parameter, "", "second body"},
+    {"contact_limit_pressure", parameter, "Pa", "limit pressure", true},
+    {"contact_tolerance", parameter, "1", "tolerance of the residual"},
+    {"contact_converged", achieved, "yes", "converged"},
+    {"contact_residual", achieved, "1", "residual"},
+    {"contact_stiffness_residual", achieved, "1", "residual of the stiffness", true},
+    {"contact_stiffness_converged", achieved, "yes", "stiffness converged"},
+    {"contact_load_error", achieved, "1", "relative error of the load"},
+    {"contact_convolutions", achieved, "1", "convolutions of the full size"},
+    {"contact_preconditionings", achieved, "1", "preconditionings"},
+    {"contact_levels", achieved, "1", "grids"},
+    {"contact_setup_seconds", achieved, "s", "time of preparation"},
+    {"contact_seconds", achieved, "s", "time of solution"},
+    {"contact_radius", other, "m", "radius of the body"},
+    {"contact_hertz_radius", other, "m", "contact radius, smooth (Hertz)"},
+    {"stress_max_von_mises", result, "Pa", "largest von Mises stress"},
+    {"stress_max_x", result, "m", "it lies at x"},
+    {"stress_max_y", result, "m", "at y"},
+    {"stress_max_depth", result, "m", "at the depth"},
+    {"stress_poisson", parameter, "1", "Poisson's ratio of the body"},
+    {"stress_friction", parameter, "1", "coefficient of friction"},
+    {"stress_friction_angle", parameter, "rad", "direction of friction"},
+    {"stress_resolution", parameter, "", "resolution"},
+    {"stress_above", parameter, "1", "least stress kept, share of the largest"},
+    {"stress_section_x", parameter, "m", "section at x"},
+    {"stress_section_y", parameter, "m", "section at y"},
+    {"stress_accurate_depth", achieved, "m", "accurate from this depth on"},
+    {"stress_seconds", achieved, "s", "time"}};
+
+template <class List>
+auto named(const List& list, std::string_view name) {
+  const auto found = std::ranges::find_if(list, [&](const auto& item) { return fits(item.name, name); });
+  return found == std::end(list) ? nullptr : found;
+}
+
+}  // namespace
+
+bool fits(std::string_view pattern, std::string_view name) {
+  return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
+}
+
+std::span<const KnownResult> known_results() { return results; }
+std::span<const KnownVariable> known_variables() { return variables; }
+std::span<const KnownAttribute> known_attributes() { return attributes; }
+
+const KnownVariable* known_variable(std::string_view name) { return named(variables, name); }
+const KnownAttribute* known_attribute(std::string_view name) { return named(attributes, name); }
+
+const KnownResult* result_of(const KnownVariable& variable) { return named(results, variable.result); }
+
+const KnownResult* result_of(const KnownAttribute& attribute) {
+  return std::ranges::find_if(results, [&](const KnownResult& r) {
+    return !r.prefix.empty() && attribute.name.starts_with(r.prefix);
+  });
+}
+
+const KnownResult* result_of(std::string_view name) {
+  if (const KnownVariable* variable = known_variable(name)) return result_of(*variable);
+  const KnownAttribute* attribute = known_attribute(name);
+  return attribute ? result_of(*attribute) : nullptr;
+}
+
+}  // namespace asperity

@@ -1,0 +1,116 @@
+#include "dataset/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "dataset/conventions.hpp"
+#include "dataset/variable_units.hpp"
+
+namespace asperity {
+namespace {
+
+struct AxisExtent {
+  double spacing;
+  bool periodic, cut;  ///< cut: its length is that of more points, or of fewer
+};
+
+bool single_precision(const Values& values) { return std::holds_alternative<std::vector<float>>(values); }
+
+// The length that evenly spaced points have by themselves, NaN of a single one.
+double length_of_points(const std::vector<double>& points) {
+  const auto n = static_cast<double>(points.size());
+  return n > 1 ? std::abs(points.back() - points.front()) / (n - 1) * n : NAN;
+}
+
+// Whether a length is that of the points within what numbers of their types, and texts of six digits, leave open.
+bool agrees(double length, const Variable& axis, const std::vector<double>& points) {
+  const double of_points = length_of_points(points),
+               farthest = std::max(std::abs(points.front()), std::abs(points.back())),
+               digits = single_precision(axis.values) ? std::numeric_limits<float>::epsilon()
+                                                      : std::numeric_limits<double>::epsilon();
+  return std::isnan(of_points) ||
+         std::abs(length - of_points) <= 1e-6 * std::abs(length) + 2 * digits * farthest;
+}
+
+// The one that is known more finely, where both agree; else that of the points.
+double settled_length(const Variable& axis, const std::vector<double>& points) {
+  const Values* told = axis.attributes.find("length");
+  const double length = axis.attributes.number("length", NAN), of_points = length_of_points(points);
+  if (!std::isfinite(length)) return of_points;
+  if (!(length > 0)) throw DataError(axis.name, "its length " + shortest(length) + " is not positive");
+  if (std::isnan(of_points)) return length;
+  const bool coarser = single_precision(*told) && !single_precision(axis.values);
+  return coarser || !agrees(length, axis, points) ? of_points : length;
+}
+
+// Of a single point the length tells the size, unless it is that of the points which actual_range still tells of.
+void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points) {
+  const Values* told = axis.attributes.find("actual_range");
+  if (points.size() != 1 || told == nullptr || count(*told) != 2) return;
+  const std::vector<double> range = numbers(*told);
+  if (std::abs(range[1] - range[0]) <= 1e-6 * std::abs(axis.attributes.number("length", 0))) return;
+  throw DataError(axis.name,
+                  "its one point was cut from those of its actual_range, whose length is not its own: "
+                  "correct length and actual_range, or cut by asperity-convert --crop");
+}
+
+// An axis must be evenly spaced, whatever its length is taken from.
+AxisExtent extent_of(const Variable& axis) {
+  const auto n = static_cast<double>(count(axis.values));
+  if (n < 1) throw DataError(axis.name, "it has no points");
+  for (const char* name : {"length", "periodic"})
+    if (!axis.attributes.text(name).empty())
+      throw DataError(axis.name, std::string("its ") + name + " is text where a number belongs");
+  const double factor = factor_to("m", axis);
+  const std::vector<double> values = present_numbers(axis);
+  if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
+    throw DataError(axis.name, "a point of it is missing or infinite");
+  refuse_part_of_axis(axis, values);
+  const double length = settled_length(axis, values);
+  const double step = values.size() > 1 ? (values.back() - values.front()) / (n - 1) : length;
+  if (!std::isfinite(step) || step == 0)
+    throw DataError(axis.name, "it has no size: give it the attribute length");
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(std::abs(values[i] - values[i - 1] - step) <= 1e-3 * std::abs(step)))
+      throw DataError(axis.name, "its points are not evenly spaced");
+  const bool cut = !agrees(axis.attributes.number("length", length), axis, values);
+  return {length / n * factor, axis.attributes.number("periodic", 0) != 0, cut};
+}
+
+}  // namespace
+
+Grid grid_of(const Dataset& dataset) {
+  const AxisExtent x = extent_of(dataset.at("x")), y = extent_of(dataset.at("y"));
+  if (x.periodic != y.periodic)
+    throw DataError("y", "periodic in one direction alone is not a surface that these tools know");
+  const bool whole = !x.cut && !y.cut;  // a part of a period does not continue itself
+  return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic && whole};
+}
+
+std::vector<std::string> settle_lengths(Dataset& dataset) {
+  std::vector<std::string> out;
+  for (const char* name : {"x", "y"}) {
+    Variable* axis = dataset.find(name);
+    const double length = axis ? axis->attributes.number("length", NAN) : NAN;
+    if (!std::isfinite(length) || !(length > 0)) continue;
+    const std::vector<double> points = numbers(axis->values);
+    const double settled = points.empty() ? 0 : settled_length(*axis, points);
+    if (!(settled > 0) || agrees(length, *axis, points)) continue;
+    out.push_back(std::string(name) + ": its length " + in_digits(length, 6) + " is not that of its " +
+                  std::to_string(points.size()) + " points, " + in_digits(settled, 6) + ", which is taken");
+    axis->attributes.set("length", settled);
+  }
+  const auto periodic = [&](const char* name) {
+    const Variable* axis = dataset.find(name);
+    return axis != nullptr && axis->attributes.number("periodic", 0) != 0;
+  };
+  if (out.empty() || !periodic("x") || !periodic("y")) return out;
+  for (const char* name : {"x", "y"}) dataset.find(name)->attributes.set("periodic", 0);
+  out.back() += "; a part of a periodic surface is not periodic";
+  return out;
+}
+
+}  // namespace asperity
