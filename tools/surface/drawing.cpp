@@ -4,7 +4,7 @@
 
 #include "core/stopwatch.hpp"
 #include "dataset/layout.hpp"
-#include "surface/survey.hpp"
+#include "surface/running_moments.hpp"
 #include "tools/cli/dataset_stream.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
@@ -17,10 +17,10 @@ struct Layer {
   std::string name;
   Meaning meaning;
   std::function<void(const RowSink&)> rows;
-  HeightSurvey survey;
+  RunningMoments survey;
 };
 
-Range range_of(const HeightSurvey& survey) {
+Range range_of(const RunningMoments& survey) {
   if (!std::isfinite(survey.mean()))
     return {survey.mean(), survey.mean()};  // whatever extremes stand beside it
   return survey.low() <= survey.high() ? Range{survey.low(), survey.high()} : Range{0, 0};

@@ -7,7 +7,7 @@
 
 #include "acf/kernel_cost.hpp"
 #include "acf/wording.hpp"
-#include "marginal/johnson_shape.hpp"
+#include "marginal/johnson.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -41,7 +41,7 @@ std::string in_rms(double z, const Wanted& wanted) {
 void tell_heights(const Tool& tool, const Wanted& wanted) {
   if (!wanted.marginal || wanted.marginal->measured) return;
   const auto [low, high, peaks] =
-      shape_of(johnson_with(wanted.marginal->skewness, wanted.marginal->kurtosis));
+      density_shape(fit_johnson(wanted.marginal->skewness, wanted.marginal->kurtosis));
   const bool floor = low > -near_bound, ceiling = high < near_bound;
   if (!floor && !ceiling) return;
   std::string bounds = floor ? in_rms(low, wanted) : "";
