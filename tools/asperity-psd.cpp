@@ -6,7 +6,7 @@
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/measured.hpp"
-#include "tools/surface/grid_words.hpp"
+#include "tools/cli/grid_words.hpp"
 
 using namespace asperity;
 
