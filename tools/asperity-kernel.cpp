@@ -1,6 +1,6 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
 #include "tools/cli/stream.hpp"
-#include "tools/surface/kernel_prospect.hpp"
+#include "tools/surface/prospect.hpp"
 
 using namespace asperity;
 
@@ -20,8 +20,7 @@ int main(int argc, char** argv) {
   tool.counts("--shape", shape, 1, "Samples in x and y on --size", sampling);
   tool.quantities("--size", size, "m", "Size of the surface in x and y", sampling);
   tool.memory(
-      "Largest memory of the solution, beside the program's own 20 MB; what may take more is "
-      "refused");
+      "Largest memory of the solution, beside the program's own 20 MB; what may take more is refused");
   tool.output();
   tool.report();
   tool.example("asperity-kernel --length 17px,4px --report kernel.json -o kernel.nc");
@@ -32,21 +31,18 @@ int main(int argc, char** argv) {
       "is kernel_change, with a warning.");
 
   return tool.run(argc, argv, [&] {
-    cli::Spacing known;
-    if (tool.given("--spacing")) {
-      known = cli::spacing_of({1, 1}, spacing);
-    } else if (tool.given("--shape") && tool.given("--size")) {
-      known = cli::spacing_of(shape, size);
-    }
+    const bool sized = tool.given("--shape") && tool.given("--size");
+    const cli::Spacing known = tool.given("--spacing") ? cli::spacing_of({1, 1}, spacing)
+                               : sized                 ? cli::spacing_of(shape, size)
+                                                       : std::nullopt;
     if (options.acf == "-" && cli::stdin_is_terminal())
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
-    cli::Wanted wanted = cli::wanted_kernel(tool, options, known);
-    cli::foresee(tool, wanted, tool.given("--shape") && tool.given("--size") ? shape : Shape{});
-    cli::Solved solved = cli::solve(tool, std::move(wanted));
+    cli::KernelProblem problem = cli::kernel_problem(tool, options, known);
+    cli::foresee(tool, problem, sized ? shape : Shape{});
 
-    const cli::Exit code = cli::tell(tool, solved);
-    solved.before.tell(tool, solved.data, "kernel");
-    tool.write(solved.data);
-    return code;
+    cli::KernelSolution solution = cli::solve(tool, std::move(problem));
+    solution.before.tell(tool, solution.data, "kernel");
+    tool.write(solution.data);
+    return solution.code;
   });
 }

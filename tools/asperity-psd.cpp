@@ -6,8 +6,8 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/cli/grid_words.hpp"
 #include "tools/measure/field_options.hpp"
-#include "tools/surface/grid_words.hpp"
 
 using namespace asperity;
 

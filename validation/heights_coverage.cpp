@@ -12,6 +12,7 @@
 #include <cstdlib>
 
 #include "acf/kernel.hpp"
+#include "marginal/johnson.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 #include "stats/uncertainty/translation_error.hpp"

@@ -39,9 +39,9 @@ double nanoseconds_of_apply(const Translation& g) {
 }
 
 void print_fit(double skewness, double kurtosis, const Translation& g) {
-  const Johnson j = johnson_with(skewness, kurtosis);
+  const Johnson j = fit_johnson(skewness, kurtosis);
   const HeightMoments m = height_moments(g);
-  const double fit = seconds_of([&] { johnson_with(skewness, kurtosis); });
+  const double fit = seconds_of([&] { fit_johnson(skewness, kurtosis); });
   fmt::print("\t{}\t{:.6g}\t{:.6g}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.0f}\t{:.1f}", g.family, j.gamma,
              j.delta, m.mean, m.variance - 1, (m.skewness - skewness) / std::max(1.0, skewness),
              m.kurtosis / kurtosis - 1, 1e6 * fit, nanoseconds_of_apply(g));

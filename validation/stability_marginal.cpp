@@ -20,7 +20,7 @@ double difference(const HeightMoments& m, double skewness, double kurtosis) {
 
 // Moments by the trapezoidal rule in y, which is not the fit's.
 Finding fitted(double skewness, double kurtosis) {
-  const Johnson j = johnson_with(skewness, kurtosis);
+  const Johnson j = fit_johnson(skewness, kurtosis);
   const HeightMoments m = height_moments(johnson_translation(skewness, kurtosis));
   return {fmt::format("{}, delta = {:.3g}", name_of(j.family), j.delta), "error of the moments",
           difference(m, skewness, kurtosis), 1e-9};
@@ -45,7 +45,7 @@ void fits(const StabilityTable& table) {
                    [&] { return fitted(skewness, kurtosis * (1 + beside)); });
   table.answered("heights of 38 sigma, skewness 3, kurtosis 20", "the largest that a normal number reaches",
                  [] {
-                   const Johnson j = johnson_with(3, 20);
+                   const Johnson j = fit_johnson(3, 20);
                    const double largest = std::max(std::abs(j(38.0)), std::abs(j(-38.0)));
                    return Finding{"finite", "height / sigma", largest, 1e300};
                  });
@@ -54,7 +54,7 @@ void fits(const StabilityTable& table) {
 void pairs_that_are_none(const StabilityTable& table) {
   auto refused = [&](const char* hard, double skewness, double kurtosis) {
     table.refused(fmt::format("skewness {:g}, kurtosis {:g}", skewness, kurtosis), hard,
-                  [=] { johnson_with(skewness, kurtosis); });
+                  [=] { fit_johnson(skewness, kurtosis); });
   };
   refused("on the edge K = Sk^2 + 1", 2, 5);
   refused("beyond the edge", 2, 4);

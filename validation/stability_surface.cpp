@@ -2,7 +2,7 @@
 
 #include "acf/kernel.hpp"
 #include "stability.hpp"
-#include "surface/survey.hpp"
+#include "surface/running_moments.hpp"
 #include "surface/synthesis.hpp"
 
 namespace asperity {
@@ -59,11 +59,11 @@ void heights(const StabilityTable& table) {
       return Finding{"drawn", "difference / rms", (z / scale - plain).abs().maxCoeff(), 0};
     });
   auto rescaled = [](const Field& z, double rms) {
-    HeightSurvey survey;
+    RunningMoments survey;
     survey.add(z);
     Field out = z;
     exact_rms(survey, rms).apply(out);
-    HeightSurvey result;
+    RunningMoments result;
     result.add(out);
     return Finding{"rescaled", "error of Sq", std::abs(result.rms() / rms - 1), 1e-9};
   };

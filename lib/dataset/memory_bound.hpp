@@ -31,7 +31,7 @@ struct MemoryBound {
     };
     throw DataError(variable, "reading it takes " + megabytes(static_cast<double>(taken) + more) +
                                   " of memory, more than the " + megabytes(static_cast<double>(bytes)) +
-                                  " that are allowed: --memory allows more");
+                                  " that memory allows");
   }
   static constexpr double per_point = 3 * sizeof(double);
   std::size_t most_points() const { return left() / static_cast<std::size_t>(per_point); }

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/field.hpp"
-#include "marginal/johnson.hpp"
 
 namespace asperity {
 namespace {
@@ -38,12 +37,6 @@ HeightMoments height_moments(const Translation& g) {
   const double variance = (law.weights * z.square()).sum();
   z /= std::sqrt(variance);
   return {mean, variance, (law.weights * z.cube()).sum(), (law.weights * z.square().square()).sum()};
-}
-
-Translation johnson_translation(double skewness, double kurtosis) {
-  const Johnson johnson = johnson_with(skewness, kurtosis);
-  return {std::string(name_of(johnson.family)), std::min(1.0, johnson.delta),
-          [johnson](std::span<double> y) { johnson.apply(y); }};
 }
 
 }  // namespace asperity

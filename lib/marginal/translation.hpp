@@ -13,9 +13,13 @@
 #include <Eigen/Core>
 
 #include "core/pointwise.hpp"
-#include "marginal/height_moments.hpp"
 
 namespace asperity {
+
+/// Of heights; the kurtosis is 3 of a Gaussian.
+struct HeightMoments {
+  double mean = 0, variance = 1, skewness = 0, kurtosis = 3;
+};
 
 struct Translation {
   std::string family;  ///< of the distribution: "normal", "S_L", "S_U", "S_B", "measured"
@@ -43,8 +47,5 @@ struct NormalQuadrature {
 
 /// Of g(y), by quadrature.
 HeightMoments height_moments(const Translation& g);
-
-/// Johnson's distribution of this skewness and kurtosis (marginal/johnson.hpp), and its errors.
-Translation johnson_translation(double skewness, double kurtosis);
 
 }  // namespace asperity

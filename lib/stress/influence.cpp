@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/asinh_difference.hpp"
+#include "math/gauss_legendre.hpp"
 #include "stress/corner.hpp"
 
 namespace asperity {
@@ -95,23 +96,9 @@ Tensor over_two_pi(Tensor s) {
   return s;
 }
 
-// Gauss and Legendre's rule on [-1, 1].
 template <std::size_t n>
-struct Rule {
-  std::array<double, n> nodes, weights;
-};
-constexpr Rule<4> four_points{
-    {-0.86113631159405258, -0.33998104358485626, 0.33998104358485626, 0.86113631159405258},
-    {0.34785484513745386, 0.65214515486254614, 0.65214515486254614, 0.34785484513745386}};
-constexpr Rule<8> eight_points{
-    {-0.96028985649753623, -0.79666647741362674, -0.52553240991632899, -0.18343464249564980,
-     0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623},
-    {0.10122853629037626, 0.22238103445337447, 0.31370664587788729, 0.36268378337836198, 0.36268378337836198,
-     0.31370664587788729, 0.22238103445337447, 0.10122853629037626}};
-
-template <std::size_t n>
-Tensor integrated(const Rule<n>& rule, double x, double y, double z, double a, double b, double poisson,
-                  stress::Traction load) {
+Tensor integrated(const GaussLegendre<n>& rule, double x, double y, double z, double a, double b,
+                  double poisson, stress::Traction load) {
   Tensor sum{};
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
@@ -143,8 +130,8 @@ Tensor uniform_load_stress(double x, double y, double z, double a, double b, dou
   constexpr double far = 5, farther = 50;  // half sides
   const double distance = std::hypot(x, y, z) / std::max(a, b);
   if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
-  return distance < farther ? integrated(eight_points, x, y, z, a, b, poisson, load)
-                            : integrated(four_points, x, y, z, a, b, poisson, load);
+  return distance < farther ? integrated(gauss8, x, y, z, a, b, poisson, load)
+                            : integrated(gauss4, x, y, z, a, b, poisson, load);
 }
 
 }  // namespace asperity

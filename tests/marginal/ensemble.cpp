@@ -4,6 +4,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
+#include "marginal/johnson.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"
 #include "math/hermite.hpp"

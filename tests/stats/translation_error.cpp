@@ -1,6 +1,7 @@
 #include "stats/uncertainty/translation_error.hpp"
 
 #include "fields.hpp"
+#include "marginal/johnson.hpp"
 #include "stats/hypothesis/ensemble.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 

@@ -22,7 +22,7 @@ struct Measured {
 };
 
 Measured measured_surface() {
-  std::ifstream file(std::string(ASPERITY_TEST_DATA) + "/afm-64x64.nc", std::ios::binary);
+  std::ifstream file(ASPERITY_TEST_DATA "/afm-64x64.nc", std::ios::binary);
   std::stringstream bytes;
   bytes << file.rdbuf();
   const Dataset data = decode_netcdf(bytes.str());

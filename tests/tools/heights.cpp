@@ -11,10 +11,9 @@ using namespace asperity::test;
 
 namespace {
 
-const std::string measured = std::string(ASPERITY_TEST_DATA) + "/afm-64x64.nc";
-const std::string common = " --rq 0.4um --length 6px,4px";
+const std::string measured = ASPERITY_TEST_DATA "/afm-64x64.nc";
+const std::string common = " --rq 0.4um --length 6px,4px", shaped = " --skewness -1.3 --kurtosis 6";
 const std::string grid = " --shape 300x200 --size 3mm,2mm --no-history";
-const std::string shaped = " --skewness -1.3 --kurtosis 6";
 
 void require(const std::string& line) {
   const Outcome run = shell(line);

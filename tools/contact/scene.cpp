@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
-#include "tools/surface/grid_words.hpp"
+#include "tools/cli/grid_words.hpp"
 
 namespace asperity::cli {
 namespace {

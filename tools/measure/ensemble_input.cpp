@@ -9,7 +9,7 @@
 #include "dataset/layout.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/surface/grid_words.hpp"
+#include "tools/cli/grid_words.hpp"
 
 namespace asperity::cli {
 namespace {

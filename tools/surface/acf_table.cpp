@@ -7,11 +7,13 @@
 
 #include "acf/table.hpp"
 #include "core/words.hpp"
+#include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
 #include "dataset/variable_units.hpp"
 #include "formats/text_table.hpp"
 #include "tools/cli/plain_text.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
@@ -21,46 +23,41 @@ namespace {
 
 bool counts_samples(const std::string& unit) { return unit.empty() || unit == "1" || unit == "px"; }
 
-double factor(const std::string& unit, const char* to) {
-  try {
-    return unit_factor(unit, to);
-  } catch (const std::invalid_argument& e) {
-    refuse(e.what());
-  }
+double metres(const std::string& unit) try {
+  return unit_factor(unit, "m");
+} catch (const std::invalid_argument& e) {
+  refuse(e.what());
 }
 
 // The rms height of a table in `unit`, none where that is no square of a length.
-double rms_of(double variance, const std::string& unit) {
-  if (counts_samples(unit)) return NAN;
-  try {
-    return std::sqrt(variance * unit_factor(unit, "m2"));
-  } catch (const std::invalid_argument&) {
-    return NAN;
-  }
+double rms_of(double variance, const std::string& unit) try {
+  return counts_samples(unit) ? NAN : std::sqrt(variance * unit_factor(unit, "m2"));
+} catch (const std::invalid_argument&) {
+  return NAN;
 }
 
 // ---- datasets ----
+
+std::optional<std::vector<double>> lags_in_metres(const Variable& axis) try {
+  return lags_of(axis);
+} catch (const DataError& e) {
+  refuse("its lags " + axis.name + ": " + e.what());
+}
 
 // The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or has one
 // point only.
 std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
   const Variable* axis = data.find(name);
   if (axis == nullptr) return std::nullopt;
-  const auto metres = [&] {
-    try {
-      return lags_of(*axis);
-    } catch (const DataError& e) {
-      refuse("its lags " + name + ": " + e.what());
-    }
-  }();
-  const std::vector<double> lags = metres ? *metres : numbers(axis->values);
+  const std::optional<std::vector<double>> in_metres = lags_in_metres(*axis);
+  const std::vector<double> lags = in_metres ? *in_metres : numbers(axis->values);
   const auto n = static_cast<Index>(lags.size());
   const double step = n > 1 ? (lags.back() - lags.front()) / static_cast<double>(n - 1) : 1;
   for (Index i = 0; i < n; ++i)
     if (!(step > 0 && std::abs(lags[static_cast<std::size_t>(i)] - static_cast<double>(i - origin) * step) <=
                           1e-3 * step))
       refuse("the lags " + name + " are not evenly spaced " + (origin > 0 ? "around 0" : "from 0"));
-  if (n < 2 || !metres) return std::nullopt;
+  if (n < 2 || !in_metres) return std::nullopt;
   return step;
 }
 
@@ -196,7 +193,7 @@ AcfTable from_columns(const Text& text) {
   target_of_table(out.half_plane);
   auto step = [](double value, const std::string& unit) -> std::optional<double> {
     if (std::isnan(value) || counts_samples(unit)) return std::nullopt;
-    return value * factor(unit, "m");
+    return value * metres(unit);
   };
   out.spacing = spacing_of_lags({}, step(lags.step_x, unit_x), step(lags.step_y, unit_y));
   out.rms = rms_of(lags.half_plane(0, lags.half_plane.cols() / 2), text.columns[*r].unit);

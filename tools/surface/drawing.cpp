@@ -4,7 +4,7 @@
 
 #include "core/stopwatch.hpp"
 #include "dataset/layout.hpp"
-#include "surface/survey.hpp"
+#include "surface/running_moments.hpp"
 #include "tools/cli/dataset_stream.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
@@ -17,13 +17,13 @@ struct Layer {
   std::string name;
   Meaning meaning;
   std::function<void(const RowSink&)> rows;
-  HeightSurvey survey;
+  RunningMoments moments;
 };
 
-Range range_of(const HeightSurvey& survey) {
-  if (!std::isfinite(survey.mean()))
-    return {survey.mean(), survey.mean()};  // whatever extremes stand beside it
-  return survey.low() <= survey.high() ? Range{survey.low(), survey.high()} : Range{0, 0};
+Range range_of(const RunningMoments& moments) {
+  if (!std::isfinite(moments.mean()))
+    return {moments.mean(), moments.mean()};  // whatever extremes stand beside it
+  return moments.low() <= moments.high() ? Range{moments.low(), moments.high()} : Range{0, 0};
 }
 
 class Writer {
@@ -48,7 +48,7 @@ class Writer {
     out_.head(data_, layers_.size());
     for (Layer& layer : layers_)
       layer.rows([&](Index, Eigen::Ref<Field> rows) {
-        if (!survey_first) layer.survey.add(rows);
+        if (!survey_first) layer.moments.add(rows);
         out_.values(rows);
         advance(rows);
       });
@@ -75,7 +75,7 @@ class Writer {
   void survey() {
     for (Layer& layer : layers_)
       layer.rows([&](Index, Eigen::Ref<Field> rows) {
-        layer.survey.add(rows);
+        layer.moments.add(rows);
         if (kept_.size() == 0) advance(rows);
       });
   }
@@ -87,7 +87,7 @@ class Writer {
 
   void rescale() {
     Layer& heights = layers_.front();
-    const Rescaling rescaling = exact_rms(heights.survey, drawing_.rms);
+    const Rescaling rescaling = exact_rms(heights.moments, drawing_.rms);
     if (kept_.size() > 0)
       rescaling.apply(kept_);
     else
@@ -97,12 +97,12 @@ class Writer {
           sink(first, rows);
         });
       };
-    heights.survey.rescale(rescaling);
+    heights.moments.rescale(rescaling);
   }
 
   // What is known of the surface by now.
   void record() {
-    for (const Layer& layer : layers_) defer_field(data_, layer.name, range_of(layer.survey), layer.meaning);
+    for (const Layer& layer : layers_) defer_field(data_, layer.name, range_of(layer.moments), layer.meaning);
     const Drawing& d = drawing_;
     Attributes& a = data_.attributes;
     a.set("generate_seed", static_cast<double>(d.noise.seed()));

@@ -1,6 +1,7 @@
 #include "tools/surface/marginal_dataset.hpp"
 
 #include "core/error.hpp"
+#include "marginal/johnson.hpp"
 
 namespace asperity::cli {
 namespace {

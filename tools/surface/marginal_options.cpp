@@ -68,16 +68,15 @@ void MarginalOptions::declare(Tool& tool) {
   tool.number("--skewness", skewness, "Skewness of the heights; negative where valleys are deep", group);
   tool.number(
       "--kurtosis", kurtosis,
-      "Kurtosis of the heights, 3 for a Gaussian, above SKEWNESS^2 + 1; absent: 3 + 1.5 SKEWNESS^2, that "
-      "of the gamma family. Far below that the heights are J-shaped or have two peaks, which is said",
+      "Kurtosis of the heights, 3 for a Gaussian, above SKEWNESS^2 + 1; absent: 3 + 1.5 SKEWNESS^2, that of "
+      "the gamma family. Far below that the heights are J-shaped or have two peaks, which is said",
       group);
-  tool.text(
-      "--marginal", marginal, "NAME|FILE",
-      "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone takes "
-      "those that asperity-acf found with --acf; measured, the quantiles of --acf by asperity-acf "
-      "--quantiles; or that of FILE: the heights of a dataset or a text, or, as by johnson, the Ssk and Sku "
-      "of a table of asperity-stats",
-      group);
+  tool.text("--marginal", marginal, "NAME|FILE",
+            "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone "
+            "takes those that asperity-acf found with --acf; measured, the quantiles of --acf by "
+            "asperity-acf --quantiles; or that of FILE: the heights of a dataset or a text, or, as by "
+            "johnson, the Ssk and Sku of a table of asperity-stats",
+            group);
 }
 
 std::string MarginalOptions::given(const Tool& tool) {

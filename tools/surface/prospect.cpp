@@ -1,4 +1,4 @@
-#include "tools/surface/kernel_prospect.hpp"
+#include "tools/surface/prospect.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "acf/kernel_cost.hpp"
 #include "acf/wording.hpp"
-#include "marginal/johnson_shape.hpp"
+#include "marginal/johnson.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -32,30 +32,30 @@ void tell_short(const Tool& tool, const Target& target, Shape surface) {
 }
 
 // "+1.1 Sq (436nm)"
-std::string in_rms(double z, const Wanted& wanted) {
+std::string in_rms(double z, const KernelProblem& problem) {
   const std::string height =
-      wanted.has_height ? " (" + format_quantity(std::stod(number(z * wanted.request.rms)), "m") + ")" : "";
+      problem.has_height ? " (" + format_quantity(std::stod(number(z * problem.request.rms)), "m") + ")" : "";
   return fmt::format("{:+.3g} Sq", z) + height;
 }
 
-void tell_heights(const Tool& tool, const Wanted& wanted) {
-  if (!wanted.marginal || wanted.marginal->measured) return;
+void tell_heights(const Tool& tool, const KernelProblem& problem) {
+  if (!problem.marginal || problem.marginal->measured) return;
   const auto [low, high, peaks] =
-      shape_of(johnson_with(wanted.marginal->skewness, wanted.marginal->kurtosis));
+      density_shape(fit_johnson(problem.marginal->skewness, problem.marginal->kurtosis));
   const bool floor = low > -near_bound, ceiling = high < near_bound;
   if (!floor && !ceiling) return;
-  std::string bounds = floor ? in_rms(low, wanted) : "";
-  if (ceiling) bounds += (floor ? " and " : "") + in_rms(high, wanted);
+  std::string bounds = floor ? in_rms(low, problem) : "";
+  if (ceiling) bounds += (floor ? " and " : "") + in_rms(high, problem);
   const std::string words =
-      "heights are bounded at " + bounds + ", Johnson's " + wanted.marginal->translation.family;
+      "heights are bounded at " + bounds + ", Johnson's " + problem.marginal->translation.family;
   const bool at_floor = peaks.front() - low < at_bound, at_ceiling = high - peaks.back() < at_bound;
   if (peaks.size() > 1)
     tool.warn(fmt::format("{}, and have two peaks, at {:+.3g} and {:+.3g} Sq; a larger --kurtosis has one",
                           words, peaks.front(), peaks.back()));
   else if (at_floor || at_ceiling)
     tool.warn(fmt::format(
-        "{}, and J-shaped: the density is largest {:.2g} Sq from its {} end; a larger --kurtosis "
-        "moves the peak inside",
+        "{}, and J-shaped: the density is largest {:.2g} Sq from its {} end; a larger --kurtosis moves the "
+        "peak inside",
         words, at_floor ? peaks.front() - low : high - peaks.back(), at_floor ? "lower" : "upper"));
   else
     tool.note(words);
@@ -75,15 +75,18 @@ void tell_cost(const Tool& tool, const KernelRequest& request) {
   check_memory(request, first_lags(request), kernel_cost(first_lags(request)));
   const Shape lags = most_lags(request);
   constexpr Index widest = 13;  // torus of a table of long waves, the fourth that is tried
-  const KernelCost most = request.target.known ? wider_kernel_cost(lags, widest) : wider_kernel_cost(lags);
-  if (most.dataset > told_dataset)
-    tool.warn(fmt::format(
-        "a kernel of {} lags may take minutes, {:.2g}GB of memory and {:.2g}GB of the dataset; {} "
-        "take less",
-        text(lags), most.memory / 1e9, most.dataset / 1e9,
-        request.target.known ? "fewer lags of the table (asperity-acf --max-lag) or a larger "
-                               "--acf-tolerance"
-                             : "shorter lengths, wider samples or a larger --acf-tolerance"));
+  const bool table = request.target.known.has_value();
+  if (wider_kernel_cost(lags, table ? widest : 4).dataset <= told_dataset) return;
+  const auto [memory, dataset] = wider_kernel_cost(lags);
+  const auto shown = [](double bytes) {
+    return format_bytes(static_cast<std::size_t>(std::min(bytes, 1e18)));
+  };
+  tool.warn(fmt::format(
+      "a kernel of {} lags may take minutes, {} of memory and {} of the dataset{} take less", text(lags),
+      shown(memory), shown(dataset),
+      table ? ", of long waves ten times as much; fewer lags of the table (asperity-acf --max-lag) or a "
+              "larger --acf-tolerance"
+            : "; shorter lengths, wider samples or a larger --acf-tolerance"));
 }
 
 }  // namespace
@@ -107,26 +110,27 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
   const double mean = mean_correlation(target, surface);
   if (mean > told_share)
     throw UsageError(
-        option, fmt::format("too long a correlation for the surface: {:.0f} % of the variance would be one "
-                            "offset of all heights; take a shorter one or a larger surface, to be cut by "
-                            "asperity-convert --crop",
-                            100 * mean));
+        option,
+        fmt::format(
+            "too long a correlation for the surface: {:.0f} % of the variance would be one offset of all "
+            "heights; take a shorter one or a larger surface, to be cut by asperity-convert --crop",
+            100 * mean));
   const double along_x = mean_correlation(target, {surface.nx, 1}),
                along_y = mean_correlation(target, {1, surface.ny});
   const bool x = surface.nx > 1 && along_x > told_share, y = surface.ny > 1 && along_y > told_share;
   if (x || y)
-    tool.warn(fmt::format(
-        "the correlation reaches across the surface along {}: heights correlate by {:.2g} there on "
-        "average, which one surface does not average out",
-        axes(x, y), x ? along_x : along_y));
+    tool.warn(
+        fmt::format("the correlation reaches across the surface along {}: heights correlate by {:.2g} there "
+                    "on average, which one surface does not average out",
+                    axes(x, y), x ? along_x : along_y));
 }
 
-void foresee(const Tool& tool, const Wanted& wanted, Shape surface) {
-  const Target& target = wanted.request.target;
+void foresee(const Tool& tool, const KernelProblem& problem, Shape surface) {
+  const Target& target = problem.request.target;
   foresee_extent(tool, target, surface, target.known ? "acf" : "length");
   tell_short(tool, target, surface);
-  tell_cost(tool, wanted.request);
-  tell_heights(tool, wanted);
+  tell_cost(tool, problem.request);
+  tell_heights(tool, problem);
 }
 
 }  // namespace asperity::cli

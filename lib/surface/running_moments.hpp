@@ -23,7 +23,7 @@ struct Rescaling {
   void apply(Eigen::Ref<Field> heights) const { heights = (heights - mean) * factor; }
 };
 
-class HeightSurvey {
+class RunningMoments {
  public:
   void add(const Eigen::Ref<const Field>& rows);
   /// As if every height had been rescaled, which takes a positive factor.
@@ -41,6 +41,6 @@ class HeightSurvey {
 
 /// To mean zero and the root mean square `rms`. Throws ParameterError("exact-rq") when all heights are equal, or
 /// so small or large that their squares are no numbers.
-Rescaling exact_rms(const HeightSurvey& survey, double rms);
+Rescaling exact_rms(const RunningMoments& moments, double rms);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "tools/surface/kernel_period.hpp"
+#include "tools/surface/periodic_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ Field asked_for(const KernelTables& tables) {
 
 // What a surface can be given: what was asked for where the table holds all of it, else what the kernel has.
 Field had(const KernelTables& tables, const Attributes& a) {
-  const bool all = a.number("kernel_error", unknown) <= a.number("kernel_acf_tolerance", 1e-3);
+  const bool all = recorded_report(a).error <= recorded_tolerance(a);
   return all ? asked_for(tables) : (tables.acf_achieved / (tables.rms() * tables.rms())).eval();
 }
 
@@ -61,11 +61,10 @@ void refuse_offset(const Field& correlation, Shape surface) {
   const EffectiveSampleSize size(LagField(correlation), Pairs(Grid{surface, 1, 1, true}));
   const double offset = size.mean_power(1);
   if (offset > largest_offset)
-    throw UsageError(
-        "periodic",
-        around(surface) + fmt::format(": {:.0f} % of the variance would be one offset of all heights; "
-                                      "take shorter lengths or a larger surface",
-                                      100 * offset));
+    throw UsageError("periodic",
+                     around(surface) + fmt::format(": {:.0f} % of the variance would be one offset of all "
+                                                   "heights; take shorter lengths or a larger surface",
+                                                   100 * offset));
 }
 
 void refuse_rest(double left, Shape surface) {
@@ -151,8 +150,8 @@ Exit wrap_kernel(const Tool& tool, Dataset& data, KernelTables& tables, Shape su
   wrapped.has_height = tables.has_height;
   wrapped.spacing = tables.spacing;
   tables = std::move(wrapped);
-  const double error = largest_error(tables), tolerance = a.number("kernel_acf_tolerance", 1e-3);
-  const bool worse = error > tolerance && a.number("kernel_error", 0) <= tolerance;
+  const double error = largest_error(tables), tolerance = recorded_tolerance(a);
+  const bool worse = error > tolerance && !(recorded_report(a).error > tolerance);
   record(a, error);
   tell_change(tool, (correlation - within(alone, shape_of(correlation))).abs().maxCoeff(), surface);
   if (!worse) return done;
@@ -166,9 +165,10 @@ void check_period(const KernelTables& tables, Shape surface, bool periodic) {
   if (!tables.period || (periodic && *tables.period == surface)) return;
   const std::string words = "the kernel is that of periodic surfaces of " + text(*tables.period) + " points";
   if (periodic) throw UsageError("shape", text(surface) + ": " + words);
-  throw UsageError("periodic", "is required: " + words +
-                                   "; for others, solve for one of --length, or of fewer lags of its table "
-                                   "(asperity-acf --max-lag)");
+  throw UsageError(
+      "periodic",
+      "is required: " + words +
+          "; for others, solve for one of --length, or of fewer lags of its table (asperity-acf --max-lag)");
 }
 
 }  // namespace asperity::cli

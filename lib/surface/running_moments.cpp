@@ -1,4 +1,4 @@
-#include "surface/survey.hpp"
+#include "surface/running_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-void HeightSurvey::add(const Eigen::Ref<const Field>& rows) {
+void RunningMoments::add(const Eigen::Ref<const Field>& rows) {
   const auto m = static_cast<double>(rows.cols());
   Eigen::ArrayXd row;  // of one alignment, on which the order of a sum by vector instructions depends
   for (Index i = 0; i < rows.rows(); ++i) {
@@ -22,21 +22,21 @@ void HeightSurvey::add(const Eigen::Ref<const Field>& rows) {
   }
 }
 
-void HeightSurvey::rescale(const Rescaling& map) {
+void RunningMoments::rescale(const Rescaling& map) {
   mean_ = map(mean_);
   squares_ *= map.factor * map.factor;
   low_ = map(low_);
   high_ = map(high_);
 }
 
-double HeightSurvey::rms() const { return std::sqrt(squares_ / count_); }
+double RunningMoments::rms() const { return std::sqrt(squares_ / count_); }
 
-Rescaling exact_rms(const HeightSurvey& survey, double rms) {
-  if (!(survey.high() > survey.low()))
+Rescaling exact_rms(const RunningMoments& moments, double rms) {
+  if (!(moments.high() > moments.low()))
     throw ParameterError("exact-rq", "all heights are equal and cannot be scaled");
-  if (!(survey.rms() * survey.rms() >= std::numeric_limits<double>::min() && std::isfinite(survey.rms())))
+  if (!(moments.rms() * moments.rms() >= std::numeric_limits<double>::min() && std::isfinite(moments.rms())))
     throw ParameterError("exact-rq", "the squares of the heights leave the range of a double");
-  return {survey.mean(), rms / survey.rms()};
+  return {moments.mean(), rms / moments.rms()};
 }
 
 }  // namespace asperity

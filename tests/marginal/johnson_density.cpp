@@ -1,7 +1,6 @@
-#include "marginal/johnson_shape.hpp"
-
 #include <algorithm>
 
+#include "marginal/johnson.hpp"
 #include "marginal/prescribed.hpp"
 #include "support.hpp"
 
@@ -35,14 +34,15 @@ std::vector<double> scanned_peaks(const Johnson& j, double step) {
 TEST_CASE("heights come as near to their bounds as one likes, and S_U and the normal have none",
           "[johnson][exact]") {
   for (const Pair& p : bounded) {
-    const Johnson j = johnson_with(p.skewness, p.kurtosis);
-    const JohnsonShape shape = shape_of(j);
+    const Johnson j = fit_johnson(p.skewness, p.kurtosis);
+    const DensityShape shape = density_shape(j);
     CAPTURE(p.skewness, p.kurtosis);
     CHECK(relative_error(shape.low, j(-1e5)) <= 1e-12);
     CHECK(relative_error(shape.high, j(1e5)) <= 1e-12);
   }
-  const JohnsonShape normal = shape_of(johnson_with(0, 3)), unbounded = shape_of(johnson_with(-0.5, 4));
-  for (const JohnsonShape& shape : {normal, unbounded}) {
+  const DensityShape normal = density_shape(fit_johnson(0, 3)),
+                     unbounded = density_shape(fit_johnson(-0.5, 4));
+  for (const DensityShape& shape : {normal, unbounded}) {
     CHECK(std::isinf(shape.low));
     CHECK(std::isinf(shape.high));
   }
@@ -51,23 +51,23 @@ TEST_CASE("heights come as near to their bounds as one likes, and S_U and the no
 TEST_CASE("a lognormal ends on its short side alone", "[johnson][exact]") {
   const double W = 0.1, w = 1 + W, skewness = std::sqrt(W) * (w + 2);
   const double kurtosis = 3 + W * (w * w * w + 3 * w * w + 6 * w + 6);
-  const Johnson right = johnson_with(skewness, kurtosis), left = johnson_with(-skewness, kurtosis);
+  const Johnson right = fit_johnson(skewness, kurtosis), left = fit_johnson(-skewness, kurtosis);
   REQUIRE(right.family == Johnson::Family::lognormal);
   // Of exp(y √ln w), mean √w and variance w W: 0 lies 1/√W below the mean, the mode w⁻¹.
-  CHECK(relative_error(shape_of(right).low, -1 / std::sqrt(W)) <= 1e-12);
-  CHECK(std::isinf(shape_of(right).high));
-  CHECK(relative_error(shape_of(left).high, 1 / std::sqrt(W)) <= 1e-12);
-  REQUIRE(shape_of(right).peaks.size() == 1);
-  CHECK(relative_error(shape_of(right).peaks[0], (1 / w - std::sqrt(w)) / std::sqrt(w * W)) <= 1e-12);
-  CHECK(relative_error(shape_of(left).peaks[0], -shape_of(right).peaks[0]) <= 1e-12);
+  CHECK(relative_error(density_shape(right).low, -1 / std::sqrt(W)) <= 1e-12);
+  CHECK(std::isinf(density_shape(right).high));
+  CHECK(relative_error(density_shape(left).high, 1 / std::sqrt(W)) <= 1e-12);
+  REQUIRE(density_shape(right).peaks.size() == 1);
+  CHECK(relative_error(density_shape(right).peaks[0], (1 / w - std::sqrt(w)) / std::sqrt(w * W)) <= 1e-12);
+  CHECK(relative_error(density_shape(left).peaks[0], -density_shape(right).peaks[0]) <= 1e-12);
 }
 
 // A step in y is so much in z as g rises there; the density's peak is within one.
 TEST_CASE("the peaks are those that a walk along the density meets", "[johnson][law]") {
   const double step = 1e-3;
   for (const Pair& p : bounded) {
-    const Johnson j = johnson_with(p.skewness, p.kurtosis);
-    std::vector<double> peaks = shape_of(j).peaks;
+    const Johnson j = fit_johnson(p.skewness, p.kurtosis);
+    std::vector<double> peaks = density_shape(j).peaks;
     // A walk to |y| = 6 does not come to the others.
     std::erase_if(peaks, [&](double z) { return z <= j(-5.9) || z >= j(5.9); });
     const std::vector<double> met = scanned_peaks(j, step);
@@ -79,8 +79,8 @@ TEST_CASE("the peaks are those that a walk along the density meets", "[johnson][
 
 // Johnson (1949): S_B of γ = 0 has two peaks where δ < 1/√2, at K = 1.87 of about that.
 TEST_CASE("symmetric heights have two peaks below a kurtosis of 1.87 and one above", "[johnson][exact]") {
-  CHECK(shape_of(johnson_with(0, 1.9)).peaks.size() == 1);
-  const JohnsonShape two = shape_of(johnson_with(0, 1.8));
+  CHECK(density_shape(fit_johnson(0, 1.9)).peaks.size() == 1);
+  const DensityShape two = density_shape(fit_johnson(0, 1.8));
   REQUIRE(two.peaks.size() == 2);
   CHECK(std::abs(two.peaks[0] + two.peaks[1]) <= 1e-9);
 }
@@ -95,12 +95,12 @@ TEST_CASE("a skewness alone has the kurtosis of the gamma family, whose heights 
     CHECK(std::abs(m.skewness - skewness) <= 1e-9);
     CHECK(std::abs(m.kurtosis - kurtosis) <= 1e-9 * kurtosis);
     if (skewness == 0) continue;
-    const JohnsonShape shape = shape_of(johnson_with(skewness, kurtosis));
+    const DensityShape shape = density_shape(fit_johnson(skewness, kurtosis));
     REQUIRE(shape.peaks.size() == 1);
     const double inside = std::min(shape.peaks[0] - shape.low, shape.high - shape.peaks[0]);
     CHECK(inside >= (std::abs(skewness) <= 2 ? 0.5 : 0.15));
   }
-  const JohnsonShape cut = shape_of(johnson_with(-1, 3));
+  const DensityShape cut = density_shape(fit_johnson(-1, 3));
   CHECK(std::abs(cut.high - 1.09) <= 0.01);
   CHECK(cut.high - cut.peaks.back() <= 0.06);
 }

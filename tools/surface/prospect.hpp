@@ -8,13 +8,13 @@
 /// Gaussian ones 1 in 740 being beyond, a peak within a quarter Sq of it (J-shaped), or two peaks.
 #pragma once
 
-#include "tools/surface/kernel_solve.hpp"
+#include "tools/surface/kernel_solution.hpp"
 
 namespace asperity::cli {
 
 /// `surface` is 0x0 where it is not known. Throws UsageError, and ParameterError("memory") where the solution takes more
 /// than the request allows.
-void foresee(const Tool& tool, const Wanted& wanted, Shape surface);
+void foresee(const Tool& tool, const KernelProblem& problem, Shape surface);
 
 /// What (1) leads to, blamed on this option; of a single height nothing.
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option);

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "tools/cli/tool.hpp"
 #include "tools/surface/kernel_dataset.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 

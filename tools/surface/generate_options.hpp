@@ -1,0 +1,37 @@
+/// The options of asperity-generate.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "surface/synthesis.hpp"
+#include "tools/surface/kernel_options.hpp"
+
+namespace asperity::cli {
+
+struct GenerateOptions {
+  KernelOptions acf;
+  std::string kernel;
+  Shape shape;
+  std::array<double, 2> size{NAN, NAN};
+  bool periodic = false, exact_rq = false, noise = false;
+  int count = 1, first = 0;
+
+  void declare(Tool& tool);
+  /// Throws UsageError where the surfaces of an ensemble have no names of their own, or a report is asked for.
+  void check_outputs(Tool& tool) const;
+
+  /// The first option given of those that say which kernel to solve for, or nothing.
+  std::string target_option(const Tool& tool) const;
+  /// Number `k` of the surfaces, and the name of its file.
+  std::int64_t number(int k) const { return std::int64_t{first} + k; }
+  std::string output_name(const Tool& tool, int k) const;
+
+  /// `beside` are bytes that stand in memory meanwhile. Throws ParameterError("memory") where there is too little.
+  Synthesis synthesis(const Tool& tool, Field kernel, Pointwise translation = {},
+                      std::size_t beside = 0) const;
+};
+
+}  // namespace asperity::cli

@@ -1,0 +1,214 @@
+#include "tools/surface/kernel_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "acf/table.hpp"
+#include "acf/wording.hpp"
+#include "core/words.hpp"
+#include "marginal/predistortion.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/surface/acf_table.hpp"
+#include "tools/surface/periodic_kernel.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr double negligible_change = 1e-6;
+constexpr double silent_error =
+    1e-2;  // beyond lags that were given, as of a model cut where it has fallen so far
+
+// ---- what is wanted ----
+
+void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& options) {
+  const EllipticTarget model = options.model(tool, out.spacing);
+  out.request.target = model.target();
+  record_model(out.data.attributes, model);
+}
+
+void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& options) {
+  options.refuse_model(tool);
+  AcfTable table = read_acf_table(options.acf, tool.memory_bound());
+  tool.reads(options.acf, !table.dataset.variables.empty());
+  require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing, "the table has",
+                  table.spacing, 1e-6);
+  if (table.left_out)
+    tool.warn("the lags of the table beyond " +
+              text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +
+              " hold no numbers, and are left out");
+  if (!out.spacing) out.spacing = table.spacing;
+  if (!out.has_height && std::isfinite(table.rms)) {
+    out.request.rms = table.rms;
+    out.has_height = true;
+  }
+  const bool free = options.request.lags == Shape{} && options.formulation.empty() &&
+                    out.request.method == Method::newton_krylov;
+  if (free) out.period = table.period;
+  out.request.target = target_of_table(std::move(table.half_plane));
+  out.measured = std::move(table.heights);
+  out.data = std::move(table.dataset);
+  out.before = Inventory(out.data);
+  drop_surface(out.data, "kernel");
+  tool.settle(out.data);
+  out.data.attributes.set("kernel_target", "table");
+}
+
+// ---- the solution ----
+
+// On the period of its table there is nothing to solve.
+Kernel periodic(KernelProblem& problem) {
+  KernelRequest& request = problem.request;
+  request.method = Method::spectral;
+  Kernel out;
+  out.formulation = request.target.oriented ? Formulation::oriented : Formulation::symmetric;
+  out.lags = *request.target.known;
+  const Field target = Field::NullaryExpr(out.lags.nx, 2 * out.lags.ny - 1, [&](Index p, Index column) {
+    return request.target(static_cast<double>(p), static_cast<double>(column - out.lags.ny + 1));
+  });
+  KernelTables tables = on_period(target, *problem.period, request.rms, problem.marginal, request.memory);
+  KernelReport& report = out.report;
+  report.residual = report.change = report.error = largest_error(tables);
+  report.answer = report.error <= request.tolerance ? Answer::exact : Answer::nearest;
+  report.reason = "the root of the spectrum on the period";
+  report.converged = report.error <= request.acf_tolerance;
+  if (!report.converged && !allows(request.infeasible, report.error))
+    throw DataError("acf",
+                    "no surface of this period and distribution has this autocorrelation; the closest one "
+                    "found changes it by " +
+                        number(report.error) + " (see --infeasible)");
+  out.values = std::move(tables.kernel);
+  out.acf_target = std::move(tables.acf_target);
+  out.acf_achieved = std::move(tables.acf_achieved);
+  return out;
+}
+
+// Solved for the field below the heights, whose distribution goes into the dataset.
+Kernel predistorted(KernelProblem& problem) {
+  const Predistortion predistortion(problem.marginal->translation);
+  set_marginal(problem.data, *problem.marginal);
+  problem.data.attributes.set("kernel_least_acf", predistortion.map().lowest());
+  problem.data.attributes.set("kernel_hermite_tail", predistortion.map().tail());
+  return problem.period ? periodic(problem) : predistortion.solve(problem.request);
+}
+
+Kernel solved(const Tool& tool, KernelProblem& problem) {
+  KernelRequest& request = problem.request;
+  Progress progress(tool);
+  StepTable steps(tool, {"lags", "step", "products", "residual"});
+  request.progress = [&](const KernelProgress& p) {
+    const std::string residual = fmt::format("{:.2e}", p.residual);
+    progress.iterate({.stage = std::string(p.iteration) + ", " + text(p.lags) + " lags",
+                      .residual = p.residual,
+                      .tolerance = request.tolerance / 2,
+                      .spent = p.spent,
+                      .steps = static_cast<double>(p.products),
+                      .name = "products"});
+    if (p.step == 0) tool.detail(std::string(p.iteration));
+    steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
+  };
+  if (problem.marginal) return predistorted(problem);
+  return problem.period ? periodic(problem) : solve_kernel(request);
+}
+
+// ---- what is said of it ----
+
+// "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond it.
+std::string achieved(const KernelProblem& problem, const Kernel& kernel) {
+  const std::string error = number(kernel.report.error);
+  if (problem.period)
+    return "a kernel of periodic surfaces of " + text(*problem.period) +
+           " points (asperity-generate --periodic): error over all lags " + error;
+  if (!problem.request.target.known) return text(kernel.lags) + " lags chosen: error over all lags " + error;
+  return "error over the " + text(kernel.lags) + " lags of the table " + error +
+         "; the autocorrelation beyond them reaches " + number(kernel.report.tail);
+}
+
+// Why a kernel is not what was asked for, from its record.
+std::string shortcoming(const Attributes& a) {
+  const KernelReport report = recorded_report(a);
+  if (a.text("kernel_answer") == "best") return "not converged: " + report.reason;
+  const double tolerance = recorded_tolerance(a);
+  const std::string error = number(report.error),
+                    what = report.change > tolerance && report.change < report.error
+                               ? "the change of the lags prescribed, " + number(report.change) +
+                                     " (over all lags " + error + ")"
+                               : "the error over all lags, " + error;
+  return what + " of the variance, exceeds --acf-tolerance " + number(tolerance) +
+         (report.reason == "solved" ? "" : ": " + report.reason);
+}
+
+// A kernel that has not the autocorrelation asked for, though it has been solved for.
+void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel& kernel) {
+  const KernelReport& report = kernel.report;
+  const bool chosen = request.lags == Shape{}, table = request.target.known.has_value();
+  const bool changed =
+      (report.answer == Answer::nearest || report.answer == Answer::least_squares) && report.change > negligible_change;
+  if (changed && !(chosen && table))
+    tool.warn("no kernel of " + text(kernel.lags) + " lags has this autocorrelation; " +
+              (report.answer == Answer::nearest ? "the kernel of the nearest that was found"
+                                          : "the kernel of least squares") +
+              " changes it by up to " + number(report.change) + " of the variance");
+  const double silent = table ? request.acf_tolerance : std::max(request.acf_tolerance, silent_error);
+  if (!chosen && report.error > silent)
+    tool.warn("the error over all lags is " + number(report.error) + " of the variance: only the " +
+              text(kernel.lags) +
+              " lags prescribed are met; without --lags as many are taken as --acf-tolerance needs");
+}
+
+Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, bool aside) {
+  auto say = [&](const std::string& text) { aside ? tool.detail("kernel: " + text) : tool.note(text); };
+  const KernelReport& report = kernel.report;
+  tool.detail("kernel: " + std::string(name_of(report.answer)) + ", " + report.reason + ", residual " + shortest(report.residual) +
+              ", " + counted(report.jacobian_products, "product") + ", " + shortest(report.seconds) + " s");
+  if (problem.request.lags == Shape{}) say(achieved(problem, kernel));
+  if (!report.converged) {
+    tool.warn("kernel: " + shortcoming(problem.data.attributes));
+    return not_converged;
+  }
+  if (report.answer == Answer::wider)
+    say("a kernel wider than " + text(kernel.lags) + " lags, for none of these has this autocorrelation");
+  warn_of_errors(tool, problem.request, kernel);
+  return done;
+}
+
+}  // namespace
+
+KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing) {
+  KernelProblem out;
+  out.spacing = spacing;
+  out.has_height = !std::isnan(options.rms);
+  KernelRequest& request = out.request;
+  request = options.request;
+  if (out.has_height) request.rms = options.rms;
+  request.method = options.filters() ? Method::newton_krylov : method_named(options.method);
+  request.infeasible = infeasible_named(options.infeasible);
+  request.memory = static_cast<double>(tool.memory());
+  if (!options.formulation.empty()) request.formulation = formulation_named(options.formulation);
+  if (!tool.given("--acf"))
+    take_model(out, tool, options);
+  else
+    take_table(out, tool, options);
+  if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
+  request.check();
+  return out;
+}
+
+KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside) {
+  const Kernel kernel = solved(tool, problem);
+  set_kernel(problem.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, problem.has_height,
+                            problem.spacing, problem.marginal.has_value(), problem.period});
+  record_kernel(problem.data.attributes, problem.request, kernel);
+  const Exit code = tell(tool, problem, kernel, aside);
+  return {std::move(problem.data), std::move(problem.before), code};
+}
+
+void tell_read(const Tool& tool, const Dataset& data) {
+  const KernelReport report = recorded_report(data.attributes);
+  tool.detail("kernel: " + report.reason + ", residual " + shortest(report.residual) +
+              ", error over all lags " + shortest(report.error));
+  if (!report.converged) tool.warn("kernel: " + shortcoming(data.attributes));
+}
+
+}  // namespace asperity::cli

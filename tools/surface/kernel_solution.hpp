@@ -1,0 +1,41 @@
+/// From the options to a kernel in a dataset.
+#pragma once
+
+#include <optional>
+
+#include "tools/cli/lineage.hpp"
+#include "tools/surface/kernel_dataset.hpp"
+#include "tools/surface/kernel_options.hpp"
+#include "tools/surface/marginal_dataset.hpp"
+
+namespace asperity::cli {
+
+struct KernelProblem {
+  KernelRequest request;
+  Spacing spacing;                   ///< of the samples
+  bool has_height = false;           ///< request.rms is a height [m]
+  std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
+  HeightsWithAcf measured;           ///< what came with a table
+  std::optional<Shape> period;  ///< of the surfaces that the kernel is for, where the table is that of one
+  Dataset data;      ///< what the kernel is added to: the attributes of the target, the grid of its table
+  Inventory before;  ///< of the table's dataset
+};
+
+/// The model or the table of the options, on samples of this spacing if it is known; a table may know it itself.
+/// Throws UsageError, and DataError for a table that makes no sense.
+KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing);
+
+struct KernelSolution {
+  Dataset data;
+  Inventory before;  ///< of the dataset with the table, to tell what is gone
+  Exit code = done;  ///< not_converged for a kernel that is not what was asked for
+};
+
+/// Warns of a kernel that is not what was asked for. What is in order is said too, as a note or, where `aside` is set,
+/// with --verbose only.
+KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside = false);
+
+/// Of a kernel that was read, of which its own run has told all but that it is not solved.
+void tell_read(const Tool& tool, const Dataset& data);
+
+}  // namespace asperity::cli

@@ -1,0 +1,153 @@
+#include "tools/surface/surface_kernel.hpp"
+
+#include <algorithm>
+
+#include "acf/kernel_cost.hpp"
+#include "acf/table.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/netcdf.hpp"
+#include "marginal/prescribed.hpp"
+#include "tools/cli/stream.hpp"
+#include "tools/surface/kernel_solution.hpp"
+#include "tools/surface/periodic_kernel.hpp"
+#include "tools/surface/prospect.hpp"
+
+namespace asperity::cli {
+namespace {
+
+// Shape and size of the surface that the kernel's dataset has or had, where they are not given.
+void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
+  if (tool.given("--shape")) return;
+  if (!data.has("x") || !data.has("y"))
+    throw UsageError("shape", "is required: the autocorrelation comes without a grid");
+  const Grid grid = grid_of(data);
+  o.shape = grid.shape;
+  if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
+}
+
+// Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
+void refuse_drawing(const Tool& tool, const GenerateOptions& o, Shape lags) {
+  auto side = [&](Index n, Index period) { return o.periodic ? std::min(2 * n - 1, period) : 2 * n - 1; };
+  o.synthesis(tool, Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny)));
+}
+
+void require_model(const Tool& tool) {
+  if (!tool.given("--shape")) throw UsageError("shape", "is required");
+  if (!tool.given("--length")) throw UsageError("length", "is required, or --acf or --kernel");
+  if (!tool.given("--size")) throw UsageError("size", "is required");
+}
+
+SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
+  if (!tool.given("--acf")) require_model(tool);
+  const bool sized = tool.given("--shape") && tool.given("--size");
+  KernelProblem problem = kernel_problem(tool, o.acf, sized ? spacing_of(o.shape, o.size) : std::nullopt);
+  if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
+  adopt_grid(tool, o, problem.data);
+  if (!o.periodic || problem.period != o.shape) problem.period.reset();
+  foresee(tool, problem, o.shape);
+  if (!problem.request.target.known) refuse_drawing(tool, o, first_lags(problem.request));
+  HeightsWithAcf measured = problem.measured;
+  KernelSolution solution = solve(tool, std::move(problem), true);
+  return {std::move(solution.data), {}, std::move(measured), std::move(solution.before), solution.code};
+}
+
+SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
+  if (!tool.given("--kernel") && stdin_is_device())
+    throw UsageError("length", "is required, or --kernel, or a kernel on standard input");
+  const std::string name = tool.given("--kernel") ? o.kernel : "-";
+  tool.reads(name, true);
+  const Bytes bytes = read_all(name, tool.memory_bound());
+  const std::string heights = MarginalOptions::given(tool);
+  if (!heights.empty() && !o.acf.filters())
+    throw UsageError(heights,
+                     "is for the solution of the kernel, by asperity-kernel, or for --method filter");
+  SurfaceKernel out;
+  out.data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
+  tool.settle(out.data);
+  adopt_grid(tool, o, out.data);
+  out.before = Inventory(out.data);
+  drop_surface(out.data);
+  foresee_extent(tool, target_of_table(known_lags(kernel_of(out.data).acf_target)), o.shape, "shape");
+  tell_read(tool, out.data);
+  return out;
+}
+
+SurfaceKernel solved_or_read(const Tool& tool, GenerateOptions& o) {
+  const std::string target = o.target_option(tool);
+  if (!tool.given("--kernel") && (!target.empty() || stdin_is_terminal())) return solved(tool, o);
+  if (!target.empty()) throw UsageError(target, "does not go together with --kernel");
+  return read(tool, o);
+}
+
+// The kernel's tables with the height and the spacing of this surface.
+KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Dataset& data) {
+  KernelTables tables = kernel_of(data);
+  if (tool.given("--rq")) {
+    check_rms(o.acf.rms);
+    tables.scale(o.acf.rms / tables.rms());
+    tables.has_height = true;
+  }
+  if (!tables.has_height) throw UsageError("rq", "the kernel has unit variance: an rms height is required");
+  if (std::isnan(o.size[0])) {
+    if (!tables.spacing) throw UsageError("size", "is required: the kernel counts its lags in samples");
+    return tables;
+  }
+  const Spacing spacing = spacing_of(o.shape, o.size);
+  require_spacing("size", "gives a spacing", spacing, "the kernel has", tables.spacing, 1e-9);
+  tables.spacing = spacing;
+  return tables;
+}
+
+// ---- the heights ----
+
+void expect(Attributes& a, const char* way, double skewness, double kurtosis) {
+  a.set("generate_heights", way);
+  a.set("generate_skewness_expected", skewness);
+  a.set("generate_kurtosis_expected", kurtosis);
+  a.set("generate_acf_error_expected",
+            a.number("kernel_error", NAN) + a.number("kernel_hermite_tail", 0));
+}
+
+Pointwise translated(const Translation& translation, double rms) {
+  return [apply = translation.apply, rms](std::span<double> values) {
+    apply(values);
+    for (double& z : values) z *= rms;
+  };
+}
+
+Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& kernel) {
+  const auto prescribed = o.acf.heights.moments(tool, kernel.measured, infeasible_named(o.acf.infeasible));
+  if (!prescribed) throw UsageError("method", "filter: takes --skewness and --kurtosis");
+  const Translation noise = prescribed->noise(kernel.tables.kernel);
+  const HeightMoments moments = KernelCumulants::of(kernel.tables.kernel).heights(height_moments(noise));
+  tell_kurtosis(tool, *prescribed, moments.kurtosis);
+  expect(kernel.data.attributes, "filter", moments.skewness, moments.kurtosis);
+  return noise.family == "normal" ? Pointwise{} : noise.apply;
+}
+
+}  // namespace
+
+SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options) {
+  SurfaceKernel out = solved_or_read(tool, options);
+  const Shape shape = options.shape;
+  out.tables = tables_for(tool, options, out.data);
+  check_period(out.tables, shape, options.periodic);
+  if (options.periodic)
+    out.code = std::max(out.code,
+                        wrap_kernel(tool, out.data, out.tables, shape, static_cast<double>(tool.memory())));
+  set_kernel(out.data, out.tables);
+  set_grid(out.data, {shape, (*out.tables.spacing)[0], (*out.tables.spacing)[1], options.periodic});
+  return out;
+}
+
+HeightDistribution height_distribution(const Tool& tool, const GenerateOptions& o, SurfaceKernel& kernel) {
+  const std::optional<Marginal> marginal = marginal_of(kernel.data);
+  if (!marginal) return {o.acf.filters() ? filtered(tool, o, kernel) : Pointwise{}, {}};
+  if (o.acf.filters())
+    throw UsageError("method", "filter: the kernel is of a Gaussian field below heights that are " +
+                                   marginal->translation.family + ", not of the heights");
+  expect(kernel.data.attributes, "translation", marginal->skewness, marginal->kurtosis);
+  return {{}, translated(marginal->translation, kernel.tables.rms())};
+}
+
+}  // namespace asperity::cli
