@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "stress/calibration.hpp"
 #include "stress/corner.hpp"
 
 namespace asperity {
@@ -143,11 +144,11 @@ Tensor point_load_stress(double x, double y, double z, double nu, stress::Tracti
 
 Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                            stress::Traction load) {
-  constexpr double far = 5, farther = 50;  // half sides
+  using namespace calibration;
   const double distance = std::hypot(x, y, z) / std::max(a, b);
-  if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
-  return distance < farther ? integrated(eight_points, x, y, z, a, b, poisson, load)
-                            : integrated(four_points, x, y, z, a, b, poisson, load);
+  if (distance < integrate_by_8) return rectangle_stress(x, y, z, a, b, poisson, load);
+  return distance < integrate_by_4 ? integrated(eight_points, x, y, z, a, b, poisson, load)
+                                   : integrated(four_points, x, y, z, a, b, poisson, load);
 }
 
 }  // namespace asperity

@@ -7,18 +7,13 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "stress/von_mises.hpp"
+#include "stress/calibration.hpp"
+#include "stress/equivalent.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double ratio = 1.5;        // between depths of the scan
-constexpr double shallowest = 0.25;  // of a cell
-constexpr double close = 0.01;       // in ln z: a vertex so near is not worth a layer
-constexpr double beside = 0.04;      // in ln z: a point that narrows the bracket instead
-constexpr double narrow = 0.012;  // product of the sides of a bracket, in ln z, that a parabola is read off
-constexpr int most_steps = 6;
-constexpr Index usual_steps = 4;  // to refine the largest
+using namespace calibration;
 
 struct Parabola {
   double vertex = 0, value = 0;
@@ -61,41 +56,42 @@ struct Sample {
 };
 
 // Counts the layers, whichever thread computes them.
-class Account {
+class ProgressCounter {
  public:
-  Account(Index scanned, const std::function<void(const StressProbe&)>& told)
-      : expected_(scanned + 1 + usual_steps), told_(told) {}
+  ProgressCounter(Index scanned, const std::function<void(const StressProbe&)>& on_layer)
+      : expected_(scanned + 1 + usual_steps), on_layer_(on_layer) {}
 
   void add(const Sample& sample) {
     const std::scoped_lock lock(mutex_);
     ++layers_;
-    if (told_) told_({layers_, std::max(layers_, expected_), std::exp(sample.log_depth), sample.peak.value});
+    if (on_layer_)
+      on_layer_({layers_, std::max(layers_, expected_), std::exp(sample.log_depth), sample.peak.value});
   }
   Index layers() const { return layers_; }
 
  private:
   Index layers_ = 0, expected_;
-  const std::function<void(const StressProbe&)>& told_;
+  const std::function<void(const StressProbe&)>& on_layer_;
   std::mutex mutex_;
 };
 
 class Probe {
  public:
-  Probe(const StressSolver& solver, Account& account)
-      : solver_(solver), account_(account), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
+  Probe(const StressSolver& solver, ProgressCounter& counter)
+      : solver_(solver), counter_(counter), von_mises_(solver.shape().nx, solver.shape().ny) {}
 
   Sample at(double log_depth) {
     solver_.layer(std::exp(log_depth), stress::all, work_, [&](Index i, const StressRow& row) {
-      von_mises(row, von_mises_.cols(), von_mises_.row(i).data());
+      von_mises(row, {von_mises_.row(i).data(), row[0].size()});
     });
-    const Sample sample{log_depth, peak_of(von_mises_, solver_.grid())};
-    account_.add(sample);
+    const Sample sample{log_depth, peak_of(von_mises_, solver_.body().grid)};
+    counter_.add(sample);
     return sample;
   }
 
  private:
   const StressSolver& solver_;
-  Account& account_;
+  ProgressCounter& counter_;
   StressSolver::Workspace work_;
   Field von_mises_;
 };
@@ -115,25 +111,26 @@ double extent(const Lines& loaded, bool periodic) {
 }
 
 // Half the longer side of the rectangle around the loaded cells.
-double loaded_radius(const Grid& grid, const Field& pressure) {
+double loaded_radius(const LoadedBody& body) {
+  const auto& [grid, pressure, poisson, friction] = body;
   const Eigen::Array<bool, Eigen::Dynamic, 1> in_x = (pressure != 0).rowwise().any(),
                                               in_y = (pressure != 0).colwise().any().transpose();
   return 0.5 * std::max(extent(in_x, grid.periodic) * grid.dx, extent(in_y, grid.periodic) * grid.dy);
 }
 
-std::vector<double> scan_depths(const Grid& grid, const Field& pressure) {
-  const double first = std::log(shallowest * std::min(grid.dx, grid.dy)), step = std::log(ratio);
-  const double deepest = std::log(loaded_radius(grid, pressure));
+std::vector<double> scan_depths(const LoadedBody& body) {
+  const double first = std::log(scan_shallowest * std::min(body.grid.dx, body.grid.dy)),
+               step = std::log(scan_ratio), deepest = std::log(loaded_radius(body));
   std::vector<double> log_depths;
   for (int k = 0; k < 3 || log_depths.back() < deepest; ++k) log_depths.push_back(first + k * step);
   return log_depths;
 }
 
 std::vector<Sample> scan(const StressSolver& solver, const std::vector<double>& log_depths,
-                         Account& account) {
+                         ProgressCounter& counter) {
   std::vector<Sample> samples(log_depths.size());
   parallel_ranges(static_cast<Index>(samples.size()), solver.threads(), [&](Index begin, Index end, int) {
-    Probe probe(solver, account);
+    Probe probe(solver, counter);
     for (auto l = static_cast<std::size_t>(begin); l < static_cast<std::size_t>(end); ++l)
       samples[l] = probe.at(log_depths[l]);
   });
@@ -170,14 +167,14 @@ Sample refine(Sample a, Sample b, Sample c, Probe& probe) {
 }  // namespace
 
 StressMaximum maximum_von_mises(const StressSolver& solver,
-                                const std::function<void(const StressProbe&)>& told) {
-  if ((solver.pressure() == 0).all()) return {};
-  const std::vector<double> log_depths = scan_depths(solver.grid(), solver.pressure());
-  Account account(static_cast<Index>(log_depths.size()), told);
-  const std::vector<Sample> s = scan(solver, log_depths, account);
+                                const std::function<void(const StressProbe&)>& on_layer) {
+  if ((solver.body().pressure == 0).all()) return {};
+  const std::vector<double> log_depths = scan_depths(solver.body());
+  ProgressCounter counter(static_cast<Index>(log_depths.size()), on_layer);
+  const std::vector<Sample> s = scan(solver, log_depths, counter);
   Sample best = *std::max_element(
       s.begin(), s.end(), [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
-  Probe probe(solver, account);
+  Probe probe(solver, counter);
   const Sample surface = probe.at(-std::numeric_limits<double>::infinity());
   if (surface.peak.value > best.peak.value) best = surface;
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
@@ -187,7 +184,7 @@ StressMaximum maximum_von_mises(const StressSolver& solver,
     const Sample refined = refine(s[k - 1], s[k], s[k + 1], probe);
     if (refined.peak.value > best.peak.value) best = refined;
   }
-  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), account.layers()};
+  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), counter.layers()};
 }
 
 }  // namespace asperity

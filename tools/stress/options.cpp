@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/poisson.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/stress/quantity.hpp"
 
@@ -71,28 +68,6 @@ void StressOptions::check(Tool& tool) const {
   tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   refuse(!table && tool.output_is_terminal(), "output", "a dataset is binary and does not go to a terminal");
-}
-
-double StressOptions::poisson_of(const Dataset& data) const {
-  if (!std::isnan(poisson)) return poisson;
-  const Values* recorded = data.attributes.find("contact_poisson");
-  if (recorded == nullptr)
-    throw UsageError("poisson", "is needed: the dataset has no attribute contact_poisson");
-  const std::vector<double> both = numbers(*recorded);
-  if (std::holds_alternative<std::string>(*recorded) || both.empty() || both.size() > 2)
-    throw DataError("contact_poisson", "it must be one number, or one of each body");
-  if (body > static_cast<int>(both.size()))
-    throw UsageError("body", fmt::format("{}: the dataset knows Poisson's ratio of {}", body, both.size()));
-  const double out = both[static_cast<std::size_t>(body - 1)];
-  if (!is_poisson_ratio(out))
-    throw DataError("contact_poisson", fmt::format("{} must lie above -1 and not above 0.5", out));
-  return out;
-}
-
-Friction StressOptions::sliding() const {
-  const Friction out{friction, parse_angle("friction-angle", friction_angle)};
-  out.check();
-  return out;
 }
 
 }  // namespace asperity::cli

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "dataset/dataset.hpp"
-#include "stress/layers.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -26,13 +24,6 @@ struct StressOptions {
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool) const;
-
-  /// From the options or the dataset; ParameterError where neither tells.
-  double poisson_of(const Dataset& data) const;
-  Friction sliding() const;
-  DepthResolution depth_resolution() const {
-    return resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
-  }
 };
 
 }  // namespace asperity::cli
