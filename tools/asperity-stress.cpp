@@ -12,24 +12,13 @@ using namespace asperity;
 
 namespace {
 
-int tabulate(const cli::Tool& tool, const cli::StressOptions& options,
-             const cli::StressSelection& selection) {
-  const cli::StressPlaces points = cli::read_points(tool, options.points);
-  const cli::StressScene scene = cli::read_scene(tool, options);
-  const cli::Table table = cli::stress_table(scene, selection, points, tool.thread_count());
-  cli::print(tool, table);
-  cli::warn_of_points(tool, scene, points, table);
-  return cli::done;
-}
-
-int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
+void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
   cli::StressScene scene = cli::read_scene(tool, options);
-  const int threads = tool.thread_count();
   const Stopwatch clock;
   const cli::Inventory before(scene.data);
   cli::drop_results(scene.data, "stress");
 
-  const StressSolver solver = scene.solver(threads);
+  const StressSolver solver = scene.solver(tool.thread_count());
   double largest = 0;  // von Mises stress
   if (options.maximum) largest = cli::search_maximum(tool, scene, solver).von_mises;
   cli::record_parameters(scene);
@@ -45,7 +34,6 @@ int compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stres
   }
   before.tell(tool, scene.data, "stress");
   cli::warn_of_yield(tool, scene, largest);
-  return cli::done;
 }
 
 }  // namespace
@@ -56,22 +44,20 @@ int main(int argc, char** argv) {
   options.declare(tool);
   tool.example("asperity-stress --depths 0:0.8mm:32 --components von_mises,zz pressed.nc -o stress.nc");
   tool.accuracy(
-      "Exact to 1e-14 for a pressure constant in each cell, of a periodic contact for the waves through the "
-      "cells' pressures, the mean of which a body held at its sides bears; to 2e-6 of its largest value "
-      "where "
-      "layers are ten cells deep and more, unless --resolution full; at --points of a free contact to 4e-13 "
-      "of their stress however far they lie. On n cells across a Hertz contact the largest von Mises stress "
-      "errs by 0.95/n^2. From two cells' depth on every value is within 1 % of the largest pressure, "
-      "friction "
-      "up to 0.5 included; above it, cells within two cells of an edge of the contact may be off by 9 %, of "
-      "a "
-      "Poisson's ratio nu below 0.1 by 11 (1 - 2 nu) %, and by 26 % of the friction more, and a maximum "
-      "rests "
-      "on single cells: compare stress_max_depth with stress_accurate_depth.");
+      "Exact to 1e-14 for a pressure constant in each cell, of a periodic contact for the waves through "
+      "the cells' pressures, the mean of which a body held at its sides bears; to 2e-6 of its largest "
+      "value where layers are ten cells deep and more, unless --resolution full; at --points of a free "
+      "contact to 4e-13 of their stress however far they lie. On n cells across a Hertz contact the "
+      "largest von Mises stress errs by 0.95/n^2. From two cells' depth on every value is within 1 % of "
+      "the largest pressure, friction up to 0.5 included; above it, cells within two cells of an edge of "
+      "the contact may be off by 9 %, of a Poisson's ratio nu below 0.1 by 11 (1 - 2 nu) %, and by 26 % of "
+      "the friction more, and a maximum rests on single cells: compare stress_max_depth with "
+      "stress_accurate_depth.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);
     const cli::StressSelection selection(options.components);
-    return options.points.empty() ? compute(tool, options, selection) : tabulate(tool, options, selection);
+    options.points.empty() ? compute(tool, options, selection) : cli::print_points(tool, options, selection);
+    return cli::done;
   });
 }

@@ -144,11 +144,11 @@ Tensor point_load_stress(double x, double y, double z, double nu, stress::Tracti
 
 Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                            stress::Traction load) {
-  using namespace calibration;
+  constexpr double far = calibration::integrate_by_8, farther = calibration::integrate_by_4;  // half sides
   const double distance = std::hypot(x, y, z) / std::max(a, b);
-  if (distance < integrate_by_8) return rectangle_stress(x, y, z, a, b, poisson, load);
-  return distance < integrate_by_4 ? integrated(eight_points, x, y, z, a, b, poisson, load)
-                                   : integrated(four_points, x, y, z, a, b, poisson, load);
+  if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
+  return distance < farther ? integrated(eight_points, x, y, z, a, b, poisson, load)
+                            : integrated(four_points, x, y, z, a, b, poisson, load);
 }
 
 }  // namespace asperity

@@ -7,7 +7,7 @@
 
 namespace asperity::cli {
 void StressOptions::declare(Tool& tool) {
-  const std::string where = "Where", content = "What", which = "Body", load = "Friction";
+  const std::string where = "Where", content = "What";
   tool.input();
   tool.text(
       "--depths", depths, "DEPTHS",
@@ -34,6 +34,18 @@ void StressOptions::declare(Tool& tool) {
   tool.choice("--resolution", resolution, {"adapted", "full"},
               "Deep layers from wider cells, within 2e-6 of the largest pressure; or every one in full",
               content);
+  declare_body(tool);
+  tool.memory(
+      "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
+      "for each variable. Into files layers go as they are made");
+  tool.output();
+  tool.table();
+  tool.report();
+  tool.threads();
+}
+
+void StressOptions::declare_body(Tool& tool) {
+  const std::string which = "Body", load = "Friction";
   tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
   tool.integer("--body", body, {1, 2}, "Which body's ratio to take from the dataset, 1 or 2", which);
   CLI::Option* slides =
@@ -42,13 +54,6 @@ void StressOptions::declare(Tool& tool) {
   tool.text("--friction-angle", friction_angle, "ANGLE",
             "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
       ->needs(slides);
-  tool.memory(
-      "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
-      "for each variable. Into files layers go as they are made");
-  tool.output();
-  tool.table();
-  tool.report();
-  tool.threads();
 }
 
 void StressOptions::check(Tool& tool) const {

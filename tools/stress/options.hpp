@@ -24,6 +24,9 @@ struct StressOptions {
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool) const;
+
+ private:
+  void declare_body(Tool& tool);
 };
 
 }  // namespace asperity::cli

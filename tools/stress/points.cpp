@@ -9,9 +9,12 @@
 #include "core/parallel.hpp"
 #include "stress/points.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 namespace {
+
+using Places = std::vector<std::array<double, 3>>;  // x, y and depth [m]
 
 // A number alone counts metres, as in every table.
 double parse_place(const std::string& word) {
@@ -20,9 +23,9 @@ double parse_place(const std::string& word) {
   return *end == '\0' ? metres : parse_quantity("points", word, "m");
 }
 
-StressPlaces parse_points(std::string_view text, const MemoryBound& memory) {
+Places parse_points(std::string_view text, const MemoryBound& memory) {
   constexpr double bytes_a_row = 1000;  // of the table, with all components
-  StressPlaces points;
+  Places points;
   std::istringstream lines{std::string(text)};
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -43,7 +46,7 @@ StressPlaces parse_points(std::string_view text, const MemoryBound& memory) {
 }
 
 // The tensor at each point: a row a component.
-Field stress_at(const StressScene& scene, const StressPlaces& points, int threads) {
+Field stress_at(const StressScene& scene, const Places& points, int threads) {
   const auto count = static_cast<Index>(points.size());
   Field out(6, count);
   const StressPoints below(scene.body, threads);
@@ -66,15 +69,7 @@ double largest_in(const Table& table, std::string_view name) {
   return top;
 }
 
-}  // namespace
-
-StressPlaces read_points(const Tool& tool, const std::string& name) {
-  tool.reads(name);
-  const Bytes text = read_all(name, tool.memory_bound());
-  return parse_points(text, tool.memory_bound(2 * text.size()));
-}
-
-Table stress_table(const StressScene& scene, const StressSelection& selection, const StressPlaces& points,
+Table stress_table(const StressScene& scene, const StressSelection& selection, const Places& points,
                    int threads) {
   Table table{{{"x", "m"}, {"y", "m"}, {"z", "m"}}, {}};
   for (const auto& output : selection.outputs()) table.columns.push_back({output.name, output.units});
@@ -93,17 +88,27 @@ Table stress_table(const StressScene& scene, const StressSelection& selection, c
   return table;
 }
 
-void warn_of_points(const Tool& tool, const StressScene& scene, const StressPlaces& points,
-                    const Table& table) {
+void warn_if_shallow(const Tool& tool, const StressScene& scene, const Places& points) {
   const double accurate = accurate_depth(scene.body.grid);
   const auto shallow = std::ranges::count_if(points, [&](const auto& p) { return p[2] < accurate; });
-  if (shallow > 0)
-    tool.warn(fmt::format(
-        "{} of {} points lie less than {:.4g} um deep, which is stress_accurate_depth: their stress is that "
-        "of single cells, off by up to {:.0f} % of the largest pressure below a cell's centre, and without a "
-        "bound at the surface towards its edges and corners",
-        shallow, points.size(), accurate * 1e6,
-        100 * shallow_error(scene.body.poisson, scene.body.friction)));
+  if (shallow == 0) return;
+  tool.warn(fmt::format(
+      "{} of {} points lie less than {:.4g} um deep, which is stress_accurate_depth: their stress is that "
+      "of single cells, off by up to {:.0f} % of the largest pressure below a cell's centre, and without a "
+      "bound at the surface towards its edges and corners",
+      shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));
+}
+
+}  // namespace
+
+void print_points(const Tool& tool, const StressOptions& options, const StressSelection& selection) {
+  tool.reads(options.points);
+  const Bytes text = read_all(options.points, tool.memory_bound());
+  const Places points = parse_points(text, tool.memory_bound(2 * text.size()));
+  const StressScene scene = read_scene(tool, options);
+  const Table table = stress_table(scene, selection, points, tool.thread_count());
+  print(tool, table);
+  warn_if_shallow(tool, scene, points);
   warn_of_yield(tool, scene, largest_in(table, "von_mises"));
 }
 

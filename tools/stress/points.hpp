@@ -1,24 +1,14 @@
-/// The table that asperity-stress prints of points.
+/// The stress at points, as a table.
 #pragma once
 
-#include "tools/cli/table.hpp"
 #include "tools/stress/quantity.hpp"
 #include "tools/stress/scene.hpp"
 
 namespace asperity::cli {
 
-using StressPlaces = std::vector<std::array<double, 3>>;  ///< x, y and depth [m]
-
-/// Three lengths a line, in metres or with units; # begins a comment. Throws DataError("points", …), also for a table of so
-/// many points that takes more memory than is allowed.
-StressPlaces read_points(const Tool& tool, const std::string& name);
-
-/// The selected quantities at each of the points.
-Table stress_table(const StressScene& scene, const StressSelection& selection, const StressPlaces& points,
-                   int threads);
-
-/// That points lie less deep than accurate_depth, and that there is more than the yield stress in the table.
-void warn_of_points(const Tool& tool, const StressScene& scene, const StressPlaces& points,
-                    const Table& table);
+/// Prints the selected quantities at each of the points in the file that the options name: three lengths a line, in metres
+/// or with units; # begins a comment. Throws DataError("points", …), also for a table of so many points that takes more
+/// memory than is allowed. Warns of points that lie less deep than accurate_depth, and of more than the yield stress.
+void print_points(const Tool& tool, const StressOptions& options, const StressSelection& selection);
 
 }  // namespace asperity::cli
