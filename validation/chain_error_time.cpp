@@ -100,7 +100,7 @@ class Chain {
   }
   StressMaximum stress(const Field& pressure) const {
     return maximum_von_mises(
-        StressSolver(grid_, pressure, scene_bodies.poisson[0], 1, DepthResolution::adapted));
+        StressSolver({grid_, pressure, scene_bodies.poisson[0]}, 1, DepthResolution::adapted));
   }
 
  private:

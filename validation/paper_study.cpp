@@ -44,8 +44,8 @@
 #include "stats/height/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
+#include "stress/equivalent.hpp"
 #include "stress/maximum.hpp"
-#include "stress/von_mises.hpp"
 #include "surface/synthesis.hpp"
 
 using namespace asperity;
@@ -78,7 +78,7 @@ double largest_in_layer(const StressSolver& solver, double z) {
   Eigen::ArrayXd row(n_cells);
   double largest = 0;
   solver.layer(z, stress::all, work, [&](Index, const StressRow& s) {
-    von_mises(s, n_cells, row.data());
+    von_mises(s, {row.data(), s[0].size()});
     largest = std::max(largest, row.maxCoeff());
   });
   return largest;
@@ -100,7 +100,7 @@ void press(Field gap, ElasticOperator& influence, Row& out) {
   const Contact c = solve_contact(grid(), std::move(gap), influence,
                                   {.load = scene_load, .limit_pressure = limit_pressure, .tolerance = 1e-8});
   if (!c.converged) throw DataError("pressure", c.reason);
-  const StressSolver solver(grid(), c.pressure, scene_bodies.poisson[0], 1, DepthResolution::adapted);
+  const StressSolver solver({grid(), c.pressure, scene_bodies.poisson[0]}, 1, DepthResolution::adapted);
   const StressMaximum largest = maximum_von_mises(solver);
   out(p_max) = 1e-6 * c.max_pressure, out(area) = 1e6 * c.area, out(plastic) = c.plastic_area / c.area;
   out(von_mises_max) = 1e-6 * largest.von_mises, out(depth) = 1e6 * largest.depth;

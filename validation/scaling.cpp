@@ -29,12 +29,12 @@
 #include "acf/kernel.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
+#include "reference/hertz_stress.hpp"
 #include "stats/height/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spectrum/spectrum.hpp"
-#include "stress/hertz.hpp"
+#include "stress/equivalent.hpp"
 #include "stress/maximum.hpp"
-#include "stress/von_mises.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 
@@ -99,15 +99,17 @@ Work rough(Index n, int threads) { return contact("B", n, threads); }
 
 Work volume(Index n, int threads) {
   return [n, threads, p = hertz_pressure(square(n)), mises = std::make_shared<Field>(8 * n, n)] {
-    StressSolver(square(n), p, 0.3, threads)
+    StressSolver({square(n), p, 0.3}, threads)
         .layers({0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.9, 1.2}, stress::all,
-                [&](Index l, Index i, const StressRow& s) { von_mises(s, n, mises->row(l * n + i).data()); });
+                [&](Index l, Index i, const StressRow& s) {
+                  von_mises(s, {mises->row(l * n + i).data(), s[0].size()});
+                });
   };
 }
 
 Work maximum(Index n, int threads) {
   return [threads, grid = square(n), p = hertz_pressure(square(n))] {
-    maximum_von_mises(StressSolver(grid, p, 0.3, threads, DepthResolution::adapted));
+    maximum_von_mises(StressSolver({grid, p, 0.3}, threads, DepthResolution::adapted));
   };
 }
 

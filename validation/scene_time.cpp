@@ -26,9 +26,9 @@
 #include "acf/kernel.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
+#include "stress/equivalent.hpp"
+#include "stress/layers.hpp"
 #include "stress/maximum.hpp"
-#include "stress/section.hpp"
-#include "stress/von_mises.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 
@@ -93,19 +93,19 @@ void compute(Asked asked, const Grid& grid, const Field& pressure, Field& out) {
   const double poisson = scene_bodies.poisson[0];
   constexpr auto adapted = DepthResolution::adapted;
   const auto keep_mises = [&](Index l, Index i, const StressRow& s) {
-    von_mises(s, n, out.row(l * n + i).data());
+    von_mises(s, {out.row(l * n + i).data(), s[0].size()});
   };
   if (asked == Asked::volume)
-    StressSolver(grid, pressure, poisson, 1, adapted).layers(depths(), stress::all, keep_mises);
+    StressSolver({grid, pressure, poisson}, 1, adapted).layers(depths(), stress::all, keep_mises);
   if (asked == Asked::one_component)
-    StressSolver(grid, pressure, poisson, 1, adapted)
+    StressSolver({grid, pressure, poisson}, 1, adapted)
         .layers(depths(), stress::Set().set(stress::zz), [&](Index l, Index i, const StressRow& s) {
-          std::copy_n(s[stress::zz], n, out.row(l * n + i).data());
+          std::ranges::copy(s[stress::zz], out.row(l * n + i).data());
         });
   if (asked == Asked::section)
-    StressSection(grid, pressure, {}, poisson, {true, n / 2}, 1, adapted)
-        .rows(depths(), stress::all, keep_mises);
-  if (asked == Asked::maximum) maximum_von_mises(StressSolver(grid, pressure, poisson, 1, adapted));
+    StressSolver({grid, pressure, poisson}, {true, n / 2}, 1, adapted)
+        .layers(depths(), stress::all, keep_mises);
+  if (asked == Asked::maximum) maximum_von_mises(StressSolver({grid, pressure, poisson}, 1, adapted));
 }
 
 struct Surface {

@@ -1,7 +1,7 @@
 #include <limits>
 
+#include "reference/hertz_stress.hpp"
 #include "stability.hpp"
-#include "stress/hertz.hpp"
 #include "stress/maximum.hpp"
 #include "stress/points.hpp"
 
@@ -21,8 +21,8 @@ Field hill(Shape shape) {
 
 // The layer at some cells against the sum over all cells, per greatest pressure.
 double layer_error(const Grid& grid, const Field& p, double z, double nu, const Friction& friction) {
-  const StressSolver solver(grid, p, friction, nu);
-  const StressPoints points(grid, p, friction, nu);
+  const StressSolver solver({grid, p, nu, friction});
+  const StressPoints points({grid, p, nu, friction});
   StressSolver::Workspace work;
   const double scale = p.maxCoeff();
   double worst = 0;
@@ -31,7 +31,7 @@ double layer_error(const Grid& grid, const Field& p, double z, double nu, const 
     for (Index j = 0; j < grid.shape.ny; j += std::max<Index>(1, grid.shape.ny / 3)) {
       const stress::Tensor exact = points.at(grid.x(i), grid.y(j), z);
       for (auto c : stress::components) {
-        const double error = std::abs(row[c][j] - exact[c]) / scale;
+        const double error = std::abs(row[c][static_cast<std::size_t>(j)] - exact[c]) / scale;
         worst = error <= worst ? worst : error;  // and NaN
       }
     }
@@ -94,17 +94,17 @@ void maxima(const StabilityTable& table) {
   const Field hertz = hertz_pressure(grid);
   for (double scale : {1e-99, 1e9, 1e99})
     table.answered(fmt::format("Hertz's maximum, p_0 = {:g} Pa", scale), "squares of stresses", [&] {
-      const StressMaximum m = maximum_von_mises(StressSolver(grid, scale * hertz, 0.3));
+      const StressMaximum m = maximum_von_mises(StressSolver({grid, scale * hertz, 0.3}));
       return Finding{"found", "error", std::abs(m.von_mises / scale / 0.620041004 - 1), 6e-4};
     });
   table.answered("no pressure at all", "nothing to find", [&] {
-    const StressMaximum m = maximum_von_mises(StressSolver(grid, Field::Zero(64, 64), 0.3));
+    const StressMaximum m = maximum_von_mises(StressSolver({grid, Field::Zero(64, 64), 0.3}));
     return Finding{"zero", "stress", m.von_mises, 0};
   });
   table.answered("one loaded cell", "the maximum a fraction of a cell deep", [&] {
     Field p = Field::Zero(64, 64);
     p(0, 63) = 1;
-    const StressMaximum m = maximum_von_mises(StressSolver(grid, p, 0.3));
+    const StressMaximum m = maximum_von_mises(StressSolver({grid, p, 0.3}));
     const double off = std::max(std::abs(m.x - grid.x(0)), std::abs(m.y - grid.y(63))) / grid.dx;
     return Finding{fmt::format("found {:.2f} cells deep", m.depth / grid.dx), "cells beside it", off, 0.5};
   });
@@ -114,18 +114,19 @@ void refusals(const StabilityTable& table) {
   const Grid grid{{8, 8}, 1, 1};
   const Field one = Field::Ones(8, 8);
   for (double nu : {-1.0, 0.51, nan})
-    table.refused(fmt::format("nu = {}", nu), "outside -1 ... 0.5", [&] { StressSolver(grid, one, nu); });
+    table.refused(fmt::format("nu = {}", nu), "outside -1 ... 0.5", [&] { StressSolver({grid, one, nu}); });
   for (double z : {-1.0, infinity, nan})
     table.refused(fmt::format("depth {} m", z), "no depth", [&] { check_depth(z); });
   for (double p : {1e300, infinity, nan})
     table.refused(fmt::format("a pressure of {:g}", p), "squares of stresses", [&] {
       Field wrong = one;
       wrong(1, 2) = p;
-      StressSolver(grid, wrong, 0.3);
+      StressSolver({grid, wrong, 0.3});
     });
-  table.refused("friction -1", "negative", [&] { StressSolver(grid, one, Friction{-1, 0}, 0.3); });
-  table.refused("8 x 7 pressures on 8 x 8 cells", "shapes differ",
-                [&] { StressSolver(grid, one.leftCols(7), 0.3); });
+  table.refused("friction -1", "negative", [&] { StressSolver({grid, one, 0.3, {-1, 0}}); });
+  table.refused("8 x 7 pressures on 8 x 8 cells", "shapes differ", [&] {
+    StressSolver({grid, one.leftCols(7), 0.3});
+  });
 }
 
 }  // namespace

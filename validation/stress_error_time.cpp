@@ -15,9 +15,9 @@
 
 #include <fmt/format.h>
 
-#include "stress/hertz.hpp"
+#include "reference/hertz_stress.hpp"
+#include "stress/equivalent.hpp"
 #include "stress/maximum.hpp"
-#include "stress/von_mises.hpp"
 #include "stress_stability.hpp"
 #include "timing.hpp"
 
@@ -38,22 +38,21 @@ Grid square(Index n) { return {{n, n}, 3.0 / static_cast<double>(n), 3.0 / stati
 
 double largest_error(const StressSolver& solver, const Friction& friction, StressSolver::Workspace& work) {
   double error = 0;
-  const Grid& grid = solver.grid();
+  const Grid& grid = solver.body().grid;
   solver.layer(depth, stress::all, work, [&](Index i, const StressRow& row) {
     for (Index j = 0; j < grid.shape.ny; ++j) {
       const stress::Tensor exact = hertz_stress(grid.x(i), grid.y(j), depth, poisson, friction);
-      for (auto c : stress::components) error = std::max(error, std::abs(row[c][j] - exact[c]));
+      for (auto c : stress::components)
+        error = std::max(error, std::abs(row[c][static_cast<std::size_t>(j)] - exact[c]));
     }
   });
   return error;
 }
 
 double layer_seconds(const StressSolver& solver, StressSolver::Workspace& work) {
-  std::vector<double> row(static_cast<std::size_t>(solver.grid().shape.ny));
-  return seconds_of([&] {
-    solver.layer(depth, stress::all, work,
-                 [&](Index, const StressRow& s) { von_mises(s, solver.grid().shape.ny, row.data()); });
-  });
+  std::vector<double> row(static_cast<std::size_t>(solver.shape().ny));
+  return seconds_of(
+      [&] { solver.layer(depth, stress::all, work, [&](Index, const StressRow& s) { von_mises(s, row); }); });
 }
 
 void discretisation(const Case& c, Index largest) {
@@ -62,7 +61,7 @@ void discretisation(const Case& c, Index largest) {
     const Grid grid = square(n);
     const Field pressure = hertz_pressure(grid);
     const Stopwatch clock;
-    const StressSolver solver(grid, pressure, c.friction, poisson);
+    const StressSolver solver({grid, pressure, poisson, c.friction});
     StressSolver::Workspace work;
     const double setup = clock.seconds();
     const double error = largest_error(solver, c.friction, work), seconds = layer_seconds(solver, work);
@@ -90,10 +89,9 @@ struct Found {
 
 Found largest_in_volume(const StressSolver& solver, const std::vector<double>& z) {
   Found top;
-  const Index count = solver.grid().shape.ny;
-  std::vector<double> row(static_cast<std::size_t>(count));
+  std::vector<double> row(static_cast<std::size_t>(solver.shape().ny));
   solver.layers(z, stress::all, [&](Index l, Index, const StressRow& s) {
-    von_mises(s, count, row.data());
+    von_mises(s, row);
     const double value = *std::max_element(row.begin(), row.end());
     if (value > top.von_mises) top = {value, z[static_cast<std::size_t>(l)]};
   });
@@ -103,8 +101,8 @@ Found largest_in_volume(const StressSolver& solver, const std::vector<double>& z
 void layers_and_spacing(const Case& c, Index n) {
   const Grid grid = square(n);
   const Field pressure = hertz_pressure(grid);
-  const StressSolver full(grid, pressure, c.friction, poisson),
-      adapted(grid, pressure, c.friction, poisson, 1, DepthResolution::adapted);
+  const StressSolver full({grid, pressure, poisson, c.friction}),
+      adapted({grid, pressure, poisson, c.friction}, 1, DepthResolution::adapted);
   for (bool geometric : {false, true})
     for (Index layers : {8, 16, 32, 64}) {
       const std::vector<double> z = depths(layers, geometric, grid);

@@ -15,10 +15,10 @@
 
 #include <fmt/format.h>
 
-#include "stress/hertz.hpp"
+#include "reference/hertz_stress.hpp"
+#include "stress/equivalent.hpp"
+#include "stress/layers.hpp"
 #include "stress/maximum.hpp"
-#include "stress/section.hpp"
-#include "stress/von_mises.hpp"
 #include "timing.hpp"
 
 using namespace asperity;
@@ -73,15 +73,15 @@ void report(
 // Six components, von Mises kept.
 void volume(const Scene& s, int threads, DepthResolution resolution, Field& out) {
   const Index n = s.grid.shape.nx;
-  StressSolver(s.grid, s.pressure, poisson, threads, resolution)
+  StressSolver({s.grid, s.pressure, poisson}, threads, resolution)
       .layers(s.depths, stress::all, [&](Index l, Index i, const StressRow& row) {
-        von_mises(row, n, out.data() + (l * n + i) * n);
+        von_mises(row, {out.data() + (l * n + i) * n, row[0].size()});
       });
 }
 
 double adapted_error(const Scene& s) {
-  const StressSolver full(s.grid, s.pressure, poisson),
-      adapted(s.grid, s.pressure, poisson, 1, DepthResolution::adapted);
+  const StressSolver full({s.grid, s.pressure, poisson}),
+      adapted({s.grid, s.pressure, poisson}, 1, DepthResolution::adapted);
   StressSolver::Workspace one, other;
   const Index n = s.grid.shape.nx;
   double error = 0;
@@ -89,11 +89,12 @@ double adapted_error(const Scene& s) {
     std::array<Field, 6> whole;
     for (Field& f : whole) f.resize(n, n);
     full.layer(s.depths[l], stress::all, one, [&](Index i, const StressRow& row) {
-      for (auto c : stress::components) std::copy_n(row[c], n, whole[c].row(i).data());
+      for (auto c : stress::components) std::ranges::copy(row[c], whole[c].row(i).data());
     });
     adapted.layer(s.depths[l], stress::all, other, [&](Index i, const StressRow& row) {
       for (auto c : stress::components)
-        for (Index j = 0; j < n; ++j) error = std::max(error, std::abs(row[c][j] - whole[c](i, j)));
+        for (Index j = 0; j < n; ++j)
+          error = std::max(error, std::abs(row[c][static_cast<std::size_t>(j)] - whole[c](i, j)));
     });
   }
   return error;
@@ -110,18 +111,19 @@ void report_all(Index n, int layers) {
   report(s, "volume_full", [&] { volume(s, 1, full, out); });
   report(s, "volume_full_2_threads", [&] { volume(s, 2, full, out); });
   report(s, "volume_adapted_zz", [&] {
-    StressSolver(s.grid, s.pressure, poisson, 1, adapted)
+    StressSolver({s.grid, s.pressure, poisson}, 1, adapted)
         .layers(s.depths, stress::Set().set(stress::zz), [&](Index l, Index i, const StressRow& row) {
-          std::copy_n(row[stress::zz], n, out.data() + (l * n + i) * n);
+          std::ranges::copy(row[stress::zz], out.data() + (l * n + i) * n);
         });
   });
   for (DepthResolution resolution : {adapted, full})
     report(s, resolution == full ? "section_full" : "section_adapted", [&] {
-      StressSection(s.grid, s.pressure, {}, poisson, {true, n / 2}, 1, resolution)
-          .rows(s.depths, stress::all,
-                [&](Index l, Index, const StressRow& row) { von_mises(row, n, out.row(l).data()); });
+      StressSolver({s.grid, s.pressure, poisson}, {true, n / 2}, 1, resolution)
+          .layers(s.depths, stress::all, [&](Index l, Index, const StressRow& row) {
+            von_mises(row, {out.row(l).data(), row[0].size()});
+          });
     });
-  report(s, "maximum", [&] { maximum_von_mises(StressSolver(s.grid, s.pressure, poisson, 1, adapted)); });
+  report(s, "maximum", [&] { maximum_von_mises(StressSolver({s.grid, s.pressure, poisson}, 1, adapted)); });
 }
 
 }  // namespace

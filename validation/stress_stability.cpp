@@ -61,7 +61,7 @@ struct Worst {
 };
 
 Worst compare(const Grid& grid, const Field& p, double z, double nu, const Friction& friction) {
-  const StressSolver solver(grid, p, friction, nu);
+  const StressSolver solver({grid, p, nu, friction});
   StressSolver::Workspace work;
   Worst out;
   solver.layer(z, stress::all, work, [&](Index i, const StressRow& row) {
@@ -76,7 +76,8 @@ Worst compare(const Grid& grid, const Field& p, double z, double nu, const Frict
           for (auto c : stress::components) exact[c] += p(k, l) * s[c];
         }
       for (auto c : stress::components) {
-        out.error = std::max(out.error, static_cast<double>(std::abs(row[c][j] - exact[c])));
+        out.error = std::max(out.error,
+                             static_cast<double>(std::abs(row[c][static_cast<std::size_t>(j)] - exact[c])));
         out.largest = std::max(out.largest, static_cast<double>(std::abs(exact[c])));
       }
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "stress/calibration.hpp"
 #include "stress/influence.hpp"
 
 namespace asperity {
@@ -16,23 +17,23 @@ double norm(const stress::Tensor& s) {
 
 // The largest norm at depth 1 under a unit force.
 double largest_norm(double poisson, stress::Traction load) {
-  constexpr int steps = 100;
+  using namespace calibration;
   double top = 0;
-  for (int i = 0; i <= steps; ++i)
-    for (int j = 0; j <= steps; ++j)
-      top = std::max(top, norm(point_load_stress(4.0 * i / steps, 4.0 * j / steps, 1, poisson, load)));
-  return 1.01 * top;
+  for (int i = 0; i <= bound_steps; ++i)
+    for (int j = 0; j <= bound_steps; ++j)
+      top = std::max(top, norm(point_load_stress(bound_width * i / bound_steps, bound_width * j / bound_steps,
+                                                 1, poisson, load)));
+  return bound_margin * top;
 }
 
 }  // namespace
 
-StressBound::StressBound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson)
-    : force_(std::numeric_limits<double>::infinity()) {
-  if (grid.periodic) return;
-  const double sliding =
-      friction.coefficient > 0 ? friction.coefficient * largest_norm(poisson, stress::shear_x) : 0;
-  force_ = std::sqrt(1.5) * (largest_norm(poisson, stress::normal) + sliding) * pressure.abs().sum() *
-           grid.cell_area();
+StressBound::StressBound(const LoadedBody& body) : force_(std::numeric_limits<double>::infinity()) {
+  if (body.grid.periodic) return;
+  const double friction = body.friction.coefficient,
+               sliding = friction > 0 ? friction * largest_norm(body.poisson, stress::shear_x) : 0;
+  force_ = std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) *
+           body.pressure.abs().sum() * body.grid.cell_area();
 }
 
 double StressBound::at(double z) const {

@@ -9,14 +9,13 @@
 /// the norm is below a sixth of them, and raised by a percent; finer lattices find 5e-4 more at the most, for any ν.
 #pragma once
 
-#include "core/field.hpp"
-#include "stress/friction.hpp"
+#include "stress/load.hpp"
 
 namespace asperity {
 
 class StressBound {
  public:
-  StressBound(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
+  explicit StressBound(const LoadedBody& body);
   /// √(3/2) times (1) at z > 0 [Pa]; infinite at the surface, and of a periodic load everywhere.
   double at(double z) const;
 

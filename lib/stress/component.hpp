@@ -6,7 +6,15 @@
 #include <array>
 #include <bitset>
 #include <cstddef>
+#include <span>
 #include <string_view>
+
+namespace asperity {
+
+/// Stresses along a row of points: for each component that was asked its values, else nothing.
+using StressRow = std::array<std::span<const double>, 6>;
+
+}  // namespace asperity
 
 namespace asperity::stress {
 

@@ -8,6 +8,7 @@
 
 #include "math/asinh_difference.hpp"
 #include "math/gauss_legendre.hpp"
+#include "stress/calibration.hpp"
 #include "stress/corner.hpp"
 
 namespace asperity {
@@ -127,7 +128,7 @@ Tensor point_load_stress(double x, double y, double z, double nu, stress::Tracti
 
 Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                            stress::Traction load) {
-  constexpr double far = 5, farther = 50;  // half sides
+  constexpr double far = calibration::integrate_by_8, farther = calibration::integrate_by_4;  // half sides
   const double distance = std::hypot(x, y, z) / std::max(a, b);
   if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
   return distance < farther ? integrated(gauss8, x, y, z, a, b, poisson, load)

@@ -19,10 +19,7 @@ constexpr Index width = LayerInfluence::width;
 constexpr double scale = 0.5 / std::numbers::pi;  // of the corner sum
 static_assert(width == corner_lanes && width == MirroredTransform::width);
 
-using Taper = std::array<std::vector<double>, 2>;
-
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-Index blocks_of(Index n) { return (n + width - 1) / width; }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
 // x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an
@@ -41,30 +38,29 @@ void difference(Parity kernel, double* x, const std::vector<double>& taper, Inde
 // asked for.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
-  HalfSpaceInfluence(const Grid& grid, Shape torus, double poisson, stress::Tractions acting,
-                     const Taper& taper)
-      : grid_(grid),
-        taper_(taper),
+  HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting)
+      : grid_(r.cells()),
+        taper_(r.taper()),
         poisson_(poisson),
         acting_(acting),
-        along_x_(torus.nx),
-        along_y_(torus.ny),
-        blocks_(blocks_of(torus.ny / 2 + 1)),
-        rows_(size(grid.shape.nx * width)),
+        along_x_(r.transform().torus().nx),
+        along_y_(r.transform().torus().ny),
+        blocks_(r.transform().blocks()),
+        rows_(size(grid_.shape.nx * width)),
         work_(size(std::max(along_x_.size(), along_y_.size()))),
         along_y_pairs_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
     for (Traction t : stress::tractions)
-      if (acting[t]) symbols_[t].resize(size(along_x_.size()));
+      if (acting[t]) transfer_[t].resize(size(along_x_.size()));
   }
 
-  void descend(double z, stress::Set asked, Index terms) override {
+  void set_depth(double z, stress::Set asked, Index lags) override {
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
         const bool needed = acting_[t] && asked[c];
         kernels_[t][c].tile.resize(needed ? size(grid_.shape.ny * width) : 0);
         kernels_[t][c].columns.resize(needed ? size(blocks_ * grid_.shape.nx * width) : 0);
       }
-    const Index rows = terms == all_terms ? grid_.shape.nx : terms;
+    const Index rows = lags == all_lags ? grid_.shape.nx : lags;
     for (Index i = 0; i < rows; i += width) {
       evaluate_corners(i, z);
       for (Traction t : stress::tractions)
@@ -73,17 +69,18 @@ class HalfSpaceInfluence : public LayerInfluence {
     }
   }
 
-  Symbol symbol(Traction t, Component c, Index b) override {
+  TransferFunction transfer_function(Traction t, Component c, Index b) override {
     const Index nx = grid_.shape.nx;
     const Parity along = parity(odd_in_x(c, t));
-    std::copy_n(kernels_[t][c].columns.data() + b * nx * width, nx * width, rows_.data());
+    std::ranges::copy(by_lags(t, c, b), rows_.begin());
     difference(along, rows_.data(), taper_[0], along_x_.period());
-    transform(along_x_, along, rows_.data(), nx, symbols_[t].data());
-    return {symbols_[t].data(), along_x_.stride()};
+    transform(along_x_, along, rows_.data(), nx, transfer_[t].data());
+    return {transfer_[t], along_x_.stride()};
   }
 
-  const double* terms(Traction t, Component c, Index b) override {
-    return kernels_[t][c].columns.data() + b * grid_.shape.nx * width;
+  std::span<const double> by_lags(Traction t, Component c, Index b) override {
+    const Index count = grid_.shape.nx * width;
+    return std::span(kernels_[t][c].columns).subspan(size(b * count), size(count));
   }
 
  private:
@@ -125,7 +122,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   }
 
   Grid grid_;
-  Taper taper_;
+  std::array<std::vector<double>, 2> taper_;
   double poisson_;
   stress::Tractions acting_;
   MirroredTransform along_x_, along_y_;
@@ -133,7 +130,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   std::array<std::array<Kernel, 6>, 3> kernels_;  ///< [traction][component]
   AlignedVector<double> rows_;
   AlignedVector<Complex> work_, along_y_pairs_;
-  std::array<AlignedVector<Complex>, 3> symbols_;  ///< of the block last asked for, by traction
+  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last asked for, by traction
 };
 
 class PeriodicInfluence : public LayerInfluence {
@@ -141,24 +138,24 @@ class PeriodicInfluence : public LayerInfluence {
   PeriodicInfluence(const Grid& grid, double poisson, stress::Tractions acting)
       : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1) {
     for (Traction t : stress::tractions)
-      if (acting[t]) symbols_[t].resize(size(stride_ * width / 2));
+      if (acting[t]) transfer_[t].resize(size(stride_ * width / 2));
   }
 
-  void descend(double z, stress::Set, Index) override { z_ = z; }
+  void set_depth(double z, stress::Set, Index) override { z_ = z; }
 
-  Symbol symbol(Traction t, Component c, Index b) override {
+  TransferFunction transfer_function(Traction t, Component c, Index b) override {
     for (Index q = 0; q < width; q += 2)
       for (Index kx = 0; kx < stride_; ++kx)
-        symbols_[t][size(q / 2 * stride_ + kx)] = {mode(t, c, kx, b * width + q),
-                                                   mode(t, c, kx, b * width + q + 1)};
-    return {symbols_[t].data(), stride_};
+        transfer_[t][size(q / 2 * stride_ + kx)] = {mode(t, c, kx, b * width + q),
+                                                    mode(t, c, kx, b * width + q + 1)};
+    return {transfer_[t], stride_};
   }
 
-  const double* terms(Traction t, Component c, Index b) override {
-    terms_.resize(size(stride_ * width));
+  std::span<const double> by_lags(Traction t, Component c, Index b) override {
+    modes_.resize(size(stride_ * width));
     for (Index kx = 0; kx < stride_; ++kx)
-      for (Index q = 0; q < width; ++q) terms_[size(kx * width + q)] = mode(t, c, kx, b * width + q);
-    return terms_.data();
+      for (Index q = 0; q < width; ++q) modes_[size(kx * width + q)] = mode(t, c, kx, b * width + q);
+    return modes_;
   }
 
  private:
@@ -173,16 +170,17 @@ class PeriodicInfluence : public LayerInfluence {
   Grid grid_;
   double poisson_, z_ = 0;
   Index stride_;
-  std::array<AlignedVector<Complex>, 3> symbols_;  ///< of the block last asked for, by traction
-  AlignedVector<double> terms_;                    ///< likewise
+  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last asked for, by traction
+  AlignedVector<double> modes_;                     ///< likewise
 };
 
 }  // namespace
 
-std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson,
-                                                     stress::Tractions acting, const Taper& taper) {
-  if (grid.periodic) return std::make_unique<PeriodicInfluence>(grid, poisson, acting);
-  return std::make_unique<HalfSpaceInfluence>(grid, torus, poisson, acting, taper);
+std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
+                                                     stress::Tractions acting) {
+  if (resolution.cells().periodic)
+    return std::make_unique<PeriodicInfluence>(resolution.cells(), poisson, acting);
+  return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting);
 }
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
 /// How a layer at depth z answers to a load on the surface, mode by mode.
 ///
 /// In a layer every stress component is a convolution of the pressure, or of a traction, with a kernel that is
-/// even or odd in each direction, so its spectrum is a real symbol S times a power of -i:
+/// even or odd in each direction, so its spectrum is a real transfer function S times a power of -i:
 ///     σ^(kx,ky) = (-i)^m S(kx,ky) p^(kx,ky),   m = [odd in x] + [odd in y]  (stress/component.hpp).      (1)
 ///
 /// Free half-space, loaded on a bounded domain: the kernel is the stress below a loaded cell,
@@ -24,48 +24,39 @@
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 13.
 #pragma once
 
-#include <array>
 #include <memory>
-#include <vector>
+#include <span>
 
-#include "core/field.hpp"
-#include "stress/component.hpp"
-#include "transform/plan.hpp"
+#include "stress/load.hpp"
+#include "stress/resolution.hpp"
 
 namespace asperity {
 
-/// The symbol of one layer after the other; an object holds the work space of one thread.
+/// The transfer functions of one layer after the other; an object holds the work space of one thread.
 class LayerInfluence {
  public:
   static constexpr Index width = 8;  ///< columns ky in a block
+  static constexpr Index all_lags = -1;
 
   /// S for the columns of a block, by pairs: column 8b + 2c is the real, 8b + 2c+1 the imaginary part of
   /// pairs[c·stride + kx], 0 ≤ kx ≤ Px/2.
-  struct Symbol {
-    const Complex* pairs;
-    Index stride;
+  struct TransferFunction {
+    std::span<const Complex> pairs;
+    Index stride = 0;
   };
 
   virtual ~LayerInfluence() = default;
-  /// Goes to depth z [m] for the components asked.
-  void descend(double z, stress::Set asked) { descend(z, asked, all_terms); }
-  /// The same for the first terms(), or all, and then no symbol().
-  virtual void descend(double z, stress::Set asked, Index terms) = 0;
+  /// Goes to depth z [m] for the components asked; for the first `lags` alone, and then only for by_lags().
+  virtual void set_depth(double z, stress::Set asked, Index lags = all_lags) = 0;
   /// S of component c under traction t for the columns 8b … 8b+7; good until the next of the same traction.
-  virtual Symbol symbol(stress::Traction t, stress::Component c, Index b) = 0;
-  /// What the load seen from a plane x = const is multiplied with (stress/plane_load.hpp), [m][8]: of (2), for the lag
-  /// m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), the symbol of kx = m.
-  virtual const double* terms(stress::Traction t, stress::Component c, Index b) = 0;
-
- protected:
-  static constexpr Index all_terms = -1;
+  virtual TransferFunction transfer_function(stress::Traction t, stress::Component c, Index b) = 0;
+  /// What the load seen from a plane x = const is multiplied with (stress/section.cpp), [m][8]: of (2), for the lag
+  /// m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S of kx = m.
+  virtual std::span<const double> by_lags(stress::Traction t, stress::Component c, Index b) = 0;
 };
 
-/// (3), (4) when the grid is periodic, else (2), for the tractions that act. The torus is Px × Py; a periodic grid
-/// is its own. The kernel (2) is multiplied with taper[0][|i|] taper[1][|j|], of as many numbers as the grid has
-/// cells.
-std::unique_ptr<LayerInfluence> make_layer_influence(const Grid& grid, Shape torus, double poisson,
-                                                     stress::Tractions acting,
-                                                     const std::array<std::vector<double>, 2>& taper);
+/// (3), (4) of the wide cells of a resolution when they are periodic, else (2), tapered, for the tractions that act.
+std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
+                                                     stress::Tractions acting);
 
 }  // namespace asperity

@@ -2,98 +2,75 @@
 ///
 /// In the layer at depth z each component is a convolution of the surface pressure with its influence,
 ///     σ_c(x_i, y_j, z) = Σ_{i',j'} K_c(i-i', j-j'; z) p(i',j'),                                       (1)
-/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). Friction (stress/friction.hpp)
-/// adds its own influence to K_c; being in proportion to the pressure it needs no transform of its own, and of the
-/// product, then a complex one, no more. The pressure is transformed once. Then, for a layer:
-///     influence of the layer → per block of eight columns: symbol, product with p^, transform back in x
-///                            → per row: transform back in y, six components of one row hand over while hot.
-/// Only the components that are asked for are computed; nothing but the rows leaves a layer, so that the von
-/// Mises stress of a volume needs the memory of a layer.
+/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). Friction (stress/load.hpp) adds its
+/// own influence to K_c; in proportion to the pressure, it needs no transform of its own. The pressure is transformed
+/// once. Then, for a layer:
+///     influence → per block of eight columns: transfer function, product with p^, transform back in x
+///               → per row: transform back in y; six components of one row are handed over while hot.
+/// Only the components asked for are computed, and only rows leave a layer: the von Mises stress of a volume needs the
+/// memory of a layer. Deep layers are computed from wider cells (stress/resolution.hpp) where that is allowed.
 ///
-/// Deep layers are computed from wider cells (stress/resolution.hpp) where that is allowed.
+/// A section, the vertical plane x = x_i or y = y_j through cell centres, needs one row of each layer: it is computed from
+/// the influence transformed along the plane alone, and nothing is transformed across it (stress/section.cpp).
 ///
 /// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
 /// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.
 /// Accuracy  of (1): round-off, below 16 ε Σ|p|. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p in
 ///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
 ///           the steps of the pressure show below its edges: see accurate_depth.
+///           At depths of wider cells nothing is interpolated across a section, as it is in a volume: they differ by
+///           1e-7 of the largest pressure.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
 ///           128 × 128 cells take 8-10 padded real transforms, 3 ms; with friction along an axis 1.5 times as
 ///           long, in another direction twice. Two threads 1.75 times as fast. Memory: 4 N doubles for the
 ///           pressure and less for each coarse level, and per thread 3 N for each component asked, N = nx ny.
+///           A section costs a seventh of the volume, with wider cells a fifth, and less the more the load is gathered
+///           about it; its memory is below that of a layer.
 ///
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
 #pragma once
 
+#include <deque>
 #include <functional>
-#include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
-#include "core/field.hpp"
-#include "stress/component.hpp"
-#include "stress/depth_levels.hpp"
-#include "stress/friction.hpp"
-#include "stress/layer_influence.hpp"
+#include "stress/layer_plan.hpp"
 #include "stress/layer_queue.hpp"
-#include "stress/resolution.hpp"
-#include "transform/pruned.hpp"
 
 namespace asperity {
 
-/// One row of a layer: for each component that was asked its ny values, else a null pointer.
-using StressRow = std::array<const double*, 6>;
+/// Rows of a layer: row(i, values).
+using StressRowSink = std::function<void(Index i, const StressRow& values)>;
 /// Rows of many layers: row(layer, i, values).
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
-/// Throws ParameterError("poisson") unless -1 < ν ≤ ½ (grid/poisson.hpp), ("friction") or ("friction-angle") unless they
-/// are such and the traction at most 1e100 Pa, DataError("pressure") unless the pressure fits a grid of cells, is finite
-/// and its largest value 0 or 1e-100 … 1e100 Pa.
-void check_load(const Grid& grid, const Field& pressure, const Friction& friction, double poisson);
-/// Places and depths reach so far [m]: squares of them are numbers that doubles hold.
-inline constexpr double farthest = 1e30;
-/// Throws ParameterError("depth") unless 0 ≤ z ≤ farthest.
-void check_depth(double z);
+enum class DepthResolution {
+  full,     ///< every layer from its own cells
+  adapted,  ///< deep layers from wider cells
+};
 
 class StressSolver {
  public:
-  /// Throws as check_load does.
-  StressSolver(const Grid& grid, const Field& pressure, double poisson, int threads = 1,
+  /// Of whole layers, or of the row of each in a section alone. Throws as LoadedBody::check does.
+  explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full);
+  StressSolver(LoadedBody body, const Plane& section, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
-  /// With the traction of sliding friction.
-  StressSolver(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
-               int threads = 1, DepthResolution resolution = DepthResolution::full);
 
-  const Grid& grid() const { return grid_; }
-  const Field& pressure() const { return pressure_; }
-  double poisson() const { return poisson_; }
+  const LoadedBody& body() const { return body_; }
   int threads() const { return threads_; }
+  /// Of a layer: that of the grid, or one row.
+  Shape shape() const;
 
-  /// What one thread needs to compute layers; may be used again for any depth and components.
+  /// What one thread needs to compute layers of one solver; may be used again for any depth and components.
   class Workspace {
-   private:
     friend class StressSolver;
-    /// Of one resolution, grown when it is used.
-    struct Level {
-      std::unique_ptr<LayerInfluence> influence;
-      AlignedVector<Complex> block, work;
-      RowTransform::Work rows;
-      std::array<HalfSpectrum, 6> half;
-      std::array<AlignedVector<double>, 6> points;  ///< a coarse layer: rows of stride doubles
-      Index stride = 0;
-    };
-
-    std::size_t present_ = 0;  ///< the resolution of the present layer
-    std::vector<Level> levels_;
-    std::array<AlignedVector<double>, 6> rows_;  ///< eight rows, or one that is interpolated
-    AlignedVector<double> across_;
+    std::vector<std::unique_ptr<LayerWork>> levels_;  ///< made when they are needed
   };
 
-  /// The layer at depth z, row after row: row(i, values). Throws as check_depth does.
-  template <class RowSink>
-  void layer(double z, stress::Set asked, Workspace& work, RowSink row) const {
-    transform_layer(z, asked, work);
-    for (Index i = 0; i < grid_.shape.nx; ++i) row(i, row_of(i, asked, work));
-  }
+  /// The layer at depth z, row after row. Throws as check_depth does.
+  void layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row) const;
 
   /// Many layers on all threads, at most as many at a time as there are threads: row(layer, i, values) is called
   /// from several threads at once, for one layer from one thread and in order; finished(begin, end) from the calling
@@ -102,22 +79,22 @@ class StressSolver {
               const LayersFinished& finished = {}) const;
 
  private:
-  const Resolution& resolution(std::size_t level) const;
-  Workspace::Level& prepared(Workspace& work, std::size_t level, stress::Set asked) const;
-  /// Columns of the layer, transformed back in x.
-  void transform_layer(double z, stress::Set asked, Workspace& work) const;
-  void invert_points(const Resolution& r, stress::Set asked, Workspace::Level& level) const;
-  /// Row i; to be called for i = 0, 1, 2 …, eight rows being transformed back at a time.
-  StressRow row_of(Index i, stress::Set asked, Workspace& work) const;
-  void interpolate_row(const Resolution& r, Index i, const double* points, Index stride, double* across,
-                       double* row) const;
+  /// One resolution, its plan made when the first layer needs it.
+  struct Level {
+    Index s = 1;
+    std::once_flag asked;
+    std::unique_ptr<const LayerPlan> plan;
+  };
 
-  Grid grid_;
-  Field pressure_;
-  std::array<double, 3> weights_;  ///< of the tractions, per pressure
-  double poisson_;
+  StressSolver(LoadedBody body, std::optional<Plane> section, int threads, DepthResolution resolution);
+  /// The widest cells that will do at depth z.
+  std::size_t level_at(double z) const;
+  const LayerPlan& plan(Level& level) const;
+
+  LoadedBody body_;
+  std::optional<Plane> section_;
   int threads_;
-  DepthLevels<Resolution> levels_;
+  mutable std::deque<Level> levels_;
 };
 
 /// Two cells, of their longer side; a period of one cell has no steps along it. From there on every value is within 1 %

@@ -7,18 +7,13 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "stress/von_mises.hpp"
+#include "stress/calibration.hpp"
+#include "stress/equivalent.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double ratio = 1.5;        // between depths of the scan
-constexpr double shallowest = 0.25;  // of a cell
-constexpr double close = 0.01;       // in ln z: a vertex so near is not worth a layer
-constexpr double beside = 0.04;      // in ln z: a point that narrows the bracket instead
-constexpr double narrow = 0.012;  // product of the sides of a bracket, in ln z, that a parabola is read off
-constexpr int most_steps = 6;
-constexpr Index usual_steps = 4;  // to refine the largest
+using namespace calibration;
 
 struct Parabola {
   double vertex = 0, value = 0;
@@ -60,46 +55,6 @@ struct Sample {
   Peak peak;
 };
 
-// Counts the layers, whichever thread computes them.
-class Account {
- public:
-  Account(Index scanned, const std::function<void(const StressProbe&)>& told)
-      : expected_(scanned + 1 + usual_steps), told_(told) {}
-
-  void add(const Sample& sample) {
-    const std::scoped_lock lock(mutex_);
-    ++layers_;
-    if (told_) told_({layers_, std::max(layers_, expected_), std::exp(sample.log_depth), sample.peak.value});
-  }
-  Index layers() const { return layers_; }
-
- private:
-  Index layers_ = 0, expected_;
-  const std::function<void(const StressProbe&)>& told_;
-  std::mutex mutex_;
-};
-
-class Probe {
- public:
-  Probe(const StressSolver& solver, Account& account)
-      : solver_(solver), account_(account), von_mises_(solver.grid().shape.nx, solver.grid().shape.ny) {}
-
-  Sample at(double log_depth) {
-    solver_.layer(std::exp(log_depth), stress::all, work_, [&](Index i, const StressRow& row) {
-      von_mises(row, von_mises_.cols(), von_mises_.row(i).data());
-    });
-    const Sample sample{log_depth, peak_of(von_mises_, solver_.grid())};
-    account_.add(sample);
-    return sample;
-  }
-
- private:
-  const StressSolver& solver_;
-  Account& account_;
-  StressSolver::Workspace work_;
-  Field von_mises_;
-};
-
 // From the first loaded line to the last; of a period, the fewest lines that hold all of them.
 template <class Lines>
 double extent(const Lines& loaded, bool periodic) {
@@ -115,29 +70,19 @@ double extent(const Lines& loaded, bool periodic) {
 }
 
 // Half the longer side of the rectangle around the loaded cells.
-double loaded_radius(const Grid& grid, const Field& pressure) {
+double loaded_radius(const LoadedBody& body) {
+  const auto& [grid, pressure, poisson, friction] = body;
   const Eigen::Array<bool, Eigen::Dynamic, 1> in_x = (pressure != 0).rowwise().any(),
                                               in_y = (pressure != 0).colwise().any().transpose();
   return 0.5 * std::max(extent(in_x, grid.periodic) * grid.dx, extent(in_y, grid.periodic) * grid.dy);
 }
 
-std::vector<double> scan_depths(const Grid& grid, const Field& pressure) {
-  const double first = std::log(shallowest * std::min(grid.dx, grid.dy)), step = std::log(ratio);
-  const double deepest = std::log(loaded_radius(grid, pressure));
+std::vector<double> scan_depths(const LoadedBody& body) {
+  const double first = std::log(scan_shallowest * std::min(body.grid.dx, body.grid.dy)),
+               step = std::log(scan_ratio), deepest = std::log(loaded_radius(body));
   std::vector<double> log_depths;
   for (int k = 0; k < 3 || log_depths.back() < deepest; ++k) log_depths.push_back(first + k * step);
   return log_depths;
-}
-
-std::vector<Sample> scan(const StressSolver& solver, const std::vector<double>& log_depths,
-                         Account& account) {
-  std::vector<Sample> samples(log_depths.size());
-  parallel_ranges(static_cast<Index>(samples.size()), solver.threads(), [&](Index begin, Index end, int) {
-    Probe probe(solver, account);
-    for (auto l = static_cast<std::size_t>(begin); l < static_cast<std::size_t>(end); ++l)
-      samples[l] = probe.at(log_depths[l]);
-  });
-  return samples;
 }
 
 Parabola through(const Sample& a, const Sample& b, const Sample& c) {
@@ -151,43 +96,88 @@ double next_depth(const Sample& a, const Sample& b, const Sample& c, double vert
   return c.log_depth - b.log_depth > b.log_depth - a.log_depth ? b.log_depth + beside : b.log_depth - beside;
 }
 
-// The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
-// unprobed. A parabola's vertex is off by the product of the bracket's sides times m'''/6m'': hence the test.
-Sample refine(Sample a, Sample b, Sample c, Probe& probe) {
-  Parabola top = through(a, b, c);
-  for (int step = 0; step < most_steps; ++step) {
-    const double sides = (b.log_depth - a.log_depth) * (c.log_depth - b.log_depth);
-    if (sides < narrow && std::abs(top.vertex - b.log_depth) < beside) break;
-    const Sample next = probe.at(next_depth(a, b, c, top.vertex));
-    const bool deeper = next.log_depth > b.log_depth, higher = next.peak.value > b.peak.value;
-    (deeper == higher ? a : c) = higher ? b : next;
-    if (higher) b = next;
-    top = through(a, b, c);
+bool lower(const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; }
+
+class Search {
+ public:
+  // Of one thread.
+  struct Buffers {
+    StressSolver::Workspace work;
+    Field von_mises;
+  };
+
+  Search(const StressSolver& solver, const std::function<void(const StressProbe&)>& on_layer)
+      : solver_(solver),
+        on_layer_(on_layer),
+        log_depths_(scan_depths(solver.body())),
+        expected_(static_cast<Index>(log_depths_.size()) + 1 + usual_steps) {}
+
+  Sample at(double log_depth, Buffers& buffers) {
+    Field& values = buffers.von_mises;
+    values.resize(solver_.shape().nx, solver_.shape().ny);
+    solver_.layer(std::exp(log_depth), stress::all, buffers.work, [&](Index i, const StressRow& row) {
+      von_mises(row, {values.row(i).data(), row[0].size()});
+    });
+    const Sample sample{log_depth, peak_of(values, solver_.body().grid)};
+    const std::scoped_lock lock(mutex_);
+    ++layers_;
+    if (on_layer_) on_layer_({layers_, std::max(layers_, expected_), std::exp(log_depth), sample.peak.value});
+    return sample;
   }
-  return {top.vertex, {top.value, b.peak.x, b.peak.y}};
-}
+
+  std::vector<Sample> scan() {
+    std::vector<Sample> samples(log_depths_.size());
+    parallel_ranges(static_cast<Index>(samples.size()), solver_.threads(), [&](Index begin, Index end, int) {
+      Buffers buffers;
+      for (auto l = static_cast<std::size_t>(begin); l < static_cast<std::size_t>(end); ++l)
+        samples[l] = at(log_depths_[l], buffers);
+    });
+    return samples;
+  }
+
+  // The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
+  // unprobed. A parabola's vertex is off by the product of the bracket's sides times m'''/6m'': hence the test.
+  Sample refine(Sample a, Sample b, Sample c, Buffers& buffers) {
+    Parabola top = through(a, b, c);
+    for (int step = 0; step < most_steps; ++step) {
+      const double sides = (b.log_depth - a.log_depth) * (c.log_depth - b.log_depth);
+      if (sides < narrow && std::abs(top.vertex - b.log_depth) < beside) break;
+      const Sample next = at(next_depth(a, b, c, top.vertex), buffers);
+      const bool deeper = next.log_depth > b.log_depth, higher = lower(b, next);
+      (deeper == higher ? a : c) = higher ? b : next;
+      if (higher) b = next;
+      top = through(a, b, c);
+    }
+    return {top.vertex, {top.value, b.peak.x, b.peak.y}};
+  }
+
+  Index layers() const { return layers_; }
+
+ private:
+  const StressSolver& solver_;
+  const std::function<void(const StressProbe&)>& on_layer_;
+  const std::vector<double> log_depths_;  // of the scan
+  Index layers_ = 0, expected_;           // so far, and in all
+  std::mutex mutex_;
+};
 
 }  // namespace
 
 StressMaximum maximum_von_mises(const StressSolver& solver,
-                                const std::function<void(const StressProbe&)>& told) {
-  if ((solver.pressure() == 0).all()) return {};
-  const std::vector<double> log_depths = scan_depths(solver.grid(), solver.pressure());
-  Account account(static_cast<Index>(log_depths.size()), told);
-  const std::vector<Sample> s = scan(solver, log_depths, account);
-  Sample best = *std::max_element(
-      s.begin(), s.end(), [](const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; });
-  Probe probe(solver, account);
-  const Sample surface = probe.at(-std::numeric_limits<double>::infinity());
-  if (surface.peak.value > best.peak.value) best = surface;
+                                const std::function<void(const StressProbe&)>& on_layer) {
+  if ((solver.body().pressure == 0).all()) return {};
+  Search search(solver, on_layer);
+  const std::vector<Sample> s = search.scan();
+  Search::Buffers buffers;
+  const Sample surface = search.at(-std::numeric_limits<double>::infinity(), buffers);
+  Sample best = std::max(*std::ranges::max_element(s, lower), surface, lower);
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
-    if (s[k].peak.value < s[k - 1].peak.value || s[k].peak.value < s[k + 1].peak.value) continue;
+    if (lower(s[k], s[k - 1]) || lower(s[k], s[k + 1])) continue;
     const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;
     if (s[k].peak.value + 2 * rise < best.peak.value) continue;
-    const Sample refined = refine(s[k - 1], s[k], s[k + 1], probe);
-    if (refined.peak.value > best.peak.value) best = refined;
+    best = std::max(best, search.refine(s[k - 1], s[k], s[k + 1], buffers), lower);
   }
-  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), account.layers()};
+  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), search.layers()};
 }
 
 }  // namespace asperity

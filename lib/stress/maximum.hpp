@@ -35,9 +35,9 @@ struct StressProbe {
   double von_mises = 0;          ///< the largest of the layer [Pa]
 };
 
-/// All zero when the surface is not loaded at all. `told`, if given, hears of every layer, of one at a time but not in
-/// the order of their depth.
+/// All zero when the surface is not loaded at all. `on_layer`, if given, is called for every layer, one
+/// at a time but not in the order of their depth.
 StressMaximum maximum_von_mises(const StressSolver& solver,
-                                const std::function<void(const StressProbe&)>& told = {});
+                                const std::function<void(const StressProbe&)>& on_layer = {});
 
 }  // namespace asperity

@@ -36,7 +36,7 @@ struct Pair {
   Complex even, odd;
 };
 
-void add(const Pair& p, const stress::Wave& wave, const std::array<double, 3>& weights, Tensor& sum) {
+void add(const Pair& p, const stress::Wave& wave, const LoadWeights& weights, Tensor& sum) {
   for (Traction t : stress::tractions) {
     if (weights[t] == 0) continue;
     for (Component c : stress::components) {
@@ -49,45 +49,47 @@ void add(const Pair& p, const stress::Wave& wave, const std::array<double, 3>& w
 
 }  // namespace
 
-StressPoints::StressPoints(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
-                           int threads)
-    : grid_(grid), pressure_(pressure), weights_(friction.weights()), poisson_(poisson) {
-  check_load(grid, pressure, friction, poisson);
-  if (grid.periodic) modes_.emplace(grid, pressure, 1, threads);
+StressPoints::StressPoints(LoadedBody body, int threads)
+    : body_(std::move(body)), weights_(body_.friction.weights()) {
+  body_.check();
+  if (body_.grid.periodic) modes_.emplace(body_.grid, body_.pressure, 1, threads);
 }
 
 Tensor StressPoints::at(double x, double y, double z) const {
   if (!(std::abs(x) <= farthest && std::abs(y) <= farthest))
     throw ParameterError("place", fmt::format("({}, {}) m is farther than {:g} m", x, y, farthest));
   check_depth(z);
-  return grid_.periodic ? below_waves(x, y, z) : below_cells(x, y, z);
+  return body_.grid.periodic ? below_waves(x, y, z) : below_cells(x, y, z);
 }
 
 Tensor StressPoints::below_cells(double x, double y, double z) const {
+  const Grid& grid = body_.grid;
   Tensor sum{};
-  for (Index i = 0; i < grid_.shape.nx; ++i)
-    for (Index j = 0; j < grid_.shape.ny; ++j)
+  for (Index i = 0; i < grid.shape.nx; ++i)
+    for (Index j = 0; j < grid.shape.ny; ++j)
       for (Traction t : stress::tractions) {
-        if (weights_[t] == 0 || pressure_(i, j) == 0) continue;
+        const double pressure = body_.pressure(i, j);
+        if (weights_[t] == 0 || pressure == 0) continue;
         const Tensor s =
-            uniform_load_stress(x - grid_.x(i), y - grid_.y(j), z, grid_.dx / 2, grid_.dy / 2, poisson_, t);
-        for (Component c : stress::components) sum[c] += weights_[t] * pressure_(i, j) * s[c];
+            uniform_load_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, body_.poisson, t);
+        for (Component c : stress::components) sum[c] += weights_[t] * pressure * s[c];
       }
   return sum;
 }
 
 Tensor StressPoints::below_waves(double x, double y, double z) const {
-  const auto [nx, ny] = grid_.shape;
-  const std::vector<Complex> along_x = waves(nx, (x - grid_.x(0)) / grid_.size_x()),
-                             along_y = waves(ny, (y - grid_.y(0)) / grid_.size_y());
+  const Grid& grid = body_.grid;
+  const auto [nx, ny] = grid.shape;
+  const std::vector<Complex> along_x = waves(nx, (x - grid.x(0)) / grid.size_x()),
+                             along_y = waves(ny, (y - grid.y(0)) / grid.size_y());
   const Index width = PrunedTransform::width, stride = modes_->transform().stride();
   Tensor sum{};
   for (Index ky = 0; ky <= ny / 2; ++ky) {
     const Complex* p = modes_->pressure(ky / width) + ky % width * stride;
     const Complex across = (ky == 0 ? 1.0 : 2.0) * along_y[size(ky)];  // with (-kx, -ky)
     for (Index kx = 0; kx <= nx / 2; ++kx) {
-      const stress::Wave wave{two_pi * static_cast<double>(kx) / grid_.size_x(),
-                              two_pi * static_cast<double>(ky) / grid_.size_y(), z, poisson_};
+      const stress::Wave wave{two_pi * static_cast<double>(kx) / grid.size_x(),
+                              two_pi * static_cast<double>(ky) / grid.size_y(), z, body_.poisson};
       if (wave.q * z > faded) break;
       const Complex ahead = p[kx] * along_x[size(kx)] * across,
                     back = kx == 0 ? Complex{} : p[nx - kx] * std::conj(along_x[size(kx)]) * across;

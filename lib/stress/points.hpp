@@ -19,15 +19,15 @@
 
 #include <optional>
 
-#include "stress/layers.hpp"
+#include "stress/load.hpp"
+#include "stress/resolution.hpp"
 
 namespace asperity {
 
 class StressPoints {
  public:
-  /// Throws as check_load does.
-  StressPoints(const Grid& grid, const Field& pressure, const Friction& friction, double poisson,
-               int threads = 1);
+  /// Throws as LoadedBody::check does.
+  explicit StressPoints(LoadedBody body, int threads = 1);
 
   /// Throws ParameterError("depth") as check_depth does, ("place") unless |x| and |y| are as bounded.
   stress::Tensor at(double x, double y, double z) const;
@@ -36,10 +36,8 @@ class StressPoints {
   stress::Tensor below_cells(double x, double y, double z) const;
   stress::Tensor below_waves(double x, double y, double z) const;
 
-  Grid grid_;
-  Field pressure_;
-  std::array<double, 3> weights_;
-  double poisson_;
+  LoadedBody body_;
+  LoadWeights weights_;
   std::optional<Resolution> modes_;  ///< of a periodic load
 };
 

@@ -5,13 +5,14 @@
 #include <numbers>
 
 #include "core/parallel.hpp"
+#include "stress/calibration.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr Index width = PrunedTransform::width, around = Interpolation::taps / 2;
-constexpr Index least_taper = 8;
+using calibration::least_taper;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
@@ -64,12 +65,13 @@ std::vector<double> factors(Index s, Index period, bool periodic) {
 }  // namespace
 
 double Resolution::least_depth(const Grid& grid, Index s) {
-  return s == 1 ? 0 : 5 * static_cast<double>(s) * std::max(grid.dx, grid.dy);
+  return s == 1 ? 0 : calibration::depth_of_wide_cells * static_cast<double>(s) * std::max(grid.dx, grid.dy);
 }
 
 bool Resolution::possible(const Grid& grid, Index s) {
   const auto [nx, ny] = grid.shape;
-  return std::min(nx, ny) >= 16 * s && (!grid.periodic || (nx % s == 0 && ny % s == 0));
+  return std::min(nx, ny) >= calibration::least_wide_cells * s &&
+         (!grid.periodic || (nx % s == 0 && ny % s == 0));
 }
 
 Resolution::Resolution(const Grid& grid, const Field& pressure, Index s, int threads)
@@ -89,6 +91,12 @@ Resolution::Resolution(const Grid& grid, const Field& pressure, Index s, int thr
   taper_ = {tapered(whole_lags(grid.shape.nx, s), cells_.shape.nx),
             tapered(whole_lags(grid.shape.ny, s), cells_.shape.ny)};
   transform_pressure(pressure, threads);
+}
+
+void Resolution::wrap(std::span<double> row) const {
+  const std::size_t period = size(transform_.torus().ny), before = size(Interpolation::before);
+  std::copy_n(row.data() + period, before, row.data());
+  for (std::size_t j = period + before; j < row.size(); ++j) row[j] = row[j - period];
 }
 
 // On a torus of s px × s py narrow cells, of whose modes the lower ones are taken.

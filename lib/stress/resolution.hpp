@@ -15,6 +15,8 @@
 /// Cost      32 layers of 128 × 128 cells down to 51 of them half, 64 of 512 × 512 a fifth of those in full.
 #pragma once
 
+#include <span>
+
 #include "core/field.hpp"
 #include "transform/interpolation.hpp"
 #include "transform/pruned.hpp"
@@ -39,6 +41,10 @@ class Resolution {
   /// What the kernel is multiplied with at each lag, in x and in y.
   const std::array<std::vector<double>, 2>& taper() const { return taper_; }
   const Interpolation& interpolation() const { return interpolation_; }
+  /// Samples of a row, with room for what stands before and behind them on the torus.
+  Index row_length() const { return transform_.torus().ny + 2 * PrunedTransform::width; }
+  /// Fills that room; the samples begin at Interpolation::before.
+  void wrap(std::span<double> row) const;
 
  private:
   void transform_pressure(const Field& pressure, int threads);

@@ -1,110 +1,245 @@
-#include "stress/section.hpp"
-
+// The rows of layers in a vertical plane x = x_i, without the layers around them.
+//
+// Transformed along y, and only along y, a component's row in the plane is a sum over the lags m in x,
+//     σ^(ky) = Σ_t w_t (-i)^[K_t odd in y] Σ_{m≥0} K_t(m, ky) P±(m, ky),                                  (1)
+//     P±(m) = p^(x_i - mΔx) ± p^(x_i + mΔx),   P+(0) = p^(x_i),  P-(0) = 0,                               (2)
+// + for a kernel even in x, - for one odd in x. A kernel is the difference of the corner functions on both sides of a
+// cell, K(m) = t(m) (f(m) - f(m-1)) with the taper t; that too is taken over to the pressure, once for all layers:
+//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),   D±(m) = t(m) P±(m) - t(m+1) P±(m+1),   D+(0) = 2 P+(0) - t(1) P+(1).  (3)
+// No layer is transformed in x, and of the lags there are only as many as the plane is away from the farthest load.
+//
+// In a periodic half-space the sum is over the modes kx ≥ 0, with Q(kx) = p^(kx, ky) exp(i kx x_i) for p^(x),
+// D+(k) = Q(k) + Q(-k), D-(k) = -i (Q(k) - Q(-k)).
+//
+// A plane y = y_j is the plane x = x_j of the problem with x and y exchanged, σxx ↔ σyy, σxz ↔ σyz, α → π/2 - α.
+//
+// Symbols   p^  pressure of a row, transformed along y     w_t, K_t  weight of a traction, its kernel     f  corner
+//           function (stress/layer_influence.hpp), transformed along y
+// Cost      to prepare, that of one layer of one component. Memory: 4 (lags) Py doubles.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+
+#include "core/parallel.hpp"
+#include "stress/layer_plan.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr Index width = LayerInfluence::width, before = Interpolation::before;
+using stress::Component;
+
+constexpr Index width = LayerInfluence::width;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
-Grid turned(const Grid& g) { return {{g.shape.ny, g.shape.nx}, g.dy, g.dx, g.periodic}; }
-Friction turned(const Friction& f) { return {f.coefficient, 0.5 * std::numbers::pi - f.angle}; }
-
-}  // namespace
-
-StressSection::StressSection(const Grid& grid, const Field& pressure, const Friction& friction,
-                             double poisson, Plane plane, int threads, DepthResolution resolution)
-    : plane_(plane),
-      grid_(plane.along_x ? turned(grid) : grid),
-      pressure_(plane.along_x ? Field(pressure.transpose()) : pressure),
-      weights_((plane.along_x ? turned(friction) : friction).weights()),
-      poisson_(poisson),
-      threads_(threads),
-      levels_(grid_, resolution) {
-  check_load(grid, pressure, friction, poisson);
+LoadedBody exchanged(const LoadedBody& body) {
+  const Grid& g = body.grid;
+  const Friction& f = body.friction;
+  return {{{g.shape.ny, g.shape.nx}, g.dy, g.dx, g.periodic},
+          body.pressure.transpose(),
+          body.poisson,
+          {f.coefficient, 0.5 * std::numbers::pi - f.angle}};
 }
 
-const PlaneLoad& StressSection::load(std::size_t level) const {
-  return levels_.get(level, [&](Index s) {
-    return std::make_unique<const PlaneLoad>(grid_, pressure_, plane_.index, s, threads_);
-  });
+// From row i to the farthest one that is loaded.
+Index farthest_lag(const Field& pressure, Index i) {
+  Index lags = 0;
+  for (Index row = 0; row < pressure.rows(); ++row)
+    if ((pressure.row(row) != 0).any()) lags = std::max(lags, std::abs(row - i) + 1);
+  return lags;
 }
 
-void StressSection::rows(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
-                         const LayersFinished& finished) const {
-  stress::Set needed = asked;
-  if (plane_.along_x)
-    for (stress::Component c : stress::components) needed[c] = asked[exchanged(c)];
-  auto compute = [&](Index l, Workspace& work) {
-    const StressRow found = row_at(depths[size(l)], needed, work);
-    StressRow out{};
-    for (stress::Component c : stress::components) out[c] = found[plane_.along_x ? exchanged(c) : c];
-    row(l, plane_.index, out);
-  };
-  in_layers<Workspace>(static_cast<Index>(depths.size()), threads_, compute, finished);
-}
-
-StressSection::Workspace::Level& StressSection::prepared(Workspace& work, std::size_t level) const {
-  const Resolution& r = load(level).resolution();
-  work.levels.resize(levels_.count());
-  Workspace::Level& w = work.levels[level];
-  if (w.influence) return w;
-  const Shape torus = r.transform().torus();
-  w.influence = make_layer_influence(r.cells(), torus, poisson_, acting(weights_), r.taper());
-  w.transform = std::make_unique<const RowTransform>(torus.ny);
-  w.rows = w.transform->work();
-  w.modes.resize(size(w.transform->blocks() * 6 * width));
-  w.stride = torus.ny + 2 * width;
-  w.samples.resize(size(6 * w.stride));
-  return w;
-}
-
-StressRow StressSection::row_at(double z, stress::Set asked, Workspace& work) const {
-  check_depth(z);
-  const std::size_t level = levels_.at(z);
-  const PlaneLoad& seen = load(level);
-  const Resolution& r = seen.resolution();
-  Workspace::Level& w = prepared(work, level);
-  w.influence->descend(z, asked, seen.terms());
-  Index count = 0;
-  for (stress::Component c : stress::components)
-    if (asked[c]) compute_modes(seen, c, count++, w);
-  const Index py = r.transform().torus().ny;
-  w.transform->inverse(w.modes.data(), 6 * width, count, py, w.samples.data() + before, w.stride, w.rows);
-
-  StressRow out{};
-  double* row = w.samples.data();
-  for (stress::Component c : stress::components) {
-    if (!asked[c]) continue;
-    out[c] = row + before;
-    if (r.s() > 1) {
-      std::copy_n(row + py, before, row);
-      for (Index j = py + before; j < w.stride; ++j) row[j] = row[j - py];
-      work.refined[c].resize(size(r.interpolation().padded(points())));
-      r.interpolation().refine(row, points(), work.refined[c].data());
-      out[c] = work.refined[c].data();
-    }
-    row += w.stride;
+// exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the row
+// between the points is computed itself.
+AlignedVector<Complex> phases(const Resolution& r, Index i) {
+  const Index n = r.transform().torus().nx, period = n * r.s();
+  const double angle = 2 * std::numbers::pi / static_cast<double>(period);
+  AlignedVector<Complex> out(size(n));
+  for (Index k = 0; k < n; ++k) {
+    const Index mode = 2 * k < n ? k : k - n;
+    const double prepared =
+        r.s() == 1 || 2 * k == n
+            ? 1
+            : Interpolation::prepared(angle * static_cast<double>(r.s() * std::abs(mode)));
+    out[size(k)] = std::polar(1 / prepared, angle * static_cast<double>(mode * i % period));
   }
   return out;
 }
 
-void StressSection::compute_modes(const PlaneLoad& seen, stress::Component c, Index r,
-                                  Workspace::Level& w) const {
-  for (Index b = 0; b < w.transform->blocks(); ++b) {
-    Complex* to = w.modes.data() + (6 * b + r) * width;
-    std::fill_n(to, width, Complex{});
-    for (stress::Traction t : stress::tractions) {
-      if (weights_[t] == 0) continue;
-      double sum[2 * width] = {};
-      seen.add(w.influence->terms(t, c, b), odd_in_x(c, t), b, sum);
-      const Complex factor = odd_in_y(c, t) ? Complex{0, -weights_[t]} : Complex{weights_[t], 0};
-      for (Index q = 0; q < width; ++q) to[q] += factor * Complex{sum[q], sum[width + q]};
+// The pressure as it is seen from the plane: D± of (3).
+class SectionPlan : public LayerPlan {
+ public:
+  // Of the plane x = x_i, whose row is handed over with x and y exchanged, or not.
+  SectionPlan(const LoadedBody& body, Index i, bool exchange, Index s, int threads)
+      : LayerPlan(body, s, threads), points_(body.grid.shape.ny), exchange_(exchange) {
+    const PrunedTransform& t = resolution.transform();
+    const Index px = t.torus().nx;
+    lags_ = body.grid.periodic ? px / 2 + 1
+            : s > 1            ? resolution.cells().shape.nx
+                               : farthest_lag(body.pressure, i);
+    for (Folded& folded : folded_) folded.resize(size(t.blocks() * lags_ * 2 * width));
+    fold(phases(resolution, i), threads);
+  }
+
+  std::unique_ptr<LayerWork> work() const override;
+  Index lags() const { return lags_; }
+  Index points() const { return points_; }
+  bool exchange() const { return exchange_; }
+
+  // sum[0 … 7] += Re, sum[8 … 15] += Im of Σ_m f(m, ky) D±(m, ky) for the columns 8b … 8b+7, f as [m][8].
+  void add(std::span<const double> f, bool odd, Index b, std::span<double, 2 * width> sum) const {
+    using Lanes = Eigen::Array<double, width, 1>;
+    using Given = Eigen::Map<const Lanes>;
+    Eigen::Map<Lanes> to_re(sum.data()), to_im(sum.data() + width);
+    Lanes re = to_re, im = to_im;
+    const double *value_at = f.data(), *d = folded_[odd].data() + b * lags_ * 2 * width;
+    for (Index m = 0; m < lags_; ++m, value_at += width, d += 2 * width) {
+      const Lanes value = Given(value_at);
+      re += value * Given(d), im += value * Given(d + width);
+    }
+    to_re = re, to_im = im;
+  }
+
+ private:
+  using Folded = AlignedVector<double>;  // [block][m][re, im][8]
+
+  // From the modes kx of p^ times exp(i kx x_i), a block of 8 columns after the other.
+  void fold(const AlignedVector<Complex>& phases, int threads) {
+    const PrunedTransform& t = resolution.transform();
+    const Index px = t.torus().nx, stride = t.stride();
+    const ColumnTransform columns(px, width, ColumnTransform::Ways::forward_only);
+    parallel_ranges(t.blocks(), threads, [&](Index begin, Index end, int) {
+      AlignedVector<Complex> modes(size(t.block_size())), lags(modes.size());
+      for (Index b = begin; b < end; ++b) {
+        for (Index q = 0; q < width; ++q)
+          for (Index k = 0; k < px; ++k)
+            modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
+        if (resolution.cells().periodic) {
+          fold_modes(modes, b);
+        } else {
+          columns.forward(modes.data(), lags.data());
+          fold_lags(lags, b);
+        }
+      }
+    });
+  }
+
+  void fold_modes(std::span<const Complex> block, Index b) {
+    const Index n = resolution.transform().torus().nx;
+    for (Index q = 0; q < width; ++q) {
+      const auto modes = block.subspan(size(q * resolution.transform().stride()));
+      for (Index k = 0; k < lags_; ++k) {
+        const bool alone = k == 0 || 2 * k == n;
+        const Complex ahead = modes[size(k)], back = alone ? Complex{} : modes[size(n - k)],
+                      difference = ahead - back;
+        set(false, b, k, q, ahead + back);
+        set(true, b, k, q, alone ? Complex{} : Complex{difference.imag(), -difference.real()});
+      }
     }
   }
+
+  void fold_lags(std::span<const Complex> block, Index b) {
+    const Index n = resolution.transform().torus().nx;
+    const std::vector<double>& taper = resolution.taper()[0];
+    for (Index q = 0; q < width; ++q) {
+      const auto lags = block.subspan(size(q * resolution.transform().stride()));
+      for (double sign : {1.0, -1.0}) {
+        auto seen = [&](Index m) {
+          return m < lags_ ? taper[size(m)] * (lags[size(m)] + sign * lags[size(n - m)]) : Complex{};
+        };
+        for (Index m = 0; m < lags_; ++m)
+          set(sign < 0, b, m, q, (m > 0 ? seen(m) : (1 + sign) * lags[0]) - seen(m + 1));
+      }
+    }
+  }
+
+  void set(bool odd, Index b, Index m, Index q, Complex value) {
+    double* to = folded_[odd].data() + (b * lags_ + m) * 2 * width + q;
+    to[0] = value.real(), to[width] = value.imag();
+  }
+
+  Index points_, lags_;
+  bool exchange_;
+  std::array<Folded, 2> folded_;  // even, odd
+};
+
+class SectionWork : public LayerWork {
+ public:
+  explicit SectionWork(const SectionPlan& plan)
+      : plan_(plan),
+        influence_(plan.influence()),
+        transform_(plan.resolution.transform().torus().ny),
+        row_work_(transform_.work()),
+        modes_(size(transform_.blocks() * 6 * width)),
+        samples_(size(6 * plan.resolution.row_length())) {}
+
+  void set_depth(double z, stress::Set asked) override {
+    asked_ = {};
+    for (Component c : stress::components) asked_[c] = asked[own(c)];
+    influence_->set_depth(z, asked_, plan_.lags());
+    Index count = 0;
+    for (Component c : stress::components)
+      if (asked_[c]) compute_modes(c, count++);
+    transform_.inverse(modes_.data(), 6 * width, count, transform_.points(),
+                       samples_.data() + Interpolation::before, plan_.resolution.row_length(), row_work_);
+  }
+
+  StressRow row(Index) override {
+    StressRow out{};
+    Index count = 0;
+    for (Component c : stress::components)
+      if (asked_[c]) out[own(c)] = {row_of(c, count++), size(plan_.points())};
+    return out;
+  }
+
+ private:
+  // The component that c of the exchanged problem is in the one asked for, and the other way round.
+  Component own(Component c) const { return plan_.exchange() ? stress::exchanged(c) : c; }
+
+  const double* row_of(Component c, Index r) {
+    const Resolution& resolution = plan_.resolution;
+    double* row = samples_.data() + r * resolution.row_length();
+    if (resolution.s() == 1) return row + Interpolation::before;
+    resolution.wrap({row, size(resolution.row_length())});
+    refined_[c].resize(size(resolution.interpolation().padded(plan_.points())));
+    resolution.interpolation().refine(row, plan_.points(), refined_[c].data());
+    return refined_[c].data();
+  }
+
+  // Row r of the modes: component c.
+  void compute_modes(Component c, Index r) {
+    const LoadWeights& weights = plan_.weights;
+    for (Index b = 0; b < transform_.blocks(); ++b) {
+      Complex* to = modes_.data() + (6 * b + r) * width;
+      std::fill_n(to, width, Complex{});
+      for (stress::Traction t : stress::tractions) {
+        if (weights[t] == 0) continue;
+        std::array<double, 2 * width> sum{};
+        plan_.add(influence_->by_lags(t, c, b), odd_in_x(c, t), b, sum);
+        const Complex factor = odd_in_y(c, t) ? Complex{0, -weights[t]} : Complex{weights[t], 0};
+        for (std::size_t q = 0; q < width; ++q) to[q] += factor * Complex{sum[q], sum[width + q]};
+      }
+    }
+  }
+
+  const SectionPlan& plan_;
+  stress::Set asked_;  // of the exchanged problem
+  std::unique_ptr<LayerInfluence> influence_;
+  RowTransform transform_;
+  RowTransform::Work row_work_;
+  AlignedVector<Complex> modes_;   // of the row: [block][asked component][8]
+  AlignedVector<double> samples_;  // six rows
+  std::array<AlignedVector<double>, 6> refined_;
+};
+
+std::unique_ptr<LayerWork> SectionPlan::work() const { return std::make_unique<SectionWork>(*this); }
+
+}  // namespace
+
+std::unique_ptr<const LayerPlan> plan_section(const LoadedBody& body, const Plane& plane, Index s,
+                                              int threads) {
+  return std::make_unique<SectionPlan>(plane.along_x ? exchanged(body) : body, plane.index, plane.along_x, s,
+                                       threads);
 }
 
 }  // namespace asperity

@@ -29,41 +29,23 @@ struct Wave {
 
   double pressed(Component c) const {
     const double bend = ((1 - 2 * nu) / q - z) / q;
-    switch (c) {
-      case xx:
-        return -(2 * nu + qx * qx * bend) * e;
-      case yy:
-        return -(2 * nu + qy * qy * bend) * e;
-      case zz:
-        return -(1 + q * z) * e;
-      case xy:
-        return qx * qy * bend * e;
-      case xz:
-        return -qx * z * e;
-      case yz:
-        return -qy * z * e;
-    }
-    return 0;
+    if (c == xx) return -(2 * nu + qx * qx * bend) * e;
+    if (c == yy) return -(2 * nu + qy * qy * bend) * e;
+    if (c == zz) return -(1 + q * z) * e;
+    if (c == xy) return qx * qy * bend * e;
+    if (c == xz) return -qx * z * e;
+    return -qy * z * e;
   }
 
   // By a traction along the axis of `along`.
   double sheared(double along, double across, Component c) const {
     const double k = z + 2 * nu / q, w = e / q;
-    switch (c) {
-      case xx:
-        return -along * (2 + 2 * nu - k * along * along / q) * w;
-      case yy:
-        return -along * (2 * nu - k * across * across / q) * w;
-      case zz:
-        return -along * q * z * w;
-      case xy:
-        return -across * (1 - k * along * along / q) * w;
-      case xz:
-        return -(q - z * along * along) * w;
-      case yz:
-        return -along * across * z * w;
-    }
-    return 0;
+    if (c == xx) return -along * (2 + 2 * nu - k * along * along / q) * w;
+    if (c == yy) return -along * (2 * nu - k * across * across / q) * w;
+    if (c == zz) return -along * q * z * w;
+    if (c == xy) return -across * (1 - k * along * along / q) * w;
+    if (c == xz) return -(q - z * along * along) * w;
+    return -along * across * z * w;
   }
 };
 

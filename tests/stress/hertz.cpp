@@ -1,10 +1,9 @@
-#include "stress/hertz.hpp"
-
 #include <numbers>
 
 #include "quadrature.hpp"
+#include "reference/hertz_stress.hpp"
+#include "stress/equivalent.hpp"
 #include "stress/influence.hpp"
-#include "stress/von_mises.hpp"
 #include "support.hpp"
 
 using namespace asperity;

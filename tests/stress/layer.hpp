@@ -1,9 +1,9 @@
 /// A whole layer as fields, and the grids of the tests.
 #pragma once
 
-#include "stress/hertz.hpp"
+#include "reference/hertz_stress.hpp"
+#include "stress/equivalent.hpp"
 #include "stress/layers.hpp"
-#include "stress/von_mises.hpp"
 
 namespace asperity::test {
 
@@ -11,14 +11,14 @@ using TensorField = std::array<Field, 6>;
 
 /// The layer at depth z; components that were not asked for stay empty.
 inline TensorField layer(const StressSolver& solver, double z, stress::Set asked = stress::all) {
-  const Shape shape = solver.grid().shape;
+  const Shape shape = solver.shape();
   TensorField out;
   for (auto c : stress::components)
     if (asked[c]) out[c].resize(shape.nx, shape.ny);
   StressSolver::Workspace work;
   solver.layer(z, asked, work, [&](Index i, const StressRow& row) {
     for (auto c : stress::components)
-      if (asked[c]) std::copy_n(row[c], shape.ny, out[c].row(i).data());
+      if (asked[c]) std::ranges::copy(row[c], out[c].row(i).data());
   });
   return out;
 }

@@ -25,7 +25,7 @@ double predicted_error(double h) {
 }
 
 StressMaximum hertz_maximum(const Grid& grid) {
-  return maximum_von_mises(StressSolver(grid, hertz_pressure(grid), 0.3));
+  return maximum_von_mises(StressSolver({grid, hertz_pressure(grid), 0.3}));
 }
 
 // The largest value at a cell centre over many depths.
@@ -33,9 +33,9 @@ double brute_force(const StressSolver& solver, double shallowest, double deepest
   std::vector<double> depths, top(static_cast<std::size_t>(layers), 0.0);
   for (int k = 0; k < layers; ++k)
     depths.push_back(shallowest * std::pow(deepest / shallowest, k / (layers - 1.0)));
-  std::vector<double> row(static_cast<std::size_t>(solver.grid().shape.ny));
+  std::vector<double> row(static_cast<std::size_t>(solver.shape().ny));
   solver.layers(depths, stress::all, [&](Index l, Index, const StressRow& s) {
-    von_mises(s, solver.grid().shape.ny, row.data());
+    von_mises(s, row);
     for (double value : row)
       top[static_cast<std::size_t>(l)] = std::max(top[static_cast<std::size_t>(l)], value);
   });
@@ -65,7 +65,8 @@ TEST_CASE("the maximum of a sliding Hertz contact moves forward and up with the 
     for (Index n : {64, 128}) {
       const Grid grid = hertz_grid(n);
       const Friction friction{mu, 0};
-      const StressMaximum found = maximum_von_mises(StressSolver(grid, hertz_pressure(grid), friction, 0.3));
+      const StressMaximum found =
+          maximum_von_mises(StressSolver({grid, hertz_pressure(grid), 0.3, friction}));
       stress::Tensor s = hertz_stress(x, 0, z, 0.3, friction);
       const double exact = von_mises(s);
       const stress::Tensor laplacian = hertz_laplacian(x, 0, z, 0.3, friction);
@@ -85,7 +86,7 @@ TEST_CASE(
   for (double angle : {0.0, std::numbers::pi / 2}) {
     const Grid grid = hertz_grid(64);
     const StressMaximum found =
-        maximum_von_mises(StressSolver(grid, hertz_pressure(grid), Friction{0.5, angle}, 0.3));
+        maximum_von_mises(StressSolver({grid, hertz_pressure(grid), 0.3, {0.5, angle}}));
     const double exact = von_mises(hertz_stress(-1, 0, 0, 0.3, Friction{0.5, 0}));
     CAPTURE(found.von_mises, exact, found.x, found.y);
     CHECK(found.depth == 0);
@@ -104,7 +105,7 @@ TEST_CASE("the place of the maximum is found between the cell centres", "[maximu
     const Field p = sample(grid, [&](double x, double y) {
       return std::sqrt(std::max(0.0, 1 - (x - cx) * (x - cx) - (y - cy) * (y - cy)));
     });
-    const StressMaximum found = maximum_von_mises(StressSolver(grid, p, 0.3));
+    const StressMaximum found = maximum_von_mises(StressSolver({grid, p, 0.3}));
     CAPTURE(sx, sy, found.x, found.y);
     CHECK(std::abs(found.x - cx) <= 0.03 * grid.dx);
     CHECK(std::abs(found.y - cy) <= 0.03 * grid.dy);
@@ -117,7 +118,7 @@ TEST_CASE("of two maxima at different depths the larger is found", "[maximum][la
   for (double spike : {0.2, 0.6, 3.0}) {
     Field p = hertz_pressure(grid);
     p(20, 30) += spike;
-    const StressSolver solver(grid, p, 0.3);
+    const StressSolver solver({grid, p, 0.3});
     const double scanned = brute_force(solver, 0.25 * grid.dx, 1.5, 120);
     const StressMaximum found = maximum_von_mises(solver);
     CAPTURE(spike, scanned, found.von_mises, found.depth);
@@ -130,15 +131,15 @@ TEST_CASE("the maximum scales with the pressure and does not depend on the numbe
           "[maximum][law]") {
   const Grid grid = hertz_grid(32);
   const Field p = hertz_pressure(grid);
-  const StressMaximum one = maximum_von_mises(StressSolver(grid, p, 0.3, 1)),
-                      twice = maximum_von_mises(StressSolver(grid, 2 * p, 0.3, 3));
+  const StressMaximum one = maximum_von_mises(StressSolver({grid, p, 0.3}, 1)),
+                      twice = maximum_von_mises(StressSolver({grid, 2 * p, 0.3}, 3));
   CHECK(twice.von_mises == 2 * one.von_mises);
   CHECK(twice.depth == one.depth);
 }
 
 TEST_CASE("an unloaded surface has its maximum zero", "[maximum][contract]") {
   const Grid grid = hertz_grid(8);
-  CHECK(maximum_von_mises(StressSolver(grid, Field::Zero(8, 8), 0.3)).von_mises == 0);
+  CHECK(maximum_von_mises(StressSolver({grid, Field::Zero(8, 8), 0.3})).von_mises == 0);
 }
 
 namespace {
@@ -160,10 +161,10 @@ TEST_CASE(
       return std::sqrt(std::max(0.0, 0.25 - (x - 0.03) * (x - 0.03) - 0.6 * (y + 0.04) * (y + 0.04)));
     });
     for (const Friction& friction : {Friction{}, Friction{0.3, 0.5}}) {
-      const StressMaximum here = maximum_von_mises(StressSolver(grid, p, friction, 0.3));
+      const StressMaximum here = maximum_von_mises(StressSolver({grid, p, 0.3, friction}));
       for (auto [m, n] : {std::array<Index, 2>{shape.nx / 2, shape.ny / 2},
                           std::array<Index, 2>{shape.nx / 2, 0}, std::array<Index, 2>{1, shape.ny - 1}}) {
-        const StressMaximum there = maximum_von_mises(StressSolver(grid, shifted(p, m, n), friction, 0.3));
+        const StressMaximum there = maximum_von_mises(StressSolver({grid, shifted(p, m, n), 0.3, friction}));
         CAPTURE(shape.nx, shape.ny, friction.coefficient, m, n, here.von_mises, there.von_mises);
         CHECK(relative_error(there.von_mises, here.von_mises) <= 1e-11);
         CHECK(relative_error(there.depth, here.depth) <= 1e-6);
@@ -197,7 +198,7 @@ TEST_CASE(
       double exact = 0, deep = 0;
       for (double s = 0; s < 4; s += 1e-4)
         if (const double v = crest(s, 1); v > exact) exact = v, deep = s / q;
-      const StressMaximum found = maximum_von_mises(StressSolver(grid, p, nu));
+      const StressMaximum found = maximum_von_mises(StressSolver({grid, p, nu}));
       CAPTURE(nu, first, found.von_mises, exact, found.depth, deep);
       CHECK(relative_error(found.von_mises, exact) <= 1e-4);
       CHECK(std::abs(found.depth - deep) <= 0.01 * deep);
@@ -209,7 +210,7 @@ TEST_CASE(
 // edge are right within 9 % (stress/layers.hpp).
 TEST_CASE("a contact of an auxetic body bears most at the surface, along its edge", "[maximum][order]") {
   const StressMaximum found =
-      maximum_von_mises(StressSolver(hertz_grid(64), hertz_pressure(hertz_grid(64)), -0.5));
+      maximum_von_mises(StressSolver({hertz_grid(64), hertz_pressure(hertz_grid(64)), -0.5}));
   CHECK(found.depth == 0);
   CHECK(std::abs(std::hypot(found.x, found.y) - 1) <= 0.1);
   CHECK(relative_error(found.von_mises, 2 / std::sqrt(3.0)) <= 0.09);
@@ -220,7 +221,7 @@ TEST_CASE("a contact of an auxetic body bears most at the surface, along its edg
 TEST_CASE("a long cylinder of a small Poisson's ratio bears most at the surface", "[maximum][exact]") {
   const Grid grid{{64, 65}, 3.0 / 64, 0.5};
   const Field p = sample(grid, [](double x, double) { return std::sqrt(std::max(0.0, 1 - x * x)); });
-  const StressMaximum found = maximum_von_mises(StressSolver(grid, p, 0.1));
+  const StressMaximum found = maximum_von_mises(StressSolver({grid, p, 0.1}));
   CAPTURE(found.von_mises, found.x, found.depth);
   CHECK(found.depth == 0);
 }
@@ -231,7 +232,7 @@ TEST_CASE("at the edge of a free domain the maximum is the largest value at its 
   const Grid grid{{24, 20}, 0.1, 0.1};
   Field p = Field::Zero(24, 20);
   p.bottomRightCorner(6, 5) = 1;
-  const StressSolver solver(grid, p, 0.3);
+  const StressSolver solver({grid, p, 0.3});
   const StressMaximum found = maximum_von_mises(solver);
   const TensorField whole = layer(solver, found.depth);
   double top = 0;

@@ -42,7 +42,7 @@ TEST_CASE("below a periodic pressure wave the stress is that of plane strain, in
     Field p(grid.shape.nx, grid.shape.ny);
     for (Index i = 0; i < p.rows(); ++i)
       for (Index j = 0; j < p.cols(); ++j) p(i, j) = std::cos(wave.phase(i, j));
-    const StressSolver solver(grid, p, nu);
+    const StressSolver solver({grid, p, nu});
     for (double z : {0.0, 0.1, 0.8}) {
       const TensorField field = layer(solver, z);
       double error = 0;
@@ -60,7 +60,7 @@ TEST_CASE("below a periodic pressure wave the stress is that of plane strain, in
 TEST_CASE("a uniform pressure on a periodic half-space is borne by a body held at its sides, at every depth",
           "[periodic][exact]") {
   const Grid grid{{8, 10}, 0.5, 0.4, true};
-  const StressSolver solver(grid, Field::Constant(8, 10, 2.0), nu);
+  const StressSolver solver({grid, Field::Constant(8, 10, 2.0), nu});
   for (double z : {0.0, 3.0, 1e3}) {
     const TensorField field = layer(solver, z);
     CHECK((field[stress::zz] + 2).abs().maxCoeff() <= 32 * epsilon);
@@ -73,7 +73,7 @@ TEST_CASE("a uniform pressure on a periodic half-space is borne by a body held a
 TEST_CASE("a shifted periodic pressure gives the shifted stress", "[periodic][law]") {
   const Grid grid{{12, 10}, 0.5, 0.4, true};
   const Field p = random_field(grid.shape, 31);
-  const TensorField s = layer(StressSolver(grid, p, nu), 0.2),
-                    t = layer(StressSolver(grid, shifted(p, 5, 3), nu), 0.2);
+  const TensorField s = layer(StressSolver({grid, p, nu}), 0.2),
+                    t = layer(StressSolver({grid, shifted(p, 5, 3), nu}), 0.2);
   for (auto c : stress::components) CHECK((shifted(s[c], 5, 3) - t[c]).abs().maxCoeff() <= 32 * epsilon);
 }

@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "layer.hpp"
 #include "stress/influence.hpp"
-#include "stress/section.hpp"
+#include "stress/layers.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -37,8 +37,8 @@ TEST_CASE(
       for (const Friction& friction : {Friction{}, Friction{0.35, 0.6}, Friction{0.2, -2.0}}) {
         const Grid grid{shape, 0.3, 0.5, periodic};
         const Field p = random_field(shape, 51);
-        const StressPoints points(grid, p, friction, nu);
-        const StressSolver solver(grid, p, friction, nu);
+        const StressPoints points({grid, p, nu, friction});
+        const StressSolver solver({grid, p, nu, friction});
         for (double z : {0.0, 0.07, 1.1, 40.0, 1e4}) {
           const TensorField whole = layer(solver, z);
           double error = 0;
@@ -61,7 +61,7 @@ TEST_CASE("between the cells, too, the stress below a periodic wave and its mean
       const Grid grid{{n, 3}, 0.25, 0.4, true};
       const double q = 2 * pi / grid.size_x(), p0 = 3, p1 = 2, held = -poisson / (1 - poisson) * p0;
       const Field p = sample(grid, [&](double x, double) { return p0 + p1 * std::cos(q * x); });
-      const StressPoints points(grid, p, {}, poisson);
+      const StressPoints points({grid, p, poisson});
       for (double z : {0.0, 0.2, 1.3, 50.0})
         for (double x : {-0.8, 0.0, 0.125, 0.31, 0.5 * grid.size_x(), 17.0}) {
           const double e = p1 * std::exp(-q * z), cosine = e * std::cos(q * x), sine = e * std::sin(q * x);
@@ -75,7 +75,7 @@ TEST_CASE("between the cells, too, the stress below a periodic wave and its mean
 
 TEST_CASE("a mean traction is met by its own shear at any point, however deep", "[points][exact]") {
   const Grid grid{{6, 5}, 0.5, 0.4, true};
-  const StressPoints points(grid, Field::Constant(6, 5, 2.0), {0.25, pi / 6}, nu);
+  const StressPoints points({grid, Field::Constant(6, 5, 2.0), nu, {0.25, pi / 6}});
   for (double z : {0.0, 3.0, 1e3, farthest}) {
     const Tensor exact{-2 * nu / (1 - nu), -2 * nu / (1 - nu), -2, 0, -0.5 * std::cos(pi / 6), -0.25};
     CHECK(difference(points.at(0.3, -0.1, z), exact) <= 32 * epsilon * 60);
@@ -87,7 +87,7 @@ TEST_CASE("a periodic pressure shifted by whole cells shifts the stress at point
   const Grid grid{{12, 9}, 0.5, 0.4, true};
   const Field p = random_field(grid.shape, 52).abs();
   const Friction friction{0.3, 2.5};
-  const StressPoints points(grid, p, friction, nu), moved(grid, shifted(p, 5, 7), friction, nu);
+  const StressPoints points({grid, p, nu, friction}), moved({grid, shifted(p, 5, 7), nu, friction});
   for (double z : {0.0, 0.3, 6.0})
     for (auto [x, y] : {std::array{0.0, 0.0}, std::array{0.25, -0.2}, std::array{2.9, 1.77}}) {
       const Tensor here = points.at(x, y, z);
@@ -103,20 +103,20 @@ TEST_CASE("a periodic load tiled 2 x 2 or 3 x 1 leaves the stress at points, in 
     const Grid grid{shape, 0.5, 0.4, true};
     const Field p = random_field(shape, 53).abs();
     const Friction friction{0.4, 0.7};
-    const StressPoints points(grid, p, friction, nu);
+    const StressPoints points({grid, p, nu, friction});
     for (auto [in_x, in_y] : {std::array<Index, 2>{2, 2}, std::array<Index, 2>{3, 1}}) {
       const Grid wide{{in_x * shape.nx, in_y * shape.ny}, 0.5, 0.4, true};
       const Field q = p.replicate(in_x, in_y);
-      const StressPoints tiles(wide, q, friction, nu);
+      const StressPoints tiles({wide, q, nu, friction});
       const double dx = wide.x(0) - grid.x(0), dy = wide.y(0) - grid.y(0), bound = round_off(q);
       for (double z : {0.0, 0.2, 3.0}) {
         for (auto [x, y] : {std::array{0.1, 0.2}, std::array{-0.25, 0.4}, std::array{1.9, -1.1}})
           CHECK(difference(points.at(x, y, z), tiles.at(x + dx, y + dy, z)) <= bound);
-        const TensorField whole = layer(StressSolver(wide, q, friction, nu), z);
+        const TensorField whole = layer(StressSolver({wide, q, nu, friction}), z);
         const Index i = wide.shape.nx - 1, j = wide.shape.ny - 1;
         CHECK(difference(points.at(wide.x(i) - dx, wide.y(j) - dy, z), tensor_at(whole, i, j)) <= bound);
-        StressSection(wide, q, friction, nu, {true, j})
-            .rows({z}, stress::all, [&](Index, Index, const StressRow& row) {
+        StressSolver({wide, q, nu, friction}, {true, j})
+            .layers({z}, stress::all, [&](Index, Index, const StressRow& row) {
               for (Index k = 0; k < wide.shape.nx; ++k)
                 for (auto c : stress::components)
                   CHECK(std::abs(row[c][k] - points.at(wide.x(k) - dx, wide.y(j) - dy, z)[c]) <= bound);

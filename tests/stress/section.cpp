@@ -1,5 +1,3 @@
-#include "stress/section.hpp"
-
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -7,6 +5,7 @@
 #include "layer.hpp"
 #include "stress/bound.hpp"
 #include "stress/influence.hpp"
+#include "stress/layers.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -17,11 +16,11 @@ namespace {
 // Each depth's row of all components, [depth][component][point].
 using Rows = std::vector<std::array<std::vector<double>, 6>>;
 
-Rows rows(const StressSection& section, const std::vector<double>& depths) {
+Rows rows(const StressSolver& section, const std::vector<double>& depths) {
   Rows out(depths.size());
-  section.rows(depths, stress::all, [&](Index l, Index, const StressRow& values) {
+  section.layers(depths, stress::all, [&](Index l, Index, const StressRow& values) {
     for (auto c : stress::components)
-      out[static_cast<std::size_t>(l)][c].assign(values[c], values[c] + section.points());
+      out[static_cast<std::size_t>(l)][c].assign(values[c].begin(), values[c].end());
   });
   return out;
 }
@@ -40,9 +39,9 @@ TEST_CASE("a section along x or y is the layers' row in it, with and without fri
       const double exact = 64 * epsilon * p.sum();
       for (auto resolution : {DepthResolution::full, DepthResolution::adapted}) {
         const double interpolated = resolution == DepthResolution::full ? 0 : 2e-7 * p.maxCoeff();
-        const StressSolver solver(grid, p, friction, 0.3, 1, resolution);
-        const Rows along_x = rows({grid, p, friction, 0.3, {true, 11}, 2, resolution}, depths),
-                   along_y = rows({grid, p, friction, 0.3, {false, 47}, 1, resolution}, depths);
+        const StressSolver solver({grid, p, 0.3, friction}, 1, resolution);
+        const Rows along_x = rows({{grid, p, 0.3, friction}, {true, 11}, 2, resolution}, depths),
+                   along_y = rows({{grid, p, 0.3, friction}, {false, 47}, 1, resolution}, depths);
         for (std::size_t l = 0; l < depths.size(); ++l) {
           const TensorField whole = layer(solver, depths[l]);
           double error = 0;
@@ -67,9 +66,9 @@ TEST_CASE("a section far from a load that fills a corner is the layers' row, and
   Field p = Field::Zero(40, 30);
   p.topLeftCorner(3, 4) = random_field({3, 4}, 43).abs();
   const std::vector<double> depths{0, 0.7, 4};
-  const StressSolver solver(grid, p, Friction{0.2, 0}, 0.3);
+  const StressSolver solver({grid, p, 0.3, {0.2, 0}});
   for (Index i : {0, 2, 3, 39}) {
-    const Rows found = rows({grid, p, Friction{0.2, 0}, 0.3, {false, i}}, depths);
+    const Rows found = rows({{grid, p, 0.3, {0.2, 0}}, {false, i}}, depths);
     for (std::size_t l = 0; l < depths.size(); ++l) {
       const TensorField whole = layer(solver, depths[l]);
       double error = 0;
@@ -80,7 +79,7 @@ TEST_CASE("a section far from a load that fills a corner is the layers' row, and
       CHECK(error <= 64 * epsilon * p.sum());
     }
   }
-  const Rows nothing = rows({grid, Field::Zero(40, 30), {}, 0.3, {true, 7}}, depths);
+  const Rows nothing = rows({{grid, Field::Zero(40, 30), 0.3}, {true, 7}}, depths);
   for (const auto& row : nothing)
     for (const auto& component : row)
       for (double value : component) CHECK(value == 0);
@@ -88,16 +87,15 @@ TEST_CASE("a section far from a load that fills a corner is the layers' row, and
 
 TEST_CASE("layers are handed over in order from the calling thread, none far ahead, and a failure ends them",
           "[layers][contract]") {
-  struct Nothing {};
   for (int threads : {1, 2, 5})
     for (Index count : {0, 1, 3, 40}) {
       std::atomic<Index> handed_over{0};
       std::vector<int> computed(static_cast<std::size_t>(count));
       std::atomic<bool> ahead{false};
       const auto caller = std::this_thread::get_id();
-      in_layers<Nothing>(
+      in_layers(
           count, threads,
-          [&](Index l, Nothing&) {
+          [&](Index l, int) {
             if (l >= handed_over + threads) ahead = true;
             ++computed[static_cast<std::size_t>(l)];
           },
@@ -111,12 +109,12 @@ TEST_CASE("layers are handed over in order from the calling thread, none far ahe
       CHECK(handed_over == count);
       CHECK_FALSE(ahead);
     }
-  auto fail = [](Index l, Nothing&) {
+  auto fail = [](Index l, int) {
     if (l == 7) throw std::runtime_error("the seventh");
   };
-  CHECK_THROWS_AS(in_layers<Nothing>(40, 3, fail, {}), std::runtime_error);
-  CHECK_THROWS_AS(in_layers<Nothing>(
-                      40, 3, [](Index, Nothing&) {}, [](Index, Index) { throw std::runtime_error("full"); }),
+  CHECK_THROWS_AS(in_layers(40, 3, fail, {}), std::runtime_error);
+  CHECK_THROWS_AS(in_layers(
+                      40, 3, [](Index, int) {}, [](Index, Index) { throw std::runtime_error("full"); }),
                   std::runtime_error);
 }
 
@@ -153,8 +151,8 @@ TEST_CASE("the bound of a unit force is at least its largest stress anywhere, an
   const Grid grid{{1, 1}, 1, 1};
   const Field unit = Field::Constant(1, 1, 1.0);
   for (double nu : {-0.99, -0.5, 0.0, 0.15, 0.3, 0.4, 0.5}) {
-    const double pressed = StressBound(grid, unit, {}, nu).at(1),
-                 slid = StressBound(grid, unit, {1, 0}, nu).at(1) - pressed;
+    const double pressed = StressBound({grid, unit, nu}).at(1),
+                 slid = StressBound({grid, unit, nu, {1, 0}}).at(1) - pressed;
     for (auto [bound, load] : {std::pair{pressed, stress::normal}, std::pair{slid, stress::shear_x}}) {
       const double top = std::sqrt(1.5) * largest_norm(nu, load);
       CAPTURE(nu, load, top, bound);
@@ -177,22 +175,22 @@ TEST_CASE("no stress exceeds the bound of its load, and a force at one point com
     for (const Friction& friction : {Friction{}, Friction{0.5, 0.3}})
       for (bool single : {true, false}) {
         const Field p = single ? point : Field(random_field(grid.shape, 42).abs());
-        const StressSolver solver(grid, p, friction, nu);
+        const StressSolver solver({grid, p, nu, friction});
         for (double z : {0.5, 4.0, 12.0, 40.0}) {
           double top = 0;
           StressSolver::Workspace work;
           std::vector<double> row(20);
           solver.layer(z, stress::all, work, [&](Index, const StressRow& s) {
-            von_mises(s, 20, row.data());
+            von_mises(s, row);
             top = std::max(top, *std::max_element(row.begin(), row.end()));
             for (auto c : stress::components)
-              for (Index j = 0; j < 20; ++j) top = std::max(top, std::abs(s[c][j]));
+              for (Index j = 0; j < 20; ++j) top = std::max(top, std::abs(s[c][static_cast<std::size_t>(j)]));
           });
-          const double bound = StressBound(grid, p, friction, nu).at(z);
+          const double bound = StressBound({grid, p, nu, friction}).at(z);
           CAPTURE(nu, friction.coefficient, z, top, bound);
           CHECK(top <= bound);
           if (single && z > 10) CHECK(top >= 0.5 * bound);
         }
       }
-  CHECK(std::isinf(StressBound(grid, point, {}, 0.3).at(0)));
+  CHECK(std::isinf(StressBound({grid, point, 0.3}).at(0)));
 }

@@ -21,7 +21,7 @@ struct Errors {
 Errors errors(Index n, double depth_in_cells, const Friction& friction, double poisson = nu) {
   const Grid grid = hertz_grid(n);
   const double z = depth_in_cells * grid.dx;
-  const TensorField field = layer(StressSolver(grid, hertz_pressure(grid), friction, poisson), z);
+  const TensorField field = layer(StressSolver({grid, hertz_pressure(grid), poisson, friction}), z);
   Errors out;
   for (Index i = 0; i < n; ++i)
     for (Index j = 0; j < n; ++j) {
@@ -103,8 +103,8 @@ TEST_CASE(
   const double mu = 0.4, factor = 2 * std::numbers::ln2 / std::numbers::pi;
   for (Index n : {64, 128, 256}) {
     const Grid grid = hertz_grid(n);
-    const TensorField with = layer(StressSolver(grid, hertz_pressure(grid), {mu, 0}, nu), 0),
-                      without = layer(StressSolver(grid, hertz_pressure(grid), nu), 0);
+    const TensorField with = layer(StressSolver({grid, hertz_pressure(grid), nu, {mu, 0}}), 0),
+                      without = layer(StressSolver({grid, hertz_pressure(grid), nu}), 0);
     const Index i = 5 * n / 8, j = 7 * n / 16;  // about (0.38, -0.19)
     const double x = grid.x(i), y = grid.y(j), p = std::sqrt(1 - x * x - y * y);
     const stress::Tensor exact = hertz_stress(x, y, 0, nu, stress::shear_x);
@@ -123,7 +123,7 @@ TEST_CASE("on the edges and corners of the cells the surface stress under fricti
   const Friction friction{0.5, 0.5};
   auto error = [&](Index n, double x, double y) {
     const Grid grid = hertz_grid(n);
-    const stress::Tensor s = StressPoints(grid, hertz_pressure(grid), friction, nu).at(x, y, 0),
+    const stress::Tensor s = StressPoints({grid, hertz_pressure(grid), nu, friction}).at(x, y, 0),
                          exact = hertz_stress(x, y, 0, nu, friction);
     double top = 0;
     for (auto c : stress::components) top = std::max(top, std::abs(s[c] - exact[c]));

@@ -2,16 +2,13 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/poisson.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/stress/quantity.hpp"
 
 namespace asperity::cli {
 void StressOptions::declare(Tool& tool) {
-  const std::string where = "Where", content = "What", which = "Body", load = "Friction";
+  const std::string where = "Where", content = "What";
   tool.input();
   tool.text(
       "--depths", depths, "DEPTHS",
@@ -38,6 +35,18 @@ void StressOptions::declare(Tool& tool) {
   tool.choice("--resolution", resolution, {"adapted", "full"},
               "Deep layers from wider cells, within 2e-6 of the largest pressure; or every one in full",
               content);
+  declare_body(tool);
+  tool.memory(
+      "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
+      "for each variable. Into files layers go as they are made");
+  tool.output();
+  tool.table();
+  tool.report();
+  tool.threads();
+}
+
+void StressOptions::declare_body(Tool& tool) {
+  const std::string which = "Body", load = "Friction";
   tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
   tool.integer("--body", body, {1, 2}, "Which body's ratio to take from the dataset, 1 or 2", which);
   const Option slides =
@@ -46,13 +55,6 @@ void StressOptions::declare(Tool& tool) {
   tool.text("--friction-angle", friction_angle, "ANGLE",
             "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
       .needs(slides);
-  tool.memory(
-      "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
-      "for each variable. Into files layers go as they are made");
-  tool.output();
-  tool.table();
-  tool.report();
-  tool.threads();
 }
 
 void StressOptions::check(Tool& tool) const {
@@ -72,28 +74,6 @@ void StressOptions::check(Tool& tool) const {
   tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!table) refuse_terminal(tool.output_name());
-}
-
-double StressOptions::poisson_of(const Dataset& data) const {
-  if (!std::isnan(poisson)) return poisson;
-  const Values* recorded = data.attributes.find("contact_poisson");
-  if (recorded == nullptr)
-    throw UsageError("poisson", "is needed: the dataset has no attribute contact_poisson");
-  const std::vector<double> both = numbers(*recorded);
-  if (std::holds_alternative<std::string>(*recorded) || both.empty() || both.size() > 2)
-    throw DataError("contact_poisson", "it must be one number, or one of each body");
-  if (body > static_cast<int>(both.size()))
-    throw UsageError("body", fmt::format("{}: the dataset knows Poisson's ratio of {}", body, both.size()));
-  const double out = both[static_cast<std::size_t>(body - 1)];
-  if (!is_poisson_ratio(out))
-    throw DataError("contact_poisson", fmt::format("{} must lie above -1 and not above 0.5", out));
-  return out;
-}
-
-Friction StressOptions::sliding() const {
-  const Friction out{friction, parse_angle("friction-angle", friction_angle)};
-  out.check();
-  return out;
 }
 
 }  // namespace asperity::cli

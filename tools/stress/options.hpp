@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "dataset/dataset.hpp"
-#include "stress/layers.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -27,12 +25,8 @@ struct StressOptions {
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool) const;
 
-  /// From the options or the dataset; ParameterError where neither tells.
-  double poisson_of(const Dataset& data) const;
-  Friction sliding() const;
-  DepthResolution depth_resolution() const {
-    return resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
-  }
+ private:
+  void declare_body(Tool& tool);
 };
 
 }  // namespace asperity::cli

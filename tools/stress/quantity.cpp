@@ -4,122 +4,84 @@
 
 #include <fmt/format.h>
 
-#include "stress/octahedral.hpp"
-#include "stress/principal.hpp"
-#include "stress/tresca.hpp"
-#include "stress/von_mises.hpp"
 #include "tools/cli/series.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 namespace {
 
-using stress::Component;
-
-template <Component c>
-void copy(const StressRow& stress, Index count, double* const* out) {
-  std::copy_n(stress[c], count, out[0]);
+StressQuantity equivalent(const char* word, StressOutput output,
+                          void (*along_row)(const StressRow&, std::span<double>)) {
+  return {word, stress::all, {std::move(output)}, [along_row](const StressRow& s, RowOutputs out) {
+            along_row(s, out[0]);
+          }};
 }
 
-template <Component c>
-StressQuantity component() {
+StressQuantity component(stress::Component c) {
   const std::string name(stress::names[c]);
-  return {
-      name, stress::Set().set(c), {{"stress_" + name, "stress " + name + ", positive in tension"}}, copy<c>};
+  return {name,
+          stress::Set().set(c),
+          {{"stress_" + name, "stress " + name + ", positive in tension"}},
+          [c](const StressRow& s, RowOutputs out) { std::ranges::copy(s[c], out[0].begin()); }};
 }
 
-StressQuantity principal() {
-  StressQuantity out{"principal", stress::all, {}, principal_stress};
-  for (int k = 1; k <= 3; ++k)
-    out.outputs.push_back(
+std::vector<StressQuantity> make_quantities() {
+  std::vector<StressOutput> principal, directions;
+  for (int k = 1; k <= 3; ++k) {
+    principal.push_back(
         {fmt::format("stress_{}", k), fmt::format("principal stress {}, positive in tension", k)});
-  return out;
-}
-
-StressQuantity directions() {
-  StressQuantity out{"principal_directions", stress::all, {}, principal_directions};
-  for (int k = 1; k <= 3; ++k)
     for (char axis : {'x', 'y', 'z'})
-      out.outputs.push_back(
-          {fmt::format("direction_{}_{}", k, axis),
-           fmt::format("{} component of the unit vector along principal stress {}", axis, k), "1"});
-  return out;
+      directions.push_back({fmt::format("direction_{}_{}", k, axis),
+                            fmt::format("{} component of the unit vector along principal stress {}", axis, k),
+                            "1"});
+  }
+  std::vector<StressQuantity> list{
+      equivalent("von_mises", {"von_mises", "von Mises equivalent stress"}, von_mises),
+      equivalent("tresca", {"max_shear", "largest shear stress"}, max_shear_stress),
+      equivalent("octahedral", {"octahedral_shear", "octahedral shear stress"}, octahedral_shear),
+      {"principal", stress::all, principal,
+       [](const StressRow& s, RowOutputs out) { principal_stress(s, out); }},
+      {"principal_directions", stress::all, directions, principal_directions}};
+  for (stress::Component c : stress::components) list.push_back(component(c));
+  return list;
 }
 
-std::vector<StressQuantity> make() {
-  return {
-      {"von_mises",
-       stress::all,
-       {{"von_mises", "von Mises equivalent stress"}},
-       [](const StressRow& stress, Index count, double* const* out) { von_mises(stress, count, out[0]); }},
-      {"tresca",
-       stress::all,
-       {{"max_shear", "largest shear stress"}},
-       [](const StressRow& stress, Index count, double* const* out) {
-         max_shear_stress(stress, count, out[0]);
-       }},
-      {"octahedral",
-       stress::all,
-       {{"octahedral_shear", "octahedral shear stress"}},
-       [](const StressRow& stress, Index count, double* const* out) {
-         octahedral_shear(stress, count, out[0]);
-       }},
-      principal(),
-      directions(),
-      component<stress::xx>(),
-      component<stress::yy>(),
-      component<stress::zz>(),
-      component<stress::xy>(),
-      component<stress::xz>(),
-      component<stress::yz>()};
+const std::vector<StressQuantity>& quantities() {
+  static const std::vector<StressQuantity> list = make_quantities();
+  return list;
 }
 
 // All are the stresses; the nine directions would be half of what is written.
 bool asked(const std::vector<std::string>& words, const StressQuantity& q) {
-  const bool stress = std::ranges::all_of(q.outputs, [](const auto& o) { return o.units == "Pa"; });
-  return std::ranges::any_of(words,
-                             [&](const std::string& w) { return w == q.word || (w == "all" && stress); });
+  return std::ranges::count(words, q.word) > 0 ||
+         (std::ranges::count(words, "all") > 0 && std::ranges::all_of(q.outputs, &StressOutput::is_stress));
 }
 
 }  // namespace
 
-const std::vector<StressQuantity>& stress_quantities() {
-  static const std::vector<StressQuantity> list = make();
-  return list;
-}
-
 std::string stress_words() {
   std::string out;
-  for (const StressQuantity& q : stress_quantities()) out += (out.empty() ? "" : ", ") + q.word;
+  for (const StressQuantity& q : quantities()) out += (out.empty() ? "" : ", ") + q.word;
   return out;
 }
 
 StressSelection::StressSelection(const std::string& list) {
   const std::vector<std::string> words = split(list, ',');
   for (const std::string& word : words)
-    if (word != "all" &&
-        std::ranges::find(stress_quantities(), word, &StressQuantity::word) == stress_quantities().end())
+    if (word != "all" && std::ranges::count(quantities(), word, &StressQuantity::word) == 0)
       throw UsageError("components", "'" + word + "' is none of " + stress_words() + ", all");
-  for (const StressQuantity& q : stress_quantities())
-    if (asked(words, q)) chosen_.push_back(&q);
+  for (const StressQuantity& q : quantities()) {
+    if (!asked(words, q)) continue;
+    chosen_.push_back(&q);
+    needs_ |= q.needs;
+    outputs_.insert(outputs_.end(), q.outputs.begin(), q.outputs.end());
+  }
 }
 
-stress::Set StressSelection::needs() const {
-  stress::Set out;
-  for (const StressQuantity* q : chosen_) out |= q->needs;
-  return out;
-}
-
-std::vector<StressQuantity::Output> StressSelection::outputs() const {
-  std::vector<StressQuantity::Output> out;
-  for (const StressQuantity* q : chosen_) out.insert(out.end(), q->outputs.begin(), q->outputs.end());
-  return out;
-}
-
-void StressSelection::compute(const StressRow& stress, Index count, double* const* out) const {
+void StressSelection::compute(const StressRow& stress, RowOutputs out) const {
   for (const StressQuantity* q : chosen_) {
-    q->compute(stress, count, out);
-    out += q->outputs.size();
+    q->compute(stress, out.first(q->outputs.size()));
+    out = out.subspan(q->outputs.size());
   }
 }
 

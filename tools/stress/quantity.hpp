@@ -1,31 +1,30 @@
 /// What asperity-stress can write: the components of the stress, and what follows from them point by point.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "dataset/layout.hpp"
-#include "stress/component.hpp"
-#include "stress/layers.hpp"
+#include "stress/equivalent.hpp"
 
 namespace asperity::cli {
 
-/// One word of --components, and the variables that it stands for.
-struct StressQuantity {
-  struct Output {
-    std::string name, long_name, units = "Pa";
-  };
+/// A variable of a dataset, or a column of a table.
+struct StressOutput {
+  std::string name, long_name, units = "Pa";
 
-  std::string word;
-  stress::Set needs;  ///< components of which it is made
-  std::vector<Output> outputs;
-  /// For `count` points: out[k][j] of output k, from the needed components.
-  void (*compute)(const StressRow& stress, Index count, double* const* out);
+  bool is_stress() const { return units == "Pa"; }
 };
 
-/// All that there are, in the order of their variables in a dataset.
-const std::vector<StressQuantity>& stress_quantities();
-/// Their words, separated by commas.
+/// One word of --components, and the outputs that it stands for.
+struct StressQuantity {
+  std::string word;
+  stress::Set needs;  ///< components of which it is made
+  std::vector<StressOutput> outputs;
+  std::function<void(const StressRow& stress, RowOutputs out)> compute;  ///< all outputs along a row
+};
+
+/// The words of all that there are, in the order of their variables in a dataset, separated by commas.
 std::string stress_words();
 
 /// The quantities that were asked for, each once.
@@ -35,13 +34,15 @@ class StressSelection {
   /// ParameterError("components", …) for any other.
   explicit StressSelection(const std::string& list);
 
-  stress::Set needs() const;
-  std::vector<StressQuantity::Output> outputs() const;
-  /// out[k] of output k of outputs().
-  void compute(const StressRow& stress, Index count, double* const* out) const;
+  stress::Set needs() const { return needs_; }
+  const std::vector<StressOutput>& outputs() const { return outputs_; }
+  /// out[k], a row of output k of outputs().
+  void compute(const StressRow& stress, RowOutputs out) const;
 
  private:
   std::vector<const StressQuantity*> chosen_;
+  stress::Set needs_;
+  std::vector<StressOutput> outputs_;
 };
 
 }  // namespace asperity::cli

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "contact/flattening.hpp"
 #include "core/error.hpp"
+#include "core/poisson.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/series.hpp"
 
@@ -37,6 +40,29 @@ std::optional<Plane> plane_on(const Grid& grid, const std::string& text) {
   return Plane{along_x, std::min(nearest, (along_x ? grid.shape.ny : grid.shape.nx) - 1)};
 }
 
+// From the options, else from the dataset.
+double poisson_of(const StressOptions& o, const Dataset& data) {
+  if (!std::isnan(o.poisson)) return o.poisson;
+  const Values* recorded = data.attributes.find("contact_poisson");
+  if (recorded == nullptr)
+    throw UsageError("poisson", "is needed: the dataset has no attribute contact_poisson");
+  const std::vector<double> both = numbers(*recorded);
+  if (std::holds_alternative<std::string>(*recorded) || both.empty() || both.size() > 2)
+    throw DataError("contact_poisson", "it must be one number, or one of each body");
+  if (o.body > static_cast<int>(both.size()))
+    throw UsageError("body", fmt::format("{}: the dataset knows Poisson's ratio of {}", o.body, both.size()));
+  const double out = both[static_cast<std::size_t>(o.body - 1)];
+  if (!is_poisson_ratio(out))
+    throw DataError("contact_poisson", fmt::format("{} must lie above -1 and not above 0.5", out));
+  return out;
+}
+
+Friction friction_of(const StressOptions& o) {
+  const Friction out{o.friction, parse_angle("friction-angle", o.friction_angle)};
+  out.check();
+  return out;
+}
+
 // A share of Hertz's pressure, where the smooth bodies have one, else of the largest pressure.
 double least_value(const StressOptions& o, const Dataset& data, const Field& pressure) {
   if (std::isnan(o.above)) return 0;
@@ -62,15 +88,40 @@ double place_of(const Plane& plane, const Grid& grid) {
 StressScene read_scene(const Tool& tool, const StressOptions& options) {
   StressScene scene;
   scene.data = tool.read();
-  scene.grid = grid_of(scene.data);
-  scene.depths = depths_on(scene.grid, options.depths);
-  scene.plane = plane_on(scene.grid, options.section);
-  scene.friction = options.sliding();
-  scene.poisson = options.poisson_of(scene.data);
-  scene.pressure = field_of(scene.data, "pressure", "Pa");
-  refuse_tension(scene.pressure);
-  scene.least = least_value(options, scene.data, scene.pressure);
+  auto& [grid, pressure, poisson, friction] = scene.body;
+  grid = grid_of(scene.data);
+  scene.depths = depths_on(grid, options.depths);
+  scene.plane = plane_on(grid, options.section);
+  friction = friction_of(options);
+  poisson = poisson_of(options, scene.data);
+  pressure = field_of(scene.data, "pressure", "Pa");
+  refuse_tension(pressure);
+  scene.least = least_value(options, scene.data, pressure);
+  scene.resolution = options.resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
   return scene;
+}
+
+void record_parameters(StressScene& scene) {
+  const auto& [grid, pressure, poisson, friction] = scene.body;
+  Attributes& a = scene.data.attributes;
+  a.set("stress_poisson", poisson);
+  a.set("stress_resolution", scene.resolution == DepthResolution::full ? "full" : "adapted");
+  a.set("stress_accurate_depth", accurate_depth(grid));
+  a.set("stress_friction", friction.coefficient);
+  if (friction.coefficient > 0) a.set("stress_friction_angle", friction.angle);
+  if (scene.least > 0) a.set("stress_above", scene.least);
+  if (scene.plane)
+    a.set(scene.plane->along_x ? "stress_section_y" : "stress_section_x", place_of(*scene.plane, grid));
+}
+
+void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const double yield = scene.data.attributes.number("contact_limit_pressure", none) / hardness;
+  if (!(von_mises > yield)) return;
+  tool.warn(fmt::format(
+      "von Mises stress reaches {:.4g} MPa, above the yield stress of {:.4g} MPa, a third of "
+      "contact_limit_pressure: it is the elastic stress below that pressure, without plastic flow",
+      von_mises * 1e-6, yield * 1e-6));
 }
 
 }  // namespace asperity::cli

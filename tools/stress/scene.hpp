@@ -4,23 +4,23 @@
 #include <optional>
 
 #include "dataset/dataset.hpp"
-#include "stress/section.hpp"
+#include "stress/layers.hpp"
 #include "tools/stress/options.hpp"
 
 namespace asperity::cli {
 
 struct StressScene {
   Dataset data;  ///< to be amended
-  Grid grid;
-  Field pressure;
-  Friction friction;
-  double poisson = 0;
+  LoadedBody body;
   std::vector<double> depths;  ///< [m]; none: no layers are asked for
   std::optional<Plane> plane;  ///< of a section
   double least = 0;            ///< values of less are left out [Pa]
+  DepthResolution resolution = DepthResolution::adapted;
 
-  StressSolver solver(const StressOptions& options, int threads) const {
-    return {grid, pressure, friction, poisson, threads, options.depth_resolution()};
+  StressSolver volume(int threads) const { return StressSolver(body, threads, resolution); }
+  /// Of the section, where one is asked for.
+  StressSolver solver(int threads) const {
+    return plane ? StressSolver(body, *plane, threads, resolution) : volume(threads);
   }
 };
 
@@ -29,5 +29,11 @@ double place_of(const Plane& plane, const Grid& grid);
 
 /// Throws ParameterError when the options do not go with the dataset.
 StressScene read_scene(const Tool& tool, const StressOptions& options);
+
+/// The effective parameters, as attributes.
+void record_parameters(StressScene& scene);
+
+/// That this largest von Mises stress [Pa] is above the yield stress, where the contact had a limit pressure.
+void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises);
 
 }  // namespace asperity::cli

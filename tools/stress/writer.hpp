@@ -2,7 +2,7 @@
 ///
 /// Into a regular file each layer goes to its places as soon as it is computed, and the ranges that stand in front
 /// are put right in the end; memory is that of as many layers as there are threads. Into a pipe, which has to begin
-/// with the ranges, the result is kept, or, when it is larger than --memory, computed once for the ranges and once
+/// with the ranges, the result is kept, or, when it is larger than the memory allowed, computed once for the ranges and once
 /// for each variable.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace asperity::cli {
 class StressWriter {
  public:
   StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
-               const StressOptions& options);
+               const StressSolver& solver);
 
   /// Computes the layers of the scene and writes its dataset with them. In the end `finish` gives attributes that
   /// are there already their values.
@@ -31,9 +31,7 @@ class StressWriter {
 
   /// Every layer of every output, each output's in order.
   void layers(const Take& take);
-  void compute(const std::vector<double>& depths, const LayerRowSink& row,
-               const LayersFinished& finished) const;
-  bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].units == "Pa"; }
+  bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].is_stress(); }
   void survey(std::size_t output, Values values);
   /// Of layer l, whose first output is `values`.
   void tell(std::size_t l, const Field& values);
@@ -44,15 +42,13 @@ class StressWriter {
   const Tool& tool_;
   StressScene& scene_;
   const StressSelection& selection_;
-  std::vector<StressQuantity::Output> outputs_;
-  Index rows_, columns_;  ///< of a layer: the grid's, or one row of a section
-  std::size_t threads_, memory_;
+  const StressSolver& solver_;
+  const std::vector<StressOutput>& outputs_;
+  Shape shape_;                 ///< of a layer
   std::vector<double> depths_;  ///< where values large enough to be kept can be: the first ones
-  std::optional<StressSolver> volume_;
-  std::optional<StressSection> section_;
-  std::vector<Range> ranges_;  ///< of each output
+  std::vector<Range> ranges_;   ///< of each output
   Progress progress_;
-  StepTable told_;
+  StepTable steps_;
   std::size_t done_ = 0, passes_ = 1;  ///< layers computed, times that each is
 };
 

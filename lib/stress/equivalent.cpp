@@ -1,4 +1,4 @@
-#include "stress/principal.hpp"
+#include "stress/equivalent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,31 +108,46 @@ inline Vector into_the_body(const Vector& v) {
 
 // take(p, to) puts number k of a point to to(k).
 template <std::size_t outputs, class Take>
-inline void along_row(const StressRow& s, Index count, double* const* out, Take take) {
-  constexpr Index lanes = 8;
+inline void along_row(const StressRow& s, RowOutputs out, Take take) {
+  constexpr std::size_t lanes = 8;
   double in[6][lanes] = {}, solved[outputs][lanes];
-  for (Index begin = 0; begin < count; begin += lanes) {
-    const Index points = std::min(lanes, count - begin);
-    for (std::size_t c = 0; c < 6; ++c) std::copy_n(s[c] + begin, points, in[c]);
-    for (Index l = 0; l < lanes; ++l)
+  for (std::size_t begin = 0; begin < s[0].size(); begin += lanes) {
+    const std::size_t points = std::min(lanes, s[0].size() - begin);
+    for (std::size_t c = 0; c < 6; ++c) std::copy_n(s[c].data() + begin, points, in[c]);
+    for (std::size_t l = 0; l < lanes; ++l)
       take(solve({in[0][l], in[1][l], in[2][l], in[3][l], in[4][l], in[5][l]}),
            [&](std::size_t k) -> double& { return solved[k][l]; });
-    for (std::size_t k = 0; k < outputs; ++k) std::copy_n(solved[k], points, out[k] + begin);
+    for (std::size_t k = 0; k < outputs; ++k) std::copy_n(solved[k], points, out[k].data() + begin);
   }
 }
 
 }  // namespace
 
+void von_mises(const StressRow& s, std::span<double> out) {
+  for (std::size_t j = 0; j < out.size(); ++j)
+    out[j] = von_mises(s[0][j], s[1][j], s[2][j], s[3][j], s[4][j], s[5][j]);
+}
+
+void max_shear_stress(const StressRow& s, std::span<double> out) {
+  for (std::size_t j = 0; j < out.size(); ++j)
+    out[j] = max_shear_stress({s[0][j], s[1][j], s[2][j], s[3][j], s[4][j], s[5][j]});
+}
+
+void octahedral_shear(const StressRow& s, std::span<double> out) {
+  von_mises(s, out);
+  for (double& value : out) value *= octahedral_over_von_mises;
+}
+
 PrincipalStress principal_stress(const Tensor& s) { return solve(s); }
 
-void principal_stress(const StressRow& s, Index count, double* const* out) {
-  along_row<3>(s, count, out, [](const PrincipalStress& p, auto to) {
+void principal_stress(const StressRow& s, RowOutputs out) {
+  along_row<3>(s, out, [](const PrincipalStress& p, auto to) {
     to(0) = p.value[0], to(1) = p.value[1], to(2) = p.value[2];
   });
 }
 
-void principal_directions(const StressRow& s, Index count, double* const* out) {
-  along_row<9>(s, count, out, [](const PrincipalStress& p, auto to) {
+void principal_directions(const StressRow& s, RowOutputs out) {
+  along_row<9>(s, out, [](const PrincipalStress& p, auto to) {
 #pragma GCC unroll 3
     for (std::size_t k = 0; k < 3; ++k)
 #pragma GCC unroll 3

@@ -1,4 +1,4 @@
-#include "stress/hertz.hpp"
+#include "reference/hertz_stress.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,11 @@
-#include "stress/principal.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
-#include "stress/hertz.hpp"
-#include "stress/octahedral.hpp"
-#include "stress/tresca.hpp"
+#include "reference/hertz_stress.hpp"
+#include "stress/equivalent.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -35,7 +35,7 @@
 
 #include "core/field.hpp"
 #include "stress/component.hpp"
-#include "stress/friction.hpp"
+#include "stress/load.hpp"
 
 namespace asperity {
 
