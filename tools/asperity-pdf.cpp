@@ -51,7 +51,8 @@ double in_errors(double deviation, double error) {
 
 double told(double error, const EffectiveSampleSize& size) { return size.tells_errors() ? error : NAN; }
 
-cli::Table table_of_bins(const std::vector<Bin>& bins, const Surface& surface, const EffectiveSampleSize& size) {
+cli::Table table_of_bins(const std::vector<Bin>& bins, const Surface& surface,
+                         const EffectiveSampleSize& size) {
   const std::string density = cli::unit_to(surface.units, -1);
   cli::Table out{{{"height", surface.units},
                   {"count", "1"},
@@ -116,8 +117,8 @@ double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampl
   return what.bandwidth * m.sq;
 }
 
-cli::Table table_of(const Surface& surface, const Moments& m, const EffectiveSampleSize& size, const Options& what,
-                    int threads) {
+cli::Table table_of(const Surface& surface, const Moments& m, const EffectiveSampleSize& size,
+                    const Options& what, int threads) {
   if (what.estimate == "kernel") {
     const double h = bandwidth_for(what, m, size);
     return table_of_density(kernel_density(surface.heights, m, size, h, what.points ? what.points : 256),

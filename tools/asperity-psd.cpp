@@ -3,10 +3,10 @@
 
 #include "dataset/layout.hpp"
 #include "stats/spectrum/spectrum.hpp"
+#include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/cli/grid_words.hpp"
 #include "tools/measure/field_options.hpp"
 
 using namespace asperity;

@@ -6,7 +6,6 @@
 
 #include "stats/measure/groups.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_length.hpp"
 
 namespace asperity {
 namespace {
@@ -89,7 +88,8 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
   if (!size.tells_errors()) return unknown;
-  return (biased ? basis.pairs.pair_fraction(p, q) : 1) * (absolute ? error.absolute(p, q) : error.normalised(p, q));
+  return (biased ? basis.pairs.pair_fraction(p, q) : 1) *
+         (absolute ? error.absolute(p, q) : error.normalised(p, q));
 }
 
 double AcfEstimate::length_error(double angle, double length, double slope) const {

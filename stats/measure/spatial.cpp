@@ -7,8 +7,6 @@
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/measure/groups.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/spatial/acf_length.hpp"
-#include "stats/spectrum/spectrum.hpp"
 #include "stats/spectrum/spectrum.hpp"
 
 namespace asperity {

@@ -1,9 +1,8 @@
-#include "stats/height/material_ratio.hpp"
-
 #include <gsl/gsl_cdf.h>
 
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "stats/height/material_ratio.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

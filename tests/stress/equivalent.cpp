@@ -1,3 +1,5 @@
+#include "stress/equivalent.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <numbers>
@@ -5,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "reference/hertz_stress.hpp"
-#include "stress/equivalent.hpp"
 #include "support.hpp"
 
 using namespace asperity;

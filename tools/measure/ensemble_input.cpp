@@ -7,9 +7,9 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
+#include "tools/cli/grid_words.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/grid_words.hpp"
 
 namespace asperity::cli {
 namespace {

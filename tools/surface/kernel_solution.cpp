@@ -143,12 +143,12 @@ std::string shortcoming(const Attributes& a) {
 void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel& kernel) {
   const KernelReport& report = kernel.report;
   const bool chosen = request.lags == Shape{}, table = request.target.known.has_value();
-  const bool changed =
-      (report.answer == Answer::nearest || report.answer == Answer::least_squares) && report.change > negligible_change;
+  const bool changed = (report.answer == Answer::nearest || report.answer == Answer::least_squares) &&
+                       report.change > negligible_change;
   if (changed && !(chosen && table))
     tool.warn("no kernel of " + text(kernel.lags) + " lags has this autocorrelation; " +
               (report.answer == Answer::nearest ? "the kernel of the nearest that was found"
-                                          : "the kernel of least squares") +
+                                                : "the kernel of least squares") +
               " changes it by up to " + number(report.change) + " of the variance");
   const double silent = table ? request.acf_tolerance : std::max(request.acf_tolerance, silent_error);
   if (!chosen && report.error > silent)
@@ -160,8 +160,9 @@ void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel
 Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, bool aside) {
   auto say = [&](const std::string& text) { aside ? tool.detail("kernel: " + text) : tool.note(text); };
   const KernelReport& report = kernel.report;
-  tool.detail("kernel: " + std::string(name_of(report.answer)) + ", " + report.reason + ", residual " + shortest(report.residual) +
-              ", " + counted(report.jacobian_products, "product") + ", " + shortest(report.seconds) + " s");
+  tool.detail("kernel: " + std::string(name_of(report.answer)) + ", " + report.reason + ", residual " +
+              shortest(report.residual) + ", " + counted(report.jacobian_products, "product") + ", " +
+              shortest(report.seconds) + " s");
   if (problem.request.lags == Shape{}) say(achieved(problem, kernel));
   if (!report.converged) {
     tool.warn("kernel: " + shortcoming(problem.data.attributes));

@@ -104,8 +104,7 @@ void expect(Attributes& a, const char* way, double skewness, double kurtosis) {
   a.set("generate_heights", way);
   a.set("generate_skewness_expected", skewness);
   a.set("generate_kurtosis_expected", kurtosis);
-  a.set("generate_acf_error_expected",
-            a.number("kernel_error", NAN) + a.number("kernel_hermite_tail", 0));
+  a.set("generate_acf_error_expected", a.number("kernel_error", NAN) + a.number("kernel_hermite_tail", 0));
 }
 
 Pointwise translated(const Translation& translation, double rms) {
