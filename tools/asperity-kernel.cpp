@@ -15,10 +15,9 @@ int main(int argc, char** argv) {
   tool.quantity("--rq", options.rms, "m",
                 "Rms height; absent: that of the table of --acf, else a kernel of unit variance",
                 "Autocorrelation");
-  const std::string sampling = "Sampling";
-  tool.quantities("--spacing", spacing, "m", "Between samples in x and y; or --shape and --size", sampling);
-  tool.counts("--shape", shape, 1, "Samples in x and y on --size", sampling);
-  tool.quantities("--size", size, "m", "Size of the surface in x and y", sampling);
+  tool.quantities("--spacing", spacing, "m", "Between samples in x and y; or --shape and --size", "Sampling");
+  tool.counts("--shape", shape, 1, "Samples in x and y on --size", "Sampling");
+  tool.quantities("--size", size, "m", "Size of the surface in x and y", "Sampling");
   tool.memory(
       "Largest memory of the solution, beside the program's own 20 MB; what may take more is refused");
   tool.output();
@@ -39,7 +38,6 @@ int main(int argc, char** argv) {
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
     cli::KernelProblem problem = cli::kernel_problem(tool, options, known);
     cli::foresee(tool, problem, sized ? shape : Shape{});
-
     cli::KernelSolution solution = cli::solve(tool, std::move(problem));
     solution.before.tell(tool, solution.data, "kernel");
     tool.write(solution.data);

@@ -1,6 +1,6 @@
 /// What can be wrong with a request, in the user's words.
 ///
-/// Both kinds carry the name of what is wrong, so that a tool can say "--load: ..." or "heights: ..." in one
+/// Both kinds carry the name of what is wrong, so that a tool can say "load: ..." or "heights: ..." in one
 /// line; the text gives the value and the bound that it breaks.
 #pragma once
 

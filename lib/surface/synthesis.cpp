@@ -48,12 +48,12 @@ void Synthesis::choose_band() {
   if (least > options_.memory)
     throw ParameterError("memory", shown(options_.memory) +
                                        " does not hold one strip of this surface: " + shown(least) + " do");
-  while (bytes(1, options_.threads) > options_.memory) --options_.threads;
+  while (bytes(1, options_.threads) > options_.memory) options_.threads -= 1;
   const Shape tile = filter_->tile();
   const Index busy = ceiling(tiles_a_thread * options_.threads, ceiling(surface_.ny, tile.ny)),
               worthwhile = ceiling(heights_worth_a_band, tile.nx * surface_.ny);
   strips_ = std::min(std::max(busy, worthwhile), ceiling(surface_.nx, tile.nx));
-  while (strips_ > 1 && bytes(strips_, options_.threads) > options_.memory) --strips_;
+  while (strips_ > 1 && bytes(strips_, options_.threads) > options_.memory) strips_ -= 1;
 }
 
 void Synthesis::noise_row(WhiteNoise& noise, Index i, std::span<double> out) const {

@@ -5,7 +5,7 @@
 namespace asperity::cli {
 
 void GenerateOptions::declare(Tool& tool) {
-  const std::string surface = "Surface", ensemble = "Ensemble";
+  const std::string surface = "Surface";
   tool.counts("--shape", shape, 1, "Points in x and y", surface);
   tool.quantities("--size", size, "m",
                   "Size in x and y; absent: --shape times the spacing of --kernel or --acf", surface);
@@ -22,6 +22,11 @@ void GenerateOptions::declare(Tool& tool) {
             "lags of a periodic surface of this shape, exactly these",
             surface);
   tool.flag("--noise", noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
+  declare_drawing(tool);
+}
+
+void GenerateOptions::declare_drawing(Tool& tool) {
+  const std::string ensemble = "Ensemble";
   acf.declare(tool, true);
   tool.text(
       "--kernel", kernel, "FILE",

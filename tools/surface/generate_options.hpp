@@ -32,6 +32,9 @@ struct GenerateOptions {
   /// `beside` are bytes that stand in memory meanwhile. Throws ParameterError("memory") where there is too little.
   Synthesis synthesis(const Tool& tool, Field kernel, Pointwise translation = {},
                       std::size_t beside = 0) const;
+
+ private:
+  void declare_drawing(Tool& tool);
 };
 
 }  // namespace asperity::cli
