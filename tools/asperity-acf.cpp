@@ -148,9 +148,16 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
   for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
 }
 
+Result estimate(const Surface& surface, const Options& what, Shape max_lag, int threads) {
+  Result out{AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
+  if (what.structure) out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
+  if (what.quantiles) out.quantiles = quantiles_of(surface.heights);
+  return out;
+}
+
 // ---- the command line ----
 
-void declare(cli::Tool& tool, Options& what) {
+void declare_estimate(cli::Tool& tool, Options& what) {
   tool.counts("--max-lag", what.max_lag, 0, "Longest lags, in samples; half the field unless given",
               "Estimate");
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
@@ -164,6 +171,10 @@ void declare(cli::Tool& tool, Options& what) {
             "Lengths");
   tool.text("--direction", what.direction, "ANGLE",
             "Lengths in this direction too, from +x towards +y: 30deg", "Lengths");
+}
+
+void declare(cli::Tool& tool, Options& what) {
+  declare_estimate(tool, what);
   const cli::Option quantiles = tool.flag(
       "--quantiles", what.quantiles,
       "Add the distribution of the heights to the dataset, for asperity-generate --marginal measured",
@@ -223,13 +234,9 @@ int main(int argc, char** argv) {
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
-    Result result{AcfEstimate::of(
-        surface, {.max_lag = max_lag, .biased = what.biased, .threads = tool.thread_count()})};
+    Result result = estimate(surface, what, max_lag, tool.thread_count());
     if (options.variable == "heights")
       result.target = cli::carried_correlation(data, "acf_target", surface.grid);
-    if (what.structure)
-      result.structure = structure_function(surface.heights, surface.grid, max_lag, tool.thread_count());
-    if (what.quantiles) result.quantiles = quantiles_of(surface.heights);
     auto lengths = [&] { return lengths_of(tool, result, what); };
     if (what.lengths) {
       cli::print(tool, cli::Quantities{lengths()});

@@ -54,7 +54,7 @@ void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points
   if (std::abs(range[1] - range[0]) <= 1e-6 * std::abs(axis.attributes.number("length", 0))) return;
   throw DataError(axis.name,
                   "its one point was cut from those of its actual_range, whose length is not its own: "
-                  "correct length and actual_range, or cut by asperity-convert --crop");
+                  "correct length and actual_range, or cut the whole by asperity-convert");
 }
 
 // An axis must be evenly spaced, whatever its length is taken from.

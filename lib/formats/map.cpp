@@ -20,8 +20,7 @@ Grid grid_of(const Map& map) {
   constexpr double least = 1e-100, greatest = 1e100;
   for (const double spacing : map.spacing) {
     if (std::isnan(spacing))
-      throw DataError("x",
-                      "the file does not say how large the map is: asperity-convert --size gives it a size");
+      throw DataError("x", "the file does not say how large the map is: asperity-convert gives it a size");
     if (!(spacing >= least && spacing <= greatest)) throw DataError("x", "its spacing is not a length");
   }
   return {shape_of(map.values), map.spacing[0], map.spacing[1], false};

@@ -29,10 +29,10 @@ std::string_view units_in(std::string_view text) {
 Map map_of_lines(Field lines, const Reading& reading) {
   if (reading.coordinate > 0) return map_of_points(lines, reading.coordinate);
   if (!reading.heights && has_coordinates(lines))
-    throw DataError("map",
-                    "its first columns look like coordinates, not heights: asperity-convert --points um "
-                    "reads lines of x z or "
-                    "x y z, x and y in um; --heights takes every column for heights");
+    throw DataError(
+        "map",
+        "its first columns look like coordinates, not heights: tell asperity-convert the unit of the "
+        "points in lines of x z or x y z, or that every column is of heights");
   if (reading.order == Order::yx) lines.transposeInPlace();
   return {.values = std::move(lines)};
 }

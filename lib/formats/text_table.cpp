@@ -265,7 +265,7 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
       found = std::move(table);
     } else if (!same(*found, table) && !tabs_decide(*found, table)) {
       throw DataError(variable, "it can be read as " + words_of(*found) + "; or as " + words_of(table) +
-                                    ": asperity-convert --separator or --decimal tells");
+                                    ": tell asperity-convert the separator or the decimal mark");
     }
   }
   if (!found) throw DataError(variable, refused->fault->what);
@@ -273,10 +273,9 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
   if (found->dialect.separator != Separator::comma || told) return *std::move(found);
   const std::string apart = commas_apart(text);
   if (!apart.empty() && !TableReader(apart, {Separator::semicolon, Comma::decimal}, asked).read().fault)
-    throw DataError(variable,
-                    "it can be read as " + words_of(*found) +
-                        "; or with a comma and a blank between them and decimal commas: "
-                        "asperity-convert --separator comma is the first, semicolons make it the other");
+    throw DataError(variable, "it can be read as " + words_of(*found) +
+                                  "; or with a comma and a blank between them and decimal commas: "
+                                  "tell asperity-convert that the comma separates, or write semicolons");
   return *std::move(found);
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("a dataset that takes more memory than is allowed is refused, and says
   const std::string bytes = encode_netcdf(surface());
   CHECK_NOTHROW(decode_netcdf(bytes, {2 * field + axes}));
   CHECK_THROWS_WITH(decode_netcdf(bytes, {2 * field + axes - 1}),
-                    ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that are allowed"));
+                    ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that memory allows"));
   CHECK_THROWS_AS(decode_netcdf(bytes, {2 * field + axes + 7, 8}), DataError);
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("each format refuses a map that takes more memory than is allowed, and
     CHECK_NOTHROW(format.decode(bytes, within(needed + 4096)));
     CHECK_THROWS_WITH(
         format.decode(bytes, within(needed - 1)),
-        ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that are allowed"));
+        ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that memory allows"));
   }
 }
 

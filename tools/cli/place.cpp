@@ -26,9 +26,8 @@ bool stands_for_open_file(const fs::path& link) {
 // The number of a link of /proc among the files of this process, or -1.
 int own_descriptor(const fs::path& link) {
   std::error_code none;
-  const std::string digits = link.filename();
   const bool own = fs::equivalent(link.parent_path(), "/proc/self/fd", none);
-  return own ? to_number<int>(digits).value_or(-1) : -1;
+  return own ? to_number<int>(link.filename().native()).value_or(-1) : -1;
 }
 
 Identity identity(const struct stat& status, const std::string& name = {}) {
