@@ -45,7 +45,7 @@ bool is_feasible(const Problem& p) {
 }  // namespace
 
 TEST_CASE("500 random problems end at a residual of 1e-8 within bounds and load, or name the largest load",
-          "[contact][law]") {
+          "[contact][law][slow]") {
   std::vector<double> work;
   for (unsigned k = 0; k < 500; ++k) {
     const Problem problem = draw(k);

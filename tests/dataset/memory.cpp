@@ -37,14 +37,15 @@ TEST_CASE("a dataset that takes more memory than is allowed is refused, and says
           "[netcdf][memory][contract]") {
   const std::string bytes = encode_netcdf(surface());
   CHECK_NOTHROW(decode_netcdf(bytes, {2 * field + axes}));
-  CHECK_THROWS_WITH(decode_netcdf(bytes, {2 * field + axes - 1}),
-                    ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that memory allows"));
+  CHECK_THROWS_WITH(
+      decode_netcdf(bytes, {2 * field + axes - 1}),
+      ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that memory allows"));
   CHECK_THROWS_AS(decode_netcdf(bytes, {2 * field + axes + 7, 8}), DataError);
 }
 
 // 60 s and more for the 2 MB of 100 000 attributes: each was looked for among all before it.
 TEST_CASE("a head that lists more than there can be of a kind is refused before its names are compared",
-          "[netcdf][contract]") {
+          "[netcdf][contract][slow]") {
   Dataset data = surface();
   Variable& heights = *data.find("heights");
   for (int k = static_cast<int>(heights.attributes.size()); k < 8192; ++k)

@@ -26,7 +26,7 @@ std::string content(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("every file of the corpus is read or refused, and there are some of both kinds for each format",
-          "[formats][contract]") {
+          "[formats][contract][slow]") {
   for (const std::string& name : names()) {
     CAPTURE(name);
     const std::filesystem::path folder = std::filesystem::path(ASPERITY_TEST_CORPUS) / name;

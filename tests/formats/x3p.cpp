@@ -172,7 +172,7 @@ TEST_CASE("an archive that lies about the size of an entry is refused", "[format
 // 64 MiB of zeros deflate to 64 KiB: numbers of the map they may be, elements of main.xml not.
 TEST_CASE(
     "an archive that inflates a thousandfold is inflated for as many numbers as the map has and no more",
-    "[formats][contract]") {
+    "[formats][contract][slow]") {
   const std::string zeros(std::size_t{1} << 26, '\0');
   CHECK_THROWS_WITH(decode(foreign_x3p({}, zeros)), ContainsSubstring("has 67108864 bytes where"));
   CHECK_THROWS_WITH(decode(deflated({{"main.xml", zeros}})), ContainsSubstring("more than is sensible"));

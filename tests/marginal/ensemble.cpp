@@ -74,7 +74,7 @@ struct Pair {
 // small themselves; 5 standard errors are allowed to the kurtosis.
 TEST_CASE(
     "ensembles have the skewness, kurtosis, percentiles and autocorrelation prescribed, within their errors",
-    "[marginal][statistics]") {
+    "[marginal][statistics][slow]") {
   const EllipticTarget exponential{.length_x = 9, .length_y = 6};
   const EllipticTarget gaussian{.model = Model::gaussian, .length_x = 9, .length_y = 6};
   const EllipticTarget oriented{.length_x = 12, .length_y = 5, .angle = 0.5};

@@ -175,7 +175,7 @@ TEST_CASE("a legend that is longer than a line takes several", "[plot][law]") {
   CHECK_THAT(words_of("four.svg"), ContainsSubstring("first") && ContainsSubstring("fourth"));
 }
 
-TEST_CASE("the same dataset gives the same bytes", "[plot][contract]") {
+TEST_CASE("the same dataset gives the same bytes", "[plot][contract][slow]") {
   for (const std::string name : {"map -o b.png", "surface -o b.png", "von-mises -o b.svg", "acf -o b.pdf"}) {
     const std::string file = name.substr(name.size() - 5);
     REQUIRE(plot("--kind " + name).exit == 0);
@@ -223,7 +223,7 @@ TEST_CASE("several cases stand side by side under their names", "[plot][contract
 }
 
 // Three panels: in one column 8 cm wide, in two 11.5 cm; the lowest of each column names x, the left ones y.
-TEST_CASE("panels stand in so many columns, and share their axes", "[plot][law]") {
+TEST_CASE("panels stand in so many columns, and share their axes", "[plot][law][slow]") {
   for (const std::string kind : {"map", "surface", "acf", "pdf", "contact", "von-mises"}) {
     CAPTURE(kind);
     for (const auto& [columns, points, bottoms, lefts] :

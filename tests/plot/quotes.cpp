@@ -59,7 +59,7 @@ bool has_line(const std::string& text, const std::string& line) {
 
 // A title in single quotes that began or ended with one: "unexpected or unrecognized token: 'Ground'' steel'".
 TEST_CASE("a title stands in the picture letter by letter, whatever gnuplot means by them",
-          "[plot][contract]") {
+          "[plot][contract][slow]") {
   write_scene("V", "voltage");
   for (const std::string& title : hard) {
     const Outcome run =
@@ -70,7 +70,8 @@ TEST_CASE("a title stands in the picture letter by letter, whatever gnuplot mean
   }
 }
 
-TEST_CASE("names of files, units and quantities stand in the picture letter by letter", "[plot][contract]") {
+TEST_CASE("names of files, units and quantities stand in the picture letter by letter",
+          "[plot][contract][slow]") {
   for (const std::string& text : hard) {
     write_scene(text, "of " + text);
     const Outcome run =

@@ -84,7 +84,7 @@ TEST_CASE("the page holds every number, error and interval of asperity-stats", "
 }
 
 TEST_CASE("a pressed and stressed surface shows pressure, contact, section and what the solvers achieved",
-          "[report][contract]") {
+          "[report][contract][slow]") {
   press_surface("");
   REQUIRE(shell("asperity-stress c.nc --depths 1um:0.3mm:8 --maximum -o st.nc").exit == 0);
   const std::string page = report_on("st.nc");
@@ -105,7 +105,7 @@ TEST_CASE("a solver that did not converge is told in plain sight", "[report][con
 }
 
 TEST_CASE("a measured surface with missing points, a smooth contact and a kernel each have a page",
-          "[report][contract]") {
+          "[report][contract][slow]") {
   const std::string measured = report_on(ASPERITY_TEST_DATA "/profiler-96x96.x3p --level plane");
   CHECK_THAT(measured, ContainsSubstring("Measured above its plane"));
   CHECK_THAT(measured, ContainsSubstring("Warning: standard errors and intervals are not told: N_eff = "));

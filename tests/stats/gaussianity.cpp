@@ -110,7 +110,7 @@ TEST_CASE("the covariance of the empirical process is its Hermite series", "[gau
 TEST_CASE(
     "Gaussian fields of short and of long correlation are rejected at the stated rate, by the naive "
     "p-value far more often",
-    "[gaussianity][statistics]") {
+    "[gaussianity][statistics][slow]") {
   const double bound = 3 * std::sqrt(0.05 * 0.95 / 300);
   for (const Shape window : {Shape{1, 1}, Shape{3, 2}, Shape{8, 5}}) {
     const FalseAlarms alarms(shape_for(window), window, 300, 1000);

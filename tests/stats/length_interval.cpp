@@ -51,7 +51,7 @@ TEST_CASE(
 // N/S_2 = 600. 300 fields: 95 % to within three of their errors √(0.05·0.95/300), 1.3 %.
 TEST_CASE(
     "intervals of Sal, of the slowest decay and of the length at 1/e hold the truth in 95 % of the fields",
-    "[length-interval][statistics]") {
+    "[length-interval][statistics][slow]") {
   const Shape window{4, 4};
   const Grid g = grid(64, 64);
   const LagField rho = triangular_correlation(window);

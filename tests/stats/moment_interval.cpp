@@ -127,7 +127,7 @@ TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % wher
 }
 
 TEST_CASE("95 % intervals from the field's own correlation cover 93 to 97 % where it is long",
-          "[moment-interval][statistics]") {
+          "[moment-interval][statistics][slow]") {
   check_coverage({{64, 64}, {8, 8}, 2000});
 }
 

@@ -150,7 +150,7 @@ TEST_CASE("a smooth field, an absent variable and lags beyond the field are refu
 
 // A patch and single points masked: every tool counts what is there. Sq within four standard errors, as without.
 TEST_CASE("the statistics tools leave masked points out, and a mask of nothing changes no byte",
-          "[stats-tool][law]") {
+          "[stats-tool][law][slow]") {
   Dataset data = drawn_surface();
   std::vector<std::int8_t> mask(96 * 80, 0);
   set_flags(data, "mask", mask, "missing points", "present missing");
@@ -219,7 +219,7 @@ TEST_CASE(
 // median, near zero, and the form's sums pass on more of it, and A², what is left of 7680 terms of size 1.
 TEST_CASE(
     "asperity-stats in strips answers as on the whole field, from a file and from redirected standard input",
-    "[stats-tool][law]") {
+    "[stats-tool][law][slow]") {
   const std::string asked =
       "asperity-stats --json --parameters height,gaussianity,material,hybrid --quantiles 0,0.1,0.5,1 ";
   for (const std::string level : {"", "--level 3 "}) {

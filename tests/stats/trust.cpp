@@ -60,7 +60,7 @@ void check_quantities(const std::string& command) {
 }  // namespace
 
 TEST_CASE("the tools' tables hold no interval without its value, and no sign of what is no number",
-          "[stats-tool][acf-tool][law]") {
+          "[stats-tool][acf-tool][law][slow]") {
   const Field bimodal = (white_noise(square.shape, 9) > 0).select(Field::Constant(64, 64, 1e-6), 0.0);
   Field spike = Field::Zero(64, 64);
   spike(20, 30) = 1e-5;

@@ -41,7 +41,7 @@ TEST_CASE("friction that is negative or no number, or beyond a turn, is refused"
 }
 
 // Round-off as of a layer without friction (layers.cpp), for each traction.
-TEST_CASE("a layer under friction is the direct sum over the loaded cells", "[friction][exact]") {
+TEST_CASE("a layer under friction is the direct sum over the loaded cells", "[friction][exact][slow]") {
   for (Shape shape : {Shape{1, 1}, Shape{1, 9}, Shape{6, 1}, Shape{2, 2}, Shape{7, 5}, Shape{19, 10}})
     for (double z : {0.0, 0.07, 1.1, 9.0})
       for (double angle : directions) {

@@ -35,7 +35,7 @@ double round_off(const Field& pressure) { return 16 * epsilon * pressure.abs().s
 }  // namespace
 
 TEST_CASE("a layer is the direct sum over the loaded cells, for every shape, depth and Poisson's number",
-          "[layers][exact]") {
+          "[layers][exact][slow]") {
   for (Shape shape :
        {Shape{1, 1}, Shape{1, 9}, Shape{6, 1}, Shape{2, 2}, Shape{7, 5}, Shape{8, 16}, Shape{19, 10}})
     for (double z : {0.0, 0.07, 1.1, 9.0})

@@ -31,7 +31,7 @@ double round_off(const Field& p) { return 32 * epsilon * p.abs().sum(); }
 // stress_at summed the cells of one period alone: under a pressure that covers it -175 MPa in place of the layers' -500.
 TEST_CASE(
     "at cell centres the stress at points is that of the layers, periodic or not, with and without friction",
-    "[points][exact]") {
+    "[points][exact][slow]") {
   for (Shape shape : {Shape{1, 1}, Shape{1, 9}, Shape{8, 1}, Shape{2, 2}, Shape{7, 5}, Shape{16, 10}})
     for (bool periodic : {false, true})
       for (const Friction& friction : {Friction{}, Friction{0.35, 0.6}, Friction{0.2, -2.0}}) {

@@ -46,7 +46,7 @@ KernelRequest request_for(const LagField& acf) {
 // errors of the kernel's autocorrelation at each lag with probability 1 - 6e-5; among some 2000 lags, strongly
 // correlated, 0.13 exceedances are expected. The seed is fixed: of 11 to 14, 11 exceeds the bound by 2 % at a few far lags.
 TEST_CASE("surfaces drawn from a measured surface's autocorrelation have it, within 4 standard errors",
-          "[ensemble][statistics]") {
+          "[ensemble][statistics][slow]") {
   const Measured measured = measured_surface();
   const Kernel kernel = solve_kernel(request_for(measured.acf));
   CAPTURE(kernel.report.reason, kernel.lags.nx, kernel.lags.ny);

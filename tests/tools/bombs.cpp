@@ -67,7 +67,7 @@ TEST_CASE("every tool that reads has --memory", "[bombs][contract]") {
 }
 
 // 289 MB of zeros in 281 kB, a map of 2.3 GB: 2.6 GB were taken, 4.5 GB where the map has a size.
-TEST_CASE("a small file of a large map is refused by its head, whoever reads it", "[bombs][contract]") {
+TEST_CASE("a small file of a large map is refused by its head, whoever reads it", "[bombs][contract][slow]") {
   REQUIRE(
       shell(
           "(printf 'NRRD0004\\ntype: uint8\\ndimension: 2\\nsizes: 17000 17000\\nspacings: 1 1\\n"
@@ -156,7 +156,7 @@ TEST_CASE("a number of things that takes memory or time without end is refused w
 
 // Between 1 and the next double ticks were counted for ever, and kept.
 TEST_CASE("pictures and pages of heights that hardly differ, or are beyond all units, end",
-          "[bombs][plot][contract]") {
+          "[bombs][plot][contract][slow]") {
   if (shell("command -v gnuplot").exit != 0) {
     std::cout << "SKIPPED: gnuplot is not there\n";
     return;

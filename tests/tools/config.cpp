@@ -25,7 +25,7 @@ std::string refused(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("what --dump-config prints gives the same run and the same print", "[config][law]") {
+TEST_CASE("what --dump-config prints gives the same run and the same print", "[config][law][slow]") {
   require(draw + " -o s.nc && asperity-acf s.nc -o acf.nc");
   require("asperity-contact s.nc --radius 1mm --young 208GPa --poisson 0.3 --load 1mN -o pressed.nc");
   const auto command = GENERATE(

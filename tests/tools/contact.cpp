@@ -135,7 +135,7 @@ TEST_CASE("smooth bodies that yield leave a dent that is pressed again through t
 }
 
 TEST_CASE("what asperity-contact cannot do is one line that names the option, the value and the bound",
-          "[contact][contract]") {
+          "[contact][contract][slow]") {
   const std::string sphere = smooth + "--radius 50mm ";
   const std::pair<std::string, std::string> wrong[] = {
       {sphere, "--load: is needed"},

@@ -269,7 +269,7 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
 
 TEST_CASE(
     "a NetCDF-4 file at which the HDF5 library hangs ends a tool with status 4 and one line, by strips too",
-    "[convert][contract]") {
+    "[convert][contract][slow]") {
   for (const char* options : {"", " --memory 100B"}) {
     const Outcome run = shell("ulimit -t 5; asperity-stats " ASPERITY_TEST_DATA "/../corpus/netcdf4/hangs" +
                               std::string(options));

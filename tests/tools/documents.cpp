@@ -24,7 +24,7 @@ std::string offered(const std::string& tool, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("a manual page has its sections and each option of --help", "[man][contract]") {
+TEST_CASE("a manual page has its sections and each option of --help", "[man][contract][slow]") {
   const std::string tool = std::string("asperity-") + each_tool();
   CAPTURE(tool);
   const Outcome page = shell(tool + " --man");
@@ -80,7 +80,7 @@ TEST_CASE("bash completes options, the words of a choice and files", "[completio
   CHECK(offered("kernel", "--he") == "--help\n");
 }
 
-TEST_CASE("completions are right by the grammar of their shells", "[completion][contract]") {
+TEST_CASE("completions are right by the grammar of their shells", "[completion][contract][slow]") {
   const std::string tool = std::string("asperity-") + each_tool();
   CAPTURE(tool);
   const Outcome bash = shell(tool + " --completion bash > c; bash -n c");
@@ -95,7 +95,7 @@ TEST_CASE("completions are right by the grammar of their shells", "[completion][
 }
 
 // In a terminal of zsh's own module zpty; Tab behind "--tar" and "--target=mat".
-TEST_CASE("zsh completes options and the words of a choice", "[completion][contract]") {
+TEST_CASE("zsh completes options and the words of a choice", "[completion][contract][slow]") {
   const Outcome zsh = shell(
       "command -v zsh >/dev/null || { echo SKIPPED: no zsh; exit; }; mkdir zsh;"
       "asperity-generate --completion zsh > zsh/_asperity-generate; cat > ask.zsh <<'ASK'\n"

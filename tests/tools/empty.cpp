@@ -21,7 +21,7 @@ bool says_empty(const Outcome& run, const std::string& name) {
 }  // namespace
 
 // CLI11 takes the next argument for a value that is empty behind "=".
-TEST_CASE("an empty value is a usage error of every option of every tool", "[empty][contract]") {
+TEST_CASE("an empty value is a usage error of every option of every tool", "[empty][contract][slow]") {
   const Outcome run = shell(
       "for tool in kernel generate stats acf psd pdf validate contact stress convert plot report; do\n"
       "  for option in $(asperity-$tool --help | sed '/^Example:/q' | grep -oE '^  (-.,)?--[a-z0-9-]+' | "
@@ -72,7 +72,7 @@ TEST_CASE("a figure has no title where its title is empty, wherever that is said
     CHECK(shell(same).out == none.out);
 }
 
-TEST_CASE("an empty input is bad data, and of a pipe the tool before it", "[empty][contract]") {
+TEST_CASE("an empty input is bad data, and of a pipe the tool before it", "[empty][contract][slow]") {
   REQUIRE(shell(generate + "-o s.nc; asperity-contact s.nc" + bodies + "-o p.nc; : > none").exit == 0);
   for (const std::string& tool :
        {std::string("stats"), std::string("validate"), std::string("acf"), std::string("psd"),

@@ -30,7 +30,7 @@ TEST_CASE("ncdump shows the dataset as a 64-bit offset file with units on every 
 }
 
 TEST_CASE("xarray opens the dataset as it stands and integrates the pressure to the load",
-          "[foreign][exact]") {
+          "[foreign][exact][slow]") {
   const Outcome run = shell(
       chain + python("import xarray as xr;"
                      "d = xr.open_dataset(\"chain.nc\", engine=\"scipy\");"

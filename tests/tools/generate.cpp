@@ -34,7 +34,7 @@ TEST_CASE(
     "the bytes of a surface depend neither on the memory, nor on the threads, nor on whether they go to a "
     "file "
     "or a pipe",
-    "[generate][law]") {
+    "[generate][law][slow]") {
   for (const std::string option : {"", " --exact-rq", " --noise", " --periodic --noise --exact-rq"}) {
     require(draw + option + " -o whole.nc");
     const std::string whole = bytes_of("whole.nc");
@@ -100,7 +100,7 @@ TEST_CASE("a drawing that fails midway leaves what was there, and no part", "[ge
 
 // Two gigabytes, of which half a second leaves a part. Some file systems know no files without a name: there it has
 // one, and nothing is claimed.
-TEST_CASE("a drawing that is killed leaves nothing", "[generate][contract]") {
+TEST_CASE("a drawing that is killed leaves nothing", "[generate][contract][slow]") {
   const int nameless = ::open(scratch(".").c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600);
   if (nameless < 0) {
     WARN("this file system knows no files without a name");

@@ -244,7 +244,7 @@ TEST_CASE("a correlation that skewed heights cannot have is refused, or changed 
 TEST_CASE(
     "one pipe draws twins of a measured surface, by its quantiles, by its moments, or by the heights of a "
     "file",
-    "[heights][statistics]") {
+    "[heights][statistics][slow]") {
   require("asperity-acf " + measured + " --level plane --biased --quantiles -o acf.nc");
   const double skewness = attribute("acf.nc", "acf_skewness"), kurtosis = attribute("acf.nc", "acf_kurtosis");
   for (const std::string marginal : {"measured", "johnson", measured.c_str()}) {
@@ -288,7 +288,8 @@ TEST_CASE("heights in a text file are a distribution, and what is none is refuse
   shell(
       "seq 1 50 > few.txt; echo 1 2 three > words.txt; yes 3 | head -300 > same.txt; seq 1 500 | awk '{ "
       "print $1, sin($1) }' > xz.txt");
-  refused(draw + " --marginal xz.txt", 4, {"marginal", "--points"});  // once of its coordinates too
+  refused(draw + " --marginal xz.txt", 4,
+          {"marginal", "the unit of the points"});  // once of its coordinates too
   refused(draw + " --marginal few.txt", 4, {"marginal", "50"});
   refused(draw + " --marginal words.txt", 4, {"marginal", "line 1"});
   refused(draw + " --marginal same.txt", 4, {"marginal", "the same"});

@@ -5,7 +5,7 @@
 using namespace asperity::test;
 
 // python3-jsonschema judges; where it is missing nothing is claimed.
-TEST_CASE("all that tools print with --json and --report is of the schema", "[json][contract]") {
+TEST_CASE("all that tools print with --json and --report is of the schema", "[json][contract][slow]") {
   const Outcome made = shell(
       "mkdir json; cd json; asperity-generate --shape 48x48 --size 3mm --rq 0.4um --length 6px --seed 3 "
       "--report generate.json -o "

@@ -122,7 +122,7 @@ TEST_CASE("a table that no surface has is exit 4, or the nearest with exit 3 and
 
 // One lag of 35 was kept of this kind of table, said to be solved, and the twin had 0.20 where 0.91 was asked for.
 TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at every lag of the table",
-          "[kernel][contract]") {
+          "[kernel][contract][slow]") {
   const std::string measured =
       " " ASPERITY_TEST_DATA "/profiler-96x96.x3p --level 2 --lambda-s 1um --lambda-c 12um";
   for (const std::string more : {" --biased", " --biased --max-lag 20x15"}) {

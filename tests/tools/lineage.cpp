@@ -174,7 +174,7 @@ TEST_CASE("nothing that rests on what a tool replaces survives it, and everythin
 }
 
 TEST_CASE("what went is said in one line, which --quiet silences, and where nothing went none is",
-          "[lineage][contract]") {
+          "[lineage][contract][slow]") {
   write_everything();
   const Dataset before = read_dataset("all.nc");
   for (const Case& c : cases()) {
@@ -195,7 +195,7 @@ TEST_CASE("what went is said in one line, which --quiet silences, and where noth
 }
 
 TEST_CASE("a second run of the same command leaves the dataset as the first left it, and says nothing",
-          "[lineage][law]") {
+          "[lineage][law][slow]") {
   write_everything();
   for (const Case& c : cases()) {
     // what is cut once more is another map, and a table is gone with the surface that it came from
@@ -271,7 +271,7 @@ TEST_CASE("each dataset of a sweep is one case, and what went is said once", "[l
 }
 
 TEST_CASE("a report on a surface that was pressed anew shows no stress of the former contact",
-          "[lineage][contract]") {
+          "[lineage][contract][slow]") {
   write_everything();
   const Outcome run = shell("asperity-contact -q all.nc --load 2N" + bodies + "| asperity-report");
   REQUIRE(run.exit == 0);

@@ -47,7 +47,7 @@ TEST_CASE("an extension is a letter and up to seven letters and digits behind th
 
 // -o map.tif and map.x3p held NetCDF, exit status 0.
 TEST_CASE("a dataset is not written into a name of another format, nor computed for it",
-          "[output][contract]") {
+          "[output][contract][slow]") {
   write_surface();
   for (const std::string extension : {"tif", "x3p", "tsv", "docx"}) {
     const std::string file = "map." + extension;
@@ -79,7 +79,7 @@ TEST_CASE("a dataset goes into .nc, .cdf, .nc3, names without an extension, devi
         0);
 }
 
-TEST_CASE("a table is text, JSON with --json alone, a page is HTML", "[output][contract]") {
+TEST_CASE("a table is text, JSON with --json alone, a page is HTML", "[output][contract][slow]") {
   write_surface();
   for (const std::string file : {"t.nc", "t.x3p", "t.png", "t.json"}) {
     check_refused("asperity-stats s.nc -o " + file, file);

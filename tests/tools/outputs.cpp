@@ -150,7 +150,7 @@ TEST_CASE("two outputs of one run are two files, whatever they are called", "[ou
 }
 
 TEST_CASE("an output does not take the place of what is read, but for a dataset that passes it on",
-          "[outputs][contract]") {
+          "[outputs][contract][slow]") {
   const std::string before = drawn();
   const std::string bodies = " --radius 50mm --young 208GPa --poisson 0.3 --load 1N -q ";
   shell(

@@ -63,7 +63,7 @@ Ensemble mean_square(const std::string& options, int count) {
 // and before that drawn with 18 times what was asked for; errors below 0.06 see that, and the 1.05 of 32 pixels of 64 with
 // 17 % more variance at 44.
 TEST_CASE("surfaces that their correlation reaches around have the rms height asked for",
-          "[periodic][statistics]") {
+          "[periodic][statistics][slow]") {
   for (const std::string options :
        {"--shape 64x64 --size 1mm --length 32px",
         "--shape 64x64 --size 1mm --length 40px,30px --target self-affine",
@@ -157,7 +157,7 @@ TEST_CASE("a periodic surface is drawn again from its own dataset, to the last b
 
 // The table is met to round-off: a surface has it, so that its spectrum is not negative.
 TEST_CASE("a periodic surface has twins of exactly its autocorrelation over the whole period",
-          "[periodic][exact]") {
+          "[periodic][exact][slow]") {
   for (const auto& [options, period] :
        {std::pair(std::string("--shape 24x17 --size 24um,17um --length 4px,3px --angle 20"), Shape{24, 17}),
         {"--shape 1x48 --size 9um,48um --length 3px --lags 1x12", Shape{1, 48}},

@@ -56,8 +56,7 @@ TEST_CASE("a surface that would be an offset more than rough is refused before i
 TEST_CASE("a kernel or a drawing that the memory does not hold is refused before the kernel is solved for",
           "[prospect][contract]") {
   const std::string wide = "asperity-generate --shape 512x512 --size 1mm --rq 1um --length 0.3mm -o s.nc ";
-  refused_before_any_step(wide + "--memory 100MB",
-                          {"--memory", "100MB", "lags takes some", "acf-tolerance"});
+  refused_before_any_step(wide + "--memory 100MB", {"--memory", "100MB", "lags takes some", "acf-tolerance"});
   refused_before_any_step("asperity-kernel --length 154px -o s.nc --memory 100MB", {"--memory"});
   refused_before_any_step(
       "asperity-generate --shape 64x1048576 --size 64mm,1048576mm --rq 1um --length 20px -o s.nc "
@@ -67,7 +66,7 @@ TEST_CASE("a kernel or a drawing that the memory does not hold is refused before
 
 // It falls from 5e-3 to 1e-3 over nearly as many lags again, all of which are tried in turn, for minutes.
 TEST_CASE("a correlation that falls slowly is told what it may take before it is solved for",
-          "[prospect][contract]") {
+          "[prospect][contract][slow]") {
   const Outcome slow = shell("asperity-kernel -q --target self-affine --length 77px --memory 190MB -o s.nc");
   CAPTURE(slow.error);
   CHECK(slow.exit == 2);

@@ -97,7 +97,7 @@ TEST_CASE("a dataset names seed, stream and surface, and they draw it again", "[
   CHECK(shell(draw + "--stream -1 -o bad.nc").exit == 2);
 }
 
-TEST_CASE("the bytes of every stage do not depend on the number of threads", "[threads][law]") {
+TEST_CASE("the bytes of every stage do not depend on the number of threads", "[threads][law][slow]") {
   const Outcome run =
       shell("export SOURCE_DATE_EPOCH=0; for t in 1 2; do mkdir t$t; (cd t$t; export ASPERITY_THREADS=$t;" +
             draw + "--no-history -o s.nc;" + press +
@@ -112,7 +112,8 @@ TEST_CASE("the bytes of every stage do not depend on the number of threads", "[t
   CHECK(run.out == "9\n");
 }
 
-TEST_CASE("progress is a line that is wiped, on a terminal or by --progress always", "[progress][contract]") {
+TEST_CASE("progress is a line that is wiped, on a terminal or by --progress always",
+          "[progress][contract][slow]") {
   require(draw + "-o s.nc; " + press + "s.nc -o p.nc; " + smooth + "-o smooth.nc");
   const auto [command, told] = GENERATE(table<std::string, std::string>(
       {{draw + "-o a.nc", ", Newton-Krylov"},
@@ -141,7 +142,7 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
 }
 
 TEST_CASE("every iteration that a kernel takes has its progress, its name and its table",
-          "[progress][contract]") {
+          "[progress][contract][slow]") {
   const std::string cut =
       "asperity-kernel --length 31px --lags 31x31 -o cut.nc ";  // no kernel of these lags has it
   const auto [options, names] = GENERATE(table<std::string, std::vector<std::string>>(

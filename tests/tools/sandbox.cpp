@@ -71,7 +71,7 @@ TEST_CASE("work that breaks, throws or ends is refused, without the handlers of 
 
 // A global heap that leads back to itself: HDF5 1.10 reads it for ever.
 TEST_CASE("read apart, a NetCDF-4 file holds the same, and one at which the HDF5 library hangs is refused",
-          "[apart][contract]") {
+          "[apart][contract][slow]") {
   const std::string folder = ASPERITY_TEST_DATA "/../corpus/netcdf4/";
   const auto bytes = [&](const std::string& name) {
     std::ostringstream out;
@@ -98,7 +98,7 @@ TEST_CASE(
 }
 
 // One second is the limit; the clock of this process stands still meanwhile.
-TEST_CASE("work without end is ended, and costs its asker no time", "[apart][time][contract]") {
+TEST_CASE("work without end is ended, and costs its asker no time", "[apart][time][contract][slow]") {
   const std::clock_t before = std::clock();
   CHECK_THAT(refusal_of([](const Sink&) {
                for (unsigned turns = 0;; ++turns) handled = turns % 2 == 0;

@@ -125,7 +125,7 @@ TEST_CASE("Poisson's ratio of a dataset is a number or two", "[strangers][stress
 
 // The standard errors and the bias of Sku were those of heights about a mean that is known: refused by 8 of 8 seeds.
 TEST_CASE("periodic surfaces whose correlation is as long as they are have the kurtosis prescribed",
-          "[strangers][validate][statistics]") {
+          "[strangers][validate][statistics][slow]") {
   for (int seed = 1; seed <= 4; ++seed) {
     const Outcome run =
         shell("asperity-generate --shape 48x48 --size 48um --rq 1um --periodic --length 30px --seed " +

@@ -150,7 +150,7 @@ std::string errors_of(const std::string& line) {
 TEST_CASE(
     "von Mises stress above the yield stress is said once with both figures, of layers, points and the "
     "maximum",
-    "[stress][contract]") {
+    "[stress][contract][slow]") {
   REQUIRE(shell(smooth + "--yield 1100MPa -o plastic.nc; " + smooth + "--yield 1800MPa -o safe.nc; " +
                 smooth + "-o elastic.nc; echo 0 0 0.45mm > axis")
               .exit == 0);

@@ -261,7 +261,7 @@ TEST_CASE("layers that are asked for anew replace what a former run left", "[str
 }
 
 TEST_CASE("what asperity-stress cannot do is one line that names the option and the value",
-          "[stress][contract]") {
+          "[stress][contract][slow]") {
   const std::tuple<std::string, std::string, int> wrong[] = {
       {"", "--depths: is needed", 2},
       {"--depths 0:1mm", "--depths: '0:1mm' is not of the form", 2},

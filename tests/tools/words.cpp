@@ -61,7 +61,7 @@ const std::string hostile[] = {"\x1b[31mV\x1b[0m",
 // ESC sequences of a unit reached the terminal, a unit of 100 kB made a message of 100 kB, and JSON ended with
 // "[json.exception.type_error.316] invalid UTF-8 byte".
 TEST_CASE("the tables and messages of every tool are lines of UTF-8, whatever unit a file has",
-          "[words][contract]") {
+          "[words][contract][slow]") {
   for (const std::string& unit : hostile) {
     write_values(unit);
     for (const char* tool : {"stats", "stats --parameters all", "stats --profile x", "acf", "acf --json",
@@ -113,7 +113,7 @@ TEST_CASE("a variable's name and an attribute speak to no terminal and no parser
 }
 
 // "]]>" and control characters are not allowed in XML, nor bytes that are no UTF-8.
-TEST_CASE("a VTK file of any unit and name is well-formed XML", "[words][contract]") {
+TEST_CASE("a VTK file of any unit and name is well-formed XML", "[words][contract][slow]") {
   for (const std::string& unit : hostile) {
     write_values(unit);
     for (const char* name : {"a.vti", "a.vtr"}) {
@@ -214,7 +214,7 @@ TEST_CASE("of a row of heights profiles across it and rings of wave numbers are 
 }
 
 // Profiles and sections were left out of it, and its maps were empty frames.
-TEST_CASE("a report of a row or a column has all its pictures", "[narrow][contract]") {
+TEST_CASE("a report of a row or a column has all its pictures", "[narrow][contract][slow]") {
   for (const Shape shape : {Shape{1, 40}, Shape{40, 1}}) {
     write_dataset(dataset(shape), "s.nc");
     const Outcome run = shell(
@@ -237,7 +237,7 @@ TEST_CASE("a surface that is worth too few points to be validated is refused in 
 
 // All twelve on what is as narrow as can be: an answer, or a line.
 TEST_CASE("every tool takes a row, a column, a point and four points, or refuses them in a line",
-          "[narrow][contract]") {
+          "[narrow][contract][slow]") {
   for (const Shape shape : {Shape{1, 40}, Shape{40, 1}, Shape{2, 40}, Shape{1, 1}, Shape{2, 2}}) {
     write_dataset(dataset(shape), "s.nc");
     const std::string contact =
