@@ -15,7 +15,7 @@
 #include "core/error.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "stats/spatial/acf.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"

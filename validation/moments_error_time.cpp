@@ -3,7 +3,7 @@
 /// Heights are 1 nm rough, Gaussian, on an offset; the reference sums them in long double about the first height, in
 /// three passes. `digits` are -log10 of the relative error, of Sq, Sa, Ssk and Sku (of Ssk absolute, it is nearly
 /// zero). Ways:
-///     asperity   two passes about a shifted origin                             stats/height/moments.hpp
+///     asperity   two passes about a shifted origin                             stats/sample/moments.hpp
 ///     gsl        gsl_stats: recurrences in long double, a division a point and moment
 ///     naive      Σz, Σz², Σz³, Σz⁴ in one pass: what loses its digits
 /// `ratio` is the time over that of reading the field once, a sum of its heights.
@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 #include <gsl/gsl_statistics.h>
 
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 #include "timing.hpp"
 
 using namespace asperity;

@@ -30,7 +30,7 @@
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
 #include "reference/hertz_stress.hpp"
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spectrum/spectrum.hpp"
 #include "stress/equivalent.hpp"

@@ -27,8 +27,8 @@
 
 #include <fmt/format.h>
 
-#include "stats/height/moments.hpp"
 #include "stats/hypothesis/specification.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/effective_size.hpp"

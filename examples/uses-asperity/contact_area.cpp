@@ -8,7 +8,7 @@
 #include "acf/kernel.hpp"
 #include "contact/bodies.hpp"
 #include "contact/solver.hpp"
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "surface/synthesis.hpp"
 
 using namespace asperity;

@@ -29,7 +29,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {

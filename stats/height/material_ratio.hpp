@@ -42,8 +42,8 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/moments.hpp"
 #include "stats/height/order.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {

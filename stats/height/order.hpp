@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 
 namespace asperity {
 

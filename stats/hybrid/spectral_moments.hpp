@@ -20,7 +20,7 @@
 ///           factor S(u)², in m11 S(u)S(v)cos(u)cos(v), in m40 S(u)⁴, in m22 S(u)²S(v)², in m31
 ///           S(u)³S(v)cos(u)cos(v): m2 is low by Δ² m4/12, m4 by Δ² m6/6, order 2. A surface that is rough
 ///           down to the spacing has no m2 and m4 other than those of its spacing. m0 as in
-///           stats/height/moments.hpp.
+///           stats/sample/moments.hpp.
 /// Cost      one pass.
 ///
 /// M. S. Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321-387.

@@ -36,8 +36,8 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/moments.hpp"
 #include "stats/height/order.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 

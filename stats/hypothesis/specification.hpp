@@ -47,7 +47,7 @@
 
 #include "core/field.hpp"
 #include "marginal/translation.hpp"
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/acf_error.hpp"

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "stats/hypothesis/ensemble.hpp"
 #include "stats/measure/parameter.hpp"
+#include "stats/sample/ensemble.hpp"
 
 namespace asperity {
 

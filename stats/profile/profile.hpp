@@ -35,7 +35,7 @@
 #include <array>
 
 #include "core/field.hpp"
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/spectrum/spectrum.hpp"

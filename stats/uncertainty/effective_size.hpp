@@ -43,7 +43,7 @@
 #include <limits>
 
 #include "core/field.hpp"
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "stats/height/quantiles.hpp"
+#include "stats/sample/quantiles.hpp"
 #include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "stats/height/quantiles.hpp"
+#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {

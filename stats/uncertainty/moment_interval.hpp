@@ -32,7 +32,7 @@
 /// R. A. Fisher, The moments of the distribution for normal samples, Proc. R. Soc. A 130 (1930) 16-28.
 #pragma once
 
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/interval.hpp"
 #include "stats/uncertainty/translation_error.hpp"

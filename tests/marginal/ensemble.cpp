@@ -1,5 +1,5 @@
 // Surfaces of prescribed skewness, kurtosis and autocorrelation, drawn and counted.
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>

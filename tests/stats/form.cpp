@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/filter/gaussian_filter.hpp"
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,4 +1,4 @@
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 

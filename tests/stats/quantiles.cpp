@@ -1,4 +1,4 @@
-#include "stats/height/quantiles.hpp"
+#include "stats/sample/quantiles.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>

@@ -2,7 +2,7 @@
 
 #include "fields.hpp"
 #include "marginal/johnson.hpp"
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dataset/layout.hpp"
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 #include "support.hpp"
 #include "tools/files.hpp"
 

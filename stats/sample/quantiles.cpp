@@ -1,4 +1,4 @@
-#include "stats/height/quantiles.hpp"
+#include "stats/sample/quantiles.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "stats/height/moments.hpp"
+#include "stats/sample/moments.hpp"
 
 #include <algorithm>
 #include <cmath>

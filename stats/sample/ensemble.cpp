@@ -1,4 +1,4 @@
-#include "stats/hypothesis/ensemble.hpp"
+#include "stats/sample/ensemble.hpp"
 
 #include <cmath>
 #include <limits>
