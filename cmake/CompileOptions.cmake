@@ -47,4 +47,5 @@ foreach(kind tool test)
   target_link_libraries(asperity_${kind}_options INTERFACE asperity_options)
 endforeach()
 target_compile_options(asperity_tool_options INTERFACE $<$<CONFIG:Release>:-O2>)
-target_compile_options(asperity_test_options INTERFACE $<$<CONFIG:Release>:-O1;-fexpensive-optimizations>)
+target_compile_options(asperity_test_options INTERFACE $<$<CONFIG:Release>:-O1>
+  $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-fexpensive-optimizations>)
