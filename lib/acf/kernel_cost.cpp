@@ -1,6 +1,7 @@
 #include "acf/kernel_cost.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "acf/solver_constants.hpp"
 #include "acf/wording.hpp"
@@ -10,7 +11,9 @@ namespace {
 
 double area(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
 
-std::string megabytes(double bytes) { return number(bytes / 1e6) + "MB"; }
+std::string megabytes(double bytes) {
+  return (bytes < 1e7 ? number(bytes / 1e6) : std::to_string(std::llround(bytes / 1e6))) + "MB";
+}
 
 }  // namespace
 

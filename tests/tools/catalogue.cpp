@@ -3,28 +3,14 @@
 
 #include <filesystem>
 #include <regex>
-#include <set>
 #include <sstream>
 
-#include "support.hpp"
-#include "tools/files.hpp"
+#include "tools/results.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-using Words = std::set<std::string>;
-
-const std::string bodies = " --radius 50mm --young 208GPa --poisson 0.3 ";
-
-// Of a variable or an attribute, "" of what the tools do not know.
-std::string owner(const std::string& name) {
-  const KnownResult* result = result_of(name);
-  return result ? std::string(result->name) : std::string();
-}
-
-bool is_coordinate(const Variable& v) { return v.dimensions == std::vector<std::string>{v.name}; }
 
 bool is_of_the_run(const std::string& name) {
   return name == "history" || name == "source" || name == "Conventions";

@@ -3,29 +3,14 @@
 
 #include <map>
 #include <regex>
-#include <set>
 
-#include "dataset/catalogue.hpp"
 #include "dataset/layout.hpp"
-#include "support.hpp"
-#include "tools/files.hpp"
+#include "tools/results.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-using Words = std::set<std::string>;
-
-const std::string bodies = " --radius 50mm --young 208GPa --poisson 0.3 ";
-
-// Of a variable or an attribute, "" of what the tools do not know.
-std::string owner(const std::string& name) {
-  const KnownResult* result = result_of(name);
-  return result ? std::string(result->name) : std::string();
-}
-
-bool is_coordinate(const Variable& v) { return v.dimensions == std::vector<std::string>{v.name}; }
 
 bool stands_on_surface(const Variable& v) {
   return std::ranges::any_of(v.dimensions, [](const std::string& d) { return d == "x" || d == "y"; });

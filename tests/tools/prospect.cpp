@@ -58,6 +58,8 @@ TEST_CASE("a kernel or a drawing that the memory does not hold is refused before
   const std::string wide = "asperity-generate --shape 512x512 --size 1mm --rq 1um --length 0.3mm -o s.nc ";
   refused_before_any_step(wide + "--memory 100MB", {"--memory", "100MB", "lags takes some", "acf-tolerance"});
   refused_before_any_step("asperity-kernel --length 154px -o s.nc --memory 100MB", {"--memory"});
+  // Gigabytes were told as "1e+03MB".
+  refused_before_any_step("asperity-kernel --length 1000px -o s.nc --memory 1500MB", {"--memory", "1500MB"});
   refused_before_any_step(
       "asperity-generate --shape 64x1048576 --size 64mm,1048576mm --rq 1um --length 20px -o s.nc "
       "--memory 100MB",
