@@ -1,6 +1,5 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -35,23 +34,17 @@ struct Result {
   AcfEstimate estimate;
   std::optional<LagField> target = {};     ///< the correlation asked for, normalised
   std::optional<LagField> structure = {};  ///< in units squared
-  std::optional<MeasuredHeights> quantiles = {};
 };
 
 // ---- lengths ----
 
-double share_of(const std::string& word) {
-  double value = NAN;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !(value > 0 && value < 1))
-    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
-  return value;
-}
-
 AcfLevel level_of(const std::string& word) {
   if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
-  const double value = share_of(word), percent = std::round(1e12 * value) / 1e10;
-  return {value, shortest(percent), shortest(percent) + " %"};
+  const auto value = to_number<double>(word);
+  if (!value || !(*value > 0 && *value < 1))
+    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
+  const std::string percent = shortest(std::round(1e12 * *value) / 1e10);
+  return {*value, percent, percent + " %"};
 }
 
 std::vector<AcfLevel> levels_of(const std::string& list) {
@@ -66,8 +59,8 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
 }
 
 Parameters lengths_of(const cli::Tool& tool, const Result& result, const Options& what) {
-  std::optional<double> direction;
-  if (!what.direction.empty()) direction = cli::parse_angle("direction", what.direction);
+  const auto direction =
+      what.direction.empty() ? std::nullopt : std::optional(cli::parse_angle("direction", what.direction));
   const std::vector<AcfLevel> levels = levels_of(what.levels);
   const Parameters out = acf_lengths(result.estimate, levels, direction, result.target);
   for (const AcfLevel& level : levels)
@@ -82,10 +75,11 @@ Parameters lengths_of(const cli::Tool& tool, const Result& result, const Options
 
 // ---- the two profiles ----
 
-void add_profile(cli::Table& table, const Surface& surface, const Result& result, bool absolute, bool x) {
+void add_profile(cli::Table& table, const Result& result, bool absolute, bool x) {
   const AcfEstimate& estimate = result.estimate;
+  const Grid& grid = estimate.basis.pairs.grid();
   const Index lags = x ? estimate.rho.max_p() : estimate.rho.max_q();
-  const double spacing = x ? surface.grid.dx : surface.grid.dy, scale = absolute ? estimate.variance : 1;
+  const double spacing = x ? grid.dx : grid.dy, scale = absolute ? estimate.variance : 1;
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
     const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
@@ -99,7 +93,7 @@ void add_profile(cli::Table& table, const Surface& surface, const Result& result
 }
 
 cli::Table profiles(const Surface& surface, const Result& result, bool absolute) {
-  const std::string unit = absolute ? cli::unit_to(surface.units, 2) : "1";
+  const std::string square = cli::unit_to(surface.units, 2), unit = absolute ? square : "1";
   cli::Table table{{{"direction", ""},
                     {"lag", "m"},
                     {"acf", unit, cli::Holds::unknown},
@@ -108,40 +102,38 @@ cli::Table profiles(const Surface& surface, const Result& result, bool absolute)
                     {"high_95", unit, cli::Holds::open}},
                    {}};
   if (result.target) table.columns.push_back({"target", unit, cli::Holds::unknown});
-  if (result.structure)
-    table.columns.push_back({"structure_function", cli::unit_to(surface.units, 2), cli::Holds::unknown});
-  for (const bool x : {true, false}) add_profile(table, surface, result, absolute, x);
+  if (result.structure) table.columns.push_back({"structure_function", square, cli::Holds::unknown});
+  for (const bool x : {true, false}) add_profile(table, result, absolute, x);
   return table;
 }
 
 // ---- the dataset ----
 
-MeasuredHeights quantiles_of(const Field& heights) {
+void set_quantiles(Dataset& data, const Field& heights) {
   std::vector<double> sample(heights.data(), heights.data() + heights.size());
   std::erase_if(sample, [](double z) { return std::isnan(z); });
-  return MeasuredHeights::of(std::move(sample));
+  cli::set_quantiles(data, "acf_quantiles", MeasuredHeights::of(std::move(sample)));
 }
 
 void add_to(Dataset& data, const Surface& surface, const Result& result, const Parameters& lengths,
-            const std::string& variable, bool absolute) {
-  cli::drop_results(data, "acf", variable);
-  data.attributes.set("acf_variable", variable);
+            const Options& what) {
+  cli::drop_results(data, "acf", surface.variable);
+  data.attributes.set("acf_variable", surface.variable);
   const Grid& grid = surface.grid;
   const AcfEstimate& estimate = result.estimate;
-  const double scale = absolute ? estimate.variance : 1;
-  const std::string units = absolute ? cli::unit_to(surface.units, 2) : "1";
+  const double scale = what.absolute ? estimate.variance : 1;
+  const std::string square = cli::unit_to(surface.units, 2), units = what.absolute ? square : "1";
   const Axis lag_x{"lag_x", 0, grid.dx, "m", "lag in x"},
       lag_y{"lag_y", -estimate.rho.max_q(), grid.dy, "m", "lag in y"};
   set_table(data, "acf", scale * estimate.rho.half_plane(), lag_x, lag_y,
             {units, "autocorrelation estimated from the field"}, Missing::not_a_number);
   if (result.structure)
     set_table(data, "structure_function", result.structure->half_plane(), lag_x, lag_y,
-              {cli::unit_to(surface.units, 2), "mean square difference of two points a lag apart"},
-              Missing::not_a_number);
+              {square, "mean square difference of two points a lag apart"}, Missing::not_a_number);
   const Moments height = moments(surface.heights);
   data.attributes.set("acf_skewness", height.ssk);
   data.attributes.set("acf_kurtosis", height.sku);
-  if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
+  if (what.quantiles) set_quantiles(data, surface.heights);
   // In m2; of a field that is no height there is none.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
   cli::check_finite(cli::Quantities{lengths});
@@ -151,7 +143,6 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
 Result estimate(const Surface& surface, const Options& what, Shape max_lag, int threads) {
   Result out{AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
   if (what.structure) out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
-  if (what.quantiles) out.quantiles = quantiles_of(surface.heights);
   return out;
 }
 
@@ -229,8 +220,9 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    tool.writes_dataset(!what.lengths && !prints_profiles(tool, what));
-    if (!what.lengths && !prints_profiles(tool, what)) cli::check_dataset_name(tool.output_name());
+    const bool prints = what.lengths || prints_profiles(tool, what);
+    tool.writes_dataset(!prints);
+    if (!prints) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
@@ -240,12 +232,12 @@ int main(int argc, char** argv) {
     auto lengths = [&] { return lengths_of(tool, result, what); };
     if (what.lengths) {
       cli::print(tool, cli::Quantities{lengths()});
-    } else if (prints_profiles(tool, what)) {
+    } else if (prints) {
       warn_of_few(tool, result.estimate.size);
       cli::print(tool, profiles(surface, result, what.absolute));
     } else {
       const cli::Inventory before(data);
-      add_to(data, surface, result, lengths(), options.variable, what.absolute);
+      add_to(data, surface, result, lengths(), what);
       before.tell(tool, data, "acf");
       tool.write(data);
     }

@@ -44,15 +44,19 @@ struct Options {
   }
 };
 
+double told(double error, const EffectiveSampleSize& size) { return size.tells_errors() ? error : NAN; }
+
 // Not a number where no error is told.
-double in_errors(double deviation, double error) {
+double in_errors(double deviation, double untold, const EffectiveSampleSize& size) {
+  const double error = told(untold, size);
   return error > 0 || std::isnan(error) ? deviation / error : deviation;
 }
 
-double told(double error, const EffectiveSampleSize& size) { return size.tells_errors() ? error : NAN; }
-
-cli::Table table_of_bins(const std::vector<Bin>& bins, const Surface& surface,
-                         const EffectiveSampleSize& size) {
+cli::Table table_of_bins(const Surface& surface, const Moments& m, const EffectiveSampleSize& size,
+                         int asked) {
+  if (asked > size.points())
+    throw cli::UsageError("bins", "value " + std::to_string(asked) + " is above the number of points, " +
+                                      cli::shortest(size.points()));
   const std::string density = cli::unit_to(surface.units, -1);
   cli::Table out{{{"height", surface.units},
                   {"count", "1"},
@@ -63,12 +67,11 @@ cli::Table table_of_bins(const std::vector<Bin>& bins, const Surface& surface,
                   {"density_error", density, cli::Holds::unknown},
                   {"gaussian_density", density}},
                  {}};
-  for (const Bin& bin : bins) {
-    const double per_height = 1 / (size.points() * bin.width());
-    const double error = told(bin.count_error, size);
+  for (const Bin& bin : histogram(surface.heights, m, size, asked ? asked : scott_bins(m, size.points()))) {
+    const double per_height = 1 / (size.points() * bin.width()), error = told(bin.count_error, size);
     out.rows.push_back({bin.centre(), bin.count, error, bin.expected,
-                        in_errors(bin.count - bin.expected, told(bin.misfit_error, size)),
-                        bin.count * per_height, error * per_height, bin.expected * per_height});
+                        in_errors(bin.count - bin.expected, bin.misfit_error, size), bin.count * per_height,
+                        error * per_height, bin.expected * per_height});
   }
   return out;
 }
@@ -84,7 +87,7 @@ cli::Table table_of_density(const std::vector<DensityPoint>& curve, const Surfac
                  {}};
   for (const DensityPoint& p : curve)
     out.rows.push_back({p.height, p.density, told(p.density_error, size), p.gaussian,
-                        in_errors(p.density - p.gaussian, told(p.misfit_error, size))});
+                        in_errors(p.density - p.gaussian, p.misfit_error, size)});
   return out;
 }
 
@@ -100,19 +103,19 @@ cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const Su
                  {}};
   for (const QuantilePoint& p : points)
     out.rows.push_back({p.share, p.normal, p.height, told(p.height_error, size), p.gaussian,
-                        in_errors(p.height - p.gaussian, told(p.misfit_error, size))});
+                        in_errors(p.height - p.gaussian, p.misfit_error, size)});
   return out;
 }
 
 double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampleSize& size) {
   if (std::isnan(what.bandwidth)) return silverman_bandwidth(m, size.points());
   const double least = least_bandwidth * m.sz() / m.sq;
+  const std::string value = "value " + shortest(what.bandwidth);
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
-    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is not finite or below " +
-                                           cli::shortest(least) + " Sq, 1e-5 of the range of heights");
+    throw cli::UsageError("bandwidth", value + " is not finite or below " + shortest(least) +
+                                           " Sq, 1e-5 of the range of heights");
   if (what.bandwidth * m.sq > m.sz())
-    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is above " +
-                                           cli::shortest(m.sz() / m.sq) +
+    throw cli::UsageError("bandwidth", value + " is above " + shortest(m.sz() / m.sq) +
                                            " Sq, the range of heights: nothing but the kernel would show");
   return what.bandwidth * m.sq;
 }
@@ -128,11 +131,7 @@ cli::Table table_of(const Surface& surface, const Moments& m, const EffectiveSam
     return table_of_quantiles(
         quantile_plot(MaterialRatioCurve(surface.heights, threads), m, size, what.points ? what.points : 99),
         surface, size);
-  if (what.bins > size.points())
-    throw cli::UsageError("bins", "value " + std::to_string(what.bins) + " is above the number of points, " +
-                                      cli::shortest(size.points()));
-  const int bins = what.bins ? what.bins : scott_bins(m, size.points());
-  return table_of_bins(histogram(surface.heights, m, size, bins), surface, size);
+  return table_of_bins(surface, m, size, what.bins);
 }
 
 }  // namespace

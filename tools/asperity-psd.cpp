@@ -57,24 +57,21 @@ cli::Table profiles(const Surface& surface, const DataWindows& windows, int thre
                   {"psd", unit},
                   {"standard_error", unit, cli::Holds::unknown}},
                  {}};
-  auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
-    for (const SpectrumPoint& point : profile_spectrum(surface.heights, surface.grid, axis, window, threads))
-      out.rows.push_back({direction, point.wave_number, point.density, point.standard_error});
-  };
-  add("x", Axis1D::x, windows.x);
-  add("y", Axis1D::y, windows.y);
+  for (const bool x : {true, false})
+    for (const SpectrumPoint& point : profile_spectrum(
+             surface.heights, surface.grid, x ? Axis1D::x : Axis1D::y, x ? windows.x : windows.y, threads))
+      out.rows.push_back({x ? "x" : "y", point.wave_number, point.density, point.standard_error});
   return out;
 }
 
-void add_to(Dataset& data, const Surface& surface, const LagField& psd, const std::string& variable,
-            const std::string& window) {
-  cli::drop_results(data, "psd", variable);
-  const auto step = [](double size) { return 2 * std::numbers::pi / size; };
+void add_to(Dataset& data, const Surface& surface, const LagField& psd, const char* window) {
+  cli::drop_results(data, "psd", surface.variable);
+  const double turn = 2 * std::numbers::pi;
   set_table(data, "psd", psd.half_plane(),
-            {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
-            {"wave_number_y", -psd.max_q(), step(surface.grid.size_y()), per_length, "wave number in y"},
+            {"wave_number_x", 0, turn / surface.grid.size_x(), per_length, "wave number in x"},
+            {"wave_number_y", -psd.max_q(), turn / surface.grid.size_y(), per_length, "wave number in y"},
             {density_units(surface, 2), "power spectral density of the field"});
-  data.attributes.set("psd_variable", variable);
+  data.attributes.set("psd_variable", surface.variable);
   data.attributes.set("psd_window", window);
 }
 
@@ -126,8 +123,9 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    tool.writes_dataset(!what.profiles && !prints_radial(tool, what));
-    if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
+    const bool prints = what.profiles || prints_radial(tool, what);
+    tool.writes_dataset(!prints);
+    if (!prints) cli::check_dataset_name(tool.output_name());
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const DataWindows windows = what.windows(surface.grid);
@@ -136,11 +134,11 @@ int main(int argc, char** argv) {
       return cli::done;
     }
     const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
-    if (prints_radial(tool, what)) {
+    if (prints) {
       cli::print(tool, radial(surface, psd, windows));
     } else {
       const cli::Inventory before(data);
-      add_to(data, surface, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
+      add_to(data, surface, psd, windows.x == DataWindow::hann ? "hann" : "none");
       before.tell(tool, data, "psd");
       tool.write(data);
     }

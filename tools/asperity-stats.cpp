@@ -18,20 +18,6 @@ using namespace asperity;
 
 namespace {
 
-// What is said once, of however many surfaces.
-struct Cautions {
-  std::optional<EffectiveSampleSize> fewest;  ///< of the surface with the fewest independent heights
-  std::set<std::string> missing;              ///< groups that cannot be had, and why
-
-  void add(const EffectiveSampleSize& size) {
-    if (!fewest || size.effective(2) < fewest->effective(2)) fewest = size;
-  }
-  void tell(const cli::Tool& tool) const {
-    for (const std::string& group : missing) tool.warn(group);
-    if (fewest) warn_of_few(tool, *fewest);
-  }
-};
-
 // Other formats than NetCDF are read whole.
 bool larger_than_memory(const std::string& path, std::size_t memory) {
   namespace fs = std::filesystem;
@@ -58,7 +44,7 @@ class Surfaces {
   void add(const Dataset& data, const std::string& name) {
     tool_.detail(name);
     grids_.add(tool_, grid_of(data), name);
-    add(Sample(field_.read(tool_, data), derivatives(), tool_.thread_count()));
+    add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()));
   }
   /// Of a file that is too large to be read whole; returns whether it is.
   bool add_in_strips(const std::string& path) {
@@ -77,20 +63,19 @@ class Surfaces {
     return true;
   }
   void print() const {
-    cautions_.tell(tool_);
-    if (ensemble_.surfaces() == 1)
-      cli::print(tool_, cli::Quantities{last_});
-    else
-      cli::print(tool_, table());
+    for (const std::string& group : missing_) tool_.warn(group);
+    if (fewest_) warn_of_few(tool_, *fewest_);
+    if (ensemble_.surfaces() == 1) return cli::print(tool_, cli::Quantities{last_});
+    cli::print(tool_, table());
   }
 
  private:
-  bool derivatives() const { return asked_.groups.contains(Group::hybrid); }
   Sample strips_of(const FieldFile& file) const {
     const StripReader reader({file.grid(), [&](Index first, Index count) { return file.rows(first, count); },
                               [&](Index first, Index count) { return file.columns(first, count); }},
                              asked_.preparation.degree, tool_.memory());
-    const Sample sample(reader, field_.without_heights(file.dataset()), derivatives(), tool_.thread_count());
+    const Sample sample(reader, field_.without_heights(file.dataset()), asked_.groups.contains(Group::hybrid),
+                        tool_.thread_count());
     const std::string rows = counted(reader.rows(), "row");
     tool_.note("read in strips of " + rows);
     if (sample.correlation_reaches_beyond())
@@ -100,23 +85,20 @@ class Surfaces {
   }
 
   void add(const Sample& sample) {
-    cautions_.add(sample.size());
+    if (!fewest_ || sample.size().effective(2) < fewest_->effective(2)) fewest_ = sample.size();
     last_.clear();
     for (const Group group : asked_.groups) {
       const Parameters rows = measure(sample, group, asked_);
-      if (group == Group::hybrid) caution_of_missing(missing(rows), group);
+      if (const std::string why = missing(rows); group == Group::hybrid && !why.empty()) {
+        // A group that cannot be had takes no other with it.
+        if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
+        missing_.insert(field_.variable + ": no hybrid parameters: " + why);
+      }
       if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.acf_level, sample.grid());
       last_.insert(last_.end(), rows.begin(), rows.end());
     }
     ensemble_.add(last_);
   }
-  // A group that cannot be had takes no other with it, and is refused where nothing else was asked for.
-  void caution_of_missing(const std::string& why, Group group) {
-    if (why.empty()) return;
-    if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
-    cautions_.missing.insert(field_.variable + ": no " + cli::name_of(group) + " parameters: " + why);
-  }
-
   cli::Table table() const {
     cli::Table out{{{"quantity", ""},
                     {"unit", ""},
@@ -138,7 +120,9 @@ class Surfaces {
   cli::EnsembleGrid grids_;
   EnsembleParameters ensemble_;
   Parameters last_;
-  Cautions cautions_;
+  // What is said once, of however many surfaces.
+  std::optional<EffectiveSampleSize> fewest_ = {};  ///< of the surface with the fewest independent heights
+  std::set<std::string> missing_ = {};              ///< groups that cannot be had, and why
 };
 
 }  // namespace

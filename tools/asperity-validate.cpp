@@ -49,24 +49,19 @@ struct Options {
 
   void check() const {
     if (!std::isnan(rq)) check_rms(rq);
-    if (!(significance > 0 && significance < 0.5))
-      throw ParameterError("significance",
-                           "value " + cli::shortest(significance) + " is not between 0 and 0.5");
+    if (significance > 0 && significance < 0.5) return;
+    throw ParameterError("significance", "value " + shortest(significance) + " is not between 0 and 0.5");
   }
 };
-
-void require_spacing(double lag, double grid) {
-  if (std::abs(lag - grid) > 1e-6 * grid)
-    throw DataError("acf_target", "its lags are " + cli::shortest(lag) + " m apart, the heights " +
-                                      cli::shortest(grid) + " m");
-}
 
 // From --target.
 Specification from_file(const cli::Tool& tool, const std::string& name, const Grid& grid) {
   const cli::AcfTable table = cli::read_acf_table(name, tool.memory_bound());
-  if (table.spacing) {
-    require_spacing((*table.spacing)[0], grid.dx);
-    require_spacing((*table.spacing)[1], grid.dy);
+  for (const std::size_t axis : {0U, 1U}) {
+    const double step = axis == 0 ? grid.dx : grid.dy, lag = table.spacing ? (*table.spacing)[axis] : step;
+    if (std::abs(lag - step) > 1e-6 * step)
+      throw DataError("acf_target",
+                      "its lags are " + shortest(lag) + " m apart, the heights " + shortest(step) + " m");
   }
   return {.correlation = LagField(table.half_plane), .sq = table.rms};
 }
@@ -104,7 +99,7 @@ std::string name_of(const TestResult& claim) {
 }
 
 cli::Table table_of_results(const std::vector<TestResult>& results, double significance) {
-  auto verdict = [](double p, double level) { return std::string(p <= level ? "differs" : "agrees"); };
+  auto verdict = [](double p, double level) { return p <= level ? "differs" : "agrees"; };
   cli::Table out{{{"quantity", ""},
                   {"unit", ""},
                   {"prescribed", "SI", cli::Holds::unknown},
@@ -116,11 +111,10 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
                  {}};
   const double level = significance / static_cast<double>(results.size());
   for (const TestResult& c : results)
-    out.rows.push_back({name_of(c), std::string(c.quantity == "Sq" ? "m" : "1"), c.prescribed, c.mean,
-                        c.standard_error, c.z, c.p, verdict(c.p, level)});
+    out.rows.push_back({name_of(c), c.quantity == "Sq" ? "m" : "1", c.prescribed, c.mean, c.standard_error,
+                        c.z, c.p, verdict(c.p, level)});
   const double joint = joint_p(results);
-  out.rows.push_back(
-      {std::string("all"), std::string("1"), NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
+  out.rows.push_back({"all", "1", NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
   return out;
 }
 

@@ -21,25 +21,35 @@ double gaussian_share(double a, double b) {
                : gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
 }
 
-// (3) for first = 1, (4) for first = 3.
-double count_variance(double a, double b, double share, const EffectiveSampleSize& size, int first) {
+void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSampleSize& size) {
+  const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
+  const double share = gaussian_share(a, b);
   HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
   auto weight = [&](int k) {
     const double c = at_a.next() - at_b.next();
     return c * c / k;
   };
-  return size.points() * size.points() * variance_from(first, weight, share * (1 - share), size);
-}
-
-void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSampleSize& size) {
-  const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
-  const double share = gaussian_share(a, b);
-  bin.expected = size.points() * share;
-  bin.count_error = std::sqrt(count_variance(a, b, share, size, 1));
-  bin.misfit_error = std::sqrt(count_variance(a, b, share, size, 3));
+  const double n = size.points();
+  const auto [all, misfit] = variance_of(weight, share * (1 - share), size);
+  bin.expected = n * share;
+  bin.count_error = std::sqrt(n * n * all);
+  bin.misfit_error = std::sqrt(n * n * misfit);
 }
 
 }  // namespace
+
+HermiteVariance variance_of(const std::function<double(int)>& weight, double total,
+                            const EffectiveSampleSize& size) {
+  constexpr int powers = EffectiveSampleSize::powers;
+  std::array<double, powers + 1> w;
+  for (int k = 1; k <= powers; ++k) w[static_cast<std::size_t>(k)] = weight(k);
+  auto from = [&](int first) {
+    auto kept = [&](int k) { return k < first ? 0 : w[static_cast<std::size_t>(k)]; };
+    return size.variance_of_mean(kept, total);
+  };
+  const double dropped = (w[1] + w[2]) * size.sum(powers) / size.points();
+  return {std::max(from(1), 0.0), std::max(from(3) - dropped, 0.0)};
+}
 
 int scott_bins(const Moments& moments, double points) {
   const double width = std::cbrt(24 / std::numbers::inv_sqrtpi / points) * moments.sq;

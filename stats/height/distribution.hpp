@@ -22,7 +22,7 @@
 /// D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "core/field.hpp"
@@ -50,18 +50,11 @@ int scott_bins(const Moments& moments, double points);
 /// not tell so many apart.
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins);
 
-/// Σ_{k≥first} w(k) S_k/N of Hermite weights w(k), k ≥ 1, that add up to `total`: what the terms before are taken off.
-template <class Weight>
-double variance_from(int first, Weight weight, double total, const EffectiveSampleSize& size) {
-  double dropped = 0;
-  auto kept = [&](int k) {
-    const double w = weight(k);
-    if (k >= first) return w;
-    dropped += w;
-    return 0.0;
-  };
-  const double all = size.variance_of_mean(kept, total);
-  return std::max(all - dropped * size.sum(EffectiveSampleSize::powers) / size.points(), 0.0);
-}
+/// Σ w(k) S_k/N over k ≥ 1, and over k ≥ 3, of Hermite weights that add up to `total`.
+struct HermiteVariance {
+  double all, misfit;
+};
+HermiteVariance variance_of(const std::function<double(int)>& weight, double total,
+                            const EffectiveSampleSize& size);
 
 }  // namespace asperity

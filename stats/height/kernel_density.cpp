@@ -54,9 +54,10 @@ class Cells {
     return lowest_ + (static_cast<double>(cell) + 0.5) * cell_width * bandwidth_;
   }
   void add(double height) {
-    const auto cell = static_cast<std::size_t>((height - lowest_) / (cell_width * bandwidth_));
-    auto& m = moments_[std::min(cell, moments_.size() - 1)];
-    const double d = (height - centre(std::min(cell, moments_.size() - 1))) / bandwidth_;
+    const auto place = static_cast<std::size_t>((height - lowest_) / (cell_width * bandwidth_)),
+               cell = std::min(place, moments_.size() - 1);
+    auto& m = moments_[cell];
+    const double d = (height - centre(cell)) / bandwidth_;
     double power = 1;
     for (double& sum : m) {
       sum += power;
@@ -70,31 +71,20 @@ class Cells {
 };
 
 // (3)–(5) at t, all in units of Sq.
-struct GaussianLaw {
-  double expected, error, misfit_error;
-
-  GaussianLaw(double t, double h, const EffectiveSampleSize& size) {
-    const double s = std::hypot(1, h);
-    expected = gsl_ran_gaussian_pdf(t, s);
-    const double square =
-        gsl_ran_gaussian_pdf(t, std::sqrt(1 + h * h / 2)) * std::numbers::inv_sqrtpi / (2 * h);
-    error = std::sqrt(variance(t / s, s, square - expected * expected, size, 1));
-    misfit_error = std::sqrt(variance(t / s, s, square - expected * expected, size, 3));
-  }
-
- private:
-  // `total`: Σ_{k≥1} c_k²/k!
-  static double variance(double x, double s, double total, const EffectiveSampleSize& size, int first) {
-    HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
-    double power = 1 / s;
-    hermite.next();
-    auto weight = [&](int) {
-      power /= s;
-      return std::pow(hermite.next() * power, 2);
-    };
-    return variance_from(first, weight, total, size);
-  }
-};
+DensityPoint gaussian_law(double t, double h, const EffectiveSampleSize& size) {
+  const double s = std::hypot(1, h), x = t / s, expected = gsl_ran_gaussian_pdf(t, s);
+  const double square =
+      gsl_ran_gaussian_pdf(t, std::sqrt(1 + h * h / 2)) * std::numbers::inv_sqrtpi / (2 * h);
+  HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
+  double power = 1 / s;
+  hermite.next();
+  auto weight = [&](int) {
+    power /= s;
+    return std::pow(hermite.next() * power, 2);
+  };
+  const auto [all, misfit] = variance_of(weight, square - expected * expected, size);
+  return {.density_error = std::sqrt(all), .gaussian = expected, .misfit_error = std::sqrt(misfit)};
+}
 
 void check(double bandwidth, double range, int points) {
   if (points < 2) throw ParameterError("points", "value " + std::to_string(points) + " is below 2");
@@ -118,11 +108,11 @@ std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
   const double from = lowest - 3 * bandwidth, step = (highest - lowest + 6 * bandwidth) / (points - 1);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double t = from + static_cast<double>(i) * step;
-    const GaussianLaw law((t - moments.mean) / moments.sq, bandwidth / moments.sq, size);
+    const DensityPoint law = gaussian_law((t - moments.mean) / moments.sq, bandwidth / moments.sq, size);
     out[i] = {.height = t,
               .density = cells.sum(t) / (cells.count() * bandwidth),
-              .density_error = law.error / moments.sq,
-              .gaussian = law.expected / moments.sq,
+              .density_error = law.density_error / moments.sq,
+              .gaussian = law.gaussian / moments.sq,
               .misfit_error = law.misfit_error / moments.sq};
   }
   return out;

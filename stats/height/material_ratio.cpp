@@ -57,7 +57,7 @@ struct Piece {
 
 MaterialRatioCurve::MaterialRatioCurve(const Field& z, int threads)
     : descending_(sorted_descending(z, threads)) {
-  check();
+  if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs two heights");
 }
 
 MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightBin>& ascending) {
@@ -71,11 +71,6 @@ MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightBin>& ascending) 
     if (run->count > 1) add(rank + run->count - 1, run->lowest);
     rank += run->count;
   }
-  check();
-}
-
-void MaterialRatioCurve::check() const {
-  if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs two heights");
 }
 
 std::size_t MaterialRatioCurve::piece_at(double rank) const {
@@ -152,17 +147,12 @@ CoreParameters MaterialRatioCurve::core() const {
   return out;
 }
 
-double MaterialRatioCurve::material_volume(double ratio) const { return area(0, ratio, height(ratio)); }
-
-double MaterialRatioCurve::void_volume(double ratio) const { return 0 - area(ratio, 1, height(ratio)); }
-
 VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
-  check_share(p);
-  check_share(q);
+  const double upper = height(p), lower = height(q);
   if (p > q)
     throw ParameterError("material-ratio", "value " + shortest(p) + " is above the second, " + shortest(q));
-  const double peak = material_volume(p), dale = void_volume(q);
-  return {.vmp = peak, .vmc = material_volume(q) - peak, .vvc = void_volume(p) - dale, .vvv = dale};
+  const double peak = area(0, p, upper), dale = 0 - area(q, 1, lower);
+  return {.vmp = peak, .vmc = area(0, q, lower) - peak, .vvc = 0 - area(p, 1, upper) - dale, .vvv = dale};
 }
 
 double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,

@@ -63,7 +63,7 @@ class MaterialRatioCurve {
  public:
   /// Throws DataError("heights", …) for fewer than two heights.
   explicit MaterialRatioCurve(const Field& z, int threads = 1);
-  /// Straight from the lowest to the highest height of each run.
+  /// Straight from the lowest to the highest height of each run; there are two heights.
   explicit MaterialRatioCurve(const std::vector<HeightBin>& ascending);
 
   /// c(p), 0 ≤ p ≤ 1; throws ParameterError("material-ratio", …) outside.
@@ -74,13 +74,10 @@ class MaterialRatioCurve {
   double quantile(double share) const { return height(1 - share); }
 
   CoreParameters core() const;
-  double material_volume(double ratio) const;  ///< Vm
-  double void_volume(double ratio) const;      ///< Vv
   /// Throws ParameterError("material-ratio", …) unless 0 ≤ p ≤ q ≤ 1.
   VolumeParameters volumes(double p = 0.1, double q = 0.8) const;
 
  private:
-  void check() const;
   double rank_of(std::size_t k) const { return ranks_.empty() ? static_cast<double>(k) : ranks_[k]; }
   double last() const { return rank_of(descending_.size() - 1); }
   std::size_t piece_at(double rank) const;          ///< the k of the corners k, k + 1 beside it

@@ -1,15 +1,10 @@
 #include "stats/hybrid/derivative_error.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "core/error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 template <class Value>
 LagField lag_field(Index P, Index Q, Value value) {
@@ -30,20 +25,10 @@ LagField difference(const LagField& R, bool x) {
                    [&](Index p, Index q) { return 2 * R(p, q) - R(p + dp, q + dq) - R(p - dp, q - dq); });
 }
 
-// Lags that count: those of the correlation, or those of an estimate that stand out.
-using Choose = LagField (*)(const LagField&, const Pairs&);
-
-LagField all_lags(const LagField& R, const Pairs&) { return R.normalised(); }
-
 constexpr double round_off = 1e-13;  // of R(0,0), that a second difference of R may hold
 
-// What there is of a difference's correlation that its errors rest on; nothing where the field does not change that way.
-LagField counting(const LagField& D, double variance, const Pairs& pairs, Choose choose) {
-  return D(0, 0) > round_off * variance ? choose(D, pairs) : LagField(Field::Zero(1, 1));
-}
-
 double relative_error(const LagField& counted, const Pairs& pairs) {
-  return counted(0, 0) > 0 ? std::sqrt(2 / EffectiveSampleSize(counted, pairs).effective(2)) : unknown;
+  return counted(0, 0) > 0 ? std::sqrt(2 / EffectiveSampleSize(counted, pairs).effective(2)) : NAN;
 }
 
 double squared(double relative, double value) { return value > 0 ? std::pow(relative * value, 2) : 0; }
@@ -61,9 +46,13 @@ double cross_sum(const LagField& R, const LagField& x, const LagField& y, const 
   return sum;
 }
 
-DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, Choose choose) {
+DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, bool estimated) {
   const LagField dx = difference(R, true), dy = difference(R, false);
-  auto counted = [&](const LagField& D, const Pairs& p) { return counting(D, R(0, 0), p, choose); };
+  // The lags of a difference that count; none where the field does not change that way.
+  auto counted = [&](const LagField& D, const Pairs& p) {
+    if (!(D(0, 0) > round_off * R(0, 0))) return LagField(Field::Zero(1, 1));
+    return estimated ? significant_lags(D, p) : D.normalised();
+  };
   const LagField x = counted(dx, pairs.dx), y = counted(dy, pairs.dy);
   DerivativeErrors out{.m20 = relative_error(x, pairs.dx),
                        .m02 = relative_error(y, pairs.dy),
@@ -85,7 +74,7 @@ Field differences(const Field& z, const Grid& grid, bool x) {
     return Field::NullaryExpr(z.rows(), z.cols(), [&](Index i, Index j) {
       return (x ? z((i + 1) % n, j) : z(i, (j + 1) % n)) - z(i, j);
     });
-  Field out = Field::Constant(z.rows(), z.cols(), std::numeric_limits<double>::quiet_NaN());
+  Field out = Field::Constant(z.rows(), z.cols(), NAN);
   if (x)
     out.topRows(n - 1) = z.bottomRows(n - 1) - z.topRows(n - 1);
   else
@@ -107,13 +96,10 @@ DifferencePairs::DifferencePairs(const Pairs& of_heights, const Field& z, int th
   dyy = Pairs::of(differences(along_y, grid, false), grid, threads);
 }
 
-DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs) {
-  return errors(padded(correlation.normalised(), 4), pairs,
-                all_lags);  // two for (1) twice, two that it takes
-}
-
-DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const DifferencePairs& pairs) {
-  return errors(estimate.normalised(), pairs, significant_lags);
+DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs,
+                                   bool estimated) {
+  const LagField rho = correlation.normalised();
+  return errors(estimated ? rho : padded(rho, 4), pairs, estimated);  // two for (1) twice, two that it takes
 }
 
 }  // namespace asperity

@@ -16,7 +16,8 @@
 /// Cost      a pass over the lags for each moment.
 #pragma once
 
-#include "core/field.hpp"
+#include <cmath>
+
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 
@@ -25,7 +26,7 @@ namespace asperity {
 /// Relative standard errors of m20, m02, m40, m04 and of Sdq² (that of Sdq is half of it); NaN of what is zero to round-off,
 /// as slopes along grooves are.
 struct DerivativeErrors {
-  double m20 = 0, m02 = 0, m40 = 0, m04 = 0, square_slope = 0;
+  double m20 = NAN, m02 = NAN, m40 = NAN, m04 = NAN, square_slope = NAN;
 };
 
 /// The pairs of heights and of the differences that they allow: where heights are missing, more differences are.
@@ -39,9 +40,8 @@ struct DifferencePairs {
   explicit DifferencePairs(const Pairs& p) : heights(p), dx(p), dy(p), dxx(p), dyy(p) {}
 };
 
-/// From a correlation that is zero beyond its lags.
-DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs);
-/// From an estimate.
-DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const DifferencePairs& pairs);
+/// From a correlation that is zero beyond its lags, or from an estimate.
+DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs,
+                                   bool estimated = false);
 
 }  // namespace asperity

@@ -1,6 +1,5 @@
 #include "stats/hybrid/slopes.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -51,12 +50,6 @@ SlopeParameters SlopeSums::parameters(const Grid& grid) const {
   if (!(sums_[2].count > 0)) throw DataError("heights", "slopes need 2 x 2 points, none of them missing");
   return {.sdq = std::sqrt(mean_of(sums_[0]) / (grid.dx * grid.dx) + mean_of(sums_[1]) / (grid.dy * grid.dy)),
           .sdr = mean_of(sums_[2])};
-}
-
-SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads) {
-  SlopeSums sums;
-  sums.add(Strip::whole(z, grid), threads);
-  return sums.parameters(grid);
 }
 
 }  // namespace asperity

@@ -19,14 +19,15 @@
 /// Cost      one pass each, four roots a cell for (2).
 #pragma once
 
-#include "core/field.hpp"
+#include <cmath>
+
 #include "stats/hybrid/neighbours.hpp"
 
 namespace asperity {
 
 struct SlopeParameters {
-  double sdq = 0;  ///< [m/m]
-  double sdr = 0;  ///< share of the plan area
+  double sdq = NAN;  ///< [m/m]
+  double sdr = NAN;  ///< share of the plan area
 };
 
 /// The sums of a field that comes in strips.
@@ -39,7 +40,5 @@ class SlopeSums {
  private:
   RowSums<3> sums_{};
 };
-
-SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

@@ -27,24 +27,25 @@
 /// P. R. Nayak, Random process model of rough surfaces, J. Lubr. Technol. 93 (1971) 398-407.
 #pragma once
 
-#include "core/field.hpp"
+#include <cmath>
+
 #include "stats/hybrid/neighbours.hpp"
 
 namespace asperity {
 
 /// Of a profile.
 struct ProfileSpectralMoments {
-  double m0 = 0;  ///< [m²]
-  double m2 = 0;
-  double m4 = 0;  ///< [1/m²]
+  double m0 = NAN;  ///< [m²]
+  double m2 = NAN;
+  double m4 = NAN;  ///< [1/m²]
 
   double bandwidth() const { return m0 * m4 / (m2 * m2); }
 };
 
 struct SpectralMoments {
-  double m00 = 0;
-  double m20 = 0, m11 = 0, m02 = 0;
-  double m40 = 0, m31 = 0, m22 = 0, m13 = 0, m04 = 0;
+  double m00 = NAN;
+  double m20 = NAN, m11 = NAN, m02 = NAN;
+  double m40 = NAN, m31 = NAN, m22 = NAN, m13 = NAN, m04 = NAN;
 
   /// (2), (3).
   ProfileSpectralMoments along(double angle) const;
@@ -64,7 +65,5 @@ class SpectralMomentSums {
  private:
   RowSums<9> sums_{};
 };
-
-SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "stats/filter/form.hpp"
 
 namespace asperity {
 namespace {
@@ -66,8 +65,8 @@ CountedSummits SummitSums::summits(const Grid& grid) const {
     throw DataError("heights", "summits need 3 x 3 points, none of them missing");
   CountedSummits out;
   out.count = sums_[heights].count;
-  if (out.count == 0) return out;
   out.density = out.count / (sums_[neighbourhoods].count * grid.cell_area());
+  if (out.count == 0) return out;
   out.mean_height = mean_of(sums_[heights]);
   out.height_deviation =
       std::sqrt(std::max(0.0, mean_of(sums_[squares]) - out.mean_height * out.mean_height));
@@ -75,16 +74,11 @@ CountedSummits SummitSums::summits(const Grid& grid) const {
   return out;
 }
 
-CountedSummits counted_summits(const Field& z, const Grid& grid, int threads) {
-  SummitSums sums;
-  sums.add(Strip::whole(z, grid), mean(z), threads);
-  return sums.summits(grid);
-}
-
 Summits expected_summits(const ProfileSpectralMoments& m) {
   using std::numbers::pi, std::numbers::sqrt3;
-  const double alpha = m.bandwidth();
-  return {.density = m.m4 / (6 * pi * sqrt3 * m.m2),
+  const double alpha = m.bandwidth(), density = m.m4 / (6 * pi * sqrt3 * m.m2);
+  if (!(density > 0)) return {.density = density};
+  return {.density = density,
           .mean_height = 4 * std::sqrt(m.m0 / (pi * alpha)),
           .height_deviation = std::sqrt(m.m0 * (1 - (1 + 16 / pi - 3 * sqrt3) / alpha)),
           .mean_curvature = 8 * std::sqrt(m.m4 / pi) / 3};

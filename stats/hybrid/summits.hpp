@@ -27,19 +27,18 @@
 /// (3) from Nayak's joint density of heights and curvatures; McCool, Wear 107 (1986) 37-60, has it in digits.
 #pragma once
 
-#include "core/field.hpp"
 #include "stats/hybrid/neighbours.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
 
 namespace asperity {
 
 struct Summits {
-  double density = 0;           ///< η [1/m²]
-  double mean_height = 0;       ///< above the mean of the surface [m]
-  double height_deviation = 0;  ///< σ_s [m]
-  double mean_curvature = 0;    ///< [1/m]
+  double density = NAN;           ///< η [1/m²]
+  double mean_height = NAN;       ///< above the mean of the surface [m]
+  double height_deviation = NAN;  ///< σ_s [m]
+  double mean_curvature = NAN;    ///< [1/m]
 
-  double radius() const { return 1 / mean_curvature; }  ///< R [m]
+  double radius() const { return mean_curvature > 0 ? 1 / mean_curvature : NAN; }  ///< R [m]
 };
 
 struct CountedSummits : Summits {
@@ -51,16 +50,14 @@ class SummitSums {
  public:
   /// `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
-  /// Throws DataError("heights", …) without 3 × 3 points that are there. Without a summit all is zero.
+  /// Throws DataError("heights", …) without 3 × 3 points that are there. Without a summit only density and count, 0, are numbers.
   CountedSummits summits(const Grid& grid) const;
 
  private:
   RowSums<4> sums_{};
 };
 
-CountedSummits counted_summits(const Field& z, const Grid& grid, int threads = 1);
-
-/// (2)–(4).
+/// (2)–(4); without second derivatives only the density, 0, is a number.
 Summits expected_summits(const ProfileSpectralMoments& moments);
 
 }  // namespace asperity

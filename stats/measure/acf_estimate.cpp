@@ -10,63 +10,40 @@
 namespace asperity {
 namespace {
 
-// What is measured at one level, of the estimate, which has errors, or of the target.
-class LevelLengths {
- public:
-  LevelLengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level, const LagField* target)
-      : out_(out),
-        estimate_(estimate),
-        level_(level),
-        target_(target),
-        rho_(target ? *target : estimate.rho) {}
-
-  void add(const std::optional<double>& direction) {
-    const auto x = add_length("x", 0), y = add_length("y", std::numbers::pi / 2);
-    if (direction) add_length("direction", *direction);
-    if (x && y) add_ratio(*x, *y);
-    add_ellipse();
-  }
-
- private:
-  struct Length {
-    double length, error;
-  };
-
-  const Grid& grid() const { return estimate_.basis.pairs.grid(); }
-  std::string prefix() const { return target_ ? "target_" : ""; }
-
-  std::optional<Length> add_length(const std::string& name, double angle) {
-    const auto crossing = first_crossing(rho_, grid(), angle, level_.value);
+// The lengths at one level of a target, or of the estimate itself, which alone has errors.
+void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level,
+                 const std::optional<double>& direction, const LagField* target) {
+  const LagField& rho = target ? *target : estimate.rho;
+  const Grid& grid = estimate.basis.pairs.grid();
+  const std::string prefix = target ? "target_" : "";
+  auto along = [&](const std::string& name, double angle) -> std::optional<Estimate> {
+    const auto crossing = first_crossing(rho, grid, angle, level.value);
     if (!crossing) return std::nullopt;
     Estimate length{crossing->lag};
-    if (!target_) {
-      length.standard_error = estimate_.length_error(angle, crossing->lag, crossing->slope);
-      length.interval = estimate_.lengths.along(angle, level_.value);
+    if (!target) {
+      length.standard_error = estimate.length_error(angle, crossing->lag, crossing->slope);
+      length.interval = estimate.lengths.along(angle, level.value);
     }
-    out_.add(prefix() + "length_" + level_.tag + "_" + name, "m", "where the ACF has fallen to {}", length,
-             {.meaning = level_.text});
-    return Length{length.value, estimate_.size.tells_errors() ? length.standard_error : unknown};
+    out.add(prefix + "length_" + level.tag + "_" + name, "m", "where the ACF has fallen to {}", length,
+            {.meaning = level.text});
+    return length;
+  };
+  const auto x = along("x", 0), y = along("y", std::numbers::pi / 2);
+  if (direction) along("direction", *direction);
+  if (x && y) {
+    const double ratio = x->value / y->value,
+                 relative = std::hypot(x->standard_error / x->value, y->standard_error / y->value),
+                 error = estimate.size.tells_errors() ? relative : unknown;
+    out.add(prefix + "gamma_" + level.tag, "1", "ellipticity, length in x over length in y",
+            {ratio, ratio * error, Interval::of_ratio(ratio, half_width_95 * error)});
   }
-  void add_ratio(const Length& x, const Length& y) {
-    const double ratio = x.length / y.length, relative = std::hypot(x.error / x.length, y.error / y.length);
-    out_.add(prefix() + "gamma_" + level_.tag, "1", "ellipticity, length in x over length in y",
-             {ratio, ratio * relative, Interval::of_ratio(ratio, half_width_95 * relative)});
+  if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {
+    const std::string name = prefix + "ellipticity_" + level.tag;
+    out.add(name, "1", "long over short axis of the contour at {}", {ellipse->gamma()},
+            {.meaning = level.text});
+    out.add(name + "_direction", "rad", "of the long axis, from +x towards +y", {ellipse->major.angle});
   }
-  void add_ellipse() {
-    const auto ellipse = central_lobe(rho_, grid(), level_.value).ellipse;
-    if (!ellipse) return;
-    const std::string name = prefix() + "ellipticity_" + level_.tag;
-    out_.add(name, "1", "long over short axis of the contour at {}", {ellipse->gamma()},
-             {.meaning = level_.text});
-    out_.add(name + "_direction", "rad", "of the long axis, from +x towards +y", {ellipse->major.angle});
-  }
-
-  ParameterList& out_;
-  const AcfEstimate& estimate_;
-  const AcfLevel& level_;
-  const LagField* target_;
-  const LagField& rho_;
-};
+}
 
 }  // namespace
 
@@ -82,8 +59,7 @@ AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool 
 AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& parameters) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, parameters.threads);
   const LagField acf = estimate_autocorrelation(surface.heights, pairs, parameters);
-  const bool known = surface.correlation.has_value();
-  return {acf, {known ? *surface.correlation : acf, !known, pairs}, parameters.biased};
+  return {acf, {surface.correlation.value_or(acf), !surface.correlation, pairs}, parameters.biased};
 }
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
@@ -101,8 +77,8 @@ Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>&
                        const std::optional<double>& direction, const std::optional<LagField>& target) {
   ParameterList out("1");
   for (const AcfLevel& level : levels) {
-    LevelLengths(out, estimate, level, nullptr).add(direction);
-    if (target) LevelLengths(out, estimate, level, &*target).add(direction);
+    add_lengths(out, estimate, level, direction, nullptr);
+    if (target) add_lengths(out, estimate, level, direction, &*target);
   }
   return std::move(out).told(estimate.size);
 }

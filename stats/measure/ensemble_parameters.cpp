@@ -6,47 +6,36 @@
 namespace asperity {
 namespace {
 
-bool is_direction(const std::string& unit) { return unit == "rad"; }
-
-// A direction by the wave that has it, of two periods a turn.
-Eigen::ArrayXd summed(const Parameter& parameter) {
-  if (!is_direction(parameter.unit)) return Eigen::ArrayXd::Constant(1, parameter.value);
-  return Eigen::Array2d(std::cos(2 * parameter.value), std::sin(2 * parameter.value));
-}
-
-struct Centre {
-  double mean, spread;
-};
-
-Centre centre_of(const std::string& unit, const Ensemble& values) {
-  const Eigen::ArrayXd mean = values.mean();
-  if (!is_direction(unit)) return {mean(0), values.spread()(0)};
-  const double n = values.count()(0), length = std::min(std::hypot(mean(0), mean(1)), 1.0);
-  return {std::atan2(mean(1), mean(0)) / 2, n > 1 ? std::sqrt(-2 * std::log(length) * n / (n - 1)) / 2 : NAN};
+// A value and its square error; a direction by the wave that has it, of two periods a turn.
+Eigen::Array3d summed(const Parameter& parameter) {
+  const double value = parameter.value, square_error = parameter.standard_error * parameter.standard_error;
+  if (parameter.unit != "rad") return {square_error, value, 0};
+  return {square_error, std::cos(2 * value), std::sin(2 * value)};
 }
 
 }  // namespace
 
-EnsembleParameters::Quantity& EnsembleParameters::quantity(const Parameter& parameter) {
-  const auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
-  return known != quantities_.end() ? *known
-                                    : quantities_.emplace_back(Quantity{parameter.name, parameter.unit});
-}
-
 void EnsembleParameters::add(const Parameters& parameters) {
   ++surfaces_;
   for (const Parameter& parameter : parameters) {
-    Quantity& q = quantity(parameter);
-    q.values.add(summed(parameter));
-    q.squared_errors.add(Eigen::ArrayXd::Constant(1, parameter.standard_error * parameter.standard_error));
+    auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
+    if (known == quantities_.end()) known = quantities_.insert(known, {parameter.name, parameter.unit});
+    known->values.add(summed(parameter));
   }
 }
 
 std::vector<EnsembleParameter> EnsembleParameters::all() const {
   std::vector<EnsembleParameter> out;
-  for (const auto& [name, unit, values, squared_errors] : quantities_) {
-    const auto [mean, spread] = centre_of(unit, values);
-    out.push_back({name, unit, mean, spread, std::sqrt(squared_errors.mean()(0)), values.count()(0)});
+  for (const auto& [name, unit, values] : quantities_) {
+    const Eigen::Array3d m = values.mean();
+    const double n = values.count()(1);
+    EnsembleParameter of{name, unit, m(1), values.spread()(1), std::sqrt(m(0)), n};
+    if (unit == "rad") {
+      const double length = std::min(std::hypot(m(1), m(2)), 1.0);
+      of.mean = std::atan2(m(2), m(1)) / 2;
+      of.spread = n > 1 ? std::sqrt(-2 * std::log(length) * n / (n - 1)) / 2 : NAN;
+    }
+    out.push_back(of);
   }
   return out;
 }

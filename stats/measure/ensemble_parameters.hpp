@@ -36,10 +36,8 @@ class EnsembleParameters {
  private:
   struct Quantity {
     std::string name, unit;
-    Ensemble values = {}, squared_errors = {};
+    Ensemble values = {};
   };
-
-  Quantity& quantity(const Parameter& parameter);
 
   std::vector<Quantity> quantities_;
   int surfaces_ = 0;

@@ -65,14 +65,14 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level) {
 
 }  // namespace
 
-Parameters spatial_parameters(const Sample& sample, double acf_level) {
+Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options) {
   const Field& z = sample.surface().heights;
   const ErrorBasis& basis = sample.basis();
   if (z.size() == 0) throw DataError(sample.surface().variable, "spatial parameters need the whole field");
   const AcfParameters half{.max_lag = default_max_lag(sample.grid()), .threads = sample.threads()};
   ParameterList out(sample.surface().units);
   add_lobe(out, {basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half), basis},
-           acf_level);
+           options.acf_level);
   const LagField psd = power_spectrum(z, sample.grid(), default_windows(sample.grid()), sample.threads());
   out.add(texture_table, texture_direction(psd, sample.grid()),
           {.why = "no value: the field has too few wave numbers in all directions"});

@@ -11,22 +11,19 @@ namespace {
 
 constexpr std::size_t bytes_a_point = 80;  // of a strip, with its transform and its lags
 constexpr std::size_t bytes_a_point_of_columns = 32;
-constexpr Index least_rows = 4;
 
 // How many rows there are to a strip, all strips but the last of the same number.
 Index rows_of_strip(const Grid& grid, std::size_t memory) {
   const std::size_t row = bytes_a_point * static_cast<std::size_t>(grid.shape.ny);
   const auto most = static_cast<Index>(memory / row);
-  if (most < least_rows)
-    throw ParameterError("memory", std::to_string(memory) + " bytes: does not hold " +
-                                       std::to_string(least_rows) + " rows of " +
-                                       std::to_string(grid.shape.ny) + " points, " +
-                                       std::to_string(row * static_cast<std::size_t>(least_rows)));
+  if (most < 4)
+    throw ParameterError("memory", std::to_string(memory) + " bytes: does not hold 4 rows of " +
+                                       std::to_string(grid.shape.ny) + " points, " + std::to_string(4 * row));
   const Index strips = (grid.shape.nx + most - 1) / most;
   return (grid.shape.nx + strips - 1) / strips;
 }
 
-// How many columns; at least one, whatever the memory.
+// At least one, whatever the memory.
 Index columns_of_strip(const Grid& grid, std::size_t memory) {
   const std::size_t column = bytes_a_point_of_columns * static_cast<std::size_t>(grid.shape.nx);
   return std::clamp<Index>(static_cast<Index>(memory / column), 1, grid.shape.ny);
@@ -39,11 +36,6 @@ StripReader::StripReader(FieldParts parts, int degree, std::size_t memory)
       degree_(degree),
       rows_(rows_of_strip(grid(), memory)),
       columns_(columns_of_strip(grid(), memory)) {
-  find_level();
-  if (degree > 0) fit_form();
-}
-
-void StripReader::find_level() {
   MeanSum sum;
   for_each_strip(0, [&](const Field& strip, Index, Index) {
     sum.add(strip);
@@ -51,11 +43,8 @@ void StripReader::find_level() {
   });
   mean_ = sum.mean();
   points_ = sum.count();
-}
-
-void StripReader::fit_form() {
-  form_.emplace(grid().shape, degree_);
-  while (!form_->done()) {
+  if (degree > 0) form_.emplace(grid().shape, degree);
+  while (form_ && !form_->done()) {
     for_each_strip(0, [&](const Field& strip, Index, Index first) { form_->add(strip, first); });
     form_->end_pass();
   }

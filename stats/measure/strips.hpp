@@ -52,8 +52,6 @@ class StripReader {
  private:
   Field strip(Index first, Index core, Index halo) const;
   Field columns(Index first, Index count) const;
-  void find_level();
-  void fit_form();
 
   FieldParts parts_;
   int degree_;

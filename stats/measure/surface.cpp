@@ -9,7 +9,6 @@
 #include "stats/filter/form.hpp"
 #include "stats/filter/gaussian_filter.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
 namespace {
@@ -20,18 +19,10 @@ std::string form_of(int degree) {
 
 double largest_of(const Field& z) { return z.abs().maxCoeff<Eigen::PropagateNumbers>(); }
 
-void filter(Surface& surface, const Preparation& preparation, int threads) {
-  auto mean_surface = [&](const char* name, double cutoff) {
-    try {
-      return gaussian_mean_surface(surface.heights, surface.grid, cutoff, threads);
-    } catch (const ParameterError& error) {
-      throw ParameterError(name, error.what());
-    }
-  };
-  const auto [degree, shorter, longer] = preparation;
-  if (!std::isnan(shorter)) surface.heights = mean_surface("lambda-s", shorter);
-  if (!std::isnan(longer)) surface.heights -= mean_surface("lambda-c", longer);
-  if (preparation.filters()) surface.correlation.reset(), surface.distribution.reset();
+Field mean_surface(const Surface& surface, const char* name, double cutoff, int threads) try {
+  return gaussian_mean_surface(surface.heights, surface.grid, cutoff, threads);
+} catch (const ParameterError& error) {
+  throw ParameterError(name, error.what());
 }
 
 }  // namespace
@@ -39,9 +30,12 @@ void filter(Surface& surface, const Preparation& preparation, int threads) {
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.level = mean(surface.heights);
   const double size = largest_of(surface.heights);
-  surface.heights = remove_form(surface.heights, preparation.degree);
-  filter(surface, preparation, threads);
-  refuse_round_off(largest_of(surface.heights), size, preparation.degree, surface.variable);
+  const auto [degree, shorter, longer] = preparation;
+  surface.heights = remove_form(surface.heights, degree);
+  if (!std::isnan(shorter)) surface.heights = mean_surface(surface, "lambda-s", shorter, threads);
+  if (!std::isnan(longer)) surface.heights -= mean_surface(surface, "lambda-c", longer, threads);
+  if (preparation.filters()) surface.correlation.reset(), surface.distribution.reset();
+  refuse_round_off(largest_of(surface.heights), size, degree, surface.variable);
   return surface;
 }
 
@@ -51,23 +45,6 @@ void refuse_round_off(double largest, double size, int degree, const std::string
   if (largest <= round_off * size)
     throw DataError(variable, "zero to round-off above its form (" + form_of(degree) + "): no more than " +
                                   shortest(largest) + " is left of values up to " + shortest(size));
-}
-
-EffectiveSampleSize ErrorBasis::size_of(const LagField& rho) const {
-  return estimated ? EffectiveSampleSize::of_estimate(rho, pairs) : EffectiveSampleSize(rho, pairs);
-}
-
-EffectiveSampleSize ErrorBasis::size_below(const CorrelationMap& map) const {
-  return size_of(underlying_correlation(correlation, map));
-}
-
-LagField ErrorBasis::known_lags() const {
-  return estimated ? significant_lags(correlation, pairs) : correlation;
-}
-
-DerivativeErrors ErrorBasis::derivative_errors(const DifferencePairs& differences) const {
-  return estimated ? derivative_errors_of_estimate(correlation, differences)
-                   : asperity::derivative_errors(correlation, differences);
 }
 
 ErrorBasis error_basis(const Surface& surface, int threads) {

@@ -12,9 +12,7 @@
 #include <string>
 
 #include "core/field.hpp"
-#include "marginal/correlation_map.hpp"
 #include "marginal/translation.hpp"
-#include "stats/hybrid/derivative_error.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -52,18 +50,16 @@ struct ErrorBasis {
   bool estimated;
   Pairs pairs;
 
-  EffectiveSampleSize size() const { return size_of(correlation); }
-  /// Of the Gaussian field below heights of this map.
-  EffectiveSampleSize size_below(const CorrelationMap& map) const;
+  EffectiveSampleSize size() const { return size(correlation); }
+  /// Of a field of another correlation, no better known.
+  EffectiveSampleSize size(const LagField& rho) const {
+    return estimated ? EffectiveSampleSize::of_estimate(rho, pairs) : EffectiveSampleSize(rho, pairs);
+  }
   /// Zero where it is not known.
-  LagField known_lags() const;
+  LagField known_lags() const { return estimated ? significant_lags(correlation, pairs) : correlation; }
   std::optional<LagField> known() const {
     return estimated ? std::nullopt : std::optional<LagField>(correlation);
   }
-  DerivativeErrors derivative_errors(const DifferencePairs& differences) const;
-
- private:
-  EffectiveSampleSize size_of(const LagField& rho) const;
 };
 
 /// The known correlation, else the estimate up to half the field.

@@ -47,8 +47,8 @@ TEST_CASE("heights spread evenly over a range H have Sk = H, no hills, no dales,
     CHECK(core.smr1 <= 75 * bound);
     CHECK(core.smr2 >= 1 - 75 * bound);
     for (double p : {0.1, 0.37, 0.8}) {
-      CHECK(std::abs(curve.material_volume(p) - H * p * p / 2) <= H * bound);
-      CHECK(std::abs(curve.void_volume(p) - H * (1 - p) * (1 - p) / 2) <= H * bound);
+      CHECK(std::abs(curve.volumes(p, p).vmp - H * p * p / 2) <= H * bound);
+      CHECK(std::abs(curve.volumes(p, p).vvv - H * (1 - p) * (1 - p) / 2) <= H * bound);
     }
   }
 }
@@ -116,7 +116,7 @@ TEST_CASE("the material above a height less the void below it is the mean height
   const MaterialRatioCurve curve(z);
   const double mean = (z.sum() - 0.5 * (z.maxCoeff() + z.minCoeff())) / 899;
   for (double p : {0.0, 0.01, 0.1, 0.512345, 0.8, 1.0})
-    CHECK(std::abs(curve.material_volume(p) - curve.void_volume(p) - (mean - curve.height(p))) <=
+    CHECK(std::abs(curve.volumes(p, p).vmp - curve.volumes(p, p).vvv - (mean - curve.height(p))) <=
           900 * epsilon);
 }
 

@@ -6,10 +6,9 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "fields.hpp"
-#include "stats/hybrid/slopes.hpp"
-#include "stats/hybrid/spectral_moments.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -8,14 +8,12 @@
 #include "stats/filter/missing.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/height/order.hpp"
-#include "stats/hybrid/slopes.hpp"
-#include "stats/hybrid/spectral_moments.hpp"
-#include "stats/hybrid/summits.hpp"
 #include "stats/hypothesis/gaussianity.hpp"
 #include "stats/profile/profile.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/strip_acf.hpp"
 #include "stats/uncertainty/effective_size.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -1,7 +1,6 @@
 #include "tools/measure/field_options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -19,36 +18,29 @@ std::string metres(double length) { return format_quantity(length, "m"); }
 
 int form_degree(const std::string& level) {
   if (level == "mean" || level == "plane") return level == "plane";
-  int degree = -1;
-  const auto [end, error] = std::from_chars(level.data(), level.data() + level.size(), degree);
-  if (error != std::errc() || end != level.data() + level.size())
-    throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
-  return degree;
+  if (const auto degree = to_number<int>(level)) return *degree;
+  throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
 }
 
-// λs < λc, and both within the longer side of the field, beyond which a filter separates nothing.
-void check_cutoffs(const Preparation& asked, const Grid& grid) {
+// λs < λc, both within the longer side of the field, beyond which a filter separates nothing; warns of a shorter side of more
+// than one point.
+void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid) {
   if (asked.short_cutoff >= asked.long_cutoff)
     throw UsageError("lambda-s", metres(asked.short_cutoff) + " is not below --lambda-c, " +
                                      metres(asked.long_cutoff) + ": no wave passes between them");
+  auto longer = [](double cutoff, double side) { return cutoff > side * (1 + 1e-12); };
   const double side = std::max(grid.size_x(), grid.size_y());
   for (const auto& [option, cutoff] :
        {std::pair{"lambda-s", asked.short_cutoff}, {"lambda-c", asked.long_cutoff}})
-    if (cutoff > side * (1 + 1e-12))
+    if (longer(cutoff, side))
       throw UsageError(option, metres(cutoff) + " is longer than the field, " + metres(side) +
                                    ": it has no such waves to separate; leave the filter out");
-}
-
-// A side of more than one point that is shorter than the cut-off.
-void warn_of_short_sides(const Tool& tool, const Preparation& asked, const Grid& grid) {
   const double cutoff = std::isnan(asked.long_cutoff) ? asked.short_cutoff : asked.long_cutoff;
-  auto warn = [&](const char* axis, double side, Index points) {
-    if (points > 1 && cutoff > side * (1 + 1e-12))
+  for (const auto& [axis, size, points] :
+       {std::tuple{"x", grid.size_x(), grid.shape.nx}, {"y", grid.size_y(), grid.shape.ny}})
+    if (points > 1 && longer(cutoff, size))
       tool.warn("the cut-off, " + metres(cutoff) + ", is longer than the field in " + axis + ", " +
-                metres(side) + ": in that direction no more than the mean is taken off");
-  };
-  warn("x", grid.size_x(), grid.shape.nx);
-  warn("y", grid.size_y(), grid.shape.ny);
+                metres(size) + ": in that direction no more than the mean is taken off");
 }
 
 }  // namespace
@@ -97,10 +89,8 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
 Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   Surface surface = without_heights(data);
   surface.heights = field_of(data, variable, Missing::not_a_number);
-  const Preparation asked = preparation();
-  check_cutoffs(asked, surface.grid);
-  warn_of_short_sides(tool, asked, surface.grid);
-  return prepared(std::move(surface), asked, tool.thread_count());
+  check_cutoffs(tool, preparation(), surface.grid);
+  return prepared(std::move(surface), preparation(), tool.thread_count());
 }
 
 std::optional<LagField> carried_correlation(const Dataset& data, const std::string& name, const Grid& grid) {

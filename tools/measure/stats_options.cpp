@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <utility>
-#include <vector>
 
 #include "core/words.hpp"
 #include "tools/cli/quantity.hpp"
@@ -13,31 +10,26 @@
 namespace asperity::cli {
 namespace {
 
-constexpr std::array<std::pair<const char*, Group>, 5> group_names{{{"height", Group::height},
-                                                                    {"gaussianity", Group::gaussianity},
-                                                                    {"material", Group::material},
-                                                                    {"hybrid", Group::hybrid},
-                                                                    {"spatial", Group::spatial}}};
+constexpr std::pair<const char*, Group> group_names[] = {{"height", Group::height},
+                                                         {"gaussianity", Group::gaussianity},
+                                                         {"material", Group::material},
+                                                         {"hybrid", Group::hybrid},
+                                                         {"spatial", Group::spatial}};
 
-std::vector<double> shares(const std::string& option, const std::string& list) {
+std::vector<double> shares(const std::string& list) {
   std::vector<double> out;
   for (const std::string& word : split(list, ',')) {
-    double value = -1;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !(value >= 0 && value <= 1))
-      throw UsageError(option, "value \"" + word + "\" is not a number from 0 to 1");
-    if (std::ranges::find(out, value) != out.end())
-      throw UsageError(option, "value \"" + word + "\" is given twice");
-    out.push_back(value);
+    const auto value = to_number<double>(word);
+    if (!value || !(*value >= 0 && *value <= 1))
+      throw UsageError("quantiles", "value \"" + word + "\" is not a number from 0 to 1");
+    if (std::ranges::find(out, *value) != out.end())
+      throw UsageError("quantiles", "value \"" + word + "\" is given twice");
+    out.push_back(*value);
   }
   return out;
 }
 
 }  // namespace
-
-std::string name_of(Group group) {
-  return std::ranges::find(group_names, group, &std::pair<const char*, Group>::second)->first;
-}
 
 void StatsOptions::declare(Tool& tool) {
   field.declare(tool);
@@ -83,7 +75,7 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   if (!profile.empty()) {
     out.groups = {Group::profiles};
   } else if (!quantiles.empty()) {
-    out.quantiles = shares("quantiles", quantiles);
+    out.quantiles = shares(quantiles);
     out.groups.insert(Group::quantiles);
   }
   return out;
@@ -109,11 +101,11 @@ void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& aske
   for (const char* areal : {"parameters", "quantiles", "material-ratio", "acf-level", "direction"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "is of the surface, and does not go together with --profile");
-  constexpr std::array<std::pair<const char*, Group>, 3> of_a_group{
-      {{"material-ratio", Group::material}, {"acf-level", Group::spatial}, {"direction", Group::hybrid}}};
-  for (const auto& [option, group] : of_a_group)
+  for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
+                                            {"acf-level", Group::spatial, "spatial"},
+                                            {"direction", Group::hybrid, "hybrid"}})
     if (tool.given(std::string("--") + option) && !asked.contains(group))
-      throw UsageError(option, "belongs to --parameters " + name_of(group) + ", which is not asked for");
+      throw UsageError(option, std::string("belongs to --parameters ") + name + ", which is not asked for");
 }
 
 }  // namespace asperity::cli

@@ -24,7 +24,4 @@ struct StatsOptions {
   void check_belonging(const Tool& tool, const std::set<Group>& asked) const;
 };
 
-/// As it stands on the command line.
-std::string name_of(Group group);
-
 }  // namespace asperity::cli
