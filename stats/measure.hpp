@@ -1,17 +1,13 @@
-/// The parameters of a surface with their standard errors and intervals: moments, material ratio, slopes, summits,
-/// autocorrelation, profiles, and tests of Gaussianity.
+/// The parameters of a surface with their standard errors and intervals.
 ///
 ///     const Dataset data = decode_netcdf(bytes);  // of surface.nc
-///     const Surface surface{.grid = grid_of(data), .heights = field_of(data, "heights", Missing::not_a_number)};
+///     const Surface surface{grid_of(data), field_of(data, "heights", Missing::not_a_number)};
 ///     for (const Parameter& p : measure(surface, {.groups = {Group::height, Group::hybrid}}))
 ///       std::cout << p.name << " = " << p.value << " +- " << p.standard_error << " " << p.unit << "\n";
 ///
-/// Only the groups that are asked for are computed. Each parameter is defined in the header of what computes it, in
-/// stats/height, spatial, spectrum, hybrid and profile; its symbol, unit and meaning stand in the tables of stats/measure.
-/// Errors allow for the correlation of neighbouring heights (stats/uncertainty); where too few heights are independent, none
-/// is told, and `why` says so. Missing points, NaN, are left out of everything.
-///
-/// A Sample (stats/measure/sample.hpp) of a surface larger than memory has all groups but the spatial one.
+/// The headers of stats/height, spatial, spectrum, hybrid and profile define the parameters. Errors allow for
+/// the correlation of the heights (stats/uncertainty); where too few are independent, none is told, and `why`
+/// says so. Missing points, NaN, are left out. A Sample in strips has all groups but the spatial one.
 #pragma once
 
 #include <array>
@@ -45,10 +41,10 @@ struct MeasureOptions {
   int threads = 1;
 };
 
-/// Of a surface as it was read. Throws ParameterError and DataError as what computes the parameters does.
+/// Of a surface as it was read, only the groups asked for.
 Parameters measure(const Surface& surface, const MeasureOptions& options = {});
-/// One group of a prepared surface. Hybrid parameters have no values, and the reason in their place, where the field is no
-/// length or too small; the other groups throw DataError.
+/// One group of a prepared surface. Hybrid parameters have no values, and the reason in their place, where
+/// the field is no length or too small; the other groups throw DataError.
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options);
 
 /// Why none of the parameters has a value; "" when one has.

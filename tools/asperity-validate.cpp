@@ -93,11 +93,6 @@ SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Datase
   return test;
 }
 
-std::string name_of(const TestResult& claim) {
-  if (claim.quantity != "ACF") return claim.quantity;
-  return "ACF(" + std::to_string(claim.lag_x) + "," + std::to_string(claim.lag_y) + ")";
-}
-
 cli::Table table_of_results(const std::vector<TestResult>& results, double significance) {
   auto verdict = [](double p, double level) { return p <= level ? "differs" : "agrees"; };
   cli::Table out{{{"quantity", ""},
@@ -110,9 +105,11 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
                   {"verdict", ""}},
                  {}};
   const double level = significance / static_cast<double>(results.size());
-  for (const TestResult& c : results)
-    out.rows.push_back({name_of(c), c.quantity == "Sq" ? "m" : "1", c.prescribed, c.mean, c.standard_error,
-                        c.z, c.p, verdict(c.p, level)});
+  for (const TestResult& c : results) {
+    const std::string lag = "(" + std::to_string(c.lag_x) + "," + std::to_string(c.lag_y) + ")";
+    out.rows.push_back({c.quantity == "ACF" ? "ACF" + lag : c.quantity, c.quantity == "Sq" ? "m" : "1",
+                        c.prescribed, c.mean, c.standard_error, c.z, c.p, verdict(c.p, level)});
+  }
   const double joint = joint_p(results);
   out.rows.push_back({"all", "1", NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
   return out;

@@ -1,22 +1,18 @@
-/// The distribution of heights: a histogram, its standard errors, and the Gaussian of the same mean and Sq.
+/// A histogram of the heights, its standard errors, and the Gaussian of the same mean and Sq.
 ///
-/// Bins of equal width from the lowest height to the highest, as many as Scott's rule asks for,
+/// Bins of equal width from the lowest to the highest height, as many as Scott's rule asks for,
 ///     width ≤ (24 √π / N)^{1/3} Sq = 3.49 Sq N^{-1/3},                                             (1)
-/// the width that is best for N Gaussian heights; N, not a smaller effective number, because correlation adds
-/// to the density's error a part that no width changes. Each bin holds lower ≤ z < upper, the last one its
-/// upper edge too.
+/// best for N Gaussian heights; N, no smaller effective number, since correlation adds an error that no width
+/// changes. Each bin holds lower ≤ z < upper, the last one its upper edge too.
 ///
-/// The count c of a bin [a,b] in units of Sq about the mean is a sum of indicators, whose Hermite
-/// coefficients are
+/// The count c of a bin [a,b], in units of Sq about the mean, sums indicators of Hermite coefficients
 ///     c_k = He_{k-1}(a) φ(a) - He_{k-1}(b) φ(b),                                                   (2)
-///     Var[c] = N Σ_{k≥1} (c_k²/k!) S_k            (stats/uncertainty/effective_size.hpp),                       (3)
-/// N f(1-f) where heights are independent, f = Φ(b) - Φ(a). Against the Gaussian that the field's own mean
-/// and rms height have been put into, the terms k = 1 and 2 drop out:
+///     Var[c] = N Σ_{k≥1} (c_k²/k!) S_k            (stats/uncertainty/effective_size.hpp),          (3)
+/// N f(1-f) where heights are independent, f = Φ(b) - Φ(a). Its own mean and Sq take k = 1 and 2 away:
 ///     Var[c - N f] = N Σ_{k≥3} (c_k²/k!) S_k.                                                      (4)
 ///
 /// Symbols   c  count      φ, Φ  the Gaussian's density and distribution      S_k  sums over the correlation
-/// Accuracy  (3), (4) to first order in 1/N, for Gaussian heights. Errors of neighbouring bins are
-///           correlated.
+/// Accuracy  (3), (4) to first order in 1/N, of Gaussian heights; neighbouring bins' errors are correlated.
 /// Cost      one pass over the data, 512 terms a bin.
 ///
 /// D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
@@ -46,8 +42,7 @@ struct Bin {
 /// (1), at least 1 and at most a million, nor more than points.
 int scott_bins(const Moments& moments, double points);
 
-/// `bins` of them, missing points left out; throws ParameterError("bins", …) below 1, DataError("heights", …) where doubles do
-/// not tell so many apart.
+/// Throws ParameterError("bins", …) below 1, DataError("heights", …) where doubles cannot tell so many apart.
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins);
 
 /// Σ w(k) S_k/N over k ≥ 1, and over k ≥ 3, of Hermite weights that add up to `total`.

@@ -1,26 +1,24 @@
-/// The density of heights by a Gaussian kernel, its standard errors, and the Gaussian of the same mean and Sq.
+/// The density of heights by a Gaussian kernel, its errors, and the Gaussian of the same mean and Sq.
 ///
 ///     f(t) = 1/(N h) Σ φ((t - z_i)/h)                                                               (1)
-/// with the bandwidth that is best for N Gaussian heights,
-///     h = (4/(3N))^{1/5} Sq = 1.06 Sq N^{-1/5},                                                      (2)
-/// N, not a smaller effective number, as for the histogram (stats/height/distribution.hpp). The kernel widens what it shows:
-/// of Gaussian heights the mean of (1) is the Gaussian of variance Sq² + h², beside which it is therefore put, in
-/// units of Sq and with s² = 1 + h²
+/// with the bandwidth that is best for N Gaussian heights (N as in stats/height/distribution.hpp),
+///     h = (4/(3N))^{1/5} Sq = 1.06 Sq N^{-1/5}.                                                     (2)
+/// The kernel widens what it shows: beside (1) stands its mean over Gaussian heights, in Sq, s² = 1 + h²,
 ///     E[f(t)] = φ(t/s)/s.                                                                           (3)
-/// The summand's Hermite coefficients are c_k = He_k(t/s) φ(t/s) s^{-k-1}, hence (stats/uncertainty/effective_size.hpp)
+/// With the Hermite coefficients c_k = He_k(t/s) φ(t/s) s^{-k-1} (stats/uncertainty/effective_size.hpp)
 ///     Var[f] = 1/N Σ_{k≥1} (c_k²/k!) S_k;                                                           (4)
-/// against (3) with the field's own mean and Sq the terms k = 1 and 2 drop out:
+/// against (3) of the field's own mean and Sq the terms k = 1 and 2 drop out:
 ///     Var[f - φ(t/s)/s] = 1/N Σ_{k≥3} (c_k²/k!) S_k.                                                (5)
 ///
-/// The sum (1) is taken over cells of half a bandwidth: with the moments M_k = Σ d^k/√k! of the heights c + h d of a
-/// cell, |d| ≤ 1/4, by the Hermite series of the Gaussian about the cell's centre c (the fast Gauss transform),
-///     Σ φ((t - z_i)/h) = Σ_k M_k He_k(u) φ(u)/√k!,   u = (t - c)/h,  k < 14.                         (6)
+/// (1) is summed over cells of half a bandwidth: with the moments M_k = Σ d^k/√k! of a cell's heights c + h
+/// d, |d| ≤ 1/4, the Hermite series of the Gaussian about its centre c (the fast Gauss transform) is
+///     Σ φ((t - z_i)/h) = Σ_k M_k He_k(u) φ(u)/√k!,   u = (t - c)/h,  k < 14.                        (6)
 ///
 /// Symbols   z  heights      h  bandwidth      φ  the Gaussian's density      S_k  sums over the correlation
-/// Accuracy  of (6) 2e-14 of the largest value, (1/4)^14/√14!, besides round-off. (4), (5) to first order in 1/N, for
-///           Gaussian heights; errors of neighbouring points are correlated.
-/// Cost      one pass of 14 multiplications a height; 40 cells of 14 terms a point of the curve, and 512 terms for
-///           its errors. Memory 28 Sz/h numbers.
+/// Accuracy  (6) to 2e-14 of the largest value, (1/4)^14/√14!, besides round-off. (4), (5) to first order in
+///           1/N, for Gaussian heights; errors of neighbouring points are correlated.
+/// Cost      one pass of 14 multiplications a height; 40 cells of 14 terms a point of the curve, and 512
+///           terms for its errors. Memory 28 Sz/h numbers.
 ///
 /// B. W. Silverman, Density Estimation for Statistics and Data Analysis, Chapman and Hall 1986, eq. 3.28;
 /// L. Greengard, J. Strain, The fast Gauss transform, SIAM J. Sci. Stat. Comput. 12 (1991) 79-94.
@@ -48,9 +46,8 @@ constexpr double least_bandwidth = 1e-5;  ///< of the range of heights
 /// (2), in the unit of the field.
 double silverman_bandwidth(const Moments& moments, double points);
 
-/// At `points` equidistant heights, three bandwidths beyond the lowest and the highest; missing heights are left out.
-/// Throws ParameterError("points", …) below 2, ParameterError("bandwidth", …) unless it is positive, finite and
-/// not less than the least.
+/// At `points` equidistant heights, from three bandwidths below the lowest to three above the highest. Throws
+/// ParameterError("points", …) below 2, ("bandwidth", …) unless it is finite and not less than the least.
 std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
                                          const EffectiveSampleSize& size, double bandwidth, int points);
 

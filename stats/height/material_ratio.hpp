@@ -1,42 +1,41 @@
 /// The areal material ratio curve (Abbott and Firestone's bearing curve) and what is read off it.
 ///
-/// c(p), the inverse material ratio, is the height above which the share p of the surface lies: the (1-p) quantile,
-/// with the k-th highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, and straight lines
-/// between,
+/// c(p), the inverse material ratio, is the height above which the share p of the surface lies: the k-th
+/// highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, and straight lines between,
 ///     c(0) = Sp,   c(1) = -Sv,   Smc(p) = c(p),   Smr = c⁻¹.                                          (1)
-/// The core is the first stretch [p₀, p₀ + 0.4] over which c falls least; the straight line that fits it best
-/// in least squares, drawn out to p = 0 and p = 1, meets them at the heights u and v,
+/// The core is the first stretch [p₀, p₀ + 0.4] over which c falls least; its line of least squares, drawn
+/// out to p = 0 and p = 1, meets them at the heights u and v,
 ///     Sk = u - v,   Smr1 = Smr(u),   Smr2 = Smr(v).                                                    (2)
-/// The hills above u and the dales below v are replaced by triangles of the same area on the same base,
+/// Triangles of the same area on the same base replace the hills above u and the dales below v,
 ///     Spk = 2/Smr1 ∫₀^{Smr1} (c - u) dp,   Svk = 2/(1-Smr2) ∫_{Smr2}¹ (v - c) dp,                       (3)
 /// zero where the base is. Volumes per area, of material above a height and of void below it,
 ///     Vm(p) = ∫₀ᵖ [c(t) - c(p)] dt,   Vv(p) = ∫ₚ¹ [c(p) - c(t)] dt,                                     (4)
 ///     Vmp = Vm(p),  Vmc = Vm(q) - Vm(p),  Vvc = Vv(p) - Vv(q),  Vvv = Vv(q),  p = 10 %, q = 80 %.
 ///
-/// The standard error of a Gaussian field's c(p) about the field's own mean follows from the sums S_k of its
-/// correlation (stats/uncertainty/effective_size.hpp). By Bahadur, c(p) strays as the share of heights below it does, an
-/// indicator whose Hermite coefficients are He_{k-1}(a) φ(a); the mean takes the first of them away,
+/// By Bahadur a Gaussian field's c(p) strays as the share of heights below it does, an indicator of the
+/// Hermite coefficients He_{k-1}(a) φ(a), of which the field's own mean takes the first away; with the sums
+/// S_k of the correlation (stats/uncertainty/effective_size.hpp)
 ///     Var[c(p)] = σ²/N Σ_{k≥2} He_{k-1}(a)²/k! S_k,   a = Φ⁻¹(1-p),                                     (5)
 /// σ² [p(1-p)/φ(a)² - 1]/N where heights are independent.
 ///
-/// Q–Q plot  At the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which that share lies stands beside
-/// x_i = Φ⁻¹(s_i). Gaussian heights lie on the line z̄ + Sq x but for chance; from it, which the field's own mean and Sq have
-/// been put into, c strays by (5) without the term k = 2. Errors of neighbouring quantiles are correlated.
+/// Q–Q plot: at the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which it lies stands beside
+/// x_i = Φ⁻¹(s_i). Gaussian heights stray from the line z̄ + Sq x of their own mean and Sq by (5)
+/// without the term k = 2. Errors of neighbouring quantiles are correlated.
 ///
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
 ///           Vm, Vv  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
-/// Accuracy  Exact for the piecewise straight curve (1) to round-off; for the smooth curve of a population,
-///           bias O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) c(p) strays by less than the
-///           width w of a cell, 2e-6 to 2e-5 Sq, in fact by w/√(4n) for n heights a run, and volumes by less than
-///           that; of two stretches that fall equally but for w the other may be the core.
-/// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and a few
-///           binary searches a run for (2).
+/// Accuracy  Exact for the piecewise straight curve (1) to round-off; of a population's smooth curve the bias
+///           is O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) c(p) strays by less than
+///           a cell's width w, 2e-6 to 2e-5 Sq, in fact w/√(4n) for n heights a run, and volumes by less; of
+///           two stretches that fall equally but for w the other may be the core.
+/// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and
+///           a few binary searches a run for (2).
 ///
 /// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes.
 /// E. J. Abbott, F. A. Firestone, Mechanical Engineering 55 (1933) 569-572.
 /// R. R. Bahadur, A note on quantiles in large samples, Ann. Math. Statist. 37 (1966) 577-580.
-/// M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the analysis of data, Biometrika 55 (1968) 1-17;
-/// A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
+/// M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the analysis of data, Biometrika 55 (1968)
+/// 1-17; A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
 #pragma once
 
 #include <vector>
@@ -94,8 +93,7 @@ class MaterialRatioCurve {
 /// What of the field's own the heights are measured by.
 enum class Fitted { mean, mean_and_sq };
 
-/// √(5) for 0 < p < 1, infinite at the ends; of c(p) - z̄ - Sq Φ⁻¹(1-p), in which Sq takes the second coefficient away
-/// too, if both are fitted.
+/// √(5), infinite at p = 0 and 1; without the term k = 2 that of c(p) - z̄ - Sq Φ⁻¹(1-p), if both are fitted.
 double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,
                              Fitted fitted = Fitted::mean);
 

@@ -1,19 +1,17 @@
 /// The order of the heights of a field that comes in strips, in memory that does not grow with the field.
 ///
-/// Bins    of n heights that follow one another in the order of all of them, known by the lowest and the highest; those
-///         between are taken to be spread evenly. They are filled in one pass, and have equal widths in
+/// Bins    of heights that follow one another, known by the lowest and the highest, those between taken to be
+///         spread evenly; filled in one pass, of equal widths in
 ///             t = x/(1 + |x|),   x = (z - z̄)/Sa,   -1 < t < 1,                                        (1)
-///         fine where heights are dense, coarse where they are few, without end on either side; Sa, unlike Sq, hardly
-///         grows with a spike.
-/// Ranks   The k-th smallest of N heights is found by passes that count, among the 64-bit keys that are ordered as the
-///         heights are, the next 16 bits of those that begin as the rank's key is known to.
+///         fine where heights are dense, coarse where they are few; Sa, unlike Sq, hardly grows with a spike.
+/// Ranks   Passes find the k-th smallest height: each counts, among the 64-bit keys ordered as the heights
+///         are, the next 16 bits of those that begin as the rank's key does.
 ///
 /// Symbols   z  heights [m]      z̄, Sa, Sq  the field's mean, arithmetic mean and rms height [m]
-/// Accuracy  The ends of a bin are heights of the field, and their ranks are exact; so is a bin of one or two. The
-///           height of any other rank is within w of what is taken for it, the width of its bin,
+/// Accuracy  The ends of a bin are exact heights and ranks. Another rank's height is within its bin's width
 ///               w = (2/bins) (1 + |x|)² Sa,                                                             (2)
-///           of a Gaussian field 1.5e-6 Sq at the mean and 2e-5 Sq at 2 Sq. Of n heights that chance has spread it errs
-///           by w/√(4n). RankSelection is exact. Missing heights are left out.
+///           of a Gaussian field 1.5e-6 Sq at the mean and 2e-5 Sq at 2 Sq; of n heights spread by chance it
+///           errs by w/√(4n). RankSelection is exact. Missing heights are left out.
 /// Cost      of bins one pass, a division or two a point, and 25 MB; of ranks four passes and 512 kB a rank.
 #pragma once
 

@@ -85,11 +85,10 @@ Field differences(const Field& z, const Grid& grid, bool x) {
 }  // namespace
 
 DifferencePairs::DifferencePairs(const Pairs& of_heights, const Field& z, int threads)
-    : DifferencePairs(of_heights.grid()) {
+    : DifferencePairs(of_heights) {
   if (of_heights.complete()) return;
   const Grid& grid = of_heights.grid();
   const Field along_x = differences(z, grid, true), along_y = differences(z, grid, false);
-  heights = of_heights;
   dx = Pairs::of(along_x, grid, threads);
   dy = Pairs::of(along_y, grid, threads);
   dxx = Pairs::of(differences(along_x, grid, true), grid, threads);

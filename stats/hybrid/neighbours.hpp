@@ -1,10 +1,8 @@
 /// Means over neighbouring points of a field, row by row.
 ///
-/// On a periodic grid every point has all neighbours: a row continues with its first points, the last row
-/// with the first one. Otherwise only points that have them are visited. Sums are taken a row at a time and
-/// the rows' sums added up in order: a result depends neither on the number of threads, nor on the strips in which a
-/// field too large for memory comes. What a missing height enters, a side, a cell, a stencil, is NaN and is left
-/// out, of the mean's divisor too (stats/filter/missing.hpp).
+/// On a periodic grid every point has all neighbours; otherwise only points that have them are visited. Sums
+/// are taken a row at a time and added up in order: results depend neither on the number of threads nor on
+/// strips. A side, cell or stencil with a missing height is NaN and left out, of the mean's divisor too.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +18,8 @@ namespace asperity {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-/// Whole rows of a field: `core` of them, and behind them a halo, for their neighbours, of the next ones. On a periodic grid
-/// the first rows are next to the last one; a strip of all rows needs no halo.
+/// Whole rows of a field: `core` of them, and behind them a halo, for their neighbours, of the next ones. On
+/// a periodic grid the first rows are next to the last one; a strip of all rows needs no halo.
 struct Strip {
   const Field& z;
   Grid grid;  ///< of the whole field

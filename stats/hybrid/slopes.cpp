@@ -1,7 +1,5 @@
 #include "stats/hybrid/slopes.hpp"
 
-#include <cmath>
-
 #include "core/error.hpp"
 
 namespace asperity {
@@ -13,7 +11,7 @@ ValidSum excess(const SquaredSlopes& g2) {
   return sum_of_valid(g2 / (1 + (1 + g2).sqrt()));
 }
 
-// The four triangles of each cell between two rows, (2) without the mean. Each of them sees all corners of its cell.
+// (2) of the cells between two rows, without the mean. Each triangle sees all corners of its cell.
 ValidSum excess_of_triangles(const Row& upper, const Row& lower, const Grid& grid) {
   const Index cells = upper.size() - 1;
   const Row a = (lower - upper) / grid.dx;

@@ -10,10 +10,9 @@
 /// (Longuet-Higgins), and the bandwidth parameter α = m0 m4/m2² (Nayak), ≥ 1 of a profile; 3/2 is the least
 /// of an isotropic surface, 3 that of a Gaussian autocorrelation.
 ///
-/// The derivatives are the simplest differences: along an axis z(i+1) - z(i) and z(i+1) - 2z(i) + z(i-1),
-/// over all points that have these neighbours; zx zy of a cell from the means of its sides' slopes, zxy from
-/// the four diagonal neighbours. On a periodic grid every point has neighbours; where one is missing, the difference
-/// does not count.
+/// The derivatives are the simplest differences: z(i+1) - z(i) and z(i+1) - 2z(i) + z(i-1) along an axis; zx
+/// zy of a cell from the means of its sides' slopes, zxy from the four diagonal neighbours; over all points
+/// that have these neighbours, on a periodic grid every one.
 ///
 /// Symbols   m_kl [m^{2-k-l}]      θ  angle from +x towards +y [rad]
 /// Accuracy  With u = qx Δx/2, v = qy Δy/2 and S(t) = sin(t)/t, a wave (qx,qy) is counted in m20 with the

@@ -1,11 +1,11 @@
 /// Summits: counted on the grid, and expected of a Gaussian surface of the same spectral moments.
 ///
-/// Counted  A summit is a point higher than each of its eight neighbours; points at the edge of a field that is not
-///          periodic, or beside a missing point, are none, nor do they count as area. Its curvature is that of the
-///          parabolas through it along x and y,
-///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²],              (1)
-///          and Greenwood and Williamson's model takes from them the density η, the radius R = 1/mean κ, and
-///          the standard deviation σ_s of their heights.
+/// Counted  A summit is higher than each of its eight neighbours; points at the edge of a field that is not
+///          periodic, or beside a missing point, are none, nor do they count as area. Its curvature is that
+///          of the parabolas through it along x and y,
+///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²];              (1)
+///          Greenwood and Williamson's model takes the density η, the radius R = 1/mean κ, and the standard
+///          deviation σ_s of the heights.
 /// Expected Of an isotropic Gaussian surface with the spectral moments m0, m2, m4 of a profile
 ///          (stats/hybrid/spectral_moments.hpp) and α = m0 m4/m2² (Nayak):
 ///              η = m4/(6π√3 m2)                                                                       (2)
@@ -16,10 +16,9 @@
 ///           1 + 16/π - 3√3 = 0.8968
 /// Accuracy  Order 2 in the spacing: of a surface of the correlation exp(-r²/l²) the count is low by 0.8
 ///           (h/l)² and the mean curvature by (h/l)². (2) with finite differences: by 7/6 (h/l)², the
-///           curvature by 5/6 (h/l)². Of independent heights, which have no derivatives, the ninth part are
-///           summits, whatever (2) says (Greenwood 1984): where counted and expected differ, the surface is
-///           rough at the scale of the spacing, or not Gaussian. Points of equal height, as in coarsely
-///           quantised data, are no summits.
+///           curvature by 5/6 (h/l)². Of independent heights the ninth part are summits, whatever (2) says
+///           (Greenwood 1984): where counted and expected differ, the surface is rough at the scale of the
+///           spacing, or not Gaussian. Points of equal height, as in coarsely quantised data, are no summits.
 /// Cost      one pass.
 ///
 /// J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300-319.
@@ -50,7 +49,8 @@ class SummitSums {
  public:
   /// `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
-  /// Throws DataError("heights", …) without 3 × 3 points that are there. Without a summit only density and count, 0, are numbers.
+  /// Throws DataError("heights", …) without 3 × 3 points that are there. Without a summit only density and
+  /// count, 0, are numbers.
   CountedSummits summits(const Grid& grid) const;
 
  private:

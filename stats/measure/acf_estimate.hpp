@@ -38,8 +38,8 @@ struct AcfLevel {
   std::string tag, text;
 };
 
-/// Lengths along x and y, and in a direction [rad], their ratio, and the ellipse of the contour at each level; of a target
-/// too, named target_…, without errors. What the lags do not reach is left out.
+/// Lengths along x and y, and in a direction [rad], their ratio, and the ellipse of the contour at each
+/// level; of a target too, named target_…, without errors. What the lags do not reach is left out.
 Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>& levels,
                        const std::optional<double>& direction, const std::optional<LagField>& target);
 

@@ -1,11 +1,10 @@
-/// The parameters of an ensemble: mean, spread and standard error over its surfaces.
+/// The parameters of an ensemble: mean, spread and standard error over the surfaces that have them.
 ///
-/// A parameter that some surface lacks counts the surfaces that have it. Beside the spread stands the one that the
-/// surfaces' own standard errors lead to expect, their root mean square: where the two differ by more than the
-/// spread's own error, 1/√(2(n-1)) of it, the surfaces are not alike, or not the Gaussian ones that errors assume.
+/// The expected spread is the rms of the surfaces' own standard errors: where the spread differs from it by
+/// more than its own error, 1/√(2(n-1)) of it, the surfaces are not alike, or not Gaussian as errors assume.
 ///
-/// Directions [rad] are those of axes, the same after half a turn: with C the mean of exp(2iθ) their mean is ½ arg C, their
-/// spread ½ √(-2 ln |C|), here with n - 1 in place of n as of other parameters.
+/// Directions [rad] are those of axes, the same after half a turn: with C the mean of exp(2iθ) their mean is
+/// ½ arg C, their spread ½ √(-2 ln |C|), with n - 1 in place of n as of other parameters.
 ///
 /// K. V. Mardia, P. E. Jupp, Directional Statistics (Wiley 2000), 2.3.
 #pragma once

@@ -1,7 +1,5 @@
-/// The groups of parameters, and how they are tabulated: a row has the symbol, the unit, the meaning, and how the value and
-/// its error follow from what the group has computed.
-///
-/// Rows that several subjects share, such as the profiles in some directions, have `{}` where the subject's name stands.
+/// The groups of parameters, each a table of symbol, unit, meaning, and the value with its error as a
+/// function of what the group computes. `{}` stands for the name of one of several subjects that share rows.
 #pragma once
 
 #include <limits>
@@ -37,7 +35,7 @@ Estimate value_of(const Of& of) {
   return {of.*member};
 }
 
-/// What stands for {} in symbols and in meanings; why a value may be missing, and why the error of one that is there.
+/// What stands for {} in symbols and meanings; why a value may be missing, and why an error.
 struct Words {
   std::string symbol = {}, meaning = {}, why = {}, why_no_error = {};
 };

@@ -1,7 +1,7 @@
 /// A surface that is measured, whole in memory or in strips, and what the groups of parameters need of it.
 ///
-/// A whole surface is a single strip, but for what strips only know in part: the correlation, which rests on the pairs of
-/// points that lie in one strip (stats/spatial/strip_acf.hpp), and the order of the heights (stats/height/order.hpp).
+/// A whole surface is a single strip. Strips know in part: the correlation, from the pairs of points within
+/// one strip (stats/spatial/strip_acf.hpp), and the order of the heights (stats/height/order.hpp).
 #pragma once
 
 #include <array>
@@ -39,8 +39,7 @@ struct SurfaceSums {
 
 class Sample {
  public:
-  /// Of a prepared surface; `derivatives` are slopes, spectral moments and summits. Throws DataError where no roughness is
-  /// left.
+  /// Of a prepared surface; `derivatives` are slopes, spectral moments and summits.
   explicit Sample(Surface surface, bool derivatives = true, int threads = 1);
   /// In strips; `surface` holds all but the heights and their level.
   Sample(const StripReader& reader, Surface surface, bool derivatives = true, int threads = 1);

@@ -1,6 +1,5 @@
 #include "stats/measure/strips.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 

@@ -1,7 +1,7 @@
 /// A field that stays in a file, read in strips of whole rows, as many as memory holds.
 ///
-/// It is read once for the mean, two or three times for a form, once for the moments, derivatives and the correlation, once
-/// for the order of the heights, once for profiles (along x in strips of columns), and four times for quantiles.
+/// Passes: one for the mean, two or three for a form, one for moments, derivatives and the correlation, one
+/// for the order of the heights, one for profiles (along x in strips of columns), four for quantiles.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,7 @@ class StripReader {
   double points() const { return points_; }    ///< that are there
   double largest() const { return largest_; }  ///< the size of the largest value, form and all
 
-  /// visit(strip, core, first): `core` rows from the field's row `first` on, and behind them a halo of `halo` rows, as a Strip
-  /// has them.
+  /// visit(strip, core, first): `core` rows from the field's row `first` on, then `halo` more, as in a Strip.
   template <class Visit>
   void for_each_strip(Index halo, Visit visit) const {
     for (Index first = 0; first < grid().shape.nx; first += rows_) {

@@ -1,9 +1,5 @@
 #include "stats/measure/surface.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/filter/form.hpp"

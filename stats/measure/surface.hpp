@@ -1,9 +1,8 @@
 /// A field as it is measured: without its form, filtered, and with what its errors rest on.
 ///
-/// Heights are measured from the form that is taken away, the F-operation of ISO 25178-2 (stats/filter/form.hpp); the
-/// S-filter then removes waves shorter than λs, the L-filter those longer than λc (stats/filter/gaussian_filter.hpp).
-/// Standard errors rest on the autocorrelation of the field: on the one that it was drawn with, which is better known
-/// than any estimate, or on the estimate. Filtered heights have another one than those that were drawn.
+/// Heights are measured from the form, the F-operation of ISO 25178-2 (stats/filter/form.hpp); the S-filter
+/// removes waves shorter than λs, the L-filter those longer than λc (stats/filter/gaussian_filter.hpp).
+/// Errors rest on the autocorrelation that the field was drawn with, if known and unfiltered, or an estimate.
 #pragma once
 
 #include <cmath>
@@ -37,11 +36,11 @@ struct Surface {
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
 };
 
-/// Throws ParameterError("level"), ("lambda-s") or ("lambda-c") as the form and the filters do, and DataError(variable)
-/// where no roughness is left, refuse_round_off.
+/// Throws ParameterError("level"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
+/// DataError(variable) where no roughness is left, refuse_round_off.
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
-/// Throws DataError(variable, …) for heights up to `largest` that are what rounding left of values of some size.
+/// Throws DataError(variable, …) for heights up to `largest` that rounding left of values of some size.
 void refuse_round_off(double largest, double size, int degree, const std::string& variable);
 
 /// The correlation that errors rest on, known or estimated, and the pairs of points that the field has.

@@ -14,7 +14,7 @@ using namespace asperity::test;
 TEST_CASE("white noise has S_2 = 3/2 for slopes and 35/18 for second differences",
           "[derivative-error][exact]") {
   const Grid g = grid(50, 40, true);
-  const DerivativeErrors e = derivative_errors(triangular_correlation({1, 1}), g);
+  const DerivativeErrors e = derivative_errors(triangular_correlation({1, 1}), DifferencePairs(g));
   CHECK(relative_error(e.m20, std::sqrt(2 * 1.5 / 2000)) <= 1e-13);
   CHECK(relative_error(e.m02, std::sqrt(2 * 1.5 / 2000)) <= 1e-13);
   CHECK(relative_error(e.m40, std::sqrt(2 * 35.0 / 18 / 2000)) <= 1e-13);
@@ -27,7 +27,7 @@ TEST_CASE("errors of slopes and second derivatives are their spread over an ense
           "[derivative-error][statistics]") {
   const Shape window{3, 5};
   const Grid g{{64, 48}, 1.0, 0.5, false};
-  const DerivativeErrors e = derivative_errors(triangular_correlation(window), g);
+  const DerivativeErrors e = derivative_errors(triangular_correlation(window), DifferencePairs(g));
   Spread m20, m02, m40, m04, slope, area;
   for (unsigned seed = 0; seed < 1000; ++seed) {
     const Field z = 1e-3 * moving_average(g.shape, window, seed);
@@ -48,16 +48,16 @@ TEST_CASE("errors from the estimated ACF are on average those from the known one
           "[derivative-error][statistics]") {
   const Shape window{5, 4};
   const Grid g = grid(96, 80);
-  const DerivativeErrors known = derivative_errors(triangular_correlation(window), g);
+  const DerivativeErrors known = derivative_errors(triangular_correlation(window), DifferencePairs(g));
   Spread m20, m04, slope;
   for (unsigned seed = 0; seed < 60; ++seed) {
     const LagField acf =
         estimate_autocorrelation(moving_average(g.shape, window, seed), g, {.max_lag = default_max_lag(g)});
-    const DerivativeErrors e = derivative_errors(acf, g, true);
+    const DerivativeErrors e = derivative_errors(acf, DifferencePairs(g), true);
     m20.add(e.m20 / known.m20), m04.add(e.m04 / known.m04), slope.add(e.square_slope / known.square_slope);
   }
   CHECK(m20.mean() == Approx(1).margin(0.1));
   CHECK(m04.mean() == Approx(1).margin(0.1));
   CHECK(slope.mean() == Approx(1).margin(0.1));
-  CHECK_THROWS_AS(derivative_errors(LagField(Field::Ones(1, 1)), g, true), DataError);
+  CHECK_THROWS_AS(derivative_errors(LagField(Field::Ones(1, 1)), DifferencePairs(g), true), DataError);
 }

@@ -2,11 +2,9 @@
 
 #include <filesystem>
 #include <glob.h>
-#include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
-#include "dataset/layout.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"

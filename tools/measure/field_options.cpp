@@ -22,8 +22,7 @@ int form_degree(const std::string& level) {
   throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
 }
 
-// λs < λc, both within the longer side of the field, beyond which a filter separates nothing; warns of a shorter side of more
-// than one point.
+// λs < λc, both within the longer side of the field, beyond which a filter separates nothing.
 void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid) {
   if (asked.short_cutoff >= asked.long_cutoff)
     throw UsageError("lambda-s", metres(asked.short_cutoff) + " is not below --lambda-c, " +

@@ -1,8 +1,7 @@
 /// The field that a tool measures, and what its errors rest on, as the command line asks for it.
 ///
-/// A generated surface carries the autocorrelation that it was drawn with (acf_achieved, else acf_target), which is better
-/// known than any estimate; it holds for the heights only. Everything else is estimated from the field. Missing points
-/// (dataset/layout.hpp) are left out of everything.
+/// A generated surface carries the autocorrelation that its heights were drawn with (acf_achieved, else
+/// acf_target), better known than any estimate; everything else is estimated. Missing points are left out.
 #pragma once
 
 #include <optional>

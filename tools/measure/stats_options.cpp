@@ -1,7 +1,6 @@
 #include "tools/measure/stats_options.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "core/words.hpp"
 #include "tools/cli/quantity.hpp"

@@ -16,7 +16,7 @@ struct StatsOptions {
   std::string profile = {};  ///< x or y: profile parameters in place of the areal ones
 
   void declare(Tool& tool);
-  /// Throws UsageError for words that are unknown or repeated, and for an option of a group that is not asked for.
+  /// Throws UsageError for unknown or repeated words, and for an option of a group that is not asked for.
   MeasureOptions checked(const Tool& tool) const;
 
  private:
