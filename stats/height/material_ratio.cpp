@@ -13,7 +13,6 @@
 #include "core/parallel.hpp"
 #include "core/words.hpp"
 #include "math/hermite.hpp"
-#include "stats/filter/missing.hpp"
 
 namespace asperity {
 namespace {
@@ -23,7 +22,7 @@ constexpr double core_share = 0.4;
 // Those that are there; runs are sorted by a thread each and merged pairwise.
 std::vector<double> sorted_descending(const Field& z, int threads) {
   std::vector<double> heights(z.data(), z.data() + z.size());
-  if (has_missing(z)) std::erase_if(heights, [](double height) { return std::isnan(height); });
+  std::erase_if(heights, [](double height) { return std::isnan(height); });
   const auto n = static_cast<Index>(heights.size()),
              runs = std::clamp<Index>(threads, 1, std::max<Index>(n, 1));
   auto at = [&](Index run) { return heights.begin() + std::min(run, runs) * n / runs; };

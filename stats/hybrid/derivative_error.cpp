@@ -70,16 +70,11 @@ DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, bool es
 // Not numbers where one of the points is missing, as the last one is that has no neighbour.
 Field differences(const Field& z, const Grid& grid, bool x) {
   const Index n = x ? z.rows() : z.cols();
-  if (grid.periodic)
-    return Field::NullaryExpr(z.rows(), z.cols(), [&](Index i, Index j) {
-      return (x ? z((i + 1) % n, j) : z(i, (j + 1) % n)) - z(i, j);
-    });
-  Field out = Field::Constant(z.rows(), z.cols(), NAN);
-  if (x)
-    out.topRows(n - 1) = z.bottomRows(n - 1) - z.topRows(n - 1);
-  else
-    out.leftCols(n - 1) = z.rightCols(n - 1) - z.leftCols(n - 1);
-  return out;
+  return Field::NullaryExpr(z.rows(), z.cols(), [&](Index i, Index j) -> double {
+    const Index next = (x ? i : j) + 1;
+    if (next == n && !grid.periodic) return NAN;
+    return (x ? z(next % n, j) : z(i, next % n)) - z(i, j);
+  });
 }
 
 }  // namespace

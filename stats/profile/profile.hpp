@@ -51,9 +51,9 @@ enum ProfileParameter {
   profile_z,
   profile_t,
   profile_dq,
-  profile_sm
+  profile_sm,
+  profile_parameters_count
 };
-inline constexpr int profile_parameters_count = 10;
 
 /// Not a number where a profile has no such parameter.
 using ProfileParameters = Eigen::Array<double, profile_parameters_count, 1>;

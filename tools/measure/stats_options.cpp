@@ -48,10 +48,10 @@ void StatsOptions::declare(Tool& tool) {
       "Parameters");
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
-  tool.numbers_pair("--material-ratio", material_ratios,
+  tool.numbers_pair("--material-ratio", measured.material_ratios,
                     "Shares p,q that bound the core in Vmp, Vmc, Vvc, Vvv, and of Smc_p, Smc_q",
                     "Parameters");
-  tool.number("--acf-level", acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
+  tool.number("--acf-level", measured.acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
               "Parameters");
   tool.memory(
       "Largest memory for the field. A file of more than an eighth of it is read in strips, above any "
@@ -63,12 +63,11 @@ void StatsOptions::declare(Tool& tool) {
 }
 
 MeasureOptions StatsOptions::checked(const Tool& tool) const {
-  MeasureOptions out{.groups = asked_groups(),
-                     .preparation = field.preparation(),
-                     .material_ratios = material_ratios,
-                     .acf_level = acf_level,
-                     .profiles = profile == "y" ? Axis1D::y : Axis1D::x,
-                     .threads = tool.thread_count()};
+  MeasureOptions out = measured;
+  out.groups = asked_groups();
+  out.preparation = field.preparation();
+  out.profiles = profile == "y" ? Axis1D::y : Axis1D::x;
+  out.threads = tool.thread_count();
   check_belonging(tool, out.groups);
   if (!direction.empty()) out.direction = {parse_angle("direction", direction), direction};
   if (!profile.empty()) {

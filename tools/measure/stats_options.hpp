@@ -11,9 +11,8 @@ namespace asperity::cli {
 struct StatsOptions {
   FieldOptions field = {};
   std::string groups = "height", quantiles = {}, direction = {};
-  std::array<double, 2> material_ratios{0.1, 0.8};
-  double acf_level = 0.2;
-  std::string profile = {};  ///< x or y: profile parameters in place of the areal ones
+  MeasureOptions measured = {};  ///< as far as the command line gives it without further words
+  std::string profile = {};      ///< x or y: profile parameters in place of the areal ones
 
   void declare(Tool& tool);
   /// Throws UsageError for unknown or repeated words, and for an option of a group that is not asked for.
