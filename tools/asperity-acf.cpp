@@ -1,6 +1,5 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -14,7 +13,6 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/marginal_dataset.hpp"
@@ -41,11 +39,10 @@ struct Result {
 // ---- lengths ----
 
 double share_of(const std::string& word) {
-  double value = NAN;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !(value > 0 && value < 1))
+  const auto value = to_number<double>(word);
+  if (!value || !(*value > 0 && *value < 1))
     throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
-  return value;
+  return *value;
 }
 
 AcfLevel level_of(const std::string& word) {

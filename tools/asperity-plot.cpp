@@ -9,8 +9,7 @@
 #include "tools/cli/place.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
-#include "tools/plot/gnuplot.hpp"
-#include "tools/plot/kinds.hpp"
+#include "tools/plot/figure.hpp"
 
 using namespace asperity;
 

@@ -12,11 +12,9 @@
 
 #include <memory>
 #include <string>
-#include <vector>
-
-#include "tools/cli/option.hpp"
 
 namespace CLI {
+class App;
 class Config;
 class ConfigError;
 }  // namespace CLI
@@ -27,7 +25,7 @@ namespace asperity::cli {
 std::shared_ptr<CLI::Config> config_reader();
 /// The options that have been given, group by group as in --help, and as comments those that have defaults: read back, they
 /// give the same run.
-std::string config_text(const std::string& tool, const std::vector<Option>& options);
+std::string config_text(const CLI::App& app);
 
 /// The message of an error in a file.
 std::string in_words(const CLI::ConfigError& error);

@@ -3,22 +3,12 @@
 #include <algorithm>
 
 #include "dataset/catalogue.hpp"
+#include "tools/cli/plain_text.hpp"
 
 namespace asperity::cli {
 namespace {
 
 using Names = std::vector<std::string>;
-
-// The words of a list.
-std::vector<std::string_view> words_of(std::string_view list) {
-  std::vector<std::string_view> out;
-  while (!list.empty()) {
-    const std::size_t end = std::min(list.find(' '), list.size());
-    if (end > 0) out.push_back(list.substr(0, end));
-    list.remove_prefix(std::min(end + 1, list.size()));
-  }
-  return out;
-}
 
 using Gone = std::vector<const KnownResult*>;
 

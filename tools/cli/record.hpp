@@ -1,4 +1,4 @@
-/// What a run leaves on record: who computed it, when, with which command, and what it achieved.
+/// What a run leaves on record: who computed it, when, with which command, what it achieved, and what it took.
 #pragma once
 
 #include <ctime>
@@ -26,6 +26,10 @@ std::string timestamp();
 /// What a run says of the seconds that it took: 0 where SOURCE_DATE_EPOCH asks for a dataset that does not depend on
 /// when and where it was computed.
 double on_record(double seconds);
+
+/// For --time, "1.52 s, CPU 2.9 s (2.7 s user, 0.2 s system), peak memory 61 MB", with the processes that it has started
+/// and waited for.
+std::string usage_of_run(double wall_seconds);
 
 /// The global attributes whose names begin with `prefix` as one JSON object.
 std::string report_of(const Dataset& dataset, const std::string& prefix);

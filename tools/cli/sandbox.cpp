@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -70,8 +71,7 @@ void confine(WorkLimits limits, pid_t parent) {
 class Pipe {
  public:
   Pipe() {
-    if (::pipe2(ends_, O_CLOEXEC) != 0) fail();
-    ::fcntl(ends_[1], F_SETPIPE_SZ, static_cast<int>(chunk));
+    if (::pipe2(ends_, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), name);
   }
   ~Pipe() {
     close(0);
@@ -82,28 +82,15 @@ class Pipe {
 
   /// Of the child: once nobody reads any more, writing ends it.
   void only_write() { close(0); }
-  void write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t put = ::write(ends_[1], bytes.data(), bytes.size());
-      if (put <= 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-  }
+  void write(std::string_view bytes) const { write_to(ends_[1], bytes, name); }
   /// Until nobody can write any more; this process no longer can.
   Bytes read() {
     close(1);
-    for (Bytes bytes;;) {
-      const ssize_t got = ::read(ends_[0], bytes.room(chunk), chunk);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) fail();
-      if (got == 0) return bytes;
-      bytes.add(static_cast<std::size_t>(got));
-    }
+    return read_to_end(ends_[0], name, {});
   }
 
  private:
-  static constexpr std::size_t chunk = 1 << 20;
-  [[noreturn]] static void fail() { throw std::system_error(errno, std::generic_category(), "a pipe"); }
+  static constexpr const char* name = "a pipe";
   void close(int end) {
     if (const int fd = std::exchange(ends_[end], -1); fd >= 0) ::close(fd);
   }

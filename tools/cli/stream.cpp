@@ -24,25 +24,6 @@ constexpr const char* own_descriptors = "/proc/self/fd";
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
-  constexpr std::size_t chunk = 1 << 20;
-  struct stat status {};
-  const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
-  if (!regular) ::fcntl(fd, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
-  const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
-  memory.require(static_cast<double>(regular ? status.st_size : 0), name);
-  for (Bytes bytes;;) {
-    memory.require(static_cast<double>(bytes.size()), name);
-    const std::size_t step =
-        regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
-    const ssize_t n = ::read(fd, bytes.room(step), step);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(name);
-    if (n == 0) return bytes;
-    bytes.add(static_cast<std::size_t>(n));
-  }
-}
-
 // Closes a file that was opened here, no standard stream.
 struct Closing {
   int fd;
@@ -79,6 +60,29 @@ std::string random_word() {
 }
 
 }  // namespace
+
+Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
+  constexpr std::size_t chunk = 1 << 20;
+  struct stat status {};
+  const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+  if (!regular) ::fcntl(fd, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
+  const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
+  memory.require(static_cast<double>(regular ? status.st_size : 0), name);
+  for (Bytes bytes;;) {
+    memory.require(static_cast<double>(bytes.size()), name);
+    const std::size_t step =
+        regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
+    const ssize_t n = ::read(fd, bytes.room(step), step);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(name);
+    if (n == 0) return bytes;
+    bytes.add(static_cast<std::size_t>(n));
+  }
+}
+
+void write_to(int fd, std::string_view bytes, const std::string& name) {
+  put_all(bytes, name, [&](std::string_view rest) { return ::write(fd, rest.data(), rest.size()); });
+}
 
 Bytes read_all(const std::string& name, const MemoryBound& memory) {
   const bool piped = name == "-";
@@ -158,9 +162,7 @@ OutputFile::~OutputFile() {
   if (fd_ > STDERR_FILENO) ::close(fd_);
 }
 
-void OutputFile::write(std::string_view bytes) {
-  put_all(bytes, name_, [&](std::string_view rest) { return ::write(fd_, rest.data(), rest.size()); });
-}
+void OutputFile::write(std::string_view bytes) { write_to(fd_, bytes, name_); }
 
 void OutputFile::rewrite(std::string_view bytes) {
   const off_t end = ::lseek(fd_, 0, SEEK_CUR);

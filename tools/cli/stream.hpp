@@ -24,6 +24,9 @@ using asperity::Bytes;
 /// All of a file, or of standard input, "-". Throws DataError where there is nothing, and where it is larger than what is left
 /// of `memory`, before that is taken.
 Bytes read_all(const std::string& name, const MemoryBound& memory);
+/// The same of an open file, which may be empty.
+Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory);
+void write_to(int fd, std::string_view bytes, const std::string& name);
 /// Throws as OutputFile would where it cannot take this name, but opens nothing: to know it before the work is done.
 void require_writable(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);

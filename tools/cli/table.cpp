@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <ranges>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -54,13 +56,9 @@ std::size_t width(const std::string& text) {
 }  // namespace
 
 std::string Table::tsv() const {
-  std::string out = "# ";
-  for (std::size_t c = 0; c < columns.size(); ++c) out += (c ? "\t" : "") + heading(columns[c]);
-  out += '\n';
-  for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) out += (c ? "\t" : "") + text_of(row[c]);
-    out += '\n';
-  }
+  std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
+  for (const auto& row : rows)
+    out += fmt::format("{}\n", fmt::join(row | std::views::transform(text_of), "\t"));
   return out;
 }
 
@@ -128,14 +126,6 @@ std::string Quantities::json() const {
   return object.dump(2) + "\n";
 }
 
-std::string render(const Table& table, bool json, bool terminal) {
-  return json ? table.json() : terminal ? table.aligned() : table.tsv();
-}
-
-std::string render(const Quantities& quantities, bool json, bool terminal) {
-  return json ? quantities.json() : render(quantities.table(), false, terminal);
-}
-
 void check_finite(const Table& table) {
   for (const auto& row : table.rows)
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -151,16 +141,19 @@ void check_finite(const Quantities& quantities) {
     if (std::isinf(row.value)) refuse(row.name, row.value);
 }
 
-void print(const Tool& tool, const Table& table) {
-  check_finite(table);
+namespace {
+
+// One JSON object as asked, else aligned on a terminal, else TSV.
+template <class Content>
+void print(const Tool& tool, const Content& content, const Table& table) {
+  check_finite(content);
   check_table_name(tool.output_name(), tool.json());
-  tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
+  tool.write_text(tool.json() ? content.json() : tool.output_is_terminal() ? table.aligned() : table.tsv());
 }
 
-void print(const Tool& tool, const Quantities& quantities) {
-  check_finite(quantities);
-  check_table_name(tool.output_name(), tool.json());
-  tool.write_text(render(quantities, tool.json(), tool.output_is_terminal()));
-}
+}  // namespace
+
+void print(const Tool& tool, const Table& table) { print(tool, table, table); }
+void print(const Tool& tool, const Quantities& quantities) { print(tool, quantities, quantities.table()); }
 
 }  // namespace asperity::cli

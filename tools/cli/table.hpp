@@ -1,8 +1,8 @@
 /// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
 ///
 /// Numbers are printed in the shortest form that reads back to the same double, in the C locale; nan is what is not known,
-/// and an infinite end of an interval is open. Words from files are fit for a line (grid/words.hpp); in JSON they are whole,
-/// escaped, and UTF-8.
+/// and an infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they are
+/// whole, escaped, and UTF-8.
 #pragma once
 
 #include <string>
@@ -50,10 +50,6 @@ struct Quantities {
   Table table() const;
   std::string json() const;
 };
-
-/// How a table goes out: one JSON object as asked, else aligned on a terminal, else TSV.
-std::string render(const Table& table, bool json, bool terminal);
-std::string render(const Quantities& quantities, bool json, bool terminal);
 
 /// Throws DataError(name, …) for a number that its column does not hold, and for a quantity that is infinite.
 void check_finite(const Table& table);

@@ -34,13 +34,27 @@
 #include "dataset/dataset.hpp"
 #include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
-#include "tools/cli/option.hpp"
 #include "tools/cli/quantity.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace asperity::cli {
 
 /// Exit codes.
 enum Exit : int { done = 0, runtime_error = 1, usage_error = 2, not_converged = 3, bad_data = 4 };
+
+/// An option, to which its declaration may add; each function returns the option itself.
+struct Option {
+  CLI::Option* of;
+
+  Option required() const;
+  Option needs(Option other) const;
+  Option excludes(Option other) const;
+  Option without_default() const;  ///< its text tells the default
+};
 
 /// A wrong command line that only the whole of it shows; prints "TOOL: --OPTION: message" and exits with 2.
 /// (ParameterError of the library is answered the same way, DataError with exit code 4.)
@@ -58,18 +72,12 @@ class Tool {
   void accuracy(std::string text) { accuracy_ = std::move(text); }
 
   const std::string& name() const { return name_; }
-  std::string description() const;
-  const std::string& example() const { return example_; }
-  const std::string& accuracy() const { return accuracy_; }
 
   // Options. `group` is the heading in --help. The present value of the variable is the default and is shown in --help.
   Option flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
   Option integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                  const std::string& group);
   Option number(const std::string& name, double& value, const std::string& text, const std::string& group);
-  /// "A,B", or one value for both: pure numbers.
-  Option numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
-                      const std::string& group);
   Option text(const std::string& name, std::string& value, const std::string& what, const std::string& text,
               const std::string& group);
   Option choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
@@ -77,7 +85,7 @@ class Tool {
   /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
   Option quantity(const std::string& name, double& value, const std::string& unit, const std::string& text,
                   const std::string& group);
-  /// "A,B", or one value for both.
+  /// "A,B", or one value for both; pure numbers of unit "1".
   Option quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
                     const std::string& text, const std::string& group);
   /// "17px,4px", "0.4mm", or one value for both: lengths that may count samples.
@@ -93,7 +101,7 @@ class Tool {
                    const std::string& text);
 
   /// An empty value is a usage error, wherever it comes from, but of this option, to which it means something.
-  void may_be_empty(const Option& option) { may_be_empty_ = option; }
+  void may_be_empty(Option option) { may_be_empty_ = option.of; }
 
   /// A size of memory: "512MB", "2GiB".
   Option bytes(const std::string& name, std::size_t& value, const std::string& text,
@@ -112,8 +120,8 @@ class Tool {
   void memory(const std::string& text);
   void seed() { seeded_ = true; }  ///< --seed N and --stream K
 
-  std::vector<Option> options() const;          ///< in the order of --help
   bool given(const std::string& option) const;  ///< false of one that the tool does not have
+  std::vector<std::string> given_under(const std::vector<std::string>& headings) const;  ///< their names
   const std::string& input_name() const { return input_; }
   const std::string& output_name() const { return output_; }
   int thread_count() const;                       ///< resolved: at least 1
@@ -163,11 +171,6 @@ class Tool {
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
 
-  /// Ends parsing; the text goes to standard output and the exit code is `done`.
-  struct Answer {
-    std::string text;
-  };
-
  private:
   using Read = std::function<void(const std::string& key, const std::string& given)>;
   Option parsed(const std::string& name, const std::string& kind, const std::string& text,
@@ -183,7 +186,6 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string config_file() const;
   std::string footer() const;
-  std::optional<Option> find(const std::string& name) const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
   static void say(const std::string& line);
   int fail(Exit code, const std::string& message) const;
@@ -196,7 +198,7 @@ class Tool {
     std::string option, name;
   };
   std::map<std::string, Output> outputs_;  ///< by what they are (cli/place.hpp)
-  std::optional<Option> may_be_empty_;
+  const CLI::Option* may_be_empty_ = nullptr;
   InputFormat format_;
   std::size_t memory_;
   Stopwatch clock_;

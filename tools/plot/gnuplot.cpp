@@ -97,15 +97,14 @@ void halve(Field& values, double& first, double& step, bool rows) {
 
 }  // namespace
 
-Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style) {
+Layer points(const Field& table, std::string_view style) {
   std::string format, use;
-  for (std::size_t c = 1; c <= columns; ++c) {
+  for (Index c = 1; c <= table.cols(); ++c) {
     format += "%float64";
     use += (c == 1 ? "" : ":") + std::to_string(c);
   }
-  return {
-      fmt::format("binary record=({}) format='{}' using {} {}", numbers.size() / columns, format, use, style),
-      std::move(numbers)};
+  return {fmt::format("binary record=({}) format='{}' using {} {}", table.rows(), format, use, style),
+          {table.data(), table.data() + table.size()}};
 }
 
 Layer raster(const Field& cells, Lattice at, std::string_view style) {

@@ -117,9 +117,7 @@ Section section_of(const Dataset& data, const std::string& text) {
 
 Range value_range(const Request& request, const std::string& unit, Range otherwise) {
   if (request.range.empty()) return otherwise;
-  const bool pure = unit.empty() || unit == "1";
-  const auto [low, high] =
-      pure ? cli::parse_numbers("range", request.range) : cli::parse_quantities("range", request.range, unit);
+  const auto [low, high] = cli::parse_quantities("range", request.range, unit);
   if (!(low < high)) throw ParameterError("range", "'" + request.range + "' does not rise");
   if (!(drawable({low, high}) == Range{low, high}))
     throw ParameterError("range",

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/plot/gnuplot.hpp"
-#include "tools/plot/request.hpp"
+#include "tools/plot/figure.hpp"
 
 namespace asperity::plot {
 

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "tools/plot/kinds.hpp"
 #include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 

@@ -47,6 +47,7 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string element(std::string_view name, std::string_view content, std::string_view css_class) {
+  if (content.empty()) return "";
   const std::string attribute = css_class.empty() ? "" : fmt::format(" class=\"{}\"", css_class);
   return fmt::format("<{}{}>{}</{}>\n", name, attribute, content, name);
 }
@@ -63,7 +64,8 @@ std::string table(std::initializer_list<const char*> columns, const std::string&
                   std::string_view css_class) {
   std::string head;
   for (const char* column : columns) head += fmt::format("<th scope=\"col\">{}</th>", column);
-  return element("table", element("thead", element("tr", head)) + element("tbody", rows), css_class);
+  return element("table", element("thead", element("tr", head)) + fmt::format("<tbody>{}</tbody>\n", rows),
+                 css_class);
 }
 
 }  // namespace asperity::report

@@ -1,13 +1,11 @@
-#include "tools/report/pictures.hpp"
-
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "tools/plot/gnuplot.hpp"
-#include "tools/plot/kinds.hpp"
+#include "tools/plot/figure.hpp"
 #include "tools/report/html.hpp"
+#include "tools/report/parts.hpp"
 
 namespace asperity::report {
 namespace {
@@ -68,7 +66,7 @@ std::string pictures(const plot::Cases& dataset, const std::string& variable) {
       omitted += element("p", fmt::format("{} is not drawn: {}.", title, why), "soft");
     }
   }
-  return (shown.empty() ? "" : element("div", shown, "pictures")) + omitted;
+  return element("div", shown, "pictures") + omitted;
 }
 
 }  // namespace asperity::report

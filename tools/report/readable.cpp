@@ -94,7 +94,7 @@ std::string readable(double value, const std::string& si_unit) {
   return unit.name.empty() ? number : number + (unit.name == "°" ? "" : "\u00A0") + unit.name;
 }
 
-Measurement readable(const cli::Quantities::Row& row) {
+Measurement readable(const Parameter& row) {
   const bool known = std::isfinite(row.standard_error) && row.standard_error > 0;
   const double size = std::isfinite(row.value) ? std::abs(row.value) : 0;
   const Unit unit = unit_for(std::max(size, known ? row.standard_error : 0), row.unit);

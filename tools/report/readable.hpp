@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tools/cli/table.hpp"
+#include "stats/measure/parameter.hpp"
 #include "tools/plot/scale.hpp"
 
 namespace asperity::report {
@@ -27,6 +27,6 @@ struct Measurement {
   std::string value, error, low, high;  ///< empty where none is known
   std::string unit;
 };
-Measurement readable(const cli::Quantities::Row& row);
+Measurement readable(const Parameter& row);
 
 }  // namespace asperity::report

@@ -1,0 +1,36 @@
+/// The parts of a report as HTML; "" where the dataset has nothing for one. Every number of a table is in a <data> element
+/// that carries its exact value in SI.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/catalogue.hpp"
+#include "stats/measure/parameter.hpp"
+#include "tools/plot/request.hpp"
+
+namespace asperity::report {
+
+/// What a reader must know before believing a number: solvers that did not converge, a target changed.
+std::string warnings(const Dataset& data);
+
+/// The pictures that the dataset has something for, as asperity-plot draws them: fields as PNG, curves as SVG, and why others
+/// are not drawn. `variable` takes the place of heights.
+std::string pictures(const plot::Cases& dataset, const std::string& variable);
+
+/// Value, standard error and 95 % interval, a row a quantity.
+std::string measurements(const Parameters& rows);
+/// What the contact came to, beside smooth bodies where Hertz has a closed form.
+std::string contact_results(const Dataset& data);
+/// Variables with their dimensions, units and meaning.
+std::string contents(const Dataset& data);
+
+/// Label and value of the attributes of this role and stage (kernel, generate, contact, stress), in the catalogue's order.
+std::string facts(const Dataset& data, Role role, std::string_view stage);
+/// The global attributes that are none of these, but for the history and source.
+std::string other_attributes(const Dataset& data);
+/// The lines of the history, the last run first.
+std::string history(const std::string& text);
+
+}  // namespace asperity::report
