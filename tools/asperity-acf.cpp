@@ -141,7 +141,7 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
-  cli::check_finite(cli::Quantities{lengths});
+  cli::check_finite(lengths);
   for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
 }
 
@@ -236,7 +236,7 @@ int main(int argc, char** argv) {
       result.target = cli::carried_correlation(data, "acf_target", surface.grid);
     auto lengths = [&] { return lengths_of(tool, result, what); };
     if (what.lengths) {
-      cli::print(tool, cli::Quantities{lengths()});
+      cli::print(tool, lengths());
     } else if (prints_profiles(tool, what)) {
       warn_of_few(tool, result.estimate.size);
       cli::print(tool, profiles(surface, result, what.absolute));

@@ -72,7 +72,7 @@ int report_on(cli::Tool& tool, const Options& o) {
   const Dataset& data = dataset[0].data;
   std::string untold;
   const std::vector<report::Group> groups = groups_of(tool, data, o, untold);
-  for (const report::Group& group : groups) cli::check_finite(cli::Quantities{group.rows});
+  for (const report::Group& group : groups) cli::check_finite(group.rows);
   const bool any =
       !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
   if (!any)

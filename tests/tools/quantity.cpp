@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/error.hpp"
 #include "support.hpp"
 
 using namespace asperity;

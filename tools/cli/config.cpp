@@ -26,7 +26,7 @@ std::string text_in(std::istream& in) {
   return out;
 }
 
-// Behind the quoted text that begins at a place; of three quotes it has several lines, and ends with up to two more.
+// Behind the quoted text that begins there; of three quotes it has lines, and ends with up to two more.
 std::size_t behind_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string three(3, quote);

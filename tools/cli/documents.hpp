@@ -1,5 +1,5 @@
-/// What a tool tells of itself from CLI11's list of its options: the manual page, and completion scripts for shells, of options,
-/// the words of a choice and names of files.
+/// What a tool tells of itself from CLI11's list of its options: its manual page, and completions for shells,
+/// of options, the words of a choice and names of files.
 #pragma once
 
 #include <string>
@@ -27,14 +27,14 @@ inline constexpr ExitStatus exit_statuses[] = {{done, "done"},
 std::vector<std::string> names_of(const CLI::Option& option);
 /// It stands alone, without a value.
 bool is_flag(const CLI::Option& option);
-/// The words of a text, a blank between them, in lines of at most `width`, each but the first behind `indent`.
+/// Words with a blank between them, in lines of at most `width`, each but the first behind `indent`.
 std::string flowing(const std::string& text, std::size_t width = std::string::npos,
                     const std::string& indent = "");
 
 /// In the man macros of roff.
 std::string man_page(const CLI::App& app, const std::string& example, const std::string& accuracy);
-/// A text as roff prints it, with no character that it takes for its own: \ - ' ` ^ ~ and a period at the beginning of
-/// a line; what is not ASCII by its code point.
+/// A text as roff prints it: \ - ' ` ^ ~ and a period that begins a line are escaped, what is not ASCII
+/// stands by its code point.
 std::string roff(const std::string& text);
 
 /// To be sourced, or found under share/bash-completion/completions.

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* common = "Common";
 constexpr std::size_t option_width = 34;
 
-// CLI11 would also print which options exclude or need each other, which the texts say better, and would not wrap them.
+// CLI11 would also print which options exclude or need each other, and would not wrap texts.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -94,7 +94,7 @@ Option Tool::integer(const std::string& name, int& value, const Bounds& bounds, 
 Option Tool::number(const std::string& name, double& value, const std::string& text,
                     const std::string& group) {
   const auto read = [](const std::string& key, const std::string& given) {
-    if (given.find(',') != given.npos) throw ParameterError(key, "'" + given + "' is more than one number");
+    if (given.find(',') != given.npos) refuse(key, given, "is more than one number");
     return parse_quantities(key, given, "1")[0];
   };
   return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value), into(value, read));
@@ -110,8 +110,7 @@ Option Tool::choice(const std::string& name, std::string& value, const std::vect
                     const std::string& text, const std::string& group) {
   const std::string list = fmt::format("{}", fmt::join(among, "|"));
   const auto read = [list, among](const std::string& key, const std::string& given) {
-    if (std::ranges::find(among, given) == among.end())
-      throw ParameterError(key, "'" + given + "' is none of " + list);
+    if (std::ranges::find(among, given) == among.end()) refuse(key, given, "is none of " + list);
     return given;
   };
   return parsed(name, list, text, group, value, into(value, read));

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "formats/format.hpp"
+#include "tools/cli/quantity.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -34,10 +34,6 @@ bool is_text_name(const std::string& extension) {
          (format == nullptr || format->name == "text" || format->name == "esri");
 }
 
-[[noreturn]] void refuse(const std::string& option, const std::string& name, const std::string& why) {
-  throw ParameterError(option, "'" + name + "' " + why);
-}
-
 }  // namespace
 
 std::string extension_of(const std::string& name) {
@@ -62,8 +58,7 @@ void check_dataset_name(const std::string& name, const std::string& option) {
   if (!names_dataset(extension_of(name)))
     refuse(option, name,
            "names another format, and a dataset is written as NetCDF: end it in .nc, and make other formats "
-           "of it "
-           "with asperity-convert");
+           "of it with asperity-convert");
 }
 
 void check_table_name(const std::string& name, bool json, const std::string& option) {

@@ -81,7 +81,7 @@ void Tool::parse(int argc, char** argv) {
   app_->parse(std::move(all));
 }
 
-// "--counter=" as two arguments, for CLI11 would take the next one for its value. What follows "--" are no options.
+// "--counter=" as two arguments: CLI11 would take the next for its value. Behind "--" are no options.
 std::vector<std::string> Tool::with_empty_values(const std::vector<std::string>& arguments) const {
   std::vector<std::string> out;
   const auto end = std::ranges::find(arguments, "--");

@@ -1,4 +1,4 @@
-/// Words in plain text, separated by blanks, tabs, commas or semicolons; tables of numbers are read by formats/text_table.hpp.
+/// Words in plain text, separated by blanks, tabs, commas or semicolons (tables: formats/text_table.hpp).
 #pragma once
 
 #include <algorithm>

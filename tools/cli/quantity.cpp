@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
 
+#include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/units.hpp"
 
@@ -18,17 +18,10 @@ struct NumberAndUnit {
   std::string unit;
 };
 
-struct ByteUnit {
-  std::string_view name;
-  double bytes;
-};
+using ByteUnit = std::pair<std::string_view, double>;
 constexpr ByteUnit byte_units[] = {{"B", 1},        {"kB", 1e3},     {"MB", 1e6},
                                    {"GB", 1e9},     {"TB", 1e12},    {"KiB", 0x1p10},
                                    {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
-
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& why) {
-  throw ParameterError(option, "'" + text + "' " + why);
-}
 
 NumberAndUnit number_and_unit(const std::string& option, const std::string& text) {
   const auto [number, unit, found, in_range] = leading_number<double>(text);
@@ -53,20 +46,11 @@ std::array<T, 2> pair_of(const std::string& option, const std::string& text, Par
   return {first, words.size() == 1 ? first : parse(words.back())};
 }
 
-Index number_of_values(const std::string& option, const std::string& text) {
+std::vector<double> spaced(const std::string& option, double from, double to, const std::string& number,
+                           Steps steps) {
   const Bounds bounds(std::numeric_limits<Index>::min(), most_values, "as many as a series may have");
-  const Index number = parse_count(option, text, bounds);
-  if (number < 2) refuse(option, text, "is no number of values from 2 on");
-  return number;
-}
-
-Steps parse_steps(const std::string& option, const std::string& text) {
-  if (text == "uniform") return Steps::uniform;
-  if (text == "geometric") return Steps::geometric;
-  refuse(option, text, "is none of uniform, geometric");
-}
-
-std::vector<double> spaced(double from, double to, Index count, Steps steps) {
+  const Index count = parse_count(option, number, bounds);
+  if (count < 2) refuse(option, number, "is no number of values from 2 on");
   std::vector<double> out;
   for (Index i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -77,6 +61,10 @@ std::vector<double> spaced(double from, double to, Index count, Steps steps) {
 }
 
 }  // namespace
+
+void refuse(const std::string& option, const std::string& text, const std::string& why) {
+  throw ParameterError(option, "'" + text + "' " + why);
+}
 
 double parse_quantity(const std::string& option, const std::string& text, const std::string& unit) {
   const auto [number, given] = number_and_unit(option, text);
@@ -166,11 +154,15 @@ std::vector<double> parse_series(const std::string& option, const std::string& t
     for (const std::string& word : split(text, ',')) values.push_back(value(word));
   } else {
     if (range.size() != 3 && range.size() != 4) refuse(option, text, "is not of the form FROM:TO:COUNT");
-    if (range.size() == 4) steps = parse_steps(option, range[3]);
+    if (range.size() == 4) {
+      if (range[3] != "uniform" && range[3] != "geometric")
+        refuse(option, range[3], "is none of uniform, geometric");
+      steps = range[3] == "uniform" ? Steps::uniform : Steps::geometric;
+    }
     const double from = value(range[0]);
     if (steps == Steps::geometric && !(from > 0))
       throw ParameterError(option, "equal ratios cannot start from '" + range[0] + "'");
-    values = spaced(from, value(range[1]), number_of_values(option, range[2]), steps);
+    values = spaced(option, from, value(range[1]), range[2], steps);
   }
   if (std::ranges::adjacent_find(values, std::not_fn(std::less<>())) != values.end())
     refuse(option, text, "does not increase");
@@ -180,10 +172,10 @@ std::vector<double> parse_series(const std::string& option, const std::string& t
 std::size_t parse_bytes(const std::string& option, const std::string& text) {
   const auto [number, given] = number_and_unit(option, text);
   if (given.empty()) refuse(option, text, "has no unit: append MB or GiB");
-  const auto* unit = std::ranges::find(byte_units, given, &ByteUnit::name);
+  const auto* unit = std::ranges::find(byte_units, given, &ByteUnit::first);
   if (unit == std::end(byte_units))
     refuse(option, text, "is no size in B, kB, MB, GB, TB, KiB, MiB, GiB or TiB");
-  const double bytes = number * unit->bytes;
+  const double bytes = number * unit->second;
   if (!(bytes >= 1 && bytes < 0x1p63)) refuse(option, text, "must lie between 1B and 8388607TiB");
   return static_cast<std::size_t>(bytes);
 }

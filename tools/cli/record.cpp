@@ -39,7 +39,7 @@ double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-// The system's own count begins with the peak of the process that started this one, a notebook of some GB perhaps.
+// The system's own count begins with the peak of the process that started this one, perhaps some GB.
 long peak_kibibytes(const rusage& own) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)

@@ -43,8 +43,8 @@ void put_all(std::string_view bytes, const std::string& name, const Put& put) {
   }
 }
 
-// What a new file gets of the one that it replaces: its mode, and its owner and group as far as this process may give
-// them. What a group was allowed is not passed on to another one.
+// What a new file gets of the one that it replaces: its mode, and its owner and group as far as possible.
+// What a group was allowed is not passed on to another one.
 void keep_access(int fd, const struct stat& former) {
   mode_t mode = former.st_mode & 0777;
   if (::fchown(fd, former.st_uid, former.st_gid) != 0 &&
@@ -128,8 +128,7 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
                 (::fcntl(fd_, F_GETFL) & O_APPEND) == 0;
 }
 
-// A file that its user may not write is not replaced either. Until the new one has the former one's mode, it is for its
-// owner alone.
+// What its user may not write is not replaced. Until it has the former's mode, a file is its owner's alone.
 void OutputFile::open_replacement() {
   struct stat former {};
   const bool present = ::stat(target_.c_str(), &former) == 0;
@@ -146,7 +145,7 @@ void OutputFile::open_replacement() {
   if (fd_ >= 0 && present) keep_access(fd_, former);
 }
 
-// Under a name that nobody else has and nobody can foresee; `make` fails with EEXIST where it is taken all the same.
+// Under a name that nobody can foresee; `make` fails with EEXIST where it is taken all the same.
 template <class Make>
 bool OutputFile::make_temporary(const Make& make) {
   for (int tries = 0; tries < 100; ++tries) {

@@ -47,6 +47,11 @@ Json json_of(const Cell& cell) {
                             ": what is asked for leaves the range of doubles");
 }
 
+void put(const Tool& tool, const std::string& json, const Table& table) {
+  check_table_name(tool.output_name(), tool.json());
+  tool.write_text(tool.json() ? json : tool.output_is_terminal() ? table.aligned() : table.tsv());
+}
+
 // Columns on a terminal, where a µ takes one place and two bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
@@ -94,7 +99,7 @@ std::string Table::json() const {
   return object.dump(2) + "\n";
 }
 
-Table Quantities::table() const {
+Table table_of(const Parameters& parameters) {
   Table out{{{"quantity", ""},
              {"value", "SI", Holds::unknown},
              {"standard_error", "SI", Holds::unknown},
@@ -103,7 +108,7 @@ Table Quantities::table() const {
              {"unit", ""},
              {"meaning", ""}},
             {}};
-  for (const Row& row : rows) {
+  for (const Parameter& row : parameters) {
     const Interval ends = row.interval_95();
     const double error = std::isfinite(row.standard_error) ? row.standard_error : NAN;
     const std::string note = row.note(), meaning = note.empty() ? row.meaning : row.meaning + "; " + note;
@@ -112,9 +117,9 @@ Table Quantities::table() const {
   return out;
 }
 
-std::string Quantities::json() const {
+std::string json_of(const Parameters& parameters) {
   Json object = Json::object();
-  for (const Row& row : rows) {
+  for (const Parameter& row : parameters) {
     Json entry{{"value", json_of(row.value)}, {"unit", utf8_of(row.unit)}};
     const Interval ends = row.interval_95();
     if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
@@ -124,6 +129,11 @@ std::string Quantities::json() const {
     object[utf8_of(row.name)] = std::move(entry);
   }
   return object.dump(2) + "\n";
+}
+
+void check_finite(const Parameters& parameters) {
+  for (const Parameter& row : parameters)
+    if (std::isinf(row.value)) refuse(row.name, row.value);
 }
 
 void check_finite(const Table& table) {
@@ -136,24 +146,14 @@ void check_finite(const Table& table) {
     }
 }
 
-void check_finite(const Quantities& quantities) {
-  for (const Quantities::Row& row : quantities.rows)
-    if (std::isinf(row.value)) refuse(row.name, row.value);
+void print(const Tool& tool, const Table& table) {
+  check_finite(table);
+  put(tool, tool.json() ? table.json() : "", table);
 }
 
-namespace {
-
-// One JSON object as asked, else aligned on a terminal, else TSV.
-template <class Content>
-void print(const Tool& tool, const Content& content, const Table& table) {
-  check_finite(content);
-  check_table_name(tool.output_name(), tool.json());
-  tool.write_text(tool.json() ? content.json() : tool.output_is_terminal() ? table.aligned() : table.tsv());
+void print(const Tool& tool, const Parameters& parameters) {
+  check_finite(parameters);
+  put(tool, tool.json() ? json_of(parameters) : "", table_of(parameters));
 }
-
-}  // namespace
-
-void print(const Tool& tool, const Table& table) { print(tool, table, table); }
-void print(const Tool& tool, const Quantities& quantities) { print(tool, quantities, quantities.table()); }
 
 }  // namespace asperity::cli

@@ -1,8 +1,7 @@
 /// The temporary name of a file that is to replace another: it does not outlive the process.
 ///
-/// While there is one, the signals that end a process (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ) remove it first, and the
-/// process then ends by the signal as it would have, for a shell with the status 128 + its number. A signal that is
-/// ignored or handled already is left so. Only SIGKILL and a crash leave a name behind.
+/// While there is one, the signals that end a process (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ) remove it
+/// first, unless they are ignored or handled already. Only SIGKILL and a crash leave a name.
 #pragma once
 
 #include <string>

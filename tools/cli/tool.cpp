@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <iostream>
 #include <random>
-#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -123,8 +122,7 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 
 int Tool::run(int argc, char** argv, const std::function<int()>& body) {
   keep_standard_streams();
-  // A write that is too large then fails, and says so; programs that are started do not inherit it, as they would if the
-  // signal were ignored.
+  // A write that is too large then fails and says so. An ignored signal would be inherited by other programs.
   std::signal(SIGXFSZ, [](int) {});
   const int code = guarded(argc, argv, body);
   if (time_) say(name_ + ": " + usage_of_run(clock_.seconds()));
@@ -165,8 +163,7 @@ void Tool::writes(const std::string& option, const std::string& name) {
   if (own.empty() && name == "-") own = name;
   const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
   if (!alone && !own.empty())
-    throw UsageError(option,
-                     "'" + name + "' is where --" + other->second.option + " goes too: give it another name");
+    refuse(option, name, "is where --" + other->second.option + " goes too: give it another name");
   require_writable(name);
 }
 
@@ -177,7 +174,7 @@ void Tool::reads(const std::string& name, bool passed_on) const {
   const auto& [option, output] = same->second;
   const bool replaced = place_of(output).kind == Place::Kind::file;
   if (passed_on && replaced && option == "output") return;
-  throw UsageError(option, "'" + output + "' is read by this run, and would be lost: give it another name");
+  refuse(option, output, "is read by this run, and would be lost: give it another name");
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

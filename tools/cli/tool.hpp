@@ -1,23 +1,21 @@
 /// A tool of the chain: a filter that reads a dataset, works, and writes a dataset or a table.
 ///
-///     int main(int argc, char** argv) {
-///       cli::Tool tool("asperity-flatten", "Subtracts the mean plane");
-///       tool.input();
-///       tool.output();
-///       double level = 0;
-///       tool.quantity("--level", level, "m", "Height of the plane left behind", "Plane");
-///       return tool.run(argc, argv, [&] {
-///         Dataset data = tool.read();
-///         ...
-///         tool.write(data);
-///         return cli::done;
-///       });
-///     }
+///     cli::Tool tool("asperity-flatten", "Subtracts the mean plane");
+///     tool.input();
+///     tool.output();
+///     double level = 0;
+///     tool.quantity("--level", level, "m", "Height of the plane left behind", "Plane");
+///     return tool.run(argc, argv, [&] {
+///       Dataset data = tool.read();
+///       ...
+///       tool.write(data);
+///       return cli::done;
+///     });
 ///
-/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, --time, the environment and
-/// history are the same for every tool and live here. An option's value comes from the command line, else the
-/// environment variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file
-/// (cli/config.hpp), else its default; a value that is wrong is named by where it came from.
+/// Exit codes, messages of errors, common options, the environment and history are the same for all and live
+/// here. A value comes from the command line, else the environment variable ASPERITY_<OPTION> (upper case,
+/// hyphens as underscores), else the --config file (cli/config.hpp), else its default; a wrong one is named
+/// by where it came from.
 #pragma once
 
 #include <array>
@@ -27,9 +25,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "dataset/dataset.hpp"
 #include "dataset/memory_bound.hpp"
@@ -56,8 +54,7 @@ struct Option {
   Option without_default() const;  ///< its text tells the default
 };
 
-/// A wrong command line that only the whole of it shows; prints "TOOL: --OPTION: message" and exits with 2.
-/// (ParameterError of the library is answered the same way, DataError with exit code 4.)
+/// A wrong command line that only the whole of it shows: "TOOL: --OPTION: message", exit 2.
 using UsageError = ParameterError;
 
 class Tool {
@@ -73,7 +70,7 @@ class Tool {
 
   const std::string& name() const { return name_; }
 
-  // Options. `group` is the heading in --help. The present value of the variable is the default and is shown in --help.
+  // Options. `group` is the heading in --help; the variable's present value is the default shown there.
   Option flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
   Option integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                  const std::string& group);
@@ -100,7 +97,7 @@ class Tool {
   Option arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
                    const std::string& text);
 
-  /// An empty value is a usage error, wherever it comes from, but of this option, to which it means something.
+  /// An empty value is a usage error but of this option.
   void may_be_empty(Option option) { may_be_empty_ = option.of; }
 
   /// A size of memory: "512MB", "2GiB".
@@ -131,22 +128,19 @@ class Tool {
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
   std::uint64_t stream_value() const { return static_cast<std::uint64_t>(stream_); }
   bool json() const { return json_; }
-  bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
   bool shows_progress() const;  ///< a line of progress on standard error is wanted
 
   // What this run reads and writes, so that it does not take a file of its own for another.
   /// Of a tool that writes a dataset or a table: which of them this run writes to --output.
   void writes_dataset(bool dataset) { result_is_dataset_ = dataset; }
-  /// Of an output with an option of its own, not --output or --report of this class; throws UsageError(option, …) where it
-  /// is another output's file.
+  /// Of an output that the tool has besides; throws UsageError(option, …) where it is another output's file.
   void writes(const std::string& option, const std::string& name);
-  /// Throws UsageError where an output would take the place of this file, which is read. `passed_on`: --output may,
-  /// for all that the file holds goes there.
+  /// Throws UsageError where an output would replace this file, which is read. `passed_on`: --output may, for
+  /// all that the file holds goes there.
   void reads(const std::string& name, bool passed_on = false) const;
 
-  /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a
-  /// code.
+  /// Parses and runs `body`, which returns an exit code; an exception becomes one line on stderr and a code.
   int run(int argc, char** argv, const std::function<int()>& body);
 
   // Inside the body.
@@ -154,12 +148,11 @@ class Tool {
   /// Of any name; "-" is stdin. What is `held` of others counts as taken.
   Dataset read(const std::string& name, std::size_t held = 0) const;
   const InputFormat& format() const { return format_; }
-  /// Settles lengths (dataset/layout.hpp) and says that, and what else was settled when the dataset was read; `name` is the
-  /// file's, where it stands among others.
+  /// Settles lengths (dataset/layout.hpp) and says what was settled; `name` is the file's among others.
   void settle(Dataset& dataset, const std::string& name = "-") const;
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
-  /// Throws UsageError(option, …) for `what`, "a contact of 4096x4096 cells", that takes more than --memory allows.
+  /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", takes more than --memory allows.
   void require_memory(double bytes, const std::string& option, const std::string& what) const;
   // The parts of write(), for a tool that writes its dataset piece by piece.
   void sign(Dataset& dataset) const;                ///< Conventions, source and history

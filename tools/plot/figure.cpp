@@ -1,7 +1,6 @@
 #include "tools/plot/figure.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tools/plot/layout.hpp"
 
@@ -92,7 +91,7 @@ class Writer {
     if (with_bar && !bar.name.empty()) colour_bar(shown, bar);
   }
 
-  // Entries one after the other with even gaps, centred over the panels, or on the sheet where they are longer.
+  // Entries with even gaps, centred over the panels, or on the sheet where they are longer.
   void legend() {
     double y = at_.bottom + at_.panels_high + (figure_.comparison ? label_height : 0) * em_ + 1.1 * em_ +
                line_of_legend * em_ * static_cast<double>(at_.legend.size());

@@ -1,8 +1,7 @@
-/// A figure as it is described: panels of one size in rows and columns, each with axes and series, under one title, with one
-/// legend and one colour bar.
+/// A figure as it is described: panels of one size in rows and columns under one title, with one legend and
+/// one colour bar.
 ///
-/// Everything is placed in units of the em, the height of the letters: no label depends on what gnuplot makes room for
-/// (plot/layout.hpp).
+/// Everything is placed in units of the em, the height of the letters (plot/layout.hpp).
 #pragma once
 
 #include <optional>

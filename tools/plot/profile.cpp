@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"

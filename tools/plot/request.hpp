@@ -1,7 +1,6 @@
 /// What is asked of a figure, and what it is drawn from.
 #pragma once
 
-#include <array>
 #include <limits>
 #include <string>
 #include <vector>

@@ -15,20 +15,17 @@ constexpr struct {
 } escapes[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
 
 std::string escaped(char c) {
+  const auto code = static_cast<unsigned char>(c);
+  if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) return "\uFFFD";
   const auto* own = std::ranges::find_if(escapes, [&](const auto& e) { return e.character == c; });
   return own == std::end(escapes) ? std::string(1, c) : own->escape;
-}
-
-bool shown(char c) {
-  const auto code = static_cast<unsigned char>(c);
-  return (code >= 0x20 && code != 0x7F) || c == '\n' || c == '\t';
 }
 
 }  // namespace
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : utf8_of(text)) out += shown(c) ? escaped(c) : "\uFFFD";
+  for (const char c : utf8_of(text)) out += escaped(c);
   return out;
 }
 

@@ -7,8 +7,7 @@
 
 namespace asperity::report {
 
-/// For an element or a quoted attribute; bytes that are no UTF-8, and control characters but line feeds and tabs,
-/// become U+FFFD.
+/// For an element or a quoted attribute; control characters but line feeds and tabs become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// RFC 4648, section 4.

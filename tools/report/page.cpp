@@ -66,23 +66,18 @@ std::string what_it_is(const Content& c) {
 
 // ---- the numbers that a reader looks for first ----
 
-const Parameter* find_row(const Content& c, const std::string& name) {
-  for (const Group& group : c.groups)
-    for (const auto& row : group.rows)
-      if (row.name == name) return &row;
-  return nullptr;
-}
-
 std::string tile(const std::string& label, const std::string& text) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", label, escaped(text));
 }
 
 std::string tiles(const Content& c) {
   std::string out;
-  if (const auto* row = find_row(c, "Sq")) {
-    const Measurement m = readable(*row);
-    out += tile("rms height Sq", m.value + (m.error.empty() ? "" : " ± " + m.error) + "\u00A0" + m.unit);
-  }
+  for (const Group& group : c.groups)
+    for (const Parameter& row : group.rows)
+      if (row.name == "Sq") {
+        const Measurement m = readable(row);
+        out += tile("rms height Sq", m.value + (m.error.empty() ? "" : " ± " + m.error) + "\u00A0" + m.unit);
+      }
   const Attributes& a = c.dataset[0].data.attributes;
   constexpr struct {
     const char *attribute, *label, *unit;

@@ -1,7 +1,6 @@
 /// The page of a dataset: everything in one file, nothing fetched, no script.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

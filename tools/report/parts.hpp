@@ -1,10 +1,9 @@
-/// The parts of a report as HTML; "" where the dataset has nothing for one. Every number of a table is in a <data> element
-/// that carries its exact value in SI.
+/// The parts of a report as HTML; "" where the dataset has nothing for one. Numbers of tables are <data>
+/// elements with their exact value in SI.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "dataset/catalogue.hpp"
 #include "stats/measure/parameter.hpp"
@@ -15,8 +14,8 @@ namespace asperity::report {
 /// What a reader must know before believing a number: solvers that did not converge, a target changed.
 std::string warnings(const Dataset& data);
 
-/// The pictures that the dataset has something for, as asperity-plot draws them: fields as PNG, curves as SVG, and why others
-/// are not drawn. `variable` takes the place of heights.
+/// The pictures that the dataset has something for, fields as PNG, curves as SVG, and why others are not
+/// drawn. `variable` takes the place of heights.
 std::string pictures(const plot::Cases& dataset, const std::string& variable);
 
 /// Value, standard error and 95 % interval, a row a quantity.
@@ -26,7 +25,7 @@ std::string contact_results(const Dataset& data);
 /// Variables with their dimensions, units and meaning.
 std::string contents(const Dataset& data);
 
-/// Label and value of the attributes of this role and stage (kernel, generate, contact, stress), in the catalogue's order.
+/// Label and value of the attributes of this role and stage: kernel, generate, contact, stress.
 std::string facts(const Dataset& data, Role role, std::string_view stage);
 /// The global attributes that are none of these, but for the history and source.
 std::string other_attributes(const Dataset& data);

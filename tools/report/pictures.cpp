@@ -22,7 +22,7 @@ bool is_field(const Dataset& data, const std::string& name) {
   return variable && variable->dimensions == std::vector<std::string>{"x", "y"};
 }
 
-// A section goes through the largest stress where the dataset says where it is, and holds more than one section.
+// Where a volume says where its largest stress is, the section goes through it.
 std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
   std::vector<Wanted> out;
   const bool field = is_field(data, variable);

@@ -31,7 +31,7 @@ std::string superscript(int n) {
   return out;
 }
 
-// The largest length whose power brings the number to 0.01 or more, or below 1000 where it is one over a length.
+// The largest length whose power brings the number to 0.01 or more, or below 1000 of a negative power.
 Unit power_unit(double magnitude, int n) {
   if (!(magnitude > 0)) return {1, "m" + superscript(n)};
   const Unit lengths[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}};

@@ -1,7 +1,7 @@
 /// Numbers for eyes: a unit with the prefix that suits them, and the digits that their error leaves.
 ///
-/// The standard error has two digits, and the value and its interval end where it ends. What has no error has four
-/// digits, whole numbers all of theirs. Pure numbers below 0.01 have a power of a thousand in place of a prefix.
+/// The standard error has two digits, and the value and its interval end where it ends. Without an error
+/// there are four digits, of whole numbers all. Pure numbers below 0.01 have powers of a thousand as units.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace asperity::report {
 
-/// Of a length, its powers from m-4 to m4, a force, a stress, a time, an angle in radians or a pure number; any other
+/// Of a length, its powers from m-4 to m4, a force, a stress, a time, an angle or a pure number; any other
 /// unit stands as it is.
 plot::Unit unit_for(double magnitude, const std::string& si_unit);
 

@@ -13,8 +13,7 @@ namespace asperity::report {
 namespace {
 
 std::string data_element(double value, const std::string& text) {
-  return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", shortest(value), text)
-                              : text;
+  return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", shortest(value), text) : text;
 }
 
 // An end that lies beyond what can be told is left open.
