@@ -23,8 +23,7 @@ bool among(const List& list, const std::string& word) {
 }
 
 bool looks_like_extension(const std::string& word) {
-  const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
-  return !word.empty() && word.size() <= 8 && letter(static_cast<unsigned char>(word[0])) &&
+  return !word.empty() && word.size() <= 8 && std::isalpha(static_cast<unsigned char>(word[0])) != 0 &&
          std::ranges::all_of(word, [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 

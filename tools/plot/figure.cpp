@@ -41,13 +41,9 @@ class Writer {
   Writer(const Figure& figure, const Layout& layout) : figure_(figure), at_(layout), em_(layout.em) {}
 
   void begin(const std::string& format) {
-    script.line("set encoding utf8");
-    script.line("set terminal {} background rgb 'white'", terminal(at_, format));
-    script.line("set minussign");
-    script.line("set border linewidth 0.8");
-    script.line("set tics out nomirror scale 0.5 front");
-    script.line("unset key");
-    script.line("set multiplot");
+    script.line("set encoding utf8\nset terminal {} background rgb 'white'", terminal(at_, format));
+    script.line("set minussign\nset border linewidth 0.8\nset tics out nomirror scale 0.5 front");
+    script.line("unset key\nset multiplot");
     script.add(figure_.commands);
   }
 

@@ -28,8 +28,7 @@ Place place_in(const std::vector<double>& points, double at) {
 std::vector<double> present_values(const Variable& variable) {
   std::vector<double> values = present_numbers(variable);
   const double factor = factor_to(si_unit_of(variable), variable);
-  if (factor != 1)
-    for (double& v : values) v *= factor;
+  for (double& v : values) v *= factor;
   return values;
 }
 

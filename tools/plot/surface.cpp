@@ -51,12 +51,6 @@ std::string tics(Range values, double step, double scale, const Unit& unit) {
   return out;
 }
 
-std::string default_title(const Quantity& quantity, double factor, Index stride) {
-  std::string out = quantity.unit == "m" ? fmt::format("{} × {:.6g}", quantity.name, factor) : quantity.name;
-  if (stride > 1) out += fmt::format(", every {}th point", stride);
-  return out;
-}
-
 // All cases as they are drawn: thinned alike, on one scale.
 struct Relief {
   std::vector<Patch> patches;
@@ -126,8 +120,8 @@ Script axes_of(double ems_wide, const Relief& relief, const Patch& p, bool first
   script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
   script.line("set ztics ({})",
               tics(relief.values, step_of_heights(ems_wide, relief, p), scale, relief.value));
-  script.line("set xlabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("x")));
-  script.line("set ylabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("y")));
+  for (const char* axis : {"x", "y"})
+    script.line("set {}label {} noenhanced offset 0,-0.3", axis, gnuplot_string(relief.length.label(axis)));
   script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
               gnuplot_string(first ? relief.value.label(relief.quantity.name) : ""));
   return script;
@@ -141,7 +135,9 @@ Figure surface(const Cases& cases, const Request& request) {
   Colours colours = field_colours(relief.patches, relief.quantity, request);
   colours.range = {colours.range.low * scale, colours.range.high * scale};
   Figure out = side_by_side(request, cases);
-  out.title = default_title(relief.quantity, relief.factor, relief.stride);
+  out.title = relief.quantity.name;
+  if (relief.quantity.unit == "m") out.title += fmt::format(" × {:.6g}", relief.factor);
+  if (relief.stride > 1) out.title += fmt::format(", every {}th point", relief.stride);
   out.in_space = true;
   out.aspect = 0.72;
   out.left = 4.5, out.right = 4, out.bottom = 3.2;

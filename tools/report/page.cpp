@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,13 +16,10 @@
 namespace asperity::report {
 namespace {
 
-struct Stage {
-  const char *prefix, *title;
-};
-constexpr Stage stages[] = {{"kernel", "Autocorrelation and kernel"},
-                            {"generate", "Surface"},
-                            {"contact", "Contact"},
-                            {"stress", "Stress below the surface"}};
+constexpr std::pair<const char*, const char*> stages[] = {{"kernel", "Autocorrelation and kernel"},
+                                                          {"generate", "Surface"},
+                                                          {"contact", "Contact"},
+                                                          {"stress", "Stress below the surface"}};
 
 std::string section(const std::string& title, const std::string& content) {
   return content.empty() ? "" : element("section", element("h2", escaped(title)) + content);
@@ -100,10 +98,9 @@ std::string parameters_of_surface(const Content& c) {
                                  : element("p", "Not computed: " + escaped(group.omitted) + ".", "soft");
   }
   if (out.empty()) return "";
-  const std::string untold =
-      c.untold.empty()
-          ? ""
-          : element("p", "Warning: standard errors and intervals are " + escaped(c.untold) + ".", "warning");
+  std::string untold;
+  if (!c.untold.empty())
+    untold = element("p", "Warning: standard errors and intervals are " + escaped(c.untold) + ".", "warning");
   return untold +
          element("p",
                  "Measured above " + escaped(c.reference) +
@@ -115,10 +112,9 @@ std::string parameters_of_surface(const Content& c) {
 
 std::string by_stage(const Dataset& data, Role role) {
   std::string out;
-  for (const Stage& stage : stages) {
-    const std::string table = facts(data, role, stage.prefix);
-    if (!table.empty()) out += element("h3", stage.title) + table;
-  }
+  for (const auto& [stage, title] : stages)
+    if (const std::string table = facts(data, role, stage); !table.empty())
+      out += element("h3", title) + table;
   return out;
 }
 

@@ -43,12 +43,6 @@ Unit power_unit(double magnitude, int n) {
   return {};
 }
 
-Unit pure_unit(double magnitude) {
-  if (!(magnitude > 0) || magnitude >= least_decimal) return {};
-  const int thousands = static_cast<int>(std::floor(std::log10(magnitude * (1 + 1e-9)) / 3));
-  return {std::pow(1000.0, thousands), "×\u00A010" + superscript(3 * thousands)};
-}
-
 std::string with_true_minus(std::string text) {
   if (text.find_first_of("123456789") == text.npos) std::erase(text, '-');
   return text.starts_with('-') ? "−" + text.substr(1) : text;
@@ -58,7 +52,11 @@ std::string with_true_minus(std::string text) {
 
 Unit unit_for(double magnitude, const std::string& si_unit) {
   if (si_unit == "rad") return {std::numbers::pi / 180, "°"};
-  if (si_unit.empty() || si_unit == "1") return pure_unit(magnitude);
+  if (si_unit.empty() || si_unit == "1") {
+    if (!(magnitude > 0) || magnitude >= least_decimal) return {};
+    const int thousands = static_cast<int>(std::floor(std::log10(magnitude * (1 + 1e-9)) / 3));
+    return {std::pow(1000.0, thousands), "×\u00A010" + superscript(3 * thousands)};
+  }
   if (si_unit == "s") {
     const Unit newtons = plot::unit_for(std::min(magnitude, 1.0), "N");
     return {newtons.factor, newtons.name.substr(0, newtons.name.size() - 1) + "s"};
