@@ -37,13 +37,6 @@ Range with_room(Range r) {
   return {r.low == 0 ? 0 : r.low - room, r.high + room};
 }
 
-std::vector<LegendEntry> legend(const Cases& cases) {
-  std::vector<LegendEntry> out;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    out.push_back({LegendEntry::Key::line, line_colour(c), cases[c].label});
-  return out;
-}
-
 // A section and its traces, one a case.
 struct Row {
   Section section;
@@ -88,7 +81,8 @@ Figure profile(const Cases& cases, const Request& request) {
   values = value_range(request, quantity.unit, with_room(values));
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
   Figure out{.aspect = rows.size() > 1 ? 0.32 : 0.45, .gap_y = 4.8};
-  if (cases.size() > 1) out.legend = legend(cases);
+  for (std::size_t c = 0; c < cases.size() && cases.size() > 1; ++c)
+    out.legend.push_back({LegendEntry::Key::line, line_colour(c), cases[c].label});
   for (const Row& row : rows)
     out.panels.push_back(panel_of(row, length, axis_of(values, value, quantity.name), value.factor));
   return out;

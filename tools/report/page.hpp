@@ -6,7 +6,7 @@
 
 #include "stats/measure/parameter.hpp"
 #include "tools/cli/tool.hpp"
-#include "tools/plot/request.hpp"
+#include "tools/plot/figure.hpp"
 
 namespace asperity::report {
 

@@ -7,7 +7,7 @@
 
 #include "dataset/catalogue.hpp"
 #include "stats/measure/parameter.hpp"
-#include "tools/plot/request.hpp"
+#include "tools/plot/figure.hpp"
 
 namespace asperity::report {
 
