@@ -60,8 +60,6 @@ class StepTable {
   void row(const std::vector<std::string>& cells);
 
  private:
-  void print(const std::vector<std::string>& cells) const;
-
   const Tool& tool_;
   std::vector<std::string> headings_;
   bool headed_ = false;

@@ -1,7 +1,7 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
 /// A named file comes into being when it is whole: until then it has no name, or, where the system has no
-/// such files, a temporary one beside its own (cli/temporary.hpp). Nobody sees half of it, and who is
+/// such files, a temporary one beside its own. Nobody sees half of it, and who is
 /// interrupted leaves nothing behind. It takes the place of a former file with its mode, and its owner and
 /// group where that is permitted; one that is write-protected stays, as of cp. What is no file
 /// (cli/place.hpp), a device, a pipe or what is open already, is written from where it stands. Every write is
@@ -15,7 +15,6 @@
 
 #include "dataset/bytes.hpp"
 #include "dataset/memory_bound.hpp"
-#include "tools/cli/temporary.hpp"
 
 namespace asperity::cli {
 
@@ -30,6 +29,28 @@ void write_to(int fd, std::string_view bytes, const std::string& name);
 /// Throws as OutputFile would where it cannot take this name, but opens nothing: before the work.
 void require_writable(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
+
+/// The temporary name of a file that is to replace another: it does not outlive the process. The signals that
+/// end one (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ) remove it first, unless they are ignored or handled
+/// already. Only SIGKILL and a crash leave it.
+class TemporaryName {
+ public:
+  /// The name is free to be given to a file from now on.
+  explicit TemporaryName(std::string path);
+  ~TemporaryName();  ///< removes the file, if it still has the name
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+
+  const char* path() const { return path_.c_str(); }
+  /// The file takes the place of `target`; false, with errno, where it cannot.
+  bool replace(const std::string& target);
+  /// The name is somebody else's: it is left alone.
+  void forget();
+
+ private:
+  std::string path_;
+  bool known_ = true;
+};
 
 /// A file that is written piece by piece.
 class OutputFile {
