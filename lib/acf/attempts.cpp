@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "acf/conjugate_gradient.hpp"
-#include "acf/fixed_point.hpp"
 #include "acf/kernel_cost.hpp"
 #include "acf/kernel_evaluation.hpp"
 #include "acf/least_squares.hpp"
@@ -178,14 +177,6 @@ Attempt newton(const KernelProblem& problem) {
   else if (out.effort.steps == 0)
     out.effort.reason = "its windowed root is no start";
   return out;
-}
-
-Attempt fixed_point(const KernelProblem& problem) {
-  return iterate(problem, [&](Equations& equations, std::vector<double>& u) {
-    return solve_fixed_point(
-        equations, u,
-        {.tolerance = inside * problem.request.tolerance, .on_step = problem.observer("fixed point")});
-  });
 }
 
 Attempt conjugate_gradient(const KernelProblem& problem) {

@@ -50,8 +50,7 @@ struct Attempt {
 Attempt spectral_root(const KernelProblem& problem);
 /// Newton's iteration from the windowed root, where it is worth its time: a candidate where it converges.
 Attempt newton(const KernelProblem& problem);
-/// The best that these come to.
-Attempt fixed_point(const KernelProblem& problem);
+/// The best that they come to.
 Attempt conjugate_gradient(const KernelProblem& problem);
 /// On from `start`, or the windowed root where that is empty, by so many products at the most.
 Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products);

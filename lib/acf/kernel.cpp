@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr EnumWords<3> formulations{"symmetric", "oriented", "patir"};
-constexpr EnumWords<4> methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};
+constexpr EnumWords<3> methods{"newton-krylov", "conjugate-gradient", "spectral"};
 constexpr EnumWords<4> policies{"auto", "error", "nearest", "least-squares"};
 constexpr EnumWords<6> answers{"exact", "wider", "nearest", "least-squares", "spectral", "best"};
 

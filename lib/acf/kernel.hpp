@@ -47,7 +47,6 @@ enum class Formulation {
 };
 enum class Method {
   newton_krylov,       ///< KINSOL's inexact Newton iteration
-  fixed_point,         ///< KINSOL's fixed point of u - M F(u) with Anderson acceleration
   conjugate_gradient,  ///< descent on ‖F‖², the way of 2009
   spectral             ///< the zero-phase root of the spectrum, no solve
 };
@@ -82,7 +81,7 @@ InfeasiblePolicy infeasible_named(std::string_view name);
 /// A step of one of the iterations that the search for a kernel is made of.
 struct KernelProgress : IterationStep {
   Shape lags;
-  std::string_view iteration;  ///< "Newton-Krylov", "fixed point", "projections", …
+  std::string_view iteration;  ///< "Newton-Krylov", "projections", …
 };
 
 struct KernelRequest {

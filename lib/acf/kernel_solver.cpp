@@ -10,7 +10,6 @@ namespace asperity {
 
 void KernelSolver::run() {
   if (method() == Method::spectral || problem_.of_no_surface) return choose(spectral_root(problem_));
-  if (method() == Method::fixed_point) return choose(fixed_point(problem_));
   if (method() == Method::conjugate_gradient) return choose(conjugate_gradient(problem_));
   const InfeasiblePolicy policy = problem_.request.infeasible;
   const bool may_widen = problem_.zero_phase && !problem_.recognised && policy != InfeasiblePolicy::error &&
@@ -91,8 +90,8 @@ std::string KernelSolver::closest() const {
 // ---- the answer ----
 
 void KernelSolver::complete(KernelReport& report) const {
-  const bool other = method() == Method::fixed_point || method() == Method::conjugate_gradient;
-  if (other && !(report.residual <= problem_.request.tolerance)) report.answer = Answer::best;
+  if (method() == Method::conjugate_gradient && !(report.residual <= problem_.request.tolerance))
+    report.answer = Answer::best;
   const bool exact = report.answer == Answer::exact,
              as_asked = report.answer == Answer::spectral || report.answer == Answer::best;
   if (!exact) report.change = report.residual;

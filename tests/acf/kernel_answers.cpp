@@ -115,21 +115,19 @@ TEST_CASE("targets at the limits end in a kernel with its error, or in a refusal
 
 TEST_CASE("every method that arrives finds the same kernel, and each says how far it came", "[kernel][law]") {
   const Kernel newton = solve_kernel(cut(13, 13, 4.6));
-  for (Method method : {Method::fixed_point, Method::conjugate_gradient}) {
-    KernelRequest request = cut(13, 13, 4.6);
-    request.method = method;
-    const Kernel k = solve_kernel(request);
-    CAPTURE(name_of(method), k.report.reason);
-    CHECK(k.report.converged);
-    CHECK((k.values - newton.values).abs().maxCoeff() <= coefficient_error);
-  }
-  KernelRequest request = cut(63, 63, 4.6);
-  request.method = Method::fixed_point;  // diverges
+  KernelRequest request = cut(13, 13, 4.6);
+  request.method = Method::conjugate_gradient;
+  const Kernel k = solve_kernel(request);
+  CAPTURE(k.report.reason);
+  CHECK(k.report.converged);
+  CHECK((k.values - newton.values).abs().maxCoeff() <= coefficient_error);
+  request.target = cut(13, 13, 0.7).target;  // half of it is left at the cut: there is no such kernel
   const Kernel lost = solve_kernel(request);
   CHECK_FALSE(lost.report.converged);
   CHECK(lost.report.answer == Answer::best);
   CHECK(lost.report.change == lost.report.residual);
   CHECK(lost.values.isFinite().all());
+  request = cut(63, 63, 4.6);
   request.method = Method::spectral;
   const Kernel root = solve_kernel(request);
   CHECK(root.report.answer == Answer::spectral);

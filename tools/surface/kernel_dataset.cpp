@@ -175,10 +175,9 @@ void record_model(Attributes& a, const EllipticTarget& model) {
 }
 
 void record_kernel(Attributes& a, const KernelRequest& request, const Kernel& kernel) {
-  const bool by_kinsol = request.method == Method::newton_krylov || request.method == Method::fixed_point;
   a.set("kernel_formulation", name_of(kernel.formulation));
   a.set("kernel_method", name_of(request.method));
-  if (by_kinsol) a.set("kernel_solver", "KINSOL of " + sundials_version());
+  if (request.method == Method::newton_krylov) a.set("kernel_solver", "KINSOL of " + sundials_version());
   a.set_values("kernel_lags", pair_of(kernel.lags));
   a.set("kernel_tolerance", request.tolerance);
   a.set("kernel_acf_tolerance", request.acf_tolerance);

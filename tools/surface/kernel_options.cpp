@@ -75,7 +75,7 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
               "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
               "quadrant, wrong at the mirrored lags; absent: by the target",
               group);
-  std::vector<std::string> methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};
+  std::vector<std::string> methods{"newton-krylov", "conjugate-gradient", "spectral"};
   std::string filter;
   if (draws) {
     methods.push_back("filter");
