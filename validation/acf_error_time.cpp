@@ -19,6 +19,7 @@
 #include "acf/equations.hpp"
 #include "acf/kernel.hpp"
 #include "acf_yardsticks.hpp"
+#include "reference/exponential_target.hpp"
 #include "timing.hpp"
 
 using namespace asperity;
@@ -80,7 +81,7 @@ void row(std::string_view method, const KernelRequest& request, double c, Solve 
           : "-";
   fmt::print("{}\t{}\t{}x{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{}\t{}\t{}\t{}\n", method,
              name_of(*request.formulation), request.lags.nx, request.lags.ny, c, r.error, r.mirrored_error,
-             r.seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, name_of(r.answer));
+             r.seconds, r.residual, r.steps, r.jacobian_products, ratio, name_of(r.answer));
 }
 
 void head(const char* title) {

@@ -39,11 +39,11 @@ void iterate(Equations& equations, Eigen::VectorXd& best, double tolerance, Kern
       best = u;
     }
     if (largest <= tolerance || !(largest <= most_growth * least && std::isfinite(largest)) ||
-        report.newton_steps == most_steps)
+        report.steps == most_steps)
       return;
     equations.linearize(span(u));
     equations.precondition(span(f));
-    const Index k = report.newton_steps++, earlier = std::min(k, images.columns.cols());
+    const Index k = report.steps++, earlier = std::min(k, images.columns.cols());
     u -= f;
     images.add(u, k);
     steps.add(-f, k);

@@ -11,7 +11,8 @@
 #include "acf/newton_krylov.hpp"
 #include "acf/projections.hpp"
 #include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
+#include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -32,16 +33,6 @@ NewtonOptions newton_options(const KernelProblem& problem) {
   options.krylov_dimension =
       static_cast<int>(std::clamp<Index>(problem.equations->count() / 4, 10, options.krylov_dimension));
   return options;
-}
-
-// What an iteration makes of the start.
-template <class Solve>
-Attempt iterate(const KernelProblem& problem, Solve solve) {
-  std::vector<double> u = problem.equations->start();
-  Attempt out;
-  out.effort = solve(*problem.equations, u);
-  out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
-  return out;
 }
 
 // Why no torus of this size is tried, or nothing.
@@ -67,9 +58,8 @@ Widened widen(const KernelProblem& problem, Index torus) {
                      {.tolerance = goal, .torus = torus, .on_step = problem.observer("projections")});
   if (problem.enough > request.tolerance)
     return {problem.evaluate(nearest.values, Answer::nearest), nearest.change};
-  const Field improved =
-      minimum_norm_newton(nearest.values, request.target, problem.lags, problem.oriented,
-                          {.tolerance = goal, .on_step = problem.observer("least change")});
+  const Field improved = minimum_norm_newton(nearest.values, request.target, problem.lags, problem.oriented,
+                                             goal, problem.observer("least change"));
   return {problem.evaluate(improved, Answer::nearest), nearest.change};
 }
 
@@ -180,11 +170,12 @@ Attempt newton(const KernelProblem& problem) {
 }
 
 Attempt conjugate_gradient(const KernelProblem& problem) {
-  return iterate(problem, [&](Equations& equations, std::vector<double>& u) {
-    return solve_conjugate_gradient(equations, u,
-                                    {.tolerance = inside * problem.request.tolerance,
-                                     .on_step = problem.observer("conjugate gradients")});
-  });
+  std::vector<double> u = problem.equations->start();
+  Attempt out;
+  out.effort = solve_conjugate_gradient(*problem.equations, u, inside * problem.request.tolerance,
+                                        problem.observer("conjugate gradients"));
+  out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
+  return out;
 }
 
 Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products) {

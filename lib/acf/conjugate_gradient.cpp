@@ -13,6 +13,8 @@ namespace {
 
 using Vector = Eigen::ArrayXd;
 
+constexpr int most_iterations = 3000;
+
 std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
 // One descent: the iterate, its residual and gradient, and the direction.
@@ -88,19 +90,19 @@ class Descent {
 
 }  // namespace
 
-IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u,
-                                         const DescentOptions& options) {
+IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u, double tolerance,
+                                         const IterationObserver& on_step) {
   Descent descent(equations, u);
   IterationResult result;
   auto tell = [&] {
-    if (options.on_step)
-      options.on_step({result.steps, 2 * result.steps + 1, descent.largest(),
-                       static_cast<double>(result.steps) / options.max_iterations});
+    if (on_step)
+      on_step({result.steps, 2 * result.steps + 1, descent.largest(),
+               static_cast<double>(result.steps) / most_iterations});
   };
   result.reason = "solved";
   tell();
-  while (!(descent.largest() <= options.tolerance)) {
-    if (result.steps == options.max_iterations) {
+  while (!(descent.largest() <= tolerance)) {
+    if (result.steps == most_iterations) {
       result.reason = "not solved in " + counted(result.steps, "iteration");
       break;
     }
@@ -111,9 +113,8 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
     }
     tell();
   }
-  result.converged = descent.largest() <= options.tolerance;
-  result.residuals = 2 * result.steps + 1;
-  result.jacobian_products = 2 * result.steps + 1;
+  result.converged = descent.largest() <= tolerance;
+  result.residuals = result.jacobian_products = 2 * result.steps + 1;
   return result;
 }
 

@@ -7,17 +7,11 @@
 #include "acf/kernel_cost.hpp"
 #include "acf/kernel_solver.hpp"
 #include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
-#include "core/enum_words.hpp"
 #include "core/stopwatch.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
-
-constexpr EnumWords<3> formulations{"symmetric", "oriented", "patir"};
-constexpr EnumWords<3> methods{"newton-krylov", "conjugate-gradient", "spectral"};
-constexpr EnumWords<4> policies{"auto", "error", "nearest", "least-squares"};
-constexpr EnumWords<6> answers{"exact", "wider", "nearest", "least-squares", "spectral", "best"};
 
 double unknowns(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
 
@@ -96,19 +90,6 @@ void scale(Kernel& kernel, double rms) {
 bool allows(InfeasiblePolicy policy, double change) {
   if (policy == InfeasiblePolicy::automatic) return change <= solver::largest_change;
   return policy != InfeasiblePolicy::error || change == 0;
-}
-
-std::string_view name_of(Formulation formulation) { return word_of(formulations, formulation); }
-std::string_view name_of(Method method) { return word_of(methods, method); }
-std::string_view name_of(InfeasiblePolicy policy) { return word_of(policies, policy); }
-std::string_view name_of(Answer answer) { return word_of(answers, answer); }
-
-Formulation formulation_named(std::string_view name) {
-  return enum_named<Formulation>(formulations, name, "formulation");
-}
-Method method_named(std::string_view name) { return enum_named<Method>(methods, name, "method"); }
-InfeasiblePolicy infeasible_named(std::string_view name) {
-  return enum_named<InfeasiblePolicy>(policies, name, "infeasible");
 }
 
 void check_rms(double rms) {

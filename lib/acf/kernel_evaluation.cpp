@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "acf/wording.hpp"
 #include "transform/lag_sums.hpp"
 #include "transform/zero_phase.hpp"
 

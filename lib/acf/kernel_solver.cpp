@@ -4,7 +4,7 @@
 
 #include "acf/kernel_evaluation.hpp"
 #include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 
@@ -95,14 +95,13 @@ void KernelSolver::complete(KernelReport& report) const {
   const bool exact = report.answer == Answer::exact,
              as_asked = report.answer == Answer::spectral || report.answer == Answer::best;
   if (!exact) report.change = report.residual;
-  report.reason = exact ? "solved" : as_asked ? effort_.reason : excuse();
+  static_cast<IterationResult&>(report) = effort_;
+  if (exact)
+    report.reason = "solved";
+  else if (!as_asked)
+    report.reason = excuse();
   judge(report, problem_.request);
   report.feasibility = problem_.feasibility.least;
-  report.newton_steps = effort_.steps;
-  report.equation_seconds = effort_.equation_seconds;
-  report.residuals = effort_.residuals;
-  report.jacobian_products = effort_.jacobian_products;
-  report.preconditionings = effort_.preconditionings;
 }
 
 Kernel KernelSolver::finish() {

@@ -13,6 +13,8 @@ namespace {
 
 using Vector = Eigen::ArrayXd;
 
+constexpr int most_steps = 12, most_inner = 60;  // inner iterations a step
+
 std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 std::span<const double> constant(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
@@ -89,11 +91,11 @@ class Problem {
 };
 
 // J J*y = b to a hundredth, or as far as it goes.
-Vector conjugate_gradients(Problem& problem, const Vector& b, int iterations) {
+Vector conjugate_gradients(Problem& problem, const Vector& b) {
   Vector y = Vector::Zero(b.size()), r = b, z = problem.preconditioned(r), d = z;
   double rz = problem.dot(r, z);
   const double enough = 1e-4 * problem.dot(b, b);
-  for (int i = 0; i < iterations && problem.dot(r, r) > enough; ++i) {
+  for (int i = 0; i < most_inner && problem.dot(r, r) > enough; ++i) {
     const Vector image = problem.image(d);
     const double curvature = problem.dot(d, image);
     if (!(curvature > 0)) break;
@@ -124,19 +126,18 @@ bool advance(Problem& problem, Vector& f, const Vector& step) {
 }  // namespace
 
 Field minimum_norm_newton(const Field& kernel, const Target& target, Shape lags, bool oriented,
-                          const MinimumNormOptions& options) {
+                          double tolerance, const IterationObserver& on_step) {
   Problem problem(kernel, target, lags, oriented);
   Vector f = problem.residual(problem.u);
   auto tell = [&](int step) {
-    if (options.on_step)
-      options.on_step(
-          {step, problem.products, f.abs().maxCoeff(), static_cast<double>(step) / options.max_steps});
+    if (on_step)
+      on_step({step, problem.products, f.abs().maxCoeff(), static_cast<double>(step) / most_steps});
   };
   tell(0);
-  for (int i = 0; i < options.max_steps && f.abs().maxCoeff() > options.tolerance; ++i) {
+  for (int i = 0; i < most_steps && f.abs().maxCoeff() > tolerance; ++i) {
     const double former = problem.dot(f, f);
     problem.linearize();
-    const Vector y = conjugate_gradients(problem, -f, options.max_inner);
+    const Vector y = conjugate_gradients(problem, -f);
     const bool advanced = advance(problem, f, problem.product(y));
     tell(i + 1);
     if (!advanced || problem.dot(f, f) > 0.5 * former) break;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

@@ -7,6 +7,8 @@
 /// Symbols   nx, ny  number of cells     Δx, Δy  spacing [m]     Lx, Ly  size of the domain [m]
 #pragma once
 
+#include <string>
+
 #include <Eigen/Core>
 
 namespace asperity {
@@ -24,6 +26,8 @@ struct Shape {
 };
 
 inline Shape shape_of(const Field& f) { return {f.rows(), f.cols()}; }
+/// "31x17"
+inline std::string text(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
 
 /// A domain cut into cells.
 struct Grid {

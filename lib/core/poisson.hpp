@@ -4,9 +4,8 @@
 /// volume, below 0 it widens when it is stretched (auxetic foams).
 #pragma once
 
-#include <sstream>
-
 #include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 
@@ -14,10 +13,8 @@ constexpr bool is_poisson_ratio(double nu) { return nu > -1 && nu <= 0.5; }
 
 /// Throws ParameterError("poisson") unless it is one.
 inline void check_poisson(double nu) {
-  if (is_poisson_ratio(nu)) return;
-  std::ostringstream text;
-  text << nu << " must lie above -1 and not above 0.5";
-  throw ParameterError("poisson", text.str());
+  if (!is_poisson_ratio(nu))
+    throw ParameterError("poisson", in_digits(nu, 6) + " must lie above -1 and not above 0.5");
 }
 
 }  // namespace asperity

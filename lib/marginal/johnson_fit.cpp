@@ -5,9 +5,9 @@
 #include <string>
 
 #include <Eigen/Core>
-#include <fmt/format.h>
 
 #include "core/field.hpp"
+#include "core/words.hpp"
 #include "marginal/johnson.hpp"
 #include "math/bracketed_root.hpp"
 
@@ -173,7 +173,7 @@ Johnson mirrored(Johnson j) {
   return j;
 }
 
-std::string text(double value) { return fmt::format("{:.7g}", value); }
+std::string text(double value) { return in_digits(value, 7); }
 
 void check_skewness(double skewness) {
   if (!(std::abs(skewness) <= largest_skewness))

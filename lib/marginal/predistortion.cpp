@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "acf/kernel_evaluation.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

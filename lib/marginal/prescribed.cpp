@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "acf/wording.hpp"
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "marginal/johnson.hpp"
 
 namespace asperity {

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "core/pointwise.hpp"
+#include "math/noise.hpp"
 
 namespace asperity {
 

@@ -22,14 +22,18 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 
 #include "core/field.hpp"
-#include "core/pointwise.hpp"
 
 namespace asperity {
+
+/// A function of one number, applied to many in place by several threads at once: what a value becomes does not depend on its
+/// neighbours.
+using Pointwise = std::function<void(std::span<double>)>;
 
 class WhiteNoise {
  public:
@@ -38,7 +42,6 @@ class WhiteNoise {
   /// from 2³² on.
   explicit WhiteNoise(std::uint64_t seed, std::uint64_t surface = 0, std::uint64_t stream = 0,
                       Pointwise translation = {});
-  ~WhiteNoise();
   WhiteNoise(const WhiteNoise&);
   WhiteNoise& operator=(const WhiteNoise&) = delete;
 
@@ -53,10 +56,9 @@ class WhiteNoise {
   static std::string generator();
 
  private:
-  struct Generator;
   std::uint64_t seed_, surface_, stream_;
   Pointwise translation_;
-  std::unique_ptr<Generator> generator_;
+  std::shared_ptr<void> taus2_;  ///< GSL's
 };
 
 }  // namespace asperity

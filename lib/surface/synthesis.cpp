@@ -37,10 +37,10 @@ Synthesis::Synthesis(Field kernel, Shape surface, Options options)
 }
 
 std::size_t Synthesis::bytes(Index strips, int threads) const {
-  const Index rows = strips * filter_->tile().nx;
+  const Index rows = strips * filter_.tile.nx;
   const Index values = (rows + kernel_.rows() - 1) * noise_columns() + rows * surface_.ny;
-  return options_.beside + size(values) * sizeof(double) + filter_->shared_bytes() +
-         size(threads) * filter_->worker_bytes();
+  return options_.beside + size(values) * sizeof(double) + filter_.shared_bytes +
+         size(threads) * filter_.worker_bytes;
 }
 
 void Synthesis::choose_band() {
@@ -49,7 +49,7 @@ void Synthesis::choose_band() {
     throw ParameterError("memory", shown(options_.memory) +
                                        " does not hold one strip of this surface: " + shown(least) + " do");
   while (bytes(1, options_.threads) > options_.memory) options_.threads -= 1;
-  const Shape tile = filter_->tile();
+  const Shape tile = filter_.tile;
   const Index busy = ceiling(tiles_a_thread * options_.threads, ceiling(surface_.ny, tile.ny)),
               worthwhile = ceiling(heights_worth_a_band, tile.nx * surface_.ny);
   strips_ = std::min(std::max(busy, worthwhile), ceiling(surface_.nx, tile.nx));
@@ -73,15 +73,15 @@ void Synthesis::draw(const WhiteNoise& noise, Index first, Eigen::Ref<Field> row
 
 // A band of noise into the heights above it, tile by tile.
 void Synthesis::filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) const {
-  const Shape tile = filter_->tile();
+  const Shape tile = filter_.tile;
   const Index across = ceiling(out.cols(), tile.ny), tiles = across * ceiling(out.rows(), tile.nx);
   parallel_ranges(tiles, options_.threads, [&](Index begin, Index end, int) {
-    const auto worker = filter_->worker();
+    const TileWorker worker = filter_.worker();
     for (Index t = begin; t < end; ++t) {
       const Index i = t / across * tile.nx, j = t % across * tile.ny;
       const Index rows = std::min(tile.nx, out.rows() - i), columns = std::min(tile.ny, out.cols() - j);
       Eigen::Ref<Field> heights = out.block(i, j, rows, columns);
-      worker->filter(noise.block(i, j, rows + kernel_.rows() - 1, columns + kernel_.cols() - 1), heights);
+      worker(noise.block(i, j, rows + kernel_.rows() - 1, columns + kernel_.cols() - 1), heights);
       if (options_.translation)
         for (Index row = 0; row < rows; ++row) options_.translation({&heights(row, 0), size(columns)});
     }
@@ -104,8 +104,8 @@ void Synthesis::bands(const WhiteNoise& noise, const Place& place, const RowSink
 
 void Synthesis::surface(const WhiteNoise& noise, const RowSink& sink) const {
   Field heights(std::min(band_rows(), surface_.nx), surface_.ny);
-  bands(
-      noise, [&](Index, Index count) { return heights.topRows(count); }, sink);
+  const Place place = [&](Index, Index count) { return heights.topRows(count); };
+  bands(noise, place, sink);
 }
 
 Field Synthesis::surface(const WhiteNoise& noise) const {

@@ -2,19 +2,16 @@
 ///
 ///     z(i,j) = Σ_{k<K} Σ_{l<L} kernel(k,l) η(i+k, j+l),    0 ≤ i < N, 0 ≤ j < M                         (1)
 ///
-/// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves,
-/// however large the kernel. The autocorrelation of z is that of the kernel, or its periodic sum.
+/// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves, however large the
+/// kernel. The autocorrelation of z is that of the kernel, or its periodic sum, of another variance where it reaches around
+/// (acf/periodic.hpp has the kernel for that).
 ///
-/// The surface is drawn from its first row to its last in bands of whole tiles (surface/tile_filter.hpp). A
-/// band's noise is drawn row by row, the last K-1 rows are kept for the next band, and threads share the rows
-/// and the tiles of a band. The finished rows go to a sink in their order: a field in memory is one, a file
-/// another, so that no more than a band is ever held for a surface of any length.
+/// The surface is drawn from its first row to its last in bands of whole tiles (surface/tile_filter.hpp). A band's noise is
+/// drawn row by row, the last K-1 rows are kept for the next band, and threads share the rows and the tiles. The finished rows
+/// go to a sink in their order, a field in memory or a file, so that no more than a band is held.
 ///
-/// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band.
-/// The surface therefore depends neither on the number of threads nor on the memory, to the last bit.
-///
-/// On a periodic surface a kernel whose autocorrelation reaches around it draws heights of another variance than a free
-/// one's: acf/periodic.hpp has the kernel for it.
+/// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band. So the surface
+/// depends neither on the number of threads nor on the memory, to the last bit.
 ///
 /// Symbols   N × M  points of the surface   K × L  of the kernel   A × B  of a tile   P × Q  of its torus
 /// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
@@ -67,9 +64,8 @@ class Synthesis {
 
   Shape shape() const { return surface_; }
   Summation summation() const { return options_.summation; }  ///< the one taken
-  Index band_rows() const {
-    return strips_ * filter_->tile().nx;
-  }  ///< rows that a sink gets at a time, at most
+  /// Rows that a sink gets at a time, at most.
+  Index band_rows() const { return strips_ * filter_.tile.nx; }
   /// Bytes that drawing takes, the result apart.
   std::size_t working_set() const { return bytes(strips_, options_.threads); }
 
@@ -88,7 +84,7 @@ class Synthesis {
   Field kernel_;
   Shape surface_;
   Options options_;
-  std::unique_ptr<const TileFilter> filter_;
+  TileFilter filter_;
   Index strips_ = 1;  ///< rows of tiles in a band
 };
 

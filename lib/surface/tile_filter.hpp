@@ -17,41 +17,25 @@
 /// 229-233.
 #pragma once
 
-#include <cstddef>
-#include <memory>
+#include <functional>
 
 #include "core/field.hpp"
 
 namespace asperity {
 
-class TileFilter {
- public:
-  virtual ~TileFilter() = default;
+/// (1): `out` of at most A × B heights from `noise` of K-1 rows and L-1 columns more.
+using TileWorker = std::function<void(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out)>;
 
-  /// A × B, the heights of a tile; those at the far edges of the surface are cut off.
-  Shape tile() const { return tile_; }
-
-  /// The work space of one thread.
-  struct Worker {
-    virtual ~Worker() = default;
-    /// (1): `out` of at most A × B heights from `noise` of K-1 rows and L-1 columns more.
-    virtual void filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) = 0;
-  };
-  virtual std::unique_ptr<Worker> worker() const = 0;
-
-  /// Bytes that all threads share, and those that each of them needs.
-  virtual std::size_t shared_bytes() const = 0;
-  virtual std::size_t worker_bytes() const = 0;
-
- protected:
-  explicit TileFilter(Shape tile) : tile_(tile) {}
-  Shape tile_;
+struct TileFilter {
+  Shape tile;                              ///< A × B; tiles at the far edges of the surface are cut off
+  std::size_t shared_bytes, worker_bytes;  ///< that all threads share, and that each of them needs
+  std::function<TileWorker()> worker;      ///< for one thread, with its work space
 };
 
 /// The sum as it stands.
-std::unique_ptr<const TileFilter> direct_filter(const Field& kernel, Shape surface);
+TileFilter direct_filter(const Field& kernel, Shape surface);
 /// By overlap–save.
-std::unique_ptr<const TileFilter> transform_filter(const Field& kernel, Shape surface);
+TileFilter transform_filter(const Field& kernel, Shape surface);
 
 /// Seconds that each way takes on one thread, the noise apart, by (2) and by a product's time.
 struct SynthesisCost {

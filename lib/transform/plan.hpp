@@ -51,28 +51,7 @@ Index fast_length(Index n, Index multiple = 1);
 /// The library behind the transforms and its version.
 std::string transform_version();
 
-namespace detail {
-struct FftwPlan;
-struct DestroyPlan {
-  void operator()(FftwPlan*) const;
-};
-using PlanPointer = std::shared_ptr<FftwPlan>;
-}  // namespace detail
-
-/// n real points ↔ n/2+1 complex ones.
-class RealTransform {
- public:
-  explicit RealTransform(Index n);
-  Index points() const { return n_; }
-  /// Leaves `in` unchanged.
-  void forward(const double* in, Complex* out) const;
-  /// Destroys `in`.
-  void inverse(Complex* in, double* out) const;
-
- private:
-  Index n_;
-  detail::PlanPointer forward_, inverse_;
-};
+using Plan = std::shared_ptr<void>;  ///< FFTW's
 
 /// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved, or in
 /// place, they would take twice as long; transform/columns.hpp has the way from rows and back.
@@ -90,10 +69,10 @@ class ColumnTransform {
 
  private:
   Index n_, width_;
-  detail::PlanPointer forward_, inverse_;
+  Plan forward_, inverse_;
 };
 
-/// An nx × ny real field ↔ its nx × (ny/2+1) half spectrum.
+/// An nx × ny real field ↔ its nx × (ny/2+1) half spectrum; of 1 × n points the transform in one dimension.
 class RealTransform2D {
  public:
   explicit RealTransform2D(Shape shape);
@@ -107,7 +86,7 @@ class RealTransform2D {
 
  private:
   Shape shape_;
-  detail::PlanPointer forward_, inverse_;
+  Plan forward_, inverse_;
 };
 
 }  // namespace asperity

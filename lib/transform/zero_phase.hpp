@@ -2,9 +2,8 @@
 ///
 /// Such a field has a real spectrum; a kernel of this kind shifts no phase. Two kinds are given by a part of
 /// them and live on a torus of Px × Py points, zero beyond |k| < n, |l| < m:
-///     QuarterTransform    even in both indices: n × m values, k, l ≥ 0,
-///     HalfPlaneTransform  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of
-///                         the rows 1 … n-1.
+///     a quarter     even in both indices: n × m values, k, l ≥ 0,
+///     a half plane  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the rows 1 … n-1.
 /// Rows that hold data are transformed in y; then columns in x, in blocks of eight that stay in the cache
 /// while they are transformed, worked on and transformed back; of the way back only the n × m part is done.
 /// Two real (or Hermitian) sequences are one complex one, and come apart without arithmetic, or with one addition.
@@ -89,44 +88,6 @@ class ZeroPhaseTransform {
 
   bool half_plane_;
   Index column_;  ///< points of a column that make the spectrum
-};
-
-class QuarterTransform : public ZeroPhaseTransform {
- public:
-  /// The torus has even sides, at least 8 and 2n, 2m.
-  QuarterTransform(Shape lags, Shape torus);
-
- private:
-  void load(const double* part) override;
-  void forward_block(Index b) override;
-  void inverse_block(Index b) override;
-  void store(double* part) override;
-
-  /// Where pair c of block b begins in between_.
-  Complex* between(Index b, Index c) { return between_.data() + (b * pairs + c) * between_stride_; }
-
-  MirroredTransform rows_, columns_;
-  Index row_blocks_, between_stride_;
-  AlignedVector<Complex> between_;             ///< [block][pair][k < n], transformed in y only
-  AlignedVector<Complex> row_, row_spectrum_;  ///< eight rows: four pairs
-};
-
-class HalfPlaneTransform : public ZeroPhaseTransform {
- public:
-  /// The torus has even sides, at least 8 and 2n, 2m.
-  HalfPlaneTransform(Shape lags, Shape torus);
-
- private:
-  void load(const double* part) override;
-  void forward_block(Index b) override;
-  void inverse_block(Index b) override;
-  void store(double* part) override;
-
-  RealTransform rows_;
-  ColumnTransform columns_;
-  AlignedVector<Complex> between_;  ///< [block][k < n][8]
-  AlignedVector<double> row_;
-  AlignedVector<Complex> row_spectrum_;
 };
 
 /// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field and has at

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity::cli {
 namespace {
 
 bool given(const Tool& tool, const char* option) { return tool.given(std::string("--") + option); }
+
+std::vector<std::string> words(auto enumeration) {
+  const auto all = enum_words(enumeration);
+  return {all.begin(), all.end()};
+}
 
 double metres(const char* option, const SampledLength& length, const Spacing& spacing, std::size_t axis) {
   if (!length.samples && !spacing)
@@ -35,10 +40,7 @@ void KernelOptions::declare(Tool& tool, bool draws) {
 }
 
 void KernelOptions::declare_target(Tool& tool, const std::string& group) {
-  tool.choice(
-      "--target", target,
-      {"exponential", "gaussian", "matern", "stretched-exponential", "self-affine", "exponential-cosine"},
-      "Its form, made elliptic by two lengths", group);
+  tool.choice("--target", target, words(Model{}), "Its form, made elliptic by two lengths", group);
   tool.lengths("--length", length,
                "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px or "
                "0.4mm; px of x and of y",
@@ -71,11 +73,11 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
               "Largest error over all lags, relative to the variance; of --lags that no kernel has, largest "
               "change. Beyond it exit 3",
               group);
-  tool.choice("--formulation", formulation, {"symmetric", "oriented", "patir"},
+  tool.choice("--formulation", formulation, words(Formulation{}),
               "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
               "quadrant, wrong at the mirrored lags; absent: by the target",
               group);
-  std::vector<std::string> methods{"newton-krylov", "conjugate-gradient", "spectral"};
+  std::vector<std::string> methods = words(Method{});
   std::string filter;
   if (draws) {
     methods.push_back("filter");
@@ -87,7 +89,7 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
       "--method", method, methods,
       "How the equations are solved; spectral takes the root of the spectrum and solves nothing" + filter,
       group);
-  tool.choice("--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
+  tool.choice("--infeasible", infeasible, words(InfeasiblePolicy{}),
               "Where no kernel of --lags has this autocorrelation, or no heights this kurtosis: a wider "
               "kernel or the nearest that there is, if it changes the target by 1e-2 at most (auto) or "
               "however much (nearest); the kernel of least squares; or an error",
@@ -99,7 +101,7 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
 EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) const {
   refuse_unused(tool);
   EllipticTarget out = shape;
-  out.model = model_named(target);
+  out.model = enum_named<Model>(target, "target");
   out.spacing_x = spacing ? (*spacing)[0] : 1;
   out.spacing_y = spacing ? (*spacing)[1] : 1;
   out.length_x = metres("length", length[0], spacing, 0);

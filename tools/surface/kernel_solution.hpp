@@ -27,7 +27,7 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
 
 struct KernelSolution {
   Dataset data;
-  Inventory before;  ///< of the dataset with the table, to tell what is gone
+  Inventory before;  ///< of the dataset that was read, to tell what is gone
   Exit code = done;  ///< not_converged for a kernel that is not what was asked for
 };
 

@@ -8,7 +8,7 @@
 
 #include "acf/kernel_cost.hpp"
 #include "acf/periodic.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 #include "marginal/predistortion.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "transform/plan.hpp"

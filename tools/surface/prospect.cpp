@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "acf/kernel_cost.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 #include "marginal/johnson.hpp"
 
 namespace asperity::cli {
@@ -89,8 +89,7 @@ void tell_cost(const Tool& tool, const KernelRequest& request) {
             : "; shorter lengths, wider samples or a larger --acf-tolerance"));
 }
 
-}  // namespace
-
+// (1) of prospect.hpp, of not more than 64 lags each way.
 double mean_correlation(const Target& target, Shape surface) {
   const Index step_x = (surface.nx + 63) / 64, step_y = (surface.ny + 63) / 64;
   double sum = 0, weights = 0;
@@ -104,6 +103,8 @@ double mean_correlation(const Target& target, Shape surface) {
     }
   return sum / weights;
 }
+
+}  // namespace
 
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option) {
   if (surface.cells() <= 1) return;

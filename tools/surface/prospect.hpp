@@ -19,7 +19,4 @@ void foresee(const Tool& tool, const KernelProblem& problem, Shape surface);
 /// What (1) leads to, blamed on this option; of a single height nothing.
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option);
 
-/// (1), of not more than 64 lags each way.
-double mean_correlation(const Target& target, Shape surface);
-
 }  // namespace asperity::cli
