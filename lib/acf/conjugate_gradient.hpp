@@ -1,4 +1,4 @@
-/// The autocorrelation equations by nonlinear conjugate gradients, the method of Bakolas and of Creţu, Bălan & Urzică.
+/// The autocorrelation equations by nonlinear conjugate gradients, as Bakolas and Creţu, Bălan & Urzică do.
 ///
 /// The sum of squares ½‖F(u)‖² falls along directions
 ///     d ← -g + β d,      g = J*F,      β = max(0, ⟨g, g - g'⟩ / ⟨g', g'⟩),                              (1)
@@ -7,8 +7,8 @@
 /// so that ½‖F(u + t d)‖² is a quartic in t, and its least value follows from the roots of a cubic: the line
 /// search is exact and costs one product.
 ///
-/// It squares the condition of J: some 400 iterations at 31 × 31 lags and e^-4.6, 1200 at 63 × 63, where Newton's method
-/// takes 5 steps (validation/acf_error_time.cpp). It finds kernels whose spectrum changes sign.
+/// It squares the condition of J: some 400 iterations at 31 × 31 lags and e^-4.6, 1200 at 63 × 63, where
+/// Newton takes 5 steps (validation/acf_error_time.cpp). It finds kernels whose spectrum changes sign.
 ///
 /// Cost      three transforms there and back an iteration and half of one.
 ///

@@ -2,31 +2,29 @@
 ///
 /// A surface drawn as z(i,j) = Σ kernel(k,l) η(i+k, j+l) from unit white noise η has the autocorrelation
 ///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                                    (1)
-/// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric and oriented formulations), or
-/// at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond these lags R is free and ends at
-/// 2n - 2 (n - 1 in Patir's). The target is never cut: where R has ended, the target is the error. Of a table all lags are
-/// prescribed unless fewer are asked for, and nothing is asked beyond them.
+/// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric and oriented
+/// formulations), or at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond, R
+/// is free and ends at 2n - 2 (n - 1 in Patir's). The target is never cut: where R has ended, the target is
+/// the error. Of a table all lags are prescribed unless fewer are asked for, and nothing beyond them.
 ///
-/// A target prescribed at too few lags can have no kernel of that size: of an exponential that has fallen to e⁻ᶜ at the last
-/// lag, n is about 0.3 c eᶜ at the most. The remedy is more lags, or a kernel wider than its lags; acf/kernel_solver.hpp says
-/// what is tried, and KernelRequest::infeasible what is wanted.
+/// At too few lags there can be no kernel: of an exponential that has fallen to e⁻ᶜ at the last lag, n is
+/// about 0.3 c eᶜ at the most. The remedy is more lags, or a kernel wider than its lags (acf/attempts.hpp).
 ///
 /// Symbols   σ  rms height [m]   n, m  lags [samples]   errors are relative to σ²
-/// Accuracy  residual ≤ tolerance (1e-10) at the prescribed lags. Over all lags an exponential target with c decay lengths
-///           of lags each way is met within 3e-3, 8e-4, 4e-5, 3e-6 for c = 4.6, 6, 9, 11.5 from 7 × 7 lags on, within
-///           2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31 (validation/acf_error_time.cpp).
-/// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m) points. From
-///           15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented, 1.15 in Patir's formulation
-///           (there); below, plans and tables are 0.1 ms. Memory: acf/kernel_cost.hpp.
+/// Accuracy  residual ≤ tolerance (1e-10) at the prescribed lags. Over all lags an exponential target with c
+///           decay lengths of lags is met within 3e-3, 8e-4, 4e-5, 3e-6 for c = 4.6, 6, 9, 11.5 from 7 × 7
+///           lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31 (validation/acf_error_time.cpp).
+/// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
+///           points. From 15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented,
+///           1.15 in Patir's formulation; below, plans and tables are 0.1 ms. Memory: acf/kernel_cost.hpp.
 ///
-/// N. Patir, Wear 47 (1978) 263-277; V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian three-dimensional
-/// rough surfaces, Wear 254 (2003) 546-554.
+/// N. Patir, Wear 47 (1978) 263-277; V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian
+/// three-dimensional rough surfaces, Wear 254 (2003) 546-554.
 #pragma once
 
 #include <functional>
 #include <limits>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "acf/iteration.hpp"
@@ -94,8 +92,8 @@ struct KernelRequest {
   void check() const;
 };
 
-/// With the counts of all iterations. `converged`: the last one came to its end, and the errors are within `acf_tolerance`;
-/// `reason`: how it ended, and when it failed, what to do.
+/// With the counts of all iterations. `converged`: the last came to its end, and the errors are within
+/// `acf_tolerance`; `reason`: how it ended, and when it failed, what to do.
 struct KernelReport : IterationResult {
   Answer answer = Answer::exact;
   double residual = 0;        ///< max |R - target| over the equations [σ²]
@@ -112,8 +110,8 @@ struct Kernel {
   Shape lags;
   double rms = 1;
   Field values;  ///< the whole kernel as (1) applies it [m]
-  /// R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more of a wider kernel or a table [m²]: the last lags lie
-  /// beyond the support of what is achieved. The target is not a number beyond the lags of a table.
+  /// R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more of a wider kernel or a table [m²]: beyond
+  /// the support of what is achieved. The target is not a number beyond the lags of a table.
   Field acf_target, acf_achieved;
   KernelReport report;
 

@@ -10,8 +10,8 @@
 namespace asperity {
 namespace {
 
-// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, and all of a target that
-// is a table.
+// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, and all of
+// a target that is a table.
 Shape extent(const Target& target, Shape lags, const Field& kernel) {
   const Shape known = target.known.value_or(Shape{1, 1});
   return {std::max({2 * lags.nx, kernel.rows() + 1, known.nx}),

@@ -15,8 +15,8 @@ constexpr int look_every = 10;  // steps between two reports
 
 using Spectrum = Eigen::ArrayXd;
 
-// θ of the projection max(S - θ, 0) onto spectra of mean 1: Newton's iteration on a convex, piecewise linear function,
-// which ends after finitely many steps.
+// θ of the projection max(S - θ, 0) onto spectra of mean 1: Newton's iteration on a convex, piecewise linear
+// function, which ends after finitely many steps.
 class MeanOfOne {
  public:
   static constexpr int most_steps = 100;  // some five are taken

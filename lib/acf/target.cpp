@@ -73,7 +73,8 @@ auto reach(const Ellipse& ellipse, Radius radius) {
   };
 }
 
-// f(r²) of eight lags of a row at a time; whole packets only, so that a value does not depend on its neighbours.
+// f(r²) of eight lags of a row at a time; whole packets only, so that a value does not depend on its
+// neighbours.
 template <class Correlation>
 Target::Row by_packets(const Ellipse& ellipse, Correlation f) {
   using Packet = Eigen::Array<double, 8, 1>;

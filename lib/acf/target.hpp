@@ -1,9 +1,10 @@
 /// Target autocorrelations: what a surface is asked to look like.
 ///
-/// A target is the autocorrelation R(λx, λy) = E[z(x,y) z(x+λx, y+λy)] divided by R(0,0) = σ², at lags counted in samples.
-/// The solver only samples it, so that any callable will do: a model below, a table, a rotated model.
+/// A target is the autocorrelation R(λx, λy) = E[z(x,y) z(x+λx, y+λy)] divided by R(0,0) = σ², at lags
+/// counted in samples. The solver only samples it, so that any callable will do.
 ///
-/// Every model of `EllipticTarget` is a radial correlation ρ(r), ρ(0) = 1, on the ellipses of a surface with a lay,
+/// Every model of `EllipticTarget` is a radial correlation ρ(r), ρ(0) = 1, on the ellipses of a surface with
+/// a lay,
 ///     R(p,q)/σ² = ρ(r* √((x'/λx*)² + (y'/λy*)²)),   ρ(r*) = level, r* the least,                       (1)
 ///     x' = x cos θ + y sin θ,   y' = y cos θ - x sin θ,   x = p Δx,   y = q Δy:
 ///     exponential           exp(-r)
@@ -12,7 +13,7 @@
 ///     Matérn                acf/matern.hpp, 0.01 ≤ ν ≤ 100
 ///     self-affine           acf/self_affine.hpp, 0.01 ≤ H ≤ 1
 ///     exponential-cosine    (1) with exp(-r), times cos(2πx'/wavelength): a machined lay across x'.
-/// All are positive definite in the plane, the last as a product of two that are; the radial exp(-r) cos(kr) is not for k > 1.
+/// All are positive definite in the plane, the last as a product of two that are.
 ///
 /// Symbols   λx, λy    lags                     λx*, λy*  lengths at `level`
 ///           Δx, Δy    spacing                  θ         angle from x towards y [rad]
@@ -20,14 +21,13 @@
 /// Cost      3 to 5 ns a lag of the exponential and the Gaussian, 15 to 60 ns of the others; the self-affine
 ///           beyond r = 128, where |ρ| < 2e-5, 500 ns.
 ///
-/// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact,
-/// Proc. R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for the exponential in two dimensions.
+/// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact, Proc.
+/// R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for the exponential in two dimensions.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <type_traits>
 
 #include "core/enum_words.hpp"
@@ -85,8 +85,8 @@ struct EllipticTarget {
   /// Checks, and throws ParameterError("level") too when ρ passes the level nearer to 0 than r = 1e-300.
   ///
   /// reach(t) is the box around the ellipse on which ρ, or its envelope, is t for the last time, in lags to
-  /// 1e-12 of them and 2^30 at the most. An angle within 1e-12 of a multiple of 90° is taken as that, and then
-  /// R(p,-q) = R(p,q) to the last bit; equal lengths of a radial model need no angle.
+  /// 1e-12 of them and 2^30 at the most. An angle within 1e-12 of a multiple of 90° is taken as that, and
+  /// then R(p,-q) = R(p,q) to the last bit; equal lengths of a radial model need no angle.
   Target target() const;
 };
 

@@ -1,7 +1,5 @@
-/// What can be wrong with a request, in the user's words.
-///
-/// Both kinds carry the name of what is wrong, so that a tool can say "load: ..." or "heights: ..." in one
-/// line; the text gives the value and the bound that it breaks.
+/// What can be wrong with a request, in the user's words: the name of it, so that a tool can say "load: ..."
+/// in one line, and a text with the value and the bound that it breaks.
 #pragma once
 
 #include <stdexcept>

@@ -1,7 +1,6 @@
-/// Poisson's ratio of an isotropic elastic body: one set of bounds for all that takes one,
-///     -1 < ν ≤ ½,
-/// within which the moduli of compression, E/3(1-2ν), and of shear, E/2(1+ν), are positive: at ½ the body keeps its
-/// volume, below 0 it widens when it is stretched (auxetic foams).
+/// Poisson's ratio of an isotropic elastic body, -1 < ν ≤ ½, within which the moduli of compression,
+/// E/3(1-2ν), and of shear, E/2(1+ν), are positive: at ½ the body keeps its volume, below 0 it widens when
+/// stretched.
 #pragma once
 
 #include "core/error.hpp"

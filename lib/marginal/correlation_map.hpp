@@ -2,12 +2,14 @@
 ///
 /// With h_k = He_k/√k! the orthonormal Hermite polynomials and c_k = E[g(y) h_k(y)],
 ///     R_z(ρ) = E[z z'] = Σ_{k≥1} c_k² ρᵏ,    Σ c_k² = 1,                                                 (1)
-/// (Mehler), increasing in ρ as g is in y. A target r therefore asks for ρ = R_z⁻¹(r), and exists only for
-/// r ≥ R_z(-1), which is -1 for a symmetric distribution alone: peaks on one side have no valleys to stand against.
+/// (Mehler), increasing in ρ as g is in y. A target r therefore asks for ρ = R_z⁻¹(r), and exists only for r
+/// ≥ R_z(-1), which is -1 for a symmetric distribution alone: peaks on one side have no valleys to stand
+/// against.
 ///
-/// The series is summed as far as it takes for 1e-13 of the variance, or to the last order that the quadrature
-/// resolves; the variance that is left goes to the next order, so that R_z(1) = 1, and bounds the error, `tail`.
-/// The inverse is tabulated at ρ = sin θ, 2048 even steps of θ, and cubic between them (Hermite).
+/// The series is summed as far as it takes for 1e-13 of the variance, or to the last order that the
+/// quadrature resolves; the variance that is left goes to the next order, so that R_z(1) = 1, and bounds the
+/// error, `tail`. The inverse is tabulated at ρ = sin θ, 2048 even steps of θ, and cubic between them
+/// (Hermite).
 ///
 /// Accuracy  1e-12 where the tail is below it: everywhere but for distributions of nearly two values (S_B of
 ///           δ < 0.03) and measured ones of few values. Inverse: 1e-11.

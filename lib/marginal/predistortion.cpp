@@ -1,7 +1,6 @@
 #include "marginal/predistortion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "acf/kernel_evaluation.hpp"

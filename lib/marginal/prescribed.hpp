@@ -11,14 +11,14 @@
 /// Where a skewness alone is given, the kurtosis follows it as in the gamma family,
 ///     K = 3 + 1.5 Sk²,                                                                                  (2)
 /// that of sums of skewed heights of one sign, and 3 of a Gaussian. Johnson's distribution of these moments is S_B, for (2)
-/// lies below S_L, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2. A kurtosis of 3 at
-/// |Sk| = 1 would be J-shaped, cut at 1.1 Sq.
+/// lies below S_L, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2. A
+/// kurtosis of 3 at |Sk| = 1 would be J-shaped, cut at 1.1 Sq.
 ///
-/// Every distribution has K ≥ Sk² + 1. Where a kurtosis is too low, for the heights or for the noise, the least one of
-/// the same skewness takes its place if that is allowed.
+/// Every distribution has K ≥ Sk² + 1. Where a kurtosis is too low, for the heights or for the noise, the
+/// least one of the same skewness takes its place if that is allowed.
 ///
-/// Y. Z. Hu, K. Tonder, Simulation of 3-D random rough surface by 2-D digital filter and Fourier analysis, Int. J. Mach.
-/// Tools Manuf. 32 (1992) 83-90; V. Bakolas, Wear 254 (2003) 546-554.
+/// Y. Z. Hu, K. Tonder, Simulation of 3-D random rough surface by 2-D digital filter and Fourier analysis,
+/// Int. J. Mach. Tools Manuf. 32 (1992) 83-90; V. Bakolas, Wear 254 (2003) 546-554.
 #pragma once
 
 #include "acf/kernel.hpp"

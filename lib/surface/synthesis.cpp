@@ -8,8 +8,8 @@
 namespace asperity {
 namespace {
 
-// Tiles in a band: enough that threads which share them unevenly lose little, and heights enough that starting
-// the threads costs nothing against them.
+// Tiles in a band: enough that threads which share them unevenly lose little, and heights enough that
+// starting the threads costs nothing against them.
 constexpr Index tiles_a_thread = 4, heights_worth_a_band = 1 << 18;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }

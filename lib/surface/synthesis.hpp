@@ -2,21 +2,22 @@
 ///
 ///     z(i,j) = Σ_{k<K} Σ_{l<L} kernel(k,l) η(i+k, j+l),    0 ≤ i < N, 0 ≤ j < M                         (1)
 ///
-/// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves, however large the
-/// kernel. The autocorrelation of z is that of the kernel, or its periodic sum, of another variance where it reaches around
-/// (acf/periodic.hpp has the kernel for that).
+/// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves,
+/// however large the kernel. The autocorrelation of z is that of the kernel, or its periodic sum, of another
+/// variance where it reaches around (acf/periodic.hpp has the kernel for that).
 ///
-/// The surface is drawn from its first row to its last in bands of whole tiles (surface/tile_filter.hpp). A band's noise is
-/// drawn row by row, the last K-1 rows are kept for the next band, and threads share the rows and the tiles. The finished rows
-/// go to a sink in their order, a field in memory or a file, so that no more than a band is held.
+/// The surface is drawn from its first row to its last in bands of whole tiles (surface/tile_filter.hpp). A
+/// band's noise is drawn row by row, the last K-1 rows are kept for the next band, and threads share the rows
+/// and the tiles. The finished rows go to a sink in their order, a field in memory or a file, so that no more
+/// than a band is held.
 ///
-/// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band. So the surface
-/// depends neither on the number of threads nor on the memory, to the last bit.
+/// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band.
+/// So the surface depends neither on the number of threads nor on the memory, to the last bit.
 ///
 /// Symbols   N × M  points of the surface   K × L  of the kernel   A × B  of a tile   P × Q  of its torus
 /// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
-/// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a tile. The cheaper
-///           one is taken. The noise costs 8 ns a value, and each value is drawn once.
+/// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a tile. The
+///           cheaper one is taken. The noise costs 8 ns a value, and each value is drawn once.
 /// Memory    (A + K - 1)(M + L - 1) + A M doubles for the lowest band, P Q shared and 2 P Q a thread.
 #pragma once
 
@@ -32,8 +33,8 @@ namespace asperity {
 
 enum class Summation { cheapest, direct, transform };
 
-/// Takes rows first, first + 1, … of a surface, which it may alter, for they are not used again; called from the
-/// first row to the last, by one thread.
+/// Takes rows first, first + 1, … of a surface, which it may alter, for they are not used again; called from
+/// the first row to the last, by one thread.
 using RowSink = std::function<void(Index first, Eigen::Ref<Field> rows)>;
 
 class Synthesis {
@@ -48,8 +49,8 @@ class Synthesis {
     std::size_t beside = 0;      ///< bytes that stand in memory meanwhile, and count as of the working set
   };
 
-  /// Throws ParameterError("shape") when the surface has no points, ParameterError("memory") when the lowest band
-  /// on one thread needs more than `memory`.
+  /// Throws ParameterError("shape") when the surface has no points, ParameterError("memory") when the lowest
+  /// band on one thread needs more than `memory`.
   Synthesis(Field kernel, Shape surface, Options options);
 
   /// The surface of this noise, row by row. An exception of the sink ends it and passes on. May be called by

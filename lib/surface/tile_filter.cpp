@@ -77,7 +77,8 @@ struct Symbol {
     for (Complex& s : values) s = scale * std::conj(s);
   }
 
-  // By Eigen, for the library's product of complex numbers takes care of infinities, which forbids vector instructions.
+  // By Eigen, for the library's product of complex numbers takes care of infinities, which forbids vector
+  // instructions.
   void multiply(AlignedVector<Complex>& spectrum) const {
     const Index n = transform.spectrum_size();
     Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), n) *= Eigen::Map<const Eigen::ArrayXcd>(values.data(), n);

@@ -5,7 +5,6 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 
 #include <fftw3.h>
@@ -44,8 +43,8 @@ int counted(Index n) {
   return static_cast<int>(n);
 }
 
-// FFTW aborts where it finds no memory: to make a plan, for its solvers, the first time, and twiddle factors; to execute
-// one, for buffers of a few rows.
+// FFTW aborts where it finds no memory: to make a plan, for its solvers, the first time, and twiddle factors;
+// to execute one, for buffers of a few rows.
 void require_room_for(Index nx, Index ny) { require_room((std::size_t{1} << 20) + 128 * size(nx + ny)); }
 
 // Executions that look first: those that take 100 µs and more, of which the look is a few per cent.
@@ -55,8 +54,8 @@ void require_buffers(Shape shape) {
   if (shape.cells() >= worth_a_look) require_room_for(shape.nx, shape.ny);
 }
 
-// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory, and an
-// aligned one may be executed on any other aligned array.
+// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory,
+// and an aligned one may be executed on any other aligned array.
 template <class Make>
 Plan plan(const Key& key, std::size_t doubles, Make make) {
   std::map<Key, Plan> forgotten;  // destroyed after the lock is released

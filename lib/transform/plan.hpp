@@ -1,15 +1,13 @@
 /// Discrete Fourier transforms: the plans, made once, and their execution.
 ///
-/// The forward transform is X_k = Σ_j x_j exp(-2πi jk/n); no transform here is normalised, so forward then
-/// inverse multiplies by the number of points. All plans are estimated, never measured: their results do not
-/// depend on the machine's load, and a one-dimensional plan gains nothing from measuring.
+/// The forward transform is X_k = Σ_j x_j exp(-2πi jk/n); no transform here is normalised: forward then
+/// inverse multiplies by the number of points. All plans are estimated, so that results do not depend on the
+/// load.
 ///
-/// A plan is immutable and may be executed by several threads at once on different data; transforms of the same
-/// size share theirs, and the last few dozen are kept for the next. Data must be aligned as AlignedVector aligns
-/// it, unless said otherwise.
+/// A plan may be executed by several threads at once on different data; transforms of the same size share
+/// theirs, and the last few dozen are kept. Data must be aligned as AlignedVector aligns it.
 ///
-/// Cost: about 5/2 N log2 N operations for N real points; making a plan takes microseconds to a few
-/// milliseconds, the second time nothing.
+/// Cost: about 5/2 N log2 N operations for N real points; a plan takes microseconds to a few milliseconds.
 ///
 /// M. Frigo, S. G. Johnson, The design and implementation of FFTW3, Proc. IEEE 93 (2005) 216-231.
 #pragma once
@@ -44,8 +42,8 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
-/// The least length ≥ n, a multiple of `multiple`, whose estimated plan is a good one: 2ᵃ 5ᵇ, b ≤ 2, from 768 on
-/// 3·2ᵃ 5ᵇ too. Other lengths without a prime factor above 5 take 1.5 to 3 times as long a point.
+/// The least length ≥ n, a multiple of `multiple`, whose estimated plan is a good one: 2ᵃ 5ᵇ, b ≤ 2, from 768
+/// on 3·2ᵃ 5ᵇ too. Other lengths without a prime factor above 5 take 1.5 to 3 times as long a point.
 Index fast_length(Index n, Index multiple = 1);
 
 /// The library behind the transforms and its version.
@@ -53,8 +51,8 @@ std::string transform_version();
 
 using Plan = std::shared_ptr<void>;  ///< FFTW's
 
-/// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved, or in
-/// place, they would take twice as long; transform/columns.hpp has the way from rows and back.
+/// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved,
+/// or in place, they would take twice as long; transform/columns.hpp has the way from rows and back.
 class ColumnTransform {
  public:
   enum class Ways { both, forward_only };

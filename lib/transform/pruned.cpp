@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/parallel.hpp"
 #include "transform/columns.hpp"
 
 namespace asperity {

@@ -5,16 +5,15 @@
 ///     a quarter     even in both indices: n × m values, k, l ≥ 0,
 ///     a half plane  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the rows 1 … n-1.
 /// Rows that hold data are transformed in y; then columns in x, in blocks of eight that stay in the cache
-/// while they are transformed, worked on and transformed back; of the way back only the n × m part is done.
-/// Two real (or Hermitian) sequences are one complex one, and come apart without arithmetic, or with one addition.
+/// while they are transformed, worked on and transformed back to the n × m part. Two real (or Hermitian)
+/// sequences are one complex one, and come apart without arithmetic, or with one addition.
 ///
 /// A spectrum is [block][pair][kx][2] doubles: column 8·block + 2·pair + 0 or 1, kx = 0 … Px/2 of a quarter,
-/// 0 … Px-1 of a half plane. Columns beyond the last, Py/2, repeat values of others, so that minima and maxima may
-/// be taken over all of it.
+/// 0 … Px-1 of a half plane. Columns beyond the last, Py/2, repeat others: minima and maxima are over all of
+/// it.
 ///
-/// Cost      there and back of a quarter: 0.11 to 0.2, of a half plane 0.12 to 0.33, of a real transform of the torus
-///           there and back, for 31 to 255 lags. Memory: n Py doubles between rows and columns, 16 Px for
-///           a block.
+/// Cost      there and back 0.11 to 0.2 (a quarter), 0.12 to 0.33 (a half plane) of a real transform of the
+///           torus, for 31 to 255 lags. Memory: n Py doubles between rows and columns, 16 Px for a block.
 /// Accuracy  ε log2(Px Py) Σ|a|.
 #pragma once
 
@@ -60,11 +59,12 @@ class ZeroPhaseTransform {
   void forward(std::span<const double> part, std::span<double> spectrum);
   /// The part of the inverse transform; `spectrum` is left alone.
   void inverse(std::span<const double> spectrum, std::span<double> part);
-  /// part → spectrum → work(offset, values) on each pair of columns, where values[i] is the spectrum's value at
-  /// offset + i → `out`, by one pass over the columns. `out` may be `part`.
+  /// part → spectrum → work(offset, values) on each pair of columns, values[i] being the spectrum's at
+  /// offset + i → `out`, which may be `part`.
   template <class Work>
   void filter(std::span<const double> part, std::span<double> out, Work work);
-  /// The autocorrelation of a part, on the torus: that whose spectrum is the square of the part's. `out` may be `part`.
+  /// The autocorrelation of a part on the torus, whose spectrum is the square of the part's. `out` may be
+  /// `part`.
   void autocorrelate(std::span<const double> part, std::span<double> out);
 
  protected:
@@ -90,8 +90,8 @@ class ZeroPhaseTransform {
   Index column_;  ///< points of a column that make the spectrum
 };
 
-/// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field and has at
-/// least so many points.
+/// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field
+/// and has at least so many points.
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented);
 
 inline Index ZeroPhaseTransform::place(Index k, Index l) const {

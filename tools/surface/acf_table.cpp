@@ -44,8 +44,8 @@ std::optional<std::vector<double>> lags_in_metres(const Variable& axis) try {
   refuse("its lags " + axis.name + ": " + e.what());
 }
 
-// The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or has one
-// point only.
+// The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or
+// has one point only.
 std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
   const Variable* axis = data.find(name);
   if (axis == nullptr) return std::nullopt;
@@ -75,7 +75,8 @@ Spacing spacing_of_lags(const Dataset& data, std::optional<double> dx, std::opti
   return std::array{dx.value_or(dy.value_or(1)), dy.value_or(dx.value_or(1))};
 }
 
-// The period of the surface that the table was measured on, or is the target of, where it has all lags of that.
+// The period of the surface that the table was measured on, or is the target of, where it has all lags of
+// that.
 std::optional<Shape> period_of(const Dataset& data, const std::string& name, const Field& half_plane) {
   std::optional<Shape> period = kernel_period(data);
   if (name == "acf") {

@@ -51,12 +51,9 @@ void check(const KernelTables& tables) {
 // ---- the attributes kernel_* ----
 
 const std::pair<const char*, double KernelReport::*> figures[] = {
-    {"kernel_residual", &KernelReport::residual},
-    {"kernel_change", &KernelReport::change},
-    {"kernel_error", &KernelReport::error},
-    {"kernel_mirrored_error", &KernelReport::mirrored_error},
-    {"kernel_tail", &KernelReport::tail},
-    {"kernel_feasibility", &KernelReport::feasibility},
+    {"kernel_residual", &KernelReport::residual}, {"kernel_change", &KernelReport::change},
+    {"kernel_error", &KernelReport::error},       {"kernel_mirrored_error", &KernelReport::mirrored_error},
+    {"kernel_tail", &KernelReport::tail},         {"kernel_feasibility", &KernelReport::feasibility},
 };
 const std::pair<const char*, long KernelReport::*> counts[] = {
     {"kernel_newton_iterations", &KernelReport::steps},

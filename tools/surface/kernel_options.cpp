@@ -1,7 +1,6 @@
 #include "tools/surface/kernel_options.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/words.hpp"
 

@@ -113,7 +113,8 @@ Kernel solved(const Tool& tool, KernelProblem& problem) {
 
 // ---- what is said of it ----
 
-// "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond it.
+// "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond
+// it.
 std::string achieved(const KernelProblem& problem, const Kernel& kernel) {
   const std::string error = number(kernel.report.error);
   if (problem.period)

@@ -61,8 +61,8 @@ void tell_heights(const Tool& tool, const KernelProblem& problem) {
     tool.note(words);
 }
 
-// The lags that a search may come to: those at the tolerance, where a correlation falls so slowly that these are far
-// beyond the first, as of self-affine surfaces.
+// The lags that a search may come to: those at the tolerance, where a correlation falls so slowly that these
+// are far beyond the first, as of self-affine surfaces.
 Shape most_lags(const KernelRequest& request) {
   constexpr double slow = 2.5;  // times as many; 1.7 of exponentials, 3.4 of self-affine surfaces
   const Shape first = first_lags(request);

@@ -1,5 +1,6 @@
-/// What surfaces are drawn with: a kernel, solved for or read, brought to the surface's height, spacing and period, and the
-/// distribution of the heights: Gaussian, a translation of these, or that of averages of skewed noise.
+/// What surfaces are drawn with: a kernel, solved for or read, brought to the surface's height, spacing and
+/// period, and the distribution of the heights: Gaussian, a translation of these, or that of averages of
+/// skewed noise.
 #pragma once
 
 #include "tools/surface/generate_options.hpp"
