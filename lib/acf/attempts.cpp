@@ -45,12 +45,7 @@ std::string beyond_limits(const KernelProblem& problem, Index torus) {
 }
 
 // The kernel that a torus leads to, and what the torus itself leaves of the change.
-struct Widened {
-  std::optional<Kernel> kernel;
-  double change;
-};
-
-Widened widen(const KernelProblem& problem, Index torus) {
+std::pair<std::optional<Kernel>, double> widen(const KernelProblem& problem, Index torus) {
   const KernelRequest& request = problem.request;
   const double goal = inside * problem.enough;
   const NearestKernel nearest =
@@ -61,12 +56,6 @@ Widened widen(const KernelProblem& problem, Index torus) {
   const Field improved = minimum_norm_newton(nearest.values, request.target, problem.lags, problem.oriented,
                                              goal, problem.observer("least change"));
   return {problem.evaluate(improved, Answer::nearest), nearest.change};
-}
-
-// The least residual of these.
-double residual_of(const std::optional<Kernel>& a, const std::optional<Kernel>& b) {
-  const double none = std::numeric_limits<double>::infinity();
-  return std::min(a ? a->report.residual : none, b ? b->report.residual : none);
 }
 
 // Without what is not needed of the ends of a kernel that is near enough: a fifth of its length at a time.
@@ -194,15 +183,17 @@ Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& 
   Attempt out;
   // Whether the ends of the kernel, and not the target, keep it from what is asked for.
   auto lost_more_than = [&](double change) {
-    const double residual = residual_of(out.candidate, best);
+    const double none = std::numeric_limits<double>::infinity(),
+                 residual = std::min(out.candidate ? out.candidate->report.residual : none,
+                                     best ? best->report.residual : none);
     return problem.enough > problem.request.tolerance && std::isfinite(residual) &&
            residual > problem.enough && residual > 2 * change;
   };
   for (Index torus = solver::least_torus; out.effort.reason.empty();) {
-    Widened widened = widen(problem, torus);
-    if (widened.kernel && (!out.candidate || problem.better(*widened.kernel, *out.candidate)))
-      out.candidate = std::move(widened.kernel);
-    if (!lost_more_than(widened.change)) break;
+    auto [widened, change] = widen(problem, torus);
+    if (widened && (!out.candidate || problem.better(*widened, *out.candidate)))
+      out.candidate = std::move(widened);
+    if (!lost_more_than(change)) break;
     torus = solver::wider_torus(torus);
     out.effort.reason = beyond_limits(problem, torus);
   }

@@ -15,7 +15,7 @@ using Vector = Eigen::ArrayXd;
 
 constexpr int most_iterations = 3000;
 
-std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+std::span<double> span(Vector& v) { return {v.data(), size(v.size())}; }
 
 // One descent: the iterate, its residual and gradient, and the direction.
 class Descent {
@@ -58,7 +58,7 @@ class Descent {
   double dot(const Vector& a, const Vector& b) const { return (weight_ * a * b).sum(); }
 
   void refresh() {
-    const std::span<const double> u{u_.data(), static_cast<std::size_t>(u_.size())};
+    const std::span<const double> u{u_.data(), size(u_.size())};
     equations_.residual(u, span(f_));
     equations_.linearize(u);
     equations_.adjoint(span(f_), span(g_));
@@ -73,7 +73,7 @@ class Descent {
     const int count = gsl_poly_solve_cubic(c3 / c4, c2 / c4, c1 / c4, &roots[0], &roots[1], &roots[2]);
     auto gain = [&](double t) { return t * (c1 + t * (c2 / 2 + t * (c3 / 3 + t * c4 / 4))); };
     double best = 0;
-    for (double root : std::span(roots).first(static_cast<std::size_t>(count)))
+    for (double root : std::span(roots).first(size(count)))
       if (gain(root) < gain(best)) best = root;
     // A root close to 0 beside large ones has lost its digits.
     if (best == 0 && c1 < 0 && c2 > 0) best = -c1 / c2;

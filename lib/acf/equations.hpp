@@ -140,11 +140,12 @@ class PatirEquations : public Equations {
   Field kernel(std::span<const double> u) const override;
 
  private:
+  Eigen::Map<Field> plane();             ///< field_
   void load(std::span<const double> u);  ///< into field_, zeros around it
   void forward();                        ///< field_ → spectrum_
   void backward();                       ///< spectrum_ → field_
   void keep_causal();                    ///< [·]₊ of field_
-  void restrict_to(std::span<double> out, double scale) const;
+  void restrict_to(std::span<double> out, double scale);
 
   Shape lags_;
   RealTransform2D transform_;

@@ -218,28 +218,25 @@ bool allows(InfeasiblePolicy policy, double change) {
 }
 
 void check_rms(double rms) {
-  if (!(rms >= 1e-100 && rms <= 1e100))
-    throw ParameterError("rq", number(rms) + ": must lie in 1e-100 ... 1e100");
+  check_parameter(rms >= 1e-100 && rms <= 1e100, "rq", number(rms) + ": must lie in 1e-100 ... 1e100");
 }
 
 void KernelRequest::check() const {
-  const bool open = lags == Shape{};
-  if (!open && (lags.nx < 1 || lags.ny < 1)) throw ParameterError("lags", text(lags) + ": at least 1x1");
-  if (unknowns(lags) > solver::most_unknowns) throw ParameterError("lags", too_many(lags));
+  check_parameter(lags == Shape{} || (lags.nx >= 1 && lags.ny >= 1), "lags", text(lags) + ": at least 1x1");
+  check_parameter(unknowns(lags) <= solver::most_unknowns, "lags", too_many(lags));
   check_rms(rms);
-  if (!(tolerance >= 1e-13 && tolerance <= 1e-2))
-    throw ParameterError("tolerance", number(tolerance) + " does not lie in 1e-13 ... 1e-2");
-  if (!(acf_tolerance >= 1e-8 && acf_tolerance <= 0.5))
-    throw ParameterError("acf-tolerance", number(acf_tolerance) + " does not lie in 1e-8 ... 0.5");
-  if (!target) throw ParameterError("target", "there is none");
-  if (!(std::abs(target(0, 0) - 1) <= 1e-12))
-    throw ParameterError("target", number(target(0, 0)) + " at lag (0,0): must be 1");
-  if (target.known && (lags.nx > target.known->nx || lags.ny > target.known->ny))
-    throw ParameterError("lags",
-                         text(lags) + ": the table of the autocorrelation has " + text(*target.known));
-  if (formulation == Formulation::symmetric && target.oriented)
-    throw ParameterError("formulation",
-                         "symmetric: R(p,-q) differs from R(p,q), which takes the oriented one");
+  check_parameter(tolerance >= 1e-13 && tolerance <= 1e-2, "tolerance",
+                  number(tolerance) + " does not lie in 1e-13 ... 1e-2");
+  check_parameter(acf_tolerance >= 1e-8 && acf_tolerance <= 0.5, "acf-tolerance",
+                  number(acf_tolerance) + " does not lie in 1e-8 ... 0.5");
+  check_parameter(static_cast<bool>(target), "target", "there is none");
+  check_parameter(std::abs(target(0, 0) - 1) <= 1e-12, "target",
+                  number(target(0, 0)) + " at lag (0,0): must be 1");
+  const Shape known = target.known.value_or(lags);
+  check_parameter(lags.nx <= known.nx && lags.ny <= known.ny, "lags",
+                  text(lags) + ": the table of the autocorrelation has " + text(known));
+  check_parameter(formulation != Formulation::symmetric || !target.oriented, "formulation",
+                  "symmetric: R(p,-q) differs from R(p,q), which takes the oriented one");
 }
 
 Kernel solve_kernel(const KernelRequest& request) {

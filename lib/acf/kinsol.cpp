@@ -37,7 +37,7 @@ N_Vector placed(void* block, const Array& description) {
 
 N_Vector clone(N_Vector v) {
   Array made = content(v);
-  const std::size_t bytes = description_size + static_cast<std::size_t>(made.size) * sizeof(double);
+  const std::size_t bytes = description_size + size(made.size) * sizeof(double);
   void* const block = ::operator new(bytes, alignment, std::nothrow);
   if (!block) return nullptr;
   made.values = reinterpret_cast<double*>(static_cast<std::byte*>(block) + description_size);

@@ -20,18 +20,14 @@
 
 namespace asperity::kinsol {
 
-struct FreeVector {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
+template <auto release>
+struct Release {
+  void operator()(auto* owned) const { release(owned); }
 };
-struct FreeSolver {
-  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-};
-struct FreeKinsol {
-  void operator()(void* memory) const { KINFree(&memory); }
-};
-using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, FreeVector>;
-using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, FreeSolver>;
-using Kinsol = std::unique_ptr<void, FreeKinsol>;
+inline void free_kinsol(void* memory) { KINFree(&memory); }
+using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, Release<N_VDestroy>>;
+using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Release<SUNLinSolFree>>;
+using Kinsol = std::unique_ptr<void, Release<free_kinsol>>;
 
 /// Throws std::runtime_error naming the call where its flag says that it failed.
 inline void check(int flag, const char* call) {

@@ -15,8 +15,8 @@ using Vector = Eigen::ArrayXd;
 
 constexpr int most_steps = 12, most_inner = 60;  // inner iterations a step
 
-std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-std::span<const double> constant(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+std::span<double> span(Vector& v) { return {v.data(), size(v.size())}; }
+std::span<const double> constant(const Vector& v) { return {v.data(), size(v.size())}; }
 
 // R of the kernel reaches to 2K - 2 and must not wrap around into the lags below n.
 Shape least_torus(Shape kernel, Shape lags) { return {2 * kernel.nx + lags.nx, 2 * kernel.ny + lags.ny}; }
@@ -29,7 +29,7 @@ class Problem {
   Problem(const Field& kernel, const Target& target, Shape lags, bool oriented)
       : transform_(zero_phase_transform(half_of(kernel), least_torus(half_of(kernel), lags), oriented)),
         scale_(1 / static_cast<double>(transform_->torus().cells())),
-        transfer_(static_cast<std::size_t>(transform_->spectrum_size())) {
+        transfer_(size(transform_->spectrum_size())) {
     const Index middle_x = kernel.rows() / 2, middle_y = kernel.cols() / 2;
     auto vector = [&](auto f) {
       const std::vector<double> part = transform_->part(f);

@@ -22,9 +22,8 @@
 namespace asperity {
 
 /// Whether a kernel of this shape correlates heights half a period apart or farther.
-constexpr bool reaches_around(Index kernel, Index period) { return 2 * (kernel - 1) >= period; }
 constexpr bool reaches_around(Shape kernel, Shape period) {
-  return reaches_around(kernel.nx, period.nx) || reaches_around(kernel.ny, period.ny);
+  return 2 * (kernel.nx - 1) >= period.nx || 2 * (kernel.ny - 1) >= period.ny;
 }
 
 /// (1) at the lags p = 0 …, q = -… + … up to half a period that the half plane reaches.

@@ -18,7 +18,7 @@ namespace {
 constexpr Index most_lags = Index{1} << 30;
 
 void require(bool holds, const char* name, double value, const char* bound) {
-  if (!holds) throw ParameterError(name, in_digits(value, 6) + bound);
+  check_parameter(holds, name, in_digits(value, 6) + bound);
 }
 
 void require_length(const char* name, double value) {

@@ -15,6 +15,11 @@ class ParameterError : public std::invalid_argument {
   std::string name;
 };
 
+/// Throws ParameterError unless it holds.
+inline void check_parameter(bool holds, const char* parameter, const std::string& message) {
+  if (!holds) throw ParameterError(parameter, message);
+}
+
 /// Data that cannot be used: a dataset, a variable or a field of it. `name` is the variable's.
 class DataError : public std::runtime_error {
  public:

@@ -7,6 +7,7 @@
 /// Symbols   nx, ny  number of cells     Δx, Δy  spacing [m]     Lx, Ly  size of the domain [m]
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <Eigen/Core>
@@ -14,6 +15,9 @@
 namespace asperity {
 
 using Index = Eigen::Index;
+
+/// A count as the standard library takes it.
+constexpr std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 /// A quantity per cell, nx × ny, row-major (y fastest).
 using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

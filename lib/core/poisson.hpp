@@ -12,8 +12,7 @@ constexpr bool is_poisson_ratio(double nu) { return nu > -1 && nu <= 0.5; }
 
 /// Throws ParameterError("poisson") unless it is one.
 inline void check_poisson(double nu) {
-  if (!is_poisson_ratio(nu))
-    throw ParameterError("poisson", in_digits(nu, 6) + " must lie above -1 and not above 0.5");
+  check_parameter(is_poisson_ratio(nu), "poisson", in_digits(nu, 6) + " must lie above -1 and not above 0.5");
 }
 
 }  // namespace asperity

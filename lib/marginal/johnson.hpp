@@ -28,7 +28,7 @@
 ///
 /// Density. S_L and S_B lie between ∓(a + b) and ±(a/c - b), S_L, of c = 0, on one side alone; S_U and the
 /// normal have no bounds. f(z) = φ(y)/g'(y) falls to zero at each bound, but of a strong skewness or a low
-/// kurtosis so near to it that no histogram shows it: f is then J-shaped, or has a peak at either bound. The
+/// kurtosis so near to it that no histogram shows it: f is J-shaped, or has a peak at either bound. The
 /// peaks of S_B are where
 ///     δ y = tanh((y - |γ|)/2δ)                                                                          (5)
 /// from above: one at y ≤ |γ|, and where δ² < ½ perhaps a second at y > |γ|, beyond a dip [1]. The others

@@ -25,7 +25,7 @@ double NormalQuadrature::step_for(const Translation& g) { return g.detail / step
 
 Eigen::ArrayXd NormalQuadrature::heights(const Translation& g) const {
   Eigen::ArrayXd z = nodes;
-  g.apply({z.data(), static_cast<std::size_t>(z.size())});
+  g.apply({z.data(), size(z.size())});
   return z;
 }
 

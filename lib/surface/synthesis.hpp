@@ -33,8 +33,8 @@ namespace asperity {
 
 enum class Summation { cheapest, direct, transform };
 
-/// Takes rows first, first + 1, … of a surface, which it may alter, for they are not used again; called from
-/// the first row to the last, by one thread.
+/// Takes rows first, first + 1, … of a surface, which it may alter, from the first to the last, on one
+/// thread.
 using RowSink = std::function<void(Index first, Eigen::Ref<Field> rows)>;
 
 class Synthesis {
@@ -43,25 +43,21 @@ class Synthesis {
     bool periodic = false;
     Summation summation = Summation::cheapest;
     int threads = 1;
-    /// Bound of working_set() [byte]; fewer rows and threads are at work at a time to keep below it.
+    /// Bound of working_set() [byte], kept by fewer rows and threads at a time.
     std::size_t memory = std::numeric_limits<std::size_t>::max();
     Pointwise translation = {};  ///< what a height of (1) becomes, if there is one
     std::size_t beside = 0;      ///< bytes that stand in memory meanwhile, and count as of the working set
   };
 
-  /// Throws ParameterError("shape") when the surface has no points, ParameterError("memory") when the lowest
-  /// band on one thread needs more than `memory`.
+  /// Throws ParameterError("shape") of a surface without points, ("memory") when one strip needs more.
   Synthesis(Field kernel, Shape surface, Options options);
 
-  /// The surface of this noise, row by row. An exception of the sink ends it and passes on. May be called by
-  /// several threads at once.
+  /// The surface of this noise, row by row. Exceptions of the sink pass on. For several threads at once.
   void surface(const WhiteNoise& noise, const RowSink& sink) const;
   Field surface(const WhiteNoise& noise) const;
 
-  /// The noise under the surface: η(i + (K-1)/2, j + (L-1)/2), the value that the middle of the kernel
-  /// multiplies.
+  /// The noise under the surface: η(i + (K-1)/2, j + (L-1)/2), which the middle of the kernel multiplies.
   void noise_below(const WhiteNoise& noise, const RowSink& sink) const;
-  Field noise_below(const WhiteNoise& noise) const;
 
   Shape shape() const { return surface_; }
   Summation summation() const { return options_.summation; }  ///< the one taken
@@ -71,15 +67,11 @@ class Synthesis {
   std::size_t working_set() const { return bytes(strips_, options_.threads); }
 
  private:
-  /// Where `count` rows from `first` on shall lie.
-  using Place = std::function<Eigen::Ref<Field>(Index first, Index count)>;
-
   void choose_band();
   std::size_t bytes(Index strips, int threads) const;
   Index noise_columns() const { return surface_.ny + kernel_.cols() - 1; }
-  void noise_row(WhiteNoise& noise, Index i, std::span<double> out) const;
   void draw(const WhiteNoise& noise, Index first, Eigen::Ref<Field> rows) const;
-  void bands(const WhiteNoise& noise, const Place& place, const RowSink& sink) const;
+  void bands(const WhiteNoise& noise, Eigen::Ref<Field> room, const RowSink& sink) const;
   void filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) const;
 
   Field kernel_;

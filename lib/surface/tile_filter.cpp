@@ -22,8 +22,6 @@ constexpr Index kernels_in_a_torus = 8, points_in_a_torus = 512;
 // Columns whose noise and heights stay in the first-level cache during a direct sum.
 constexpr Index direct_columns = 512, direct_rows = 64;
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 // A fast length for a side of a torus. FFTW is slower by half where it finds too few factors of two.
 Index torus_length(Index least) { return fast_length(least, least < 64 ? 2 : 8); }
 

@@ -18,8 +18,6 @@ fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
 fftw_complex* raw(double* p) { return reinterpret_cast<fftw_complex*>(p); }
 fftw_plan get(const Plan& p) { return static_cast<fftw_plan>(p.get()); }
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 // The next multiple of eight doubles, so that a second array behind the first is aligned too.
 std::size_t aligned(Index n) { return (size(n) + 7) / 8 * 8; }
 

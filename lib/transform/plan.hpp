@@ -52,7 +52,7 @@ std::string transform_version();
 using Plan = std::shared_ptr<void>;  ///< FFTW's
 
 /// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved,
-/// or in place, they would take twice as long; transform/columns.hpp has the way from rows and back.
+/// or in place, they would take twice as long; columns_from_rows is the way to them.
 class ColumnTransform {
  public:
   enum class Ways { both, forward_only };
@@ -69,6 +69,20 @@ class ColumnTransform {
   Index n_, width_;
   Plan forward_, inverse_;
 };
+
+/// `count` rows of `width` values to columns, `stride` apart, and back: what lies side by side in memory, one
+/// after the other. Costs a tenth to a fifth of the columns' transform.
+template <Index width>
+void columns_from_rows(const Complex* rows, Index count, Complex* columns, Index stride) {
+  for (Index i = 0; i < count; ++i)
+    for (Index c = 0; c < width; ++c) columns[c * stride + i] = rows[i * width + c];
+}
+
+template <Index width>
+void rows_from_columns(const Complex* columns, Index stride, Index count, Complex* rows) {
+  for (Index i = 0; i < count; ++i)
+    for (Index c = 0; c < width; ++c) rows[i * width + c] = columns[c * stride + i];
+}
 
 /// An nx × ny real field ↔ its nx × (ny/2+1) half spectrum; of 1 × n points the transform in one dimension.
 class RealTransform2D {

@@ -76,7 +76,7 @@ class PrunedTransform {
   template <class Work>
   void pass(const HalfSpectrum& half, int threads, Work work) const {
     parallel_ranges(blocks(), threads, [&](Index begin, Index end, int) {
-      AlignedVector<Complex> block(static_cast<std::size_t>(block_size())), scratch(block.size());
+      AlignedVector<Complex> block(size(block_size())), scratch(block.size());
       for (Index b = begin; b < end; ++b) {
         forward_block(half, b, block.data(), scratch.data());
         work(b, block.data(), scratch.data());

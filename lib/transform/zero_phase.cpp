@@ -7,8 +7,6 @@ namespace {
 
 constexpr Index width = ZeroPhaseTransform::width;
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 // The real and the imaginary parts of two complex numbers, as two complex numbers: a 2 × 2 tile, transposed.
 void turn(const Complex& a, const Complex& b, Complex& real, Complex& imaginary) {
   const Complex x = a, y = b;
@@ -16,74 +14,7 @@ void turn(const Complex& a, const Complex& b, Complex& real, Complex& imaginary)
   imaginary = {x.imag(), y.imag()};
 }
 
-}  // namespace
-
-ZeroPhaseTransform::ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane)
-    : lags_(lags),
-      torus_(torus),
-      blocks_((torus.ny / 2 + width) / width),
-      stride_(ColumnTransform::stride_of(torus.nx)),
-      block_(size(pairs * stride_)),
-      work_(block_.size()),
-      half_plane_(half_plane),
-      column_(half_plane ? torus.nx : torus.nx / 2 + 1) {}
-
-std::vector<double> ZeroPhaseTransform::multiplicity() const {
-  return part([&](Index k, Index l) {
-    if (half_plane_) return k == 0 && l == 0 ? 1.0 : 2.0;
-    return (k == 0 ? 1.0 : 2.0) * (l == 0 ? 1.0 : 2.0);
-  });
-}
-
-std::vector<double> ZeroPhaseTransform::spectrum_multiplicity() const {
-  auto times = [](Index k, Index period) {
-    return 2 * k > period ? 0.0 : k == 0 || 2 * k == period ? 1.0 : 2.0;
-  };
-  std::vector<double> out(size(spectrum_size()));
-  for (Index i = 0; i < spectrum_size(); ++i) {
-    const Index column = i / pair_size() * 2 + i % 2, row = i % pair_size() / 2;
-    out[size(i)] = times(column, torus_.ny) * (half_plane_ ? 1.0 : times(row, torus_.nx));
-  }
-  return out;
-}
-
-Field ZeroPhaseTransform::whole(std::span<const double> part) const {
-  const auto [n, m] = lags_;
-  return Field::NullaryExpr(2 * n - 1, 2 * m - 1, [&, n = n, m = m](Index row, Index column) {
-    return part[size(place(row - n + 1, column - m + 1))];
-  });
-}
-
-void ZeroPhaseTransform::forward(std::span<const double> part, std::span<double> spectrum) {
-  load(part.data());
-  for (Index b = 0; b < blocks_; ++b) {
-    forward_block(b);
-    for (Index c = 0; c < pairs; ++c)
-      std::copy_n(pair(c).begin(), pair_size(), spectrum.data() + b * block_size() + c * pair_size());
-  }
-}
-
-void ZeroPhaseTransform::inverse(std::span<const double> spectrum, std::span<double> part) {
-  for (Index b = 0; b < blocks_; ++b) {
-    for (Index c = 0; c < pairs; ++c)
-      std::copy_n(spectrum.data() + b * block_size() + c * pair_size(), pair_size(), pair(c).begin());
-    inverse_block(b);
-  }
-  const double scale = 1 / static_cast<double>(torus_.cells());
-  store(part.data());
-  for (double& a : part) a *= scale;
-}
-
-void ZeroPhaseTransform::autocorrelate(std::span<const double> part, std::span<double> out) {
-  const double scale = 1 / static_cast<double>(torus_.cells());
-  filter(part, out, [scale](Index, std::span<double> block) {
-    for (double& a : block) a *= scale * a;
-  });
-}
-
 // ---- even in both indices ----
-
-namespace {
 
 class QuarterTransform : public ZeroPhaseTransform {
  public:
@@ -237,6 +168,69 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
 };
 
 }  // namespace
+
+ZeroPhaseTransform::ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane)
+    : lags_(lags),
+      torus_(torus),
+      blocks_((torus.ny / 2 + width) / width),
+      stride_(ColumnTransform::stride_of(torus.nx)),
+      block_(size(pairs * stride_)),
+      work_(block_.size()),
+      half_plane_(half_plane),
+      column_(half_plane ? torus.nx : torus.nx / 2 + 1) {}
+
+std::vector<double> ZeroPhaseTransform::multiplicity() const {
+  return part([&](Index k, Index l) {
+    if (half_plane_) return k == 0 && l == 0 ? 1.0 : 2.0;
+    return (k == 0 ? 1.0 : 2.0) * (l == 0 ? 1.0 : 2.0);
+  });
+}
+
+std::vector<double> ZeroPhaseTransform::spectrum_multiplicity() const {
+  auto times = [](Index k, Index period) {
+    return 2 * k > period ? 0.0 : k == 0 || 2 * k == period ? 1.0 : 2.0;
+  };
+  std::vector<double> out(size(spectrum_size()));
+  for (Index i = 0; i < spectrum_size(); ++i) {
+    const Index column = i / pair_size() * 2 + i % 2, row = i % pair_size() / 2;
+    out[size(i)] = times(column, torus_.ny) * (half_plane_ ? 1.0 : times(row, torus_.nx));
+  }
+  return out;
+}
+
+Field ZeroPhaseTransform::whole(std::span<const double> part) const {
+  const auto [n, m] = lags_;
+  return Field::NullaryExpr(2 * n - 1, 2 * m - 1, [&, n = n, m = m](Index row, Index column) {
+    return part[size(place(row - n + 1, column - m + 1))];
+  });
+}
+
+void ZeroPhaseTransform::forward(std::span<const double> part, std::span<double> spectrum) {
+  load(part.data());
+  for (Index b = 0; b < blocks_; ++b) {
+    forward_block(b);
+    for (Index c = 0; c < pairs; ++c)
+      std::copy_n(pair(c).begin(), pair_size(), spectrum.data() + b * block_size() + c * pair_size());
+  }
+}
+
+void ZeroPhaseTransform::inverse(std::span<const double> spectrum, std::span<double> part) {
+  for (Index b = 0; b < blocks_; ++b) {
+    for (Index c = 0; c < pairs; ++c)
+      std::copy_n(spectrum.data() + b * block_size() + c * pair_size(), pair_size(), pair(c).begin());
+    inverse_block(b);
+  }
+  const double scale = 1 / static_cast<double>(torus_.cells());
+  store(part.data());
+  for (double& a : part) a *= scale;
+}
+
+void ZeroPhaseTransform::autocorrelate(std::span<const double> part, std::span<double> out) {
+  const double scale = 1 / static_cast<double>(torus_.cells());
+  filter(part, out, [scale](Index, std::span<double> block) {
+    for (double& a : block) a *= scale * a;
+  });
+}
 
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented) {
   auto side = [](Index n, Index points) { return fast_length(std::max({points, 2 * n, width}), 2); };

@@ -3,7 +3,7 @@
 /// Such a field has a real spectrum; a kernel of this kind shifts no phase. Two kinds are given by a part of
 /// them and live on a torus of Px × Py points, zero beyond |k| < n, |l| < m:
 ///     a quarter     even in both indices: n × m values, k, l ≥ 0,
-///     a half plane  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the rows 1 … n-1.
+///     a half plane  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the others.
 /// Rows that hold data are transformed in y; then columns in x, in blocks of eight that stay in the cache
 /// while they are transformed, worked on and transformed back to the n × m part. Two real (or Hermitian)
 /// sequences are one complex one, and come apart without arithmetic, or with one addition.
@@ -83,7 +83,7 @@ class ZeroPhaseTransform {
   Index first(Index k) const { return half_plane_ && k > 0 ? 1 - lags_.ny : 0; }  ///< the least l of row k
 
   std::span<double> pair(Index c) {
-    return {reinterpret_cast<double*>(block_.data() + c * stride_), static_cast<std::size_t>(pair_size())};
+    return {reinterpret_cast<double*>(block_.data() + c * stride_), size(pair_size())};
   }
 
   bool half_plane_;
@@ -103,10 +103,10 @@ inline Index ZeroPhaseTransform::place(Index k, Index l) const {
 
 template <class Row>
 std::vector<double> ZeroPhaseTransform::rows_of_part(Row row) const {
-  std::vector<double> out(static_cast<std::size_t>(place(lags_.nx - 1, lags_.ny - 1) + 1));
+  std::vector<double> out(size(place(lags_.nx - 1, lags_.ny - 1) + 1));
   for (Index k = 0; k < lags_.nx; ++k) {
-    const auto from = static_cast<std::size_t>(place(k, first(k)));
-    row(k, first(k), std::span(out).subspan(from, static_cast<std::size_t>(lags_.ny - first(k))));
+    const auto from = size(place(k, first(k)));
+    row(k, first(k), std::span(out).subspan(from, size(lags_.ny - first(k))));
   }
   return out;
 }

@@ -33,12 +33,13 @@ void refuse_aliased(const EllipticTarget& t, const std::string& wavelength) {
 }  // namespace
 
 void KernelOptions::declare(Tool& tool, bool draws) {
-  declare_target(tool, "Autocorrelation");
+  declare_target(tool);
   heights.declare(tool);
-  declare_solution(tool, "Solution", draws);
+  declare_solution(tool, draws);
 }
 
-void KernelOptions::declare_target(Tool& tool, const std::string& group) {
+void KernelOptions::declare_target(Tool& tool) {
+  const std::string group = "Autocorrelation";
   tool.choice("--target", target, words(Model{}), "Its form, made elliptic by two lengths", group);
   tool.lengths("--length", length,
                "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px or "
@@ -64,7 +65,8 @@ void KernelOptions::declare_target(Tool& tool, const std::string& group) {
       group);
 }
 
-void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool draws) {
+void KernelOptions::declare_solution(Tool& tool, bool draws) {
+  const std::string group = "Solution";
   tool.counts("--lags", request.lags, 1,
               "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or all of a table",
               group);

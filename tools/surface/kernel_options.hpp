@@ -1,7 +1,6 @@
 /// The options that say which autocorrelation a surface shall have, for the tools that solve for its kernel.
 ///
-/// Their groups in --help, "Autocorrelation" and "Solution", are also how asperity-generate knows them. The
-/// heights' distribution is one of them, for it changes the autocorrelation that the kernel is solved for.
+/// asperity-generate knows them by their groups in --help, "Autocorrelation" and "Solution".
 #pragma once
 
 #include <array>
@@ -36,8 +35,8 @@ struct KernelOptions {
   void refuse_model(const Tool& tool) const;
 
  private:
-  void declare_target(Tool& tool, const std::string& group);
-  void declare_solution(Tool& tool, const std::string& group, bool draws);
+  void declare_target(Tool& tool);
+  void declare_solution(Tool& tool, bool draws);
   void refuse_unused(const Tool& tool) const;
 };
 
