@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

@@ -1,9 +1,9 @@
 /// The calibrated constants of the search for a kernel, and the runs that show them.
 ///
-/// [S] validation/acf_error_time.cpp, the table "Stability": targets from feasible to hopeless under each policy.
-/// [T] there, the tables of Newton's iteration and of the other methods: steps, products and seconds.
-/// [K] validation/stability_kernel.cpp: targets and tables at the limits.
-/// The runs in which they were first fitted are not on record; those named show what they do today.
+/// [S] validation/acf_error_time.cpp, the table "Stability": targets from feasible to hopeless under each
+/// policy. [T] there, the tables of Newton's iteration and of the other methods: steps, products and seconds.
+/// [K] validation/stability_kernel.cpp: targets and tables at the limits. The runs in which they were first
+/// fitted are not on record; those named show what they do today.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace asperity::solver {
 
 inline constexpr double hopeless_share = 0.1;  ///< of the spectrum, negative: beyond it nothing is iterated
 inline constexpr double round_off = 1e-10;     ///< of the windowed spectrum
-/// A spectrum this close to zero is that of a smooth target: Newton's matrix is singular there, the root of the spectrum
-/// on a wider torus nearly exact. Somewhat below zero the latter is worth trying at once.
+/// A spectrum this close to zero is that of a smooth target: Newton's matrix is singular there, the root of
+/// the spectrum on a wider torus nearly exact. Somewhat below zero the latter is worth trying at once.
 inline constexpr double smooth_spectrum = 1e-12, nearly_smooth = -1e-4;
-/// A target is of no surface if, where it has fallen to `far`, its spectrum is still negative by half of what it was
-/// where it had fallen to `near`; of a cut alone less than a tenth would be left.
+/// A target is of no surface if, where it has fallen to `far`, its spectrum is still negative by half of what
+/// it was where it had fallen to `near`; of a cut alone less than a tenth would be left.
 inline constexpr double near = 1e-4, far = 1e-6, still_negative = 0.5;
 
 // ---- how far the answers go: [S] ----
@@ -33,7 +33,8 @@ inline long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / 
 /// Products of least squares that were asked for.
 inline long large_budget(Index unknowns) { return std::clamp<long>(100'000'000 / unknowns, 500, 20000); }
 
-/// The torus of projections, over the lags, what it grows by, and its most points: a step then takes a second.
+/// The torus of projections, over the lags, what it grows by, and its most points: a step then takes a
+/// second.
 inline constexpr Index least_torus = 4;
 inline constexpr Index wider_torus(Index torus) { return torus * 3 / 2; }
 inline constexpr double most_torus_points = 1 << 24;
