@@ -6,13 +6,15 @@
 #include "acf/equations.hpp"
 #include "acf/kernel_cost.hpp"
 #include "acf/kernel_solver.hpp"
-#include "acf/solver_constants.hpp"
 #include "acf/wording.hpp"
+#include "core/calibration.hpp"
 #include "core/enum_words.hpp"
 #include "core/stopwatch.hpp"
 
 namespace asperity {
 namespace {
+
+namespace solver = calibration::acf;
 
 constexpr EnumWords<3> formulations{"symmetric", "oriented", "patir"};
 constexpr EnumWords<4> methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};

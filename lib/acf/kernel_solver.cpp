@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "acf/kernel_evaluation.hpp"
-#include "acf/solver_constants.hpp"
 #include "acf/wording.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
+
+namespace solver = calibration::acf;
 
 void KernelSolver::run() {
   if (method() == Method::spectral || problem_.of_no_surface) return choose(spectral_root(problem_));

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "acf/equations.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
-using solver::inverse_floor;
+using calibration::acf::inverse_floor;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 

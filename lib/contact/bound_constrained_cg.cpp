@@ -4,14 +4,14 @@
 #include <cmath>
 #include <optional>
 
-#include "contact/calibration.hpp"
 #include "contact/projection.hpp"
 #include "contact/subspace_cg.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::contact;
 
 // The iterate, and what the steps to the next one work with.
 struct Iteration : ContactSolution {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/calibration.hpp"
+#include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "math/asinh_difference.hpp"
 #include "transform/convolution.hpp"
@@ -117,10 +117,11 @@ class HalfSpace final : public ElasticOperator {
     auto exceeds = [](Shape a, double share, Shape b) {
       return static_cast<double>(a.cells()) > share * static_cast<double>(b.cells());
     };
-    if (exceeds(torus, calibration::largest_window, padded_torus(shape())) || !covers(shape(), window.shape))
+    if (exceeds(torus, calibration::contact::largest_window, padded_torus(shape())) ||
+        !covers(shape(), window.shape))
       return nullptr;
     if (window_ && covers(window_->shape(), least) &&
-        !exceeds(window_->shape(), calibration::shared_window, window.shape))
+        !exceeds(window_->shape(), calibration::contact::shared_window, window.shape))
       return window_;
     setup_ = setup_seconds();
     return window_ = std::make_shared<HalfSpace>(window, modulus_, threads_, work_);

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "contact/calibration.hpp"
+#include "core/calibration.hpp"
 #include "core/parallel.hpp"
 
 namespace asperity {
 
 bool can_coarsen(Shape shape) {
   return shape.nx % 2 == 0 && shape.ny % 2 == 0 &&
-         std::min(shape.nx, shape.ny) / 2 >= calibration::least_side;
+         std::min(shape.nx, shape.ny) / 2 >= calibration::contact::least_side;
 }
 
 ContactProblem coarsened(const ContactProblem& problem) {

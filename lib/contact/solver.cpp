@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "contact/calibration.hpp"
 #include "contact/influence.hpp"
 #include "contact/nested.hpp"
 #include "contact/problem.hpp"
 #include "contact/stiffness.hpp"
 #include "contact/windowed.hpp"
+#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
@@ -19,7 +19,7 @@
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::contact;
 
 void check_approach(const Grid& grid, const Field& gap, const ContactParameters& parameters) {
   const double approach = *parameters.approach, touch = gap.minCoeff(), mean = gap.mean();

@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::contact;
 
 double share_of(Index cells, const ContactProblem& problem) {
   return static_cast<double>(cells) / static_cast<double>(problem.h.size());

@@ -19,8 +19,8 @@
 #include <memory>
 
 #include "contact/bound_constrained_cg.hpp"
-#include "contact/calibration.hpp"
 #include "contact/window.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 
@@ -35,10 +35,10 @@ struct WindowedSolution : ContactSolution {
 };
 
 struct WindowedLimits {
-  double tolerance = 1e-6;                       ///< of ε
-  double convolutions = 1000;                    ///< on this grid, by their share
-  bool confirm = true;                           ///< on the whole grid, even where the iteration has seen it
-  Index margin_part = calibration::margin_part;  ///< a margin is this part of the contact's sides
+  double tolerance = 1e-6;     ///< of ε
+  double convolutions = 1000;  ///< on this grid, by their share
+  bool confirm = true;         ///< on the whole grid, even where the iteration has seen it
+  Index margin_part = calibration::contact::margin_part;  ///< a margin is this part of the contact's sides
 };
 
 /// Solves from a pressure; `near` says that it is nearly the solution. Shifts the problem's datum where round-off

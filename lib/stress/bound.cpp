@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "stress/calibration.hpp"
+#include "core/calibration.hpp"
 #include "stress/influence.hpp"
 
 namespace asperity {
@@ -17,7 +17,7 @@ double norm(const stress::Tensor& s) {
 
 // The largest norm at depth 1 under a unit force.
 double largest_norm(double poisson, stress::Traction load) {
-  using namespace calibration;
+  using namespace calibration::stress;
   double top = 0;
   for (int i = 0; i <= bound_steps; ++i)
     for (int j = 0; j <= bound_steps; ++j)

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include "core/calibration.hpp"
 #include "math/asinh_difference.hpp"
 #include "math/gauss_legendre.hpp"
-#include "stress/calibration.hpp"
 #include "stress/corner.hpp"
 
 namespace asperity {
@@ -128,7 +128,8 @@ Tensor point_load_stress(double x, double y, double z, double nu, stress::Tracti
 
 Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                            stress::Traction load) {
-  constexpr double far = calibration::integrate_by_8, farther = calibration::integrate_by_4;  // half sides
+  constexpr double far = calibration::stress::integrate_by_8,
+                   farther = calibration::stress::integrate_by_4;  // half sides
   const double distance = std::hypot(x, y, z) / std::max(a, b);
   if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
   return distance < farther ? integrated(gauss8, x, y, z, a, b, poisson, load)

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stress/calibration.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 
@@ -62,11 +62,12 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, 
 
 double accurate_depth(const Grid& grid) {
   auto step = [&](Index cells, double spacing) { return grid.periodic && cells == 1 ? 0 : spacing; };
-  return calibration::accurate_cells * std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
+  return calibration::stress::accurate_cells *
+         std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
 }
 
 double shallow_error(double poisson, const Friction& friction) {
-  using namespace calibration;
+  using namespace calibration::stress;
   return std::max(edge_error, edge_error_compliant * (1 - 2 * poisson)) +
          edge_error_friction * friction.coefficient;
 }

@@ -6,14 +6,14 @@
 #include <mutex>
 #include <vector>
 
+#include "core/calibration.hpp"
 #include "core/parallel.hpp"
-#include "stress/calibration.hpp"
 #include "stress/equivalent.hpp"
 
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::stress;
 
 struct Parabola {
   double vertex = 0, value = 0;

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/calibration.hpp"
 #include "core/parallel.hpp"
-#include "stress/calibration.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr Index width = PrunedTransform::width, around = Interpolation::taps / 2;
-using calibration::least_taper;
+using calibration::stress::least_taper;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
@@ -65,12 +65,14 @@ std::vector<double> factors(Index s, Index period, bool periodic) {
 }  // namespace
 
 double Resolution::least_depth(const Grid& grid, Index s) {
-  return s == 1 ? 0 : calibration::depth_of_wide_cells * static_cast<double>(s) * std::max(grid.dx, grid.dy);
+  return s == 1
+             ? 0
+             : calibration::stress::depth_of_wide_cells * static_cast<double>(s) * std::max(grid.dx, grid.dy);
 }
 
 bool Resolution::possible(const Grid& grid, Index s) {
   const auto [nx, ny] = grid.shape;
-  return std::min(nx, ny) >= calibration::least_wide_cells * s &&
+  return std::min(nx, ny) >= calibration::stress::least_wide_cells * s &&
          (!grid.periodic || (nx % s == 0 && ny % s == 0));
 }
 
