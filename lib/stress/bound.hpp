@@ -13,14 +13,7 @@
 
 namespace asperity {
 
-class StressBound {
- public:
-  explicit StressBound(const LoadedBody& body);
-  /// √(3/2) times (1) at z > 0 [Pa]; infinite at the surface, and of a periodic load everywhere.
-  double at(double z) const;
-
- private:
-  double force_;  ///< √(3/2) times (1), times z² [N]
-};
+/// √(3/2) times (1), times z² [N]; infinite of a periodic load, which no depth bounds.
+double stress_bound(const LoadedBody& body);
 
 }  // namespace asperity

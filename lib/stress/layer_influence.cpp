@@ -39,13 +39,13 @@ void difference(Parity kernel, double* x, const std::vector<double>& taper, Inde
 class HalfSpaceInfluence : public LayerInfluence {
  public:
   HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting)
-      : grid_(r.cells()),
-        taper_(r.taper()),
+      : grid_(r.cells),
+        taper_(r.taper),
         poisson_(poisson),
         acting_(acting),
-        along_x_(r.transform().torus().nx),
-        along_y_(r.transform().torus().ny),
-        blocks_(r.transform().blocks()),
+        along_x_(r.transform.torus().nx),
+        along_y_(r.transform.torus().ny),
+        blocks_(r.transform.blocks()),
         rows_(size(grid_.shape.nx * width)),
         work_(size(std::max(along_x_.size(), along_y_.size()))),
         along_y_pairs_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
@@ -178,8 +178,8 @@ class PeriodicInfluence : public LayerInfluence {
 
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
                                                      stress::Tractions acting) {
-  if (resolution.cells().periodic)
-    return std::make_unique<PeriodicInfluence>(resolution.cells(), poisson, acting);
+  if (resolution.cells.periodic)
+    return std::make_unique<PeriodicInfluence>(resolution.cells, poisson, acting);
   return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting);
 }
 

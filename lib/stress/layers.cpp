@@ -6,12 +6,6 @@
 
 namespace asperity {
 
-StressSolver::StressSolver(LoadedBody body, int threads, DepthResolution resolution)
-    : StressSolver(std::move(body), std::nullopt, threads, resolution) {}
-
-StressSolver::StressSolver(LoadedBody body, const Plane& section, int threads, DepthResolution resolution)
-    : StressSolver(std::move(body), std::optional(section), threads, resolution) {}
-
 StressSolver::StressSolver(LoadedBody body, std::optional<Plane> section, int threads,
                            DepthResolution resolution)
     : body_(std::move(body)), section_(section), threads_(threads), levels_(1) {

@@ -54,9 +54,10 @@ enum class DepthResolution {
 class StressSolver {
  public:
   /// Of whole layers, or of the row of each in a section alone. Throws as LoadedBody::check does.
-  explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full);
-  StressSolver(LoadedBody body, const Plane& section, int threads = 1,
+  StressSolver(LoadedBody body, std::optional<Plane> section, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
+  explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full)
+      : StressSolver(std::move(body), std::nullopt, threads, resolution) {}
 
   const LoadedBody& body() const { return body_; }
   int threads() const { return threads_; }
@@ -86,7 +87,6 @@ class StressSolver {
     std::unique_ptr<const LayerPlan> plan;
   };
 
-  StressSolver(LoadedBody body, std::optional<Plane> section, int threads, DepthResolution resolution);
   /// The widest cells that will do at depth z.
   std::size_t level_at(double z) const;
   const LayerPlan& plan(Level& level) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/calibration.hpp"
+#include "core/extent.hpp"
 #include "core/parallel.hpp"
 #include "stress/equivalent.hpp"
 
@@ -55,26 +56,12 @@ struct Sample {
   Peak peak;
 };
 
-// From the first loaded line to the last; of a period, the fewest lines that hold all of them.
-template <class Lines>
-double extent(const Lines& loaded, bool periodic) {
-  Index first = -1, last = -1, gap = 0;
-  for (Index k = 0; k < loaded.size(); ++k) {
-    if (!loaded(k)) continue;
-    if (first < 0) first = k;
-    if (last >= 0) gap = std::max(gap, k - last - 1);
-    last = k;
-  }
-  const Index span = last - first + 1;
-  return static_cast<double>(periodic ? std::min(span, loaded.size() - gap) : span);
-}
-
 // Half the longer side of the rectangle around the loaded cells.
 double loaded_radius(const LoadedBody& body) {
-  const auto& [grid, pressure, poisson, friction] = body;
-  const Eigen::Array<bool, Eigen::Dynamic, 1> in_x = (pressure != 0).rowwise().any(),
-                                              in_y = (pressure != 0).colwise().any().transpose();
-  return 0.5 * std::max(extent(in_x, grid.periodic) * grid.dx, extent(in_y, grid.periodic) * grid.dy);
+  const auto [x, y] = extents(
+      body.pressure, [](double p) { return p != 0; }, body.grid.periodic);
+  return 0.5 *
+         std::max(static_cast<double>(x.count) * body.grid.dx, static_cast<double>(y.count) * body.grid.dy);
 }
 
 std::vector<double> scan_depths(const LoadedBody& body) {

@@ -23,8 +23,7 @@
 
 namespace asperity {
 
-class Resolution {
- public:
+struct Resolution {
   /// s = 1: the cells as they are.
   Resolution(const Grid& grid, const Field& pressure, Index s, int threads);
 
@@ -32,30 +31,20 @@ class Resolution {
   static double least_depth(const Grid& grid, Index s);
   static bool possible(const Grid& grid, Index s);
 
-  Index s() const { return s_; }
-  const PrunedTransform& transform() const { return transform_; }
   /// Block b of the spectrum of the pressure, prepared for a product with the influence of `cells`.
-  const Complex* pressure(Index b) const { return spectrum_.data() + b * transform_.block_size(); }
-  /// The cells of the influence: as many as there are lags not zero.
-  const Grid& cells() const { return cells_; }
-  /// What the kernel is multiplied with at each lag, in x and in y.
-  const std::array<std::vector<double>, 2>& taper() const { return taper_; }
-  const Interpolation& interpolation() const { return interpolation_; }
+  const Complex* pressure(Index b) const { return spectrum.data() + b * transform.block_size(); }
   /// Samples of a row, with room for what stands before and behind them on the torus.
-  Index row_length() const { return transform_.torus().ny + 2 * PrunedTransform::width; }
+  Index row_length() const { return transform.torus().ny + 2 * PrunedTransform::width; }
   /// Fills that room; the samples begin at Interpolation::before.
   void wrap(std::span<double> row) const;
 
- private:
-  void transform_pressure(const Field& pressure, int threads);
-
-  Index s_;
-  bool periodic_;
-  PrunedTransform transform_;
-  Grid cells_;
-  std::array<std::vector<double>, 2> taper_;
-  Interpolation interpolation_;
-  AlignedVector<Complex> spectrum_;
+  Index s;
+  PrunedTransform transform;
+  Grid cells;  ///< of the influence: as many as there are lags not zero
+  std::array<std::vector<double>, 2>
+      taper;  ///< what the kernel is multiplied with at each lag, in x and in y
+  Interpolation interpolation;
+  AlignedVector<Complex> spectrum;  ///< of the pressure
 };
 
 }  // namespace asperity

@@ -52,15 +52,14 @@ Index farthest_lag(const Field& pressure, Index i) {
 // exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the row
 // between the points is computed itself.
 AlignedVector<Complex> phases(const Resolution& r, Index i) {
-  const Index n = r.transform().torus().nx, period = n * r.s();
+  const Index n = r.transform.torus().nx, period = n * r.s;
   const double angle = 2 * std::numbers::pi / static_cast<double>(period);
   AlignedVector<Complex> out(size(n));
   for (Index k = 0; k < n; ++k) {
     const Index mode = 2 * k < n ? k : k - n;
-    const double prepared =
-        r.s() == 1 || 2 * k == n
-            ? 1
-            : Interpolation::prepared(angle * static_cast<double>(r.s() * std::abs(mode)));
+    const double prepared = r.s == 1 || 2 * k == n
+                                ? 1
+                                : Interpolation::prepared(angle * static_cast<double>(r.s * std::abs(mode)));
     out[size(k)] = std::polar(1 / prepared, angle * static_cast<double>(mode * i % period));
   }
   return out;
@@ -72,10 +71,10 @@ class SectionPlan : public LayerPlan {
   // Of the plane x = x_i, whose row is handed over with x and y exchanged, or not.
   SectionPlan(const LoadedBody& body, Index i, bool exchange, Index s, int threads)
       : LayerPlan(body, s, threads), points_(body.grid.shape.ny), exchange_(exchange) {
-    const PrunedTransform& t = resolution.transform();
+    const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx;
     lags_ = body.grid.periodic ? px / 2 + 1
-            : s > 1            ? resolution.cells().shape.nx
+            : s > 1            ? resolution.cells.shape.nx
                                : farthest_lag(body.pressure, i);
     for (Folded& folded : folded_) folded.resize(size(t.blocks() * lags_ * 2 * width));
     fold(phases(resolution, i), threads);
@@ -105,7 +104,7 @@ class SectionPlan : public LayerPlan {
 
   // From the modes kx of p^ times exp(i kx x_i), a block of 8 columns after the other.
   void fold(const AlignedVector<Complex>& phases, int threads) {
-    const PrunedTransform& t = resolution.transform();
+    const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx, stride = t.stride();
     const ColumnTransform columns(px, width, ColumnTransform::Ways::forward_only);
     parallel_ranges(t.blocks(), threads, [&](Index begin, Index end, int) {
@@ -114,7 +113,7 @@ class SectionPlan : public LayerPlan {
         for (Index q = 0; q < width; ++q)
           for (Index k = 0; k < px; ++k)
             modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
-        if (resolution.cells().periodic) {
+        if (resolution.cells.periodic) {
           fold_modes(modes, b);
         } else {
           columns.forward(modes.data(), lags.data());
@@ -125,9 +124,9 @@ class SectionPlan : public LayerPlan {
   }
 
   void fold_modes(std::span<const Complex> block, Index b) {
-    const Index n = resolution.transform().torus().nx;
+    const Index n = resolution.transform.torus().nx;
     for (Index q = 0; q < width; ++q) {
-      const auto modes = block.subspan(size(q * resolution.transform().stride()));
+      const auto modes = block.subspan(size(q * resolution.transform.stride()));
       for (Index k = 0; k < lags_; ++k) {
         const bool alone = k == 0 || 2 * k == n;
         const Complex ahead = modes[size(k)], back = alone ? Complex{} : modes[size(n - k)],
@@ -139,10 +138,10 @@ class SectionPlan : public LayerPlan {
   }
 
   void fold_lags(std::span<const Complex> block, Index b) {
-    const Index n = resolution.transform().torus().nx;
-    const std::vector<double>& taper = resolution.taper()[0];
+    const Index n = resolution.transform.torus().nx;
+    const std::vector<double>& taper = resolution.taper[0];
     for (Index q = 0; q < width; ++q) {
-      const auto lags = block.subspan(size(q * resolution.transform().stride()));
+      const auto lags = block.subspan(size(q * resolution.transform.stride()));
       for (double sign : {1.0, -1.0}) {
         auto seen = [&](Index m) {
           return m < lags_ ? taper[size(m)] * (lags[size(m)] + sign * lags[size(n - m)]) : Complex{};
@@ -168,7 +167,7 @@ class SectionWork : public LayerWork {
   explicit SectionWork(const SectionPlan& plan)
       : plan_(plan),
         influence_(plan.influence()),
-        transform_(plan.resolution.transform().torus().ny),
+        transform_(plan.resolution.transform.torus().ny),
         row_work_(transform_.work()),
         modes_(size(transform_.blocks() * 6 * width)),
         samples_(size(6 * plan.resolution.row_length())) {}
@@ -199,10 +198,10 @@ class SectionWork : public LayerWork {
   const double* row_of(Component c, Index r) {
     const Resolution& resolution = plan_.resolution;
     double* row = samples_.data() + r * resolution.row_length();
-    if (resolution.s() == 1) return row + Interpolation::before;
+    if (resolution.s == 1) return row + Interpolation::before;
     resolution.wrap({row, size(resolution.row_length())});
-    refined_[c].resize(size(resolution.interpolation().padded(plan_.points())));
-    resolution.interpolation().refine(row, plan_.points(), refined_[c].data());
+    refined_[c].resize(size(resolution.interpolation.padded(plan_.points())));
+    resolution.interpolation.refine(row, plan_.points(), refined_[c].data());
     return refined_[c].data();
   }
 

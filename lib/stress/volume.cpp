@@ -78,7 +78,7 @@ void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Inde
   Transfer transfer{};
   for (stress::Traction t : stress::tractions)
     if (plan.weights[t] != 0) transfer[t] = influence.transfer_function(t, c, b);
-  const PrunedTransform& transform = plan.resolution.transform();
+  const PrunedTransform& transform = plan.resolution.transform;
   for (Index q = 0; q < width; ++q)
     respond(transform.torus().nx, c, Column(transfer, plan.weights, c, q),
             plan.resolution.pressure(b) + q * transform.stride(), product + q * transform.stride());
@@ -89,7 +89,7 @@ class VolumeWork : public LayerWork {
   VolumeWork(const LayerPlan& plan, Shape shape)
       : plan_(plan),
         resolution_(plan.resolution),
-        transform_(resolution_.transform()),
+        transform_(resolution_.transform),
         shape_(shape),
         influence_(plan.influence()),
         block_(size(transform_.block_size())),
@@ -119,11 +119,11 @@ class VolumeWork : public LayerWork {
   }
 
  private:
-  bool wide() const { return resolution_.s() > 1; }
+  bool wide() const { return resolution_.s > 1; }
 
   void allocate() {
     const Index rows =
-        wide() ? resolution_.interpolation().padded(shape_.ny) : RowTransform::rows * apart(shape_.ny);
+        wide() ? resolution_.interpolation.padded(shape_.ny) : RowTransform::rows * apart(shape_.ny);
     for (Component c : stress::components) {
       if (!asked_[c] || !half_[c].empty()) continue;
       half_[c] = transform_.half_spectrum();
@@ -145,7 +145,7 @@ class VolumeWork : public LayerWork {
   // The rows of a wide layer around the cells, from `before` ahead of the first.
   void invert_points(Component c) {
     const auto [px, py] = transform_.torus();
-    const Index end = std::min((shape_.nx - 1) / resolution_.s() + Interpolation::taps, px) - before;
+    const Index end = std::min((shape_.nx - 1) / resolution_.s + Interpolation::taps, px) - before;
     const Index stride = resolution_.row_length();
     auto invert = [&, py = py](Index first, Index count, double* to) {
       transform_.inverse_group(half_[c], first, count, py, to + before, stride, row_work_);
@@ -157,16 +157,16 @@ class VolumeWork : public LayerWork {
   }
 
   const double* interpolated(Component c, Index i) {
-    const double* weights = resolution_.interpolation().weights(i % resolution_.s());
-    const Index px = transform_.torus().nx, m = i / resolution_.s(), stride = resolution_.row_length();
-    const Index samples = std::min((shape_.ny - 1) / resolution_.s() + 2 * Interpolation::taps, stride);
+    const double* weights = resolution_.interpolation.weights(i % resolution_.s);
+    const Index px = transform_.torus().nx, m = i / resolution_.s, stride = resolution_.row_length();
+    const Index samples = std::min((shape_.ny - 1) / resolution_.s + 2 * Interpolation::taps, stride);
     using Points = Eigen::Map<const Eigen::ArrayXd>;
     auto row_at = [&](Index t) { return Points(points_[c].data() + (m + t) % px * stride, samples); };
     static_assert(Interpolation::taps == 8);
     Eigen::Map<Eigen::ArrayXd>(across_.data(), samples) =
         weights[0] * row_at(0) + weights[1] * row_at(1) + weights[2] * row_at(2) + weights[3] * row_at(3) +
         weights[4] * row_at(4) + weights[5] * row_at(5) + weights[6] * row_at(6) + weights[7] * row_at(7);
-    resolution_.interpolation().refine(across_.data(), shape_.ny, rows_[c].data());
+    resolution_.interpolation.refine(across_.data(), shape_.ny, rows_[c].data());
     return rows_[c].data();
   }
 
