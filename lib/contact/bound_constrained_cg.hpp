@@ -27,7 +27,6 @@
 #include <functional>
 #include <limits>
 
-#include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
 
 namespace asperity {
@@ -73,7 +72,7 @@ class Stagnation {
 
 /// Ends at this ε, after about so many convolutions, or at round-off. Shifts the problem's datum where round-off
 /// demands it.
-ContactSolution minimise(ElasticOperator& influence, ContactProblem& problem, ContactStart start,
-                         double tolerance, double convolutions, const ContactObserver& observe = {});
+ContactSolution minimise(ContactProblem& problem, ContactStart start, double tolerance, double convolutions,
+                         const ContactObserver& observe = {});
 
 }  // namespace asperity

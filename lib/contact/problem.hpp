@@ -31,11 +31,13 @@
 #include <optional>
 
 #include "contact/blocks.hpp"
+#include "contact/elastic_operator.hpp"
 #include "core/field.hpp"
 
 namespace asperity {
 
 struct ContactProblem {
+  ElasticOperator* influence = nullptr;                  ///< K
   Field h;                                               ///< undeformed gap [m]
   double sum = 0;                                        ///< S [Pa]
   double cap = std::numeric_limits<double>::infinity();  ///< c [Pa]
@@ -46,8 +48,10 @@ struct ContactProblem {
 
   /// Counts from `by` further up. Round-off of g is ε of its largest value in contact: none where δ is about 0.
   void shift(double by);
-  /// All but h.
-  ContactProblem without_gap() const { return {{}, sum, cap, self_influence, approach, threads, datum}; }
+  /// The same on other cells of the body.
+  ContactProblem on(ElasticOperator& cells, Field gap) const {
+    return {&cells, std::move(gap), sum, cap, self_influence, approach, threads, datum};
+  }
   Blocks blocks() const { return {h.size(), threads}; }
   bool capped() const { return cap < std::numeric_limits<double>::infinity(); }
   bool is_free(double p) const { return p > 0 && p < cap; }

@@ -40,10 +40,9 @@ void SubspaceResidual::operator+=(const SubspaceResidual& other) {
 
 double SubspaceResidual::norm() const { return std::sqrt(squared); }
 
-SubspaceCG::SubspaceCG(ElasticOperator& influence, const ContactProblem& problem, const FreeSet& free,
-                       const Field& p, const Field& g, Trial& trial)
-    : influence_(influence),
-      problem_(problem),
+SubspaceCG::SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
+                       Trial& trial)
+    : problem_(problem),
       free_(free),
       trial_(trial),
       mean_gap_(problem.approach ? *problem.approach : mean(free.gap_sum)) {
@@ -76,7 +75,7 @@ SubspaceResidual SubspaceCG::residual(Block b) {
 bool SubspaceCG::step() {
   const Blocks blocks = problem_.blocks();
   ++applications_;
-  influence_.precondition(trial_.q, trial_.q);
+  problem_.influence->precondition(trial_.q, trial_.q);
   const Sums z = blocks.sum([&, level = mean_gap_](Block b) {
     const auto in_set = b.of(free_.mask);
     const auto zb = b.of(std::as_const(trial_.q)), g = b.of(std::as_const(trial_.g));
@@ -92,7 +91,7 @@ bool SubspaceCG::step() {
   const double zr = z[1];
   turn(mean(z[0]), steps_ > 0 ? zr / zr_old_ : 0);
 
-  influence_.apply(trial_.d, trial_.q);
+  problem_.influence->apply(trial_.d, trial_.q);
   const Sums q = blocks.sum([&](Block b) {
     const auto in_set = b.of(free_.mask);
     const auto d = b.of(std::as_const(trial_.d)), qb = b.of(std::as_const(trial_.q));

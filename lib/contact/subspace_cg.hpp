@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
 
 namespace asperity {
@@ -54,8 +53,8 @@ class SubspaceCG {
  public:
   /// Starts from p and g = h + K p, on a set that outlives it. Works in the fields of `trial`, whose p and g are the
   /// iterate.
-  SubspaceCG(ElasticOperator& influence, const ContactProblem& problem, const FreeSet& free, const Field& p,
-             const Field& g, Trial& trial);
+  SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
+             Trial& trial);
 
   /// (2). False, and p and g are as before, when the curvature along d or z·r is not positive.
   bool step();
@@ -76,7 +75,6 @@ class SubspaceCG {
   void turn(double mean_z, double beta);
   void advance(double a, double mean_q);
 
-  ElasticOperator& influence_;
   const ContactProblem& problem_;
   const FreeSet& free_;
   Trial& trial_;
