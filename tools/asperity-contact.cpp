@@ -1,5 +1,5 @@
-/// Presses two bodies together and writes pressure, gap, displacement and the state of every cell, or a table of
-/// what many loads do.
+/// Presses two bodies together: pressure, gap, displacement and state of every cell, or a table of many
+/// loads.
 #include <cmath>
 #include <map>
 
@@ -56,7 +56,7 @@ void warn(const cli::Tool& tool, const std::vector<Doubt>& doubts) {
   for (const Doubt& doubt : doubts) tool.warn(doubt.words);
 }
 
-// The doubts of a sweep: each kind whole at its first load, of the others how many they are and where they end.
+// The doubts of a sweep: each kind whole at its first load, of the others how many and up to which.
 class SweepDoubts {
  public:
   void add(const cli::Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {

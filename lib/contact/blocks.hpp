@@ -1,7 +1,7 @@
 /// Passes over the cells of fields, in blocks that stay in the cache.
 ///
-/// A step of the solver reads the same cells for several sums and updates: block by block, once from memory. The
-/// sums of blocks are added in order, so that no result depends on the number of threads.
+/// A step of the solver reads the same cells for several sums and updates: block by block, once from memory.
+/// The sums of blocks are added in order, so that no result depends on the number of threads.
 #pragma once
 
 #include <algorithm>

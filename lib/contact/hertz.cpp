@@ -25,8 +25,8 @@ double mismatch(double t, double wanted) {
   return std::log(carlson_d(0, 1, k2) / carlson_d(0, k2, 1)) - wanted;
 }
 
-// k ≤ 1 for B/A = exp(ratio) ≥ 1, by bisection; it lies above A/B, for B/A ≥ 1/k. Near k = 1 the mismatch may have lost
-// its sign in round-off at both ends, which a bisection does not mind.
+// k ≤ 1 for B/A = exp(ratio) ≥ 1, by bisection; it lies above A/B, for B/A ≥ 1/k. Near k = 1 the mismatch may
+// have lost its sign in round-off at both ends, which a bisection does not mind.
 double axes_ratio(double ratio) {
   double low = -ratio, high = 0;
   for (int i = 0; i < bisections; ++i) {

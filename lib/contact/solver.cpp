@@ -33,12 +33,6 @@ void check_approach(const Grid& grid, const Field& gap, const ContactParameters&
                     approach, mean));
 }
 
-void check_start(const Grid& grid, const Field& start) {
-  if (start.size() == 0) return;
-  if (!(shape_of(start) == grid.shape)) throw DataError("pressure", "the start and the grid differ in shape");
-  if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
-}
-
 ContactProblem make_problem(const Grid& grid, Field gap, ElasticOperator& influence,
                             const ContactParameters& parameters) {
   if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
@@ -48,7 +42,10 @@ ContactProblem make_problem(const Grid& grid, Field gap, ElasticOperator& influe
     check_approach(grid, gap, parameters);
   else
     check_carried("load", parameters.load, grid, parameters.limit_pressure);
-  check_start(grid, parameters.start);
+  const Field& start = parameters.start;
+  if (start.size() > 0 && shape_of(start) != grid.shape)
+    throw DataError("pressure", "the start and the grid differ in shape");
+  if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
   ContactProblem problem{&influence,
                          std::move(gap),
                          parameters.load / grid.cell_area(),

@@ -1,7 +1,5 @@
 #include "contact/subspace_cg.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace asperity {
@@ -32,13 +30,6 @@ FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, 
   cells = sums[0];
   gap_sum = sums[1];
 }
-
-void SubspaceResidual::operator+=(const SubspaceResidual& other) {
-  squared += other.squared;
-  largest = std::max(largest, other.largest);
-}
-
-double SubspaceResidual::norm() const { return std::sqrt(squared); }
 
 SubspaceCG::SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
                        Trial& trial)

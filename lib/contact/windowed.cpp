@@ -13,8 +13,7 @@ double share_of(Index cells, const ContactProblem& problem) {
   return static_cast<double>(cells) / static_cast<double>(problem.h.size());
 }
 
-// Under a given approach a contact lies where the undeformed bodies overlap: a start for want of one that they
-// push back.
+// Under a given approach, where nothing is pushed back, the contact of the undeformed bodies.
 Field pushed_back(const ContactProblem& problem, Field p) {
   p = p.max(0.0);
   if (!problem.approach || ((*problem.approach - problem.h) * p).sum() > 0) return p;

@@ -7,10 +7,9 @@
 ///       minimise on W, p = 0 elsewhere                                 contact/bound_constrained_cg.hpp
 ///       g ← h + K p on the grid                                    one application of the whole K
 ///       W ← W ∪ the least window of g < δ, with a margin
-/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, the grid is looked at and W
-/// grows while there is a violation outside; only the limit of convolutions ends it without. W is the whole grid where
-/// the start is in contact everywhere, where the body has no windows or none worth it, and where the limit pressure on
-/// W would not carry the load.
+/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, W grows while there
+/// is a violation outside; only the limit of convolutions ends it without. W is the whole grid where the
+/// start is in contact everywhere, no window is worth it, or p_Y on W does not carry the load.
 ///
 /// Accuracy  ε is that of the last g on the grid, which no recurrence has touched.
 /// Cost      an application of K or M on W costs, and counts, as the share that W has of the grid's cells.
@@ -90,8 +89,7 @@ struct WindowedLimits {
   Index margin_part = calibration::contact::margin_part;  ///< a margin is this part of the contact's sides
 };
 
-/// Solves from a pressure; `near` says that it is nearly the solution. Shifts the problem's datum where round-off
-/// demands it.
+/// Solves from a pressure; `near`: nearly the solution. May shift the problem's datum.
 WindowedSolution minimise_on_window(ContactProblem& problem, Field start, bool near,
                                     const WindowedLimits& limits, const ContactObserver& observe);
 

@@ -1,5 +1,4 @@
-// Compiled with finite-math-only arithmetic where that gives vectors: keep shared inline code out of this
-// file.
+// Compiled with finite-math-only arithmetic where that gives vectors: shared inline code stays out.
 #include "stress/corner_tile.hpp"
 
 #include <cmath>

@@ -1,10 +1,8 @@
 #include "stress/influence.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "core/calibration.hpp"
 #include "math/asinh_difference.hpp"

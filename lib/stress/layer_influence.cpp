@@ -1,7 +1,6 @@
 #include "stress/layer_influence.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "stress/corner_tile.hpp"
@@ -22,8 +21,8 @@ static_assert(width == corner_lanes && width == MirroredTransform::width);
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
-// x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an
-// even one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
+// x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for
+// an even one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
 void difference(Parity kernel, double* x, const std::vector<double>& taper, Index period) {
   const auto rows = static_cast<Index>(taper.size());
   for (Index i = rows - 1; i > 0; --i)
@@ -34,8 +33,7 @@ void difference(Parity kernel, double* x, const std::vector<double>& taper, Inde
   if (kernel == Parity::odd && 2 * (rows - 1) == period) std::fill_n(x + (rows - 1) * width, width, 0.0);
 }
 
-// First along y, eight rows i at a time, as the corners are evaluated; along x when a block of columns is
-// asked for.
+// First along y, eight rows i at a time, as the corners come; along x when a block is asked for.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
   HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting)

@@ -33,8 +33,7 @@ struct Peak {
   double value = 0, x = 0, y = 0;
 };
 
-// About the k-th value, the largest of `line`. Its neighbours beyond an end are those of the next period; without one
-// the end itself stands.
+// About the k-th value, the largest of `line`. Beyond an end are those of the next period, if there is one.
 template <class Line>
 Parabola peak_along(const Line& line, Index k, bool periodic) {
   const Index n = line.size();
@@ -76,8 +75,7 @@ Parabola through(const Sample& a, const Sample& b, const Sample& c) {
   return parabola(a.log_depth, a.peak.value, b.log_depth, b.peak.value, c.log_depth, c.peak.value);
 }
 
-// Where to look next in a bracket whose highest point is b: at the parabola's vertex, or beside b on the
-// longer side when that is b itself.
+// Where to look next in a bracket about b: at the vertex, or where that is b, beside b on the longer side.
 double next_depth(const Sample& a, const Sample& b, const Sample& c, double vertex) {
   if (std::abs(vertex - b.log_depth) >= close) return vertex;
   return c.log_depth - b.log_depth > b.log_depth - a.log_depth ? b.log_depth + beside : b.log_depth - beside;
@@ -123,7 +121,7 @@ class Search {
   }
 
   // The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
-  // unprobed. A parabola's vertex is off by the product of the bracket's sides times m'''/6m'': hence the test.
+  // unprobed. A vertex is off by the product of the sides times m'''/6m'': hence the test.
   Sample refine(Sample a, Sample b, Sample c, Buffers& buffers) {
     Parabola top = through(a, b, c);
     for (int step = 0; step < most_steps; ++step) {

@@ -31,7 +31,7 @@ std::vector<Complex> waves(Index n, double share) {
   return out;
 }
 
-// Of the modes (kx, ky) and (-kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
+// Of the modes (±kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
 struct Pair {
   Complex even, odd;
 };

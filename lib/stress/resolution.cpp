@@ -62,7 +62,7 @@ std::vector<double> factors(Index s, Index period, bool periodic) {
   return out;
 }
 
-// The modes of the pressure that `transform` has, of those on a torus of s px × s py narrow cells the lower ones.
+// The modes of the pressure that `transform` has: the lower ones of a torus of s px × s py narrow cells.
 AlignedVector<Complex> transformed(const Grid& grid, const Field& pressure, Index s,
                                    const PrunedTransform& transform, int threads) {
   const auto [px, py] = transform.torus();

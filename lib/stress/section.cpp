@@ -3,18 +3,18 @@
 // Transformed along y, and only along y, a component's row in the plane is a sum over the lags m in x,
 //     σ^(ky) = Σ_t w_t (-i)^[K_t odd in y] Σ_{m≥0} K_t(m, ky) P±(m, ky),                                  (1)
 //     P±(m) = p^(x_i - mΔx) ± p^(x_i + mΔx),   P+(0) = p^(x_i),  P-(0) = 0,                               (2)
-// + for a kernel even in x, - for one odd in x. A kernel is the difference of the corner functions on both sides of a
-// cell, K(m) = t(m) (f(m) - f(m-1)) with the taper t; that too is taken over to the pressure, once for all layers:
-//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),   D±(m) = t(m) P±(m) - t(m+1) P±(m+1),   D+(0) = 2 P+(0) - t(1) P+(1).  (3)
-// No layer is transformed in x, and of the lags there are only as many as the plane is away from the farthest load.
+// + for a kernel even in x, - for one odd in x. A kernel is the difference of the corner functions on both
+// sides of a cell, K(m) = t(m) (f(m) - f(m-1)) with the taper t; that passes to the pressure, once for all:
+//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),  D±(m) = t(m) P±(m) - t(m+1) P±(m+1),  D+(0) = 2 P+(0) - t(1) P+(1)  (3)
+// No layer is transformed in x, and there are only as many lags as the plane is away from the farthest load.
 //
 // In a periodic half-space the sum is over the modes kx ≥ 0, with Q(kx) = p^(kx, ky) exp(i kx x_i) for p^(x),
 // D+(k) = Q(k) + Q(-k), D-(k) = -i (Q(k) - Q(-k)).
 //
-// A plane y = y_j is the plane x = x_j of the problem with x and y exchanged, σxx ↔ σyy, σxz ↔ σyz, α → π/2 - α.
+// A plane y = y_j is the plane x = x_j of the problem with x and y exchanged, σxx ↔ σyy, α → π/2 - α.
 //
-// Symbols   p^  pressure of a row, transformed along y     w_t, K_t  weight of a traction, its kernel     f  corner
-//           function (stress/layer_influence.hpp), transformed along y
+// Symbols   p^  pressure of a row, transformed along y     w_t, K_t  weight of a traction, its kernel
+//           f  corner function (stress/layer_influence.hpp), transformed along y
 // Cost      to prepare, that of one layer of one component. Memory: 4 (lags) Py doubles.
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,8 @@ Index farthest_lag(const Field& pressure, Index i) {
   return lags;
 }
 
-// exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the row
-// between the points is computed itself.
+// exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the
+// row between the points is computed itself.
 AlignedVector<Complex> phases(const Resolution& r, Index i) {
   const Index n = r.transform.torus().nx, period = n * r.s;
   const double angle = 2 * std::numbers::pi / static_cast<double>(period);

@@ -69,11 +69,11 @@ void respond(Index nx, Component c, const Column& column, const Complex* p, Comp
     });
 }
 
-// What the modes of the pressure answer in a layer: the product of (1) in stress/layer_influence.hpp for block b.
+// The product of (1) in stress/layer_influence.hpp for block b.
 //
 // A traction μx p along x and μy p along y has the modes of the pressure itself, so that of each mode
 //     σ^ = (-i)^m (S + iT) p^,   T = ±μx X ± μy Y,
-// where X and Y, the transfer functions of the tractions, stand a factor i from S for the one parity in which they differ.
+// X and Y the transfer functions of the tractions, a factor i from S for the one parity in which they differ.
 void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Index b, Complex* product) {
   Transfer transfer{};
   for (stress::Traction t : stress::tractions)

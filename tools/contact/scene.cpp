@@ -19,7 +19,7 @@ Grid smooth_grid(const ContactOptions& o) {
           o.boundary == "periodic"};
 }
 
-// A periodic surface may be pressed as a single patch; one that is not does not become periodic by being told so.
+// A periodic surface may be pressed as a single patch; no other becomes periodic by being told so.
 bool periodic(const ContactOptions& o, const Grid& grid) {
   if (o.boundary == "periodic" && !grid.periodic)
     throw UsageError("boundary",
