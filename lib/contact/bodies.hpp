@@ -37,8 +37,7 @@ struct Bodies {
   std::array<double, 2> young{208e9, 208e9};  ///< Young's modulus [Pa]; infinity is a rigid body
   std::array<double, 2> poisson{0.3, 0.3};    ///< Poisson's ratio
 
-  /// Throws ParameterError unless radius ≠ 0, curvatures ≥ 0, young > 0 and not both infinite, -1 < poisson ≤
-  /// ½.
+  /// Throws ParameterError unless radius ≠ 0, curvatures ≥ 0, young > 0, not both infinite, -1 < poisson ≤ ½.
   void check() const;
   double composite_modulus() const;  ///< E* of (1) [Pa]
   double curvature_x() const;        ///< 1/Rx of (2) [1/m]; 0 between flats

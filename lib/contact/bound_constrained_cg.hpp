@@ -55,7 +55,6 @@ class Stagnation {
  public:
   explicit Stagnation(double share) : share_(share) {}
 
-  /// Of one more round.
   int add(double value) {
     if (!(value < share_ * mark_)) return ++rounds_;
     restart(value);

@@ -53,7 +53,7 @@ Hertz hertz(const Bodies& bodies, double load) {
   if (!(load > 0 && std::isfinite(load)))
     throw ParameterError("load", fmt::format("{} N is not above 0", load));
   const double along_x = bodies.curvature_x(), along_y = bodies.curvature_y();
-  const double less = std::min(along_x, along_y), more = std::max(along_x, along_y);
+  const auto [less, more] = std::minmax({along_x, along_y});
   const double k = axes_ratio(std::log(more / less)), modulus = bodies.composite_modulus();
   const double a = std::cbrt(load * carlson_d(0, k * k, 1) / (pi * modulus * less)), b = k * a;
 

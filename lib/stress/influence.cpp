@@ -24,19 +24,16 @@ Tensor pressed_corner(double X, double Y, double z, double nu, double distance) 
   const double r = std::sqrt(X * X + Y * Y + z * z), XY = X * Y, T = arc(X, Y, z, r);
   const double A = XY == 0 ? 0 : std::atan2(XY * (X * X + Y * Y) / (r + z), X * X * r + z * Y * Y);
   return {xx(X, Y, z, r, T, A, nu),        yy(X, Y, z, r, T, A, nu), zz(X, Y, z, r, T),
-          xy(z, r > 0 ? r : distance, nu), xz(X, Y, z, r),           yz(X, Y, z, r)};
+          xy(z, r > 0 ? r : distance, nu), corner::G(X, Y, z, r),    corner::G(Y, X, z, r)};
 }
 
 // All but L, whose difference between two corners is taken at once.
 Tensor sheared_corner(double X, double Y, double z, double nu) {
   using namespace corner::shear;
   const double r = std::sqrt(X * X + Y * Y + z * z);
-  return {xx(X, Y, z, r, 0, nu),
-          yy(Y, z, r, 0, nu),
-          zz(X, Y, z, r),
-          xy(X, z, r, 0, nu),
-          xz(X, Y, z, r, arc(X, Y, z, r)),
-          yz(z, r)};
+  return {xx(X, Y, z, r, 0, nu),           yy(Y, z, r, 0, nu),
+          corner::G(X, Y, z, r),           xy(X, z, r, 0, nu),
+          xz(X, Y, z, r, arc(X, Y, z, r)), yz(z, r)};
 }
 
 // Along an edge |y| ≤ b seen from (h, y); `distance` stands for h = 0 on the edge itself.

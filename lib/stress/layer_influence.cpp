@@ -54,9 +54,9 @@ class HalfSpaceInfluence : public LayerInfluence {
   void set_depth(double z, stress::Set asked, Index lags) override {
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
-        const bool needed = acting_[t] && asked[c];
-        kernels_[t][c].tile.resize(needed ? size(grid_.shape.ny * width) : 0);
-        kernels_[t][c].columns.resize(needed ? size(blocks_ * grid_.shape.nx * width) : 0);
+        const Index needed = acting_[t] && asked[c] ? width : 0;
+        kernels_[t][c].tile.resize(size(needed * grid_.shape.ny));
+        kernels_[t][c].columns.resize(size(needed * blocks_ * grid_.shape.nx));
       }
     const Index rows = lags == all_lags ? grid_.shape.nx : lags;
     for (Index i = 0; i < rows; i += width) {

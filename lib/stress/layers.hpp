@@ -40,9 +40,7 @@
 
 namespace asperity {
 
-/// Rows of a layer: row(i, values).
 using StressRowSink = std::function<void(Index i, const StressRow& values)>;
-/// Rows of many layers: row(layer, i, values).
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
 enum class DepthResolution {

@@ -28,7 +28,6 @@ struct Friction {
   LoadWeights weights() const;
 };
 
-/// The tractions whose weights are not zero.
 stress::Tractions acting(const LoadWeights& weights);
 
 struct LoadedBody {

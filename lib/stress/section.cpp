@@ -66,24 +66,23 @@ AlignedVector<Complex> phases(const Resolution& r, Index i) {
 }
 
 // The pressure as it is seen from the plane: D± of (3).
-class SectionPlan : public LayerPlan {
- public:
-  // Of the plane x = x_i, whose row is handed over with x and y exchanged, or not.
+struct SectionPlan : LayerPlan {
+  const bool exchanges;  // x and y, of the rows that are handed over
+  Index lag_count = 0;
+
+  // Of the plane x = x_i.
   SectionPlan(const LoadedBody& body, Index i, bool exchange, Index s, int threads)
-      : LayerPlan(body, s, threads), points_(body.grid.shape.ny), exchange_(exchange) {
+      : LayerPlan(body, s, threads), exchanges(exchange) {
     const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx;
-    lags_ = body.grid.periodic ? px / 2 + 1
-            : s > 1            ? resolution.cells.shape.nx
-                               : farthest_lag(body.pressure, i);
-    for (Folded& folded : folded_) folded.resize(size(t.blocks() * lags_ * 2 * width));
+    lag_count = body.grid.periodic ? px / 2 + 1
+                : s > 1            ? resolution.cells.shape.nx
+                                   : farthest_lag(body.pressure, i);
+    for (Folded& folded : folded_) folded.resize(size(t.blocks() * lag_count * 2 * width));
     fold(phases(resolution, i), threads);
   }
 
   std::unique_ptr<LayerWork> work() const override;
-  Index lags() const { return lags_; }
-  Index points() const { return points_; }
-  bool exchange() const { return exchange_; }
 
   // sum[0 … 7] += Re, sum[8 … 15] += Im of Σ_m f(m, ky) D±(m, ky) for the columns 8b … 8b+7, f as [m][8].
   void add(std::span<const double> f, bool odd, Index b, std::span<double, 2 * width> sum) const {
@@ -91,8 +90,8 @@ class SectionPlan : public LayerPlan {
     using Given = Eigen::Map<const Lanes>;
     Eigen::Map<Lanes> to_re(sum.data()), to_im(sum.data() + width);
     Lanes re = to_re, im = to_im;
-    const double *value_at = f.data(), *d = folded_[odd].data() + b * lags_ * 2 * width;
-    for (Index m = 0; m < lags_; ++m, value_at += width, d += 2 * width) {
+    const double *value_at = f.data(), *d = folded_[odd].data() + b * lag_count * 2 * width;
+    for (Index m = 0; m < lag_count; ++m, value_at += width, d += 2 * width) {
       const Lanes value = Given(value_at);
       re += value * Given(d), im += value * Given(d + width);
     }
@@ -127,7 +126,7 @@ class SectionPlan : public LayerPlan {
     const Index n = resolution.transform.torus().nx;
     for (Index q = 0; q < width; ++q) {
       const auto modes = block.subspan(size(q * resolution.transform.stride()));
-      for (Index k = 0; k < lags_; ++k) {
+      for (Index k = 0; k < lag_count; ++k) {
         const bool alone = k == 0 || 2 * k == n;
         const Complex ahead = modes[size(k)], back = alone ? Complex{} : modes[size(n - k)],
                       difference = ahead - back;
@@ -144,21 +143,19 @@ class SectionPlan : public LayerPlan {
       const auto lags = block.subspan(size(q * resolution.transform.stride()));
       for (double sign : {1.0, -1.0}) {
         auto seen = [&](Index m) {
-          return m < lags_ ? taper[size(m)] * (lags[size(m)] + sign * lags[size(n - m)]) : Complex{};
+          return m < lag_count ? taper[size(m)] * (lags[size(m)] + sign * lags[size(n - m)]) : Complex{};
         };
-        for (Index m = 0; m < lags_; ++m)
+        for (Index m = 0; m < lag_count; ++m)
           set(sign < 0, b, m, q, (m > 0 ? seen(m) : (1 + sign) * lags[0]) - seen(m + 1));
       }
     }
   }
 
   void set(bool odd, Index b, Index m, Index q, Complex value) {
-    double* to = folded_[odd].data() + (b * lags_ + m) * 2 * width + q;
+    double* to = folded_[odd].data() + (b * lag_count + m) * 2 * width + q;
     to[0] = value.real(), to[width] = value.imag();
   }
 
-  Index points_, lags_;
-  bool exchange_;
   std::array<Folded, 2> folded_;  // even, odd
 };
 
@@ -175,7 +172,7 @@ class SectionWork : public LayerWork {
   void set_depth(double z, stress::Set asked) override {
     asked_ = {};
     for (Component c : stress::components) asked_[c] = asked[own(c)];
-    influence_->set_depth(z, asked_, plan_.lags());
+    influence_->set_depth(z, asked_, plan_.lag_count);
     Index count = 0;
     for (Component c : stress::components)
       if (asked_[c]) compute_modes(c, count++);
@@ -187,21 +184,21 @@ class SectionWork : public LayerWork {
     StressRow out{};
     Index count = 0;
     for (Component c : stress::components)
-      if (asked_[c]) out[own(c)] = {row_of(c, count++), size(plan_.points())};
+      if (asked_[c]) out[own(c)] = {row_of(c, count++), size(plan_.shape.ny)};
     return out;
   }
 
  private:
   // The component that c of the exchanged problem is in the one asked for, and the other way round.
-  Component own(Component c) const { return plan_.exchange() ? stress::exchanged(c) : c; }
+  Component own(Component c) const { return plan_.exchanges ? stress::exchanged(c) : c; }
 
   const double* row_of(Component c, Index r) {
     const Resolution& resolution = plan_.resolution;
     double* row = samples_.data() + r * resolution.row_length();
     if (resolution.s == 1) return row + Interpolation::before;
     resolution.wrap({row, size(resolution.row_length())});
-    refined_[c].resize(size(resolution.interpolation.padded(plan_.points())));
-    resolution.interpolation.refine(row, plan_.points(), refined_[c].data());
+    refined_[c].resize(size(resolution.interpolation.padded(plan_.shape.ny)));
+    resolution.interpolation.refine(row, plan_.shape.ny, refined_[c].data());
     return refined_[c].data();
   }
 

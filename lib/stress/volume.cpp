@@ -14,7 +14,7 @@ static_assert(width == LayerInfluence::width);
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
-// From one of eight rows to the next.
+// Between rows of eight.
 Index apart(Index ny) { return (ny + width - 1) / width * width; }
 
 // -i a z.
@@ -86,11 +86,11 @@ void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Inde
 
 class VolumeWork : public LayerWork {
  public:
-  VolumeWork(const LayerPlan& plan, Shape shape)
+  explicit VolumeWork(const LayerPlan& plan)
       : plan_(plan),
         resolution_(plan.resolution),
         transform_(resolution_.transform),
-        shape_(shape),
+        shape_(plan.shape),
         influence_(plan.influence()),
         block_(size(transform_.block_size())),
         work_(block_.size()),
@@ -185,11 +185,8 @@ class VolumeWork : public LayerWork {
 };
 
 struct VolumePlan : LayerPlan {
-  VolumePlan(const LoadedBody& body, Index s, int threads)
-      : LayerPlan(body, s, threads), shape(body.grid.shape) {}
-  std::unique_ptr<LayerWork> work() const override { return std::make_unique<VolumeWork>(*this, shape); }
-
-  Shape shape;
+  using LayerPlan::LayerPlan;
+  std::unique_ptr<LayerWork> work() const override { return std::make_unique<VolumeWork>(*this); }
 };
 
 }  // namespace
