@@ -73,6 +73,13 @@ class SubspaceCG {
  private:
   /// What P_F subtracts from a field whose sum over F this is.
   double mean(double sum) const { return problem_.approach ? 0 : sum / free_.cells; }
+  /// The product with another vector, and the sum over F.
+  struct Sums {
+    double product = 0, sum = 0;
+    void operator+=(const Sums& other) { product += other.product, sum += other.sum; }
+  };
+  Sums sums_of_z() const;  ///< z·r
+  Sums sums_of_q() const;  ///< d·q
   SubspaceResidual residual(Block b);
   void turn(double mean_z, double beta);
   void advance(double a, double mean_q);
