@@ -1,5 +1,4 @@
-/// Presses two bodies together: pressure, gap, displacement and state of every cell, or a table of many
-/// loads.
+/// Presses two bodies together: pressure, gap, displacement and state of each cell, or a table of loads.
 #include <cmath>
 #include <map>
 
@@ -12,7 +11,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/contact/record.hpp"
+#include "tools/contact/scene.hpp"
 
 using namespace asperity;
 

@@ -11,8 +11,8 @@
 /// touch at δ = min h. On a periodic surface without limit pressure δ stays below the mean of h.
 ///
 /// K is that of contact/influence.hpp, the residual ε that of contact/problem.hpp, the iteration that of
-/// contact/bound_constrained_cg.hpp on the windows of contact/windowed.hpp. It starts from coarser grids (2 ×
-/// 2 averages down to 32 cells a side), each to ε = 1e-3, or from a given pressure.
+/// contact/bound_constrained_cg.hpp on the windows of contact/windowed.hpp. It starts from coarser grids (averages of 2 × 2
+/// cells down to 32 a side), each to ε = 1e-3, or from a given pressure.
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa], about 3 σ_Y   Q load [N]   δ approach [m]
 ///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
@@ -59,7 +59,7 @@ struct ContactParameters {
   int threads = 1;
   std::function<void(const ContactProgress&)> progress = {};  ///< told of every round
 
-  /// Throws ParameterError unless load > 0 or an approach is given, all else above 0, tolerance < 1.
+  /// Throws ParameterError unless load > 0 or an approach is given, not both; all else above 0, tolerance < 1.
   void check() const;
 };
 
@@ -95,8 +95,7 @@ struct Contact {
 /// Solves with the half-space's operator, the periodic one where the grid is periodic. Throws
 /// DataError("heights") when the gap is not finite, DataError("pressure") when the start is not or does not
 /// fit, ParameterError("load") when not even p_Y on every cell carries it, ParameterError("approach") when
-/// the bodies do not touch at it or no contact has it, and either when what it asks for leaves the range of a
-/// double.
+/// the bodies do not touch at it or no contact has it, either when it leaves the range of a double.
 Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 

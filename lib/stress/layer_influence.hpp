@@ -51,8 +51,7 @@ class LayerInfluence {
   /// S of component c under traction t for the columns 8b … 8b+7; good until the next of the same traction.
   virtual TransferFunction transfer_function(stress::Traction t, stress::Component c, Index b) = 0;
   /// What the load seen from a plane x = const is multiplied with (stress/section.cpp), [m][8]: of (2), for
-  /// the lag m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S of
-  /// kx = m
+  /// the lag m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S at m
   virtual std::span<const double> by_lags(stress::Traction t, stress::Component c, Index b) = 0;
 };
 
