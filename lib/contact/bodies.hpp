@@ -7,7 +7,7 @@
 /// z₁ and z₂ are the heights of either body above its smooth form at the same (x, y), each positive towards
 /// the other body; a counter body that was measured face up is to be mirrored in x or y first. Rx is the
 /// radius of the section along x; the principal axes of both bodies lie along x and y. A sphere has Rx = Ry,
-/// a cylinder along y has Ry = ∞, a flat both, a hollow a negative radius, no smaller than that of the body
+/// a cylinder along y has Ry = ∞, a flat both; a hollow's radius is negative, no smaller than that of what is
 /// in it.
 ///
 /// Symbols   E Young's modulus [Pa]   ν Poisson's ratio   R radius [m]   h gap [m]   z heights [m]

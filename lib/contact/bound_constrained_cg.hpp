@@ -15,7 +15,7 @@
 /// at the first violation, and where it has grown a thousandfold, for at round-off directions are noise.
 ///
 /// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
-/// Cost      an application of K a step, one of M a conjugate gradient step, a few passes; six fields, a
+/// Cost      one K a step, one M a conjugate gradient step, a few passes over the cells; six fields and a
 ///           mask.
 ///
 /// E. G. Birgin, J. M. Martínez, M. Raydan, Nonmonotone spectral projected gradient methods on convex sets,

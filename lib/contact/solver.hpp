@@ -11,8 +11,8 @@
 /// touch at δ = min h. On a periodic surface without limit pressure δ stays below the mean of h.
 ///
 /// K is that of contact/influence.hpp, the residual ε that of contact/problem.hpp, the iteration that of
-/// contact/bound_constrained_cg.hpp on the windows of contact/windowed.hpp. It starts from coarser grids (averages of 2 × 2
-/// cells down to 32 a side), each to ε = 1e-3, or from a given pressure.
+/// contact/bound_constrained_cg.hpp on the windows of contact/windowed.hpp. It starts from coarser grids
+/// (averages of 2 × 2 cells down to 32 a side), each to ε = 1e-3, or from a given pressure.
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa], about 3 σ_Y   Q load [N]   δ approach [m]
 ///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
@@ -59,7 +59,7 @@ struct ContactParameters {
   int threads = 1;
   std::function<void(const ContactProgress&)> progress = {};  ///< told of every round
 
-  /// Throws ParameterError unless load > 0 or an approach is given, not both; all else above 0, tolerance < 1.
+  /// Throws ParameterError unless load > 0 or an approach is given, not both; the rest > 0, tolerance < 1.
   void check() const;
 };
 

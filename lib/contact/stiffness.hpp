@@ -1,7 +1,6 @@
 /// The stiffness of a contact: how its load grows with the approach.
 ///
-/// While no cell changes its state the gap stays 0 on the free cells C, and other pressures stay. So q =
-/// dp/dδ obeys
+/// While no cell changes its state the gap stays 0 on the free cells C, other pressures stay: q = dp/dδ obeys
 ///     K q = 1 on C,   q = 0 elsewhere,                                                       (1)
 ///     S = dQ/dδ = ΔxΔy Σ q,                                                                   (2)
 /// the flat punch of the contact's outline, by conjugate gradients on C. Of an approximate q with u = K q,

@@ -11,8 +11,8 @@
 /// (below 0.19 and 0.15), and at the edge of a Hertz contact where ν < -0.34.
 ///
 /// Accuracy  of the search: 8e-5 of the value for a smooth contact, 4e-3 for rough ones.
-/// Cost      about 16 layers of all components at 128 cells, one more each half of the side more, a few to
-///           refine.
+/// Cost      about 16 layers of all components at 128 cells, one more each time the side grows by half, and a
+///           few.
 #pragma once
 
 #include <functional>
@@ -34,8 +34,7 @@ struct StressProbe {
   double von_mises = 0;          ///< the largest of the layer [Pa]
 };
 
-/// All zero when the surface is not loaded at all. `on_layer`, if given, is called for every layer, one
-/// at a time but not in the order of their depth.
+/// All zero where nothing is loaded. `on_layer` is called for every layer, one at a time, in any order.
 StressMaximum maximum_von_mises(const StressSolver& solver,
                                 const std::function<void(const StressProbe&)>& on_layer = {});
 

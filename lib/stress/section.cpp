@@ -5,7 +5,8 @@
 //     P±(m) = p^(x_i - mΔx) ± p^(x_i + mΔx),   P+(0) = p^(x_i),  P-(0) = 0,                               (2)
 // + for a kernel even in x, - for one odd in x. A kernel is the difference of the corner functions on both
 // sides of a cell, K(m) = t(m) (f(m) - f(m-1)) with the taper t; that passes to the pressure, once for all:
-//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),  D±(m) = t(m) P±(m) - t(m+1) P±(m+1),  D+(0) = 2 P+(0) - t(1) P+(1)  (3)
+//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),
+//     D±(m) = t(m) P±(m) - t(m+1) P±(m+1),   D+(0) = 2 P+(0) - t(1) P+(1).                           (3)
 // No layer is transformed in x, and there are only as many lags as the plane is away from the farthest load.
 //
 // In a periodic half-space the sum is over the modes kx ≥ 0, with Q(kx) = p^(kx, ky) exp(i kx x_i) for p^(x),

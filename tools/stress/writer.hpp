@@ -19,8 +19,7 @@ class StressWriter {
   StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
                const StressSolver& solver);
 
-  /// Computes the layers of the scene and writes its dataset with them. In the end `finish` sets attributes
-  /// that are there.
+  /// Computes the layers of the scene and writes its dataset with them. In the end `finish` sets attributes.
   void write(const std::function<void(Attributes&)>& finish);
   /// What was the largest value of an output [Pa]; 0 where it was not asked for.
   double largest(std::string_view output) const;
