@@ -104,7 +104,7 @@ void compute(Asked asked, const Grid& grid, const Field& pressure, Field& out) {
           std::ranges::copy(s[stress::zz], out.row(l * n + i).data());
         });
   if (asked == Asked::section)
-    StressSolver({grid, pressure, poisson}, {true, n / 2}, 1, adapted)
+    StressSolver({grid, pressure, poisson}, Plane{true, n / 2}, 1, adapted)
         .layers(depths(), stress::all, keep_mises);
   if (asked == Asked::maximum) maximum_von_mises(StressSolver({grid, pressure, poisson}, 1, adapted));
 }

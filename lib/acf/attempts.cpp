@@ -10,12 +10,14 @@
 #include "acf/minimum_norm_newton.hpp"
 #include "acf/newton_krylov.hpp"
 #include "acf/projections.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
 namespace {
+
+namespace solver = calibration::acf;
 
 // Share of the tolerance, so that the residual recomputed by other sums stays below the whole.
 constexpr double inside = 0.5;

@@ -6,12 +6,14 @@
 #include "acf/attempts.hpp"
 #include "acf/kernel_cost.hpp"
 #include "acf/kernel_evaluation.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
 namespace {
+
+namespace solver = calibration::acf;
 
 // ---- the search at given lags ----
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
@@ -56,7 +56,7 @@ class Problem {
     transform_->forward(constant(u), transfer_);
     double square = 0;
     for (double a : transfer_) square += a * a;
-    floor_ = solver::minimum_norm_floor * solver::minimum_norm_floor * square /
+    floor_ = calibration::acf::minimum_norm_floor * calibration::acf::minimum_norm_floor * square /
              static_cast<double>(transfer_.size());
   }
   /// 2 Q (α^ v^): J without its restriction, and J*.

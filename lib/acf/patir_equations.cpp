@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "acf/equations.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 
-using solver::inverse_floor;
+using calibration::acf::inverse_floor;
 
 PatirEquations::PatirEquations(const Target& target, Shape lags)
     : lags_(lags), transform_({fast_length(2 * lags.nx, 2), fast_length(2 * lags.ny, 2)}) {

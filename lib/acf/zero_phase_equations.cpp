@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "acf/equations.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
-using solver::inverse_floor;
+using calibration::acf::inverse_floor;
 
 double fejer(Index k, Index n) { return 1 - static_cast<double>(std::abs(k)) / static_cast<double>(n); }
 

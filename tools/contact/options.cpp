@@ -19,10 +19,6 @@ double parse_load(const std::string& text) {
 
 }  // namespace
 
-std::vector<double> parse_loads(const std::string& text) {
-  return parse_series("loads", text, Steps::geometric, parse_load);
-}
-
 // ---- declaration ----
 
 void ContactOptions::declare(Tool& tool) {
@@ -124,7 +120,8 @@ void ContactOptions::check_load(const Tool& tool) {
                                         : "only one of --load, --approach and --loads can be given");
   if (tool.given("--load")) contact.load = load_;
   if (tool.given("--approach")) contact.approach = approach_;
-  if (tool.given("--loads")) contact.load = (loads = parse_loads(loads_)).front();
+  if (tool.given("--loads"))
+    contact.load = (loads = parse_series("loads", loads_, Steps::geometric, parse_load)).front();
   if (sweeps()) contact.stiffness = true;
   if (tool.given("--yield")) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("{} Pa is not above 0", yield_));
