@@ -1,6 +1,5 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -14,7 +13,6 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/marginal_dataset.hpp"
@@ -41,11 +39,10 @@ struct Result {
 // ---- lengths ----
 
 double share_of(const std::string& word) {
-  double value = NAN;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !(value > 0 && value < 1))
+  const auto value = to_number<double>(word);
+  if (!value || !(*value > 0 && *value < 1))
     throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
-  return value;
+  return *value;
 }
 
 AcfLevel level_of(const std::string& word) {
@@ -144,7 +141,7 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
-  cli::check_finite(cli::Quantities{lengths});
+  cli::check_finite(lengths);
   for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
 }
 
@@ -239,7 +236,7 @@ int main(int argc, char** argv) {
       result.target = cli::carried_correlation(data, "acf_target", surface.grid);
     auto lengths = [&] { return lengths_of(tool, result, what); };
     if (what.lengths) {
-      cli::print(tool, cli::Quantities{lengths()});
+      cli::print(tool, lengths());
     } else if (prints_profiles(tool, what)) {
       warn_of_few(tool, result.estimate.size);
       cli::print(tool, profiles(surface, result, what.absolute));

@@ -79,7 +79,7 @@ class Surfaces {
   void print() const {
     cautions_.tell(tool_);
     if (ensemble_.surfaces() == 1)
-      cli::print(tool_, cli::Quantities{last_});
+      cli::print(tool_, last_);
     else
       cli::print(tool_, table());
   }

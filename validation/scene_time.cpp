@@ -26,6 +26,7 @@
 #include "acf/kernel.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
+#include "reference/exponential_target.hpp"
 #include "stress/equivalent.hpp"
 #include "stress/layers.hpp"
 #include "stress/maximum.hpp"

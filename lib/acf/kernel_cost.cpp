@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/wording.hpp"
 #include "core/calibration.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {

@@ -42,7 +42,7 @@ ZeroPhaseEquations::ZeroPhaseEquations(const Target& target, Shape lags, bool or
   });
   multiplicity_ = transform_->multiplicity();
   window_ = transform_->part([&](Index k, Index l) { return fejer(k, lags.nx) * fejer(l, lags.ny); });
-  transfer_.resize(static_cast<std::size_t>(transform_->spectrum_size()));
+  transfer_.resize(size(transform_->spectrum_size()));
   inverse_.resize(transfer_.size());
 }
 

@@ -5,7 +5,6 @@
 
 #include "stress/corner_tile.hpp"
 #include "stress/wave.hpp"
-#include "transform/columns.hpp"
 #include "transform/mirrored.hpp"
 
 namespace asperity {
@@ -18,7 +17,6 @@ constexpr Index width = LayerInfluence::width;
 constexpr double scale = 0.5 / std::numbers::pi;  // of the corner sum
 static_assert(width == corner_lanes && width == MirroredTransform::width);
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
 // x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for

@@ -20,8 +20,6 @@ using stress::Traction;
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double faded = 40;  // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
 std::vector<Complex> waves(Index n, double share) {
   std::vector<Complex> out(size(n / 2 + 1));

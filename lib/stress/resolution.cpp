@@ -14,8 +14,6 @@ namespace {
 constexpr Index width = PrunedTransform::width, around = Interpolation::taps / 2;
 using namespace calibration::stress;
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 Index points(Index cells, Index s) { return (cells + s - 1) / s; }
 
 // Lags that the kernel must have whole: from any cell to any point around which values are interpolated.

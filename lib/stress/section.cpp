@@ -31,8 +31,6 @@ using stress::Component;
 
 constexpr Index width = LayerInfluence::width;
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 LoadedBody exchanged(const LoadedBody& body) {
   const Grid& g = body.grid;
   const Friction& f = body.friction;

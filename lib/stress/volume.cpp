@@ -12,8 +12,6 @@ using Transfer = std::array<LayerInfluence::TransferFunction, 3>;
 constexpr Index width = PrunedTransform::width, before = Interpolation::before;
 static_assert(width == LayerInfluence::width);
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 // Between rows of eight.
 Index apart(Index ny) { return (ny + width - 1) / width * width; }
 

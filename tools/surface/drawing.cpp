@@ -65,7 +65,7 @@ class Writer {
   std::function<void(const RowSink&)> heights() {
     const Shape shape = drawing_.synthesis.shape();
     const std::size_t working = drawing_.synthesis.working_set(),
-                      whole = static_cast<std::size_t>(shape.cells()) * sizeof(double);
+                      whole = size(shape.cells()) * sizeof(double);
     if (working > drawing_.memory || whole > drawing_.memory - working)
       return [&](const RowSink& sink) { drawing_.synthesis.surface(drawing_.noise, sink); };
     kept_ = drawing_.synthesis.surface(drawing_.noise);
