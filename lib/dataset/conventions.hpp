@@ -13,15 +13,13 @@
 ///
 /// Marks and ranges are those of the packed numbers, as CF has it. Afterwards a variable holds plain values, of double
 /// precision where they were packed and else of its own type, and one mark at most, `_FillValue` or one missing_value; what
-/// told the rest is gone, and actual_range is that of the points that are there. A variable that no tool uses goes through a
-/// pipe like that: the same values and the same missing points.
+/// told the rest is gone, and actual_range is that of the points that are there.
 ///
 /// Refused, by the variable's name: a scale that is not one finite number or is 0, an offset, a mark or a bound that is
 /// text or no number, a range that holds nothing, and one of floating numbers beside packed whole ones, which some
 /// write of the unpacked values.
 ///
-/// Cost      a look at the names of attributes; one pass over what has such attributes. The default fill is told by
-///           mark_of and looked for in passes that are made anyway.
+/// Cost      a look at the names of attributes; one pass over what has such attributes.
 ///
 /// CF Conventions 1.8, sections 2.5.1 and 8.1; The NetCDF Users Guide, appendix A: Attribute Conventions.
 #pragma once

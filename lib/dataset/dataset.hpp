@@ -1,8 +1,6 @@
 /// A dataset in memory: dimensions, variables and attributes, in the order in which they stand in the file.
 ///
-/// It is plain data. Whatever a file held that Asperity does not understand is kept as it was, its type
-/// included, and written again. dataset/netcdf.hpp turns it into bytes and back; dataset/layout.hpp knows
-/// what a surface, a grid and a kernel look like in it.
+/// It is plain data: what Asperity does not understand is kept as it was, its type included, and written again.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +13,7 @@
 
 namespace asperity {
 
-/// The values of a variable (row-major) or of an attribute, in the external type of the file; text is a
-/// string.
+/// The values of a variable (row-major) or of an attribute, in the external type of the file.
 using Values = std::variant<std::string, std::vector<std::int8_t>, std::vector<std::uint8_t>,
                             std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>,
                             std::vector<std::uint32_t>, std::vector<std::int64_t>, std::vector<std::uint64_t>,

@@ -1,5 +1,3 @@
-#include "dataset/grid.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +5,8 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/conventions.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
 
 namespace asperity {
 namespace {

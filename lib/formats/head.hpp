@@ -4,7 +4,6 @@
 /// Upper and lower case are the same in a key; the first line of a key counts.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "core/field.hpp"
@@ -16,7 +15,8 @@ class Head {
   /// `separators` are the characters of which the first one ends the key.
   Head(std::string_view lines, std::string_view separators) : lines_(lines), separators_(separators) {}
 
-  bool has(std::string_view key) const;
+  std::size_t lines() const;
+  bool has(std::string_view key) const { return text(key).data() != nullptr; }
   /// The value without blanks at its ends, "" where there is none.
   std::string_view text(std::string_view key) const;
   /// Throw DataError("map", …) where the value is missing, or no finite number, no positive one, no whole one from 0 on.
@@ -28,13 +28,9 @@ class Head {
   std::string_view lines_, separators_;
 };
 
-/// The lines up to the first that ends a head, taken off the bytes and counted in `lines`. Throws DataError("map", …) where
-/// there is none, which is called `end`.
-std::string_view take_head(std::string_view& bytes, std::size_t& lines, bool (*ends)(std::string_view line),
+/// The lines up to the first that ends a head, taken off the bytes. Throws DataError("map", …) where there is none, which
+/// is called `end`.
+std::string_view take_head(std::string_view& bytes, bool (*ends)(std::string_view line),
                            std::string_view end);
-
-/// A line of a head that is written.
-std::string head_line(std::string_view key, std::string_view separator, std::string_view value);
-std::string head_line(std::string_view key, std::string_view separator, double value);
 
 }  // namespace asperity

@@ -1,12 +1,10 @@
 /// A map of one quantity over a rectangle, as the files of other programs hold it.
 ///
-/// It stands between their formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp). Whatever a file's lines
-/// are, values are (x, y), x the first index. Lengths become metres and heights in a unit of length too; any
-/// other quantity keeps its unit.
+/// It stands between their formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp). Values are (x, y), x the
+/// first index. Lengths become metres, heights too; any other quantity keeps its unit.
 ///
-/// A file's lines. Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) settle what runs along a line, x in
-/// all of them, and the first line is that of the least y; ESRI's, a chart, begins with the north, the largest. A bare
-/// matrix (text, npy) does not say: Reading tells.
+/// Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) have x run along a line, and begin with the least
+/// y; ESRI's, a chart, begins with the north, the largest. A bare matrix (text, npy) does not say: Reading tells.
 #pragma once
 
 #include <array>
@@ -49,9 +47,9 @@ struct Map {
   std::string title = {};  ///< the channel's name, or ""
 };
 
-/// The factor to metres of a unit of length as instruments spell it ("µm", "um", "nm", "m"). Throws DataError(variable,
-/// …) when it is none.
-double metres_per(std::string_view unit, const std::string& variable);
+/// The factor to metres of a unit of length as instruments spell it ("µm", "um", "nm", "m"). Throws DataError("map", …)
+/// when it is none.
+double metres_per(std::string_view unit);
 /// Values and their unit: scaled to metres if it is a length, else as they are. Throws DataError("map", …) where that makes one
 /// infinite.
 void set_units(Map& map, std::string_view unit);

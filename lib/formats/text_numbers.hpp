@@ -4,7 +4,6 @@
 /// missing points. The process's language does not matter. What separates them is said in formats/text_table.hpp.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>

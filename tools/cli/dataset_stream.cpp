@@ -19,7 +19,7 @@ const std::string& checked(const std::string& name) {
 DatasetStream::DatasetStream(const std::string& name) : file_(checked(name)) {}
 
 void DatasetStream::head(const Dataset& dataset, std::size_t deferred) {
-  const std::string bytes = encode_netcdf_head(dataset, deferred);
+  const std::string bytes = encode_netcdf(dataset, deferred);
   if (head_bytes_ == 0)
     file_.write(bytes);
   else if (bytes.size() == head_bytes_)

@@ -92,14 +92,11 @@ std::string in_short(const Names& names) {
 
 void drop_results(Dataset& data, std::string_view result, std::string_view input) {
   const Gone gone = stale(data, result, input);
-  erase_variables(data, [&](const Variable& v) {
-    const KnownVariable* known = known_variable(v.name);
-    return v.name != input && known && has(gone, result_of(*known));
-  });
+  erase_variables(
+      data, [&](const Variable& v) { return v.name != input && has(gone, result_of_variable(v.name)); });
   Names attributes;
   for (const Attribute& a : data.attributes)
-    if (const KnownAttribute* known = known_attribute(a.name); known && has(gone, result_of(*known)))
-      attributes.push_back(a.name);
+    if (has(gone, result_of_attribute(a.name))) attributes.push_back(a.name);
   for (const std::string& name : attributes) data.attributes.erase(name);
 }
 

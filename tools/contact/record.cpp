@@ -83,7 +83,7 @@ void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c,
 
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
   const bool keeps = options.unload && !options.smooth;
-  const Field pressed = keeps ? heights_of(scene.data, options.variable) : Field();
+  const Field pressed = keeps ? field_of(scene.data, options.variable, "m") : Field();
   const bool overwrites = options.unload && options.variable == "heights_residual";
   drop_results(scene.data, "contact", overwrites ? "" : options.variable);
   Attributes& a = scene.data.attributes;
