@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dataset/layout.hpp"
 
 namespace asperity {
@@ -93,8 +95,7 @@ bool descends(const Variable& axis) {
   return values.size() > 1 && values.back() < values.front();
 }
 
-// A coordinate z that is positive in this direction, into the other one; the deepest layer stays the last of depths, the
-// first of heights.
+// A coordinate z that is positive in one direction, into the other; layers run downwards, of heights upwards.
 void turn(Dataset& dataset, std::string_view from, std::string_view to, std::string_view words) {
   Variable* z = dataset.find("z");
   if (!z || z->dimensions != Names{"z"} || z->attributes.text("positive") != from) return;
@@ -122,18 +123,15 @@ bool is_own_axis(const Variable& v) {
 // Rows of pictures often run downwards: each value keeps its coordinate.
 void let_ascend(Dataset& dataset) {
   Names turned;
-  for (const Variable& v : dataset.variables)
-    if (is_own_axis(v) && descends(v)) turned.push_back(v.name);
-  std::string line;
-  for (const std::string& name : turned) {
-    reverse_along(dataset, name);
-    line += (line.empty() ? "" : ", ") + name;
+  for (const Variable& v : dataset.variables) {
+    if (!is_own_axis(v) || !descends(v)) continue;
+    turned.push_back(v.name);
+    reverse_along(dataset, v.name);
   }
-  if (line.empty()) return;
-  line += " turned around with all that lay on " + std::string(turned.size() > 1 ? "them: they" : "it: it") +
-          " descended";
-  dataset.notes.push_back(line);
-  add_history(dataset, line);
+  if (turned.empty()) return;
+  dataset.notes.push_back(fmt::format("{} turned around with all that lay on {} descended",
+                                      fmt::join(turned, ", "), turned.size() > 1 ? "them: they" : "it: it"));
+  add_history(dataset, dataset.notes.back());
 }
 
 }  // namespace

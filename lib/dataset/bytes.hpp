@@ -11,7 +11,7 @@ namespace asperity {
 class Bytes {
  public:
   Bytes() = default;
-  /// A file's, to be read alone; of them only those that are looked at are. None where it cannot be mapped, as a pipe cannot.
+  /// A file's, to be read alone, when they are looked at. None where it cannot be mapped, as a pipe cannot.
   static Bytes mapped(const std::string& path);
   ~Bytes();
   Bytes(Bytes&& other) noexcept;
@@ -20,7 +20,7 @@ class Bytes {
 
   operator std::string_view() const { return {data_, size_}; }
   std::size_t size() const { return size_; }
-  /// Room for `more` bytes behind those that there are, zeros at first; add() says how many have been written there.
+  /// Room for `more` bytes behind those that there are, zeros at first; add() says how many were written.
   char* room(std::size_t more);
   void add(std::size_t more) { size_ += more; }
 
@@ -31,8 +31,8 @@ class Bytes {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map unless all are zeros, which pad it:
-/// `cat a.nc b.nc | asperity-stats` would else lose the second without a word.
+/// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map unless all are
+/// zeros, which pad it: `cat a.nc b.nc | asperity-stats` would else lose the second without a word.
 void refuse_rest(std::string_view rest, const std::string& variable);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-/// What the tools write into a dataset: one table of results, of their variables and of their global attributes.
+/// What the tools write into a dataset: one table of results, their variables and their global attributes.
 ///
 /// A result is what one run computes together. It rests on another one when it was computed from it:
 ///

@@ -13,7 +13,7 @@ enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attribut
 
 [[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
 
-// NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, into which it copies longer ones all the same.
+// NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, beyond which it writes all the same.
 constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
 // NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf looks for each name among all before it.
 constexpr std::uint64_t longest_list = 8192;
@@ -107,8 +107,7 @@ void check_attributes(Reader& reader) {
   }
 }
 
-// Where the values of a variable lie: of one record, where it has records. `told` is where the head tells it, behind
-// the number of bytes.
+// Where the values of a variable lie, of one record if it has records, and where the head tells it.
 struct Extent {
   std::uint64_t begin = 0, bytes = 0;
   bool records = false;
@@ -163,8 +162,8 @@ Head take_head(Reader& reader) {
   return out;
 }
 
-// The end of all values. Records follow each other, each of all variables that have them, padded unless there is one such
-// variable; those whose number is not told reach to the end.
+// The end of all values. Records follow each other, each of all variables that have them, padded unless there
+// is one such variable; those whose number is not told reach to the end.
 std::uint64_t end_of_values(const Reader& reader, const Head& head) {
   std::uint64_t end = 0, record = 0, last = 0, in_records = 0;
   for (const Extent& e : head.extents)

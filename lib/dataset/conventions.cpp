@@ -28,7 +28,7 @@ bool is_floating(const Values& values) {
 
 std::string text_of(double value) { return in_digits(value, 6); }
 
-// The Users Guide's: the least number but one of signed types, the greatest of unsigned ones (but one of 64 bits).
+// The Users Guide's: the least number but one if it has a sign, else the greatest (but one of 64 bits).
 template <class T>
 constexpr T default_fill() {
   if constexpr (std::is_floating_point_v<T>) return static_cast<T>(default_of_doubles);

@@ -1,6 +1,6 @@
 /// A dataset in memory: dimensions, variables and attributes, in the order in which they stand in the file.
 ///
-/// It is plain data: what Asperity does not understand is kept as it was, its type included, and written again.
+/// It is plain data: what Asperity does not understand is kept, its type included, and written again.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Attribute {
 class Attributes {
  public:
   void set(std::string_view name, std::string_view text);
-  /// Throws DataError(name, …) for a number that is not finite, unless the catalogue has it that this one may be.
+  /// Throws DataError(name, …) for a number that is not finite, unless by the catalogue it may be.
   void set(std::string_view name, double number);
   void set(std::string_view name, int number);
   void set_values(std::string_view name, Values values);

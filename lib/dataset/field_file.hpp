@@ -1,5 +1,5 @@
-/// A dataset whose fields, on (x, y) or (y, x), stay in the file and are read by whole rows: for fields larger than memory.
-/// Everything else, coordinates, tables and attributes, is read.
+/// A dataset whose fields, on (x, y) or (y, x), stay in the file and are read by whole rows: for fields
+/// larger than memory. Everything else, coordinates, tables and attributes, is read.
 #pragma once
 
 #include <string>

@@ -19,8 +19,8 @@ namespace {
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
-// Where the superblock of an HDF5 file says that it ends (HDF5 File Format Specification 3.0, II.A); of one that is not
-// understood, all of it: the library refuses it.
+// Where the superblock of an HDF5 file says that it ends (HDF5 File Format Specification 3.0, II.A); of one
+// that is not understood, all of it: the library refuses it.
 std::size_t end_of_hdf5(std::string_view bytes) {
   const auto byte = [&](std::size_t i) {
     return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;
@@ -46,8 +46,8 @@ int open_in_memory(std::string_view bytes, Handle& file) {
   return status;
 }
 
-// In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the head does
-// not: then there is more to read of zeros.
+// In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the
+// head does not: then there is more to read of zeros.
 constexpr std::size_t piece = 1 << 14;
 
 std::string_view with_room(Bytes& bytes) { return {bytes.room(piece) - bytes.size(), bytes.size() + piece}; }
@@ -68,7 +68,7 @@ Dataset decode_here(std::string_view bytes, Extent extent) {
 
 std::atomic<DoneApart> apart = nullptr;
 
-// The same dataset in a classic format, made where the HDF5 library does no harm: it is there twice, here as there.
+// The dataset in a classic format, made where the HDF5 library does no harm: it is there twice, as here.
 Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory, bool whole) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),

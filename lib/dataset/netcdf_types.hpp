@@ -1,4 +1,4 @@
-/// NetCDF's types and statuses as the program's own, and a dataset from an open file; for dataset/netcdf*.cpp alone.
+/// NetCDF's types and statuses as the program's own, and a dataset from a file; for dataset/netcdf*.cpp.
 #pragma once
 
 #include <cerrno>
@@ -60,7 +60,7 @@ std::vector<Element> room_for(std::size_t n) {
   return out;
 }
 
-// Room for n elements of an external type, which is looked for among those of Values from the one numbered `alternative` on.
+// Room for n elements of an external type, looked for among those of Values from `alternative` on.
 template <std::size_t alternative = 0>
 Values allocate(nc_type type, std::size_t n, const std::string& name) {
   if constexpr (alternative == std::variant_size_v<Values>) {
@@ -90,11 +90,11 @@ struct Extent {
   bool fields_stay = false;  // the values of what lies on both x and y are not read
 };
 
-// No size that the head states is believed: the values of a classic file are bytes of it, those of NetCDF-4 no more than
-// deflating can make of its bytes, and together they take no more memory than is allowed.
+// No size that the head states is believed: the values of a classic file are bytes of it, those of NetCDF-4
+// no more than deflating can make of its bytes, and together they take no more memory than is allowed.
 Dataset read_dataset(int file, const Extent& extent);
 
-// NetCDF-4 deflates, and need not hold what was never written: no more is made of its bytes than deflating could.
+// NetCDF-4 deflates, and need not hold what was never written: no more is believed than deflating could make.
 std::size_t most_made_of(std::size_t bytes);
 
 [[noreturn]] void refuse_cut_short(const std::string& name, std::size_t bytes);

@@ -74,8 +74,8 @@ void define(int file, const Variable& variable) {
   write_attributes(file, id, variable.attributes);
 }
 
-// The library writes a file of the dataset's whole size, on disk or in memory; so it is given a small one, with room for one
-// value of each variable, or for none, where the dimension of records has none.
+// The library writes a file of the dataset's whole size, on disk or in memory; so it is given a small one,
+// with room for one value of each variable, or for none, where the dimension of records has none.
 std::string small_file_of(const Dataset& dataset) {
   Handle file;
   const int format = needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET;

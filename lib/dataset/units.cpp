@@ -27,7 +27,7 @@ struct Release {
 using Unit = std::unique_ptr<ut_unit, Release<ut_free>>;
 using Converter = std::unique_ptr<cv_converter, Release<cv_free>>;
 
-// UDUNITS speaks on standard error unless told not to; whoever else uses it in this process finds it as it was.
+// UDUNITS speaks on standard error unless told not to; whoever else uses it finds it as it was.
 class Silence {
  public:
   Silence() : former_(ut_set_error_message_handler(ut_ignore)) {}
@@ -69,7 +69,7 @@ Unit parse(const std::string& name) {
   return unit;
 }
 
-// None where the two measure different things, or one the inverse of the other, for which UDUNITS has a converter.
+// None where the two measure different things, or inverse ones, for which UDUNITS has a converter.
 Converter converter_of(const Unit& from, const Unit& to) {
   if (!from || !to) return nullptr;
   Converter out(ut_get_converter(from.get(), to.get()));

@@ -29,8 +29,8 @@ Source owned(zip_source_t* source) {
   return Source(source);
 }
 
-// The record that ends an archive is looked for from behind, and says how long the list before it is and where it begins:
-// nothing may stand around them (APPNOTE.TXT 4.3.16). In 64 bits another record says so.
+// The record that ends an archive is looked for from behind, and says how long the list before it is and
+// where it begins: nothing may stand around them (APPNOTE.TXT 4.3.16). In 64 bits another record says so.
 void refuse_more(std::string_view bytes) {
   constexpr std::size_t record = 22, locator = 20;
   const std::size_t at = bytes.rfind(std::string_view("PK\5\6", 4));
@@ -70,8 +70,8 @@ void add(zip_t* archive, const ZipEntry& entry) {
   require(zip_file_set_dostime(archive, place, 0, day, 0) == 0, archive);
 }
 
-// A string that an archive is written into: the library's own buffer would be a copy more. It has room for all, so that
-// nothing is thrown through the library.
+// A string that an archive is written into: the library's own buffer would be a copy more. It has room for
+// all, so that nothing is thrown through the library.
 struct Sink {
   std::string bytes;
   std::size_t at = 0;

@@ -1,8 +1,9 @@
 /// Zip archives in memory, the only door to libzip.
 ///
-/// Reading trusts no number that the archive states: an entry must be stored or deflated, may claim no more than
-/// deflating can yield of its bytes (1032 times as many), is inflated piece by piece, and must end where it claims to.
-/// Writing stores entries as they are, all dated 1980-01-01: the same entries make the same bytes.
+/// Reading trusts no number that the archive states: an entry must be stored or deflated, may claim no more
+/// than deflating can yield of its bytes (1032 times as many), is inflated piece by piece, and must end where
+/// it claims to. Writing stores entries as they are, all dated 1980-01-01: the same entries make the same
+/// bytes.
 ///
 /// Memory    of reading, what has been inflated; of writing, the entries once more.
 #pragma once

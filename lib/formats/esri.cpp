@@ -2,15 +2,15 @@
 ///
 ///     ncols 5                    points along a line, x
 ///     nrows 3                    lines, y; the first is the north, the largest y
-///     xllcorner 0                where the grid stands (or xllcenter): required by others, of no meaning here
+///     xllcorner 0                where the grid stands (or xllcenter): of no meaning here
 ///     yllcorner 0
 ///     cellsize 1e-06             spacing; or dx and dy where the two differ, as GDAL has them
 ///     NODATA_value -9999         a missing point; may be left out, and may be nan
-/// and nrows·ncols numbers, however they are broken into lines. Words in any case and order. The file knows no units:
-/// lengths are taken for metres, and heights are metres until something else is said.
+/// and nrows·ncols numbers, however they are broken into lines. Words in any case and order. The file knows
+/// no units: lengths are taken for metres, and heights are metres until something else is said.
 ///
-/// A value is missing when it is NODATA to within single precision, in which many programs hold it. What is written has
-/// NODATA -9999, or a power of ten below everything where heights come near that.
+/// A value is missing when it is NODATA to within single precision, in which many programs hold it. What is
+/// written has NODATA -9999, or a power of ten below everything where heights come near that.
 ///
 /// GDAL, AAIGrid driver, https://gdal.org/drivers/raster/aaigrid.html
 #include <cctype>

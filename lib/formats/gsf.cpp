@@ -6,11 +6,13 @@
 ///     XYUnits = m                a unit of length, else the size is unknown
 ///     ZUnits = m                 of the values; nothing is assumed where it is not stated
 ///     Title = heights
-/// then one to four NULs up to a multiple of four bytes, and the values: 32-bit floats, least significant byte first, line by
-/// line from the top of the image, which is the least y here. NaN is a missing point. Other keys (XOffset, YOffset) are passed
-/// over. Numbers are written with 24 bits, a relative error of 6e-8; those beyond 3.4e38 are refused.
+/// then one to four NULs up to a multiple of four bytes, and the values: 32-bit floats, least significant
+/// byte first, line by line from the top of the image, which is the least y here. NaN is a missing point.
+/// Other keys (XOffset, YOffset) are passed over. Numbers are written with 24 bits, a relative error of 6e-8;
+/// those beyond 3.4e38 are refused.
 ///
-/// Gwyddion user guide, Gwyddion Simple Field file format, http://gwyddion.net/documentation/user-guide-en/gsf.html
+/// Gwyddion user guide, Gwyddion Simple Field file format,
+/// http://gwyddion.net/documentation/user-guide-en/gsf.html
 #include <cmath>
 
 #include "formats/format.hpp"

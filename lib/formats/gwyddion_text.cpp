@@ -4,9 +4,10 @@
 ///     # Width: 10.00 µm          along a line, x; and the height along y, each with a unit of its own
 ///     # Height: 10.00 µm
 ///     # Value units: m
-/// and a line of values for each y, from the top of the image, which is the least y here. Its languages translate the
-/// words: the two that are followed by a number and a length are the size, whatever they are called, the first of them the
-/// width. Decimal commas and exponents of three digits are understood. The file says the size of pixels' whole area.
+/// and a line of values for each y, from the top of the image, which is the least y here. Its languages
+/// translate the words: the two that are followed by a number and a length are the size, whatever they are
+/// called, the first of them the width. Decimal commas and exponents of three digits are understood. The file
+/// says the size of pixels' whole area.
 #include <optional>
 #include <vector>
 

@@ -1,7 +1,7 @@
 /// Heads of files: lines of a key, a separator and a value.
 ///
-/// A head is a view of the file's text and is searched anew for each key, so that it takes no memory, however long it is.
-/// Upper and lower case are the same in a key; the first line of a key counts.
+/// A head is a view of the file's text and is searched anew for each key, so that it takes no memory, however
+/// long it is. Upper and lower case are the same in a key; the first line of a key counts.
 #pragma once
 
 #include <string_view>
@@ -19,7 +19,7 @@ class Head {
   bool has(std::string_view key) const { return text(key).data() != nullptr; }
   /// The value without blanks at its ends, "" where there is none.
   std::string_view text(std::string_view key) const;
-  /// Throw DataError("map", …) where the value is missing, or no finite number, no positive one, no whole one from 0 on.
+  /// Throw DataError("map", …) where it is no finite number, no positive or no whole one from 0 on.
   double number(std::string_view key) const;
   double positive(std::string_view key) const;
   Index count(std::string_view key) const;
@@ -28,8 +28,7 @@ class Head {
   std::string_view lines_, separators_;
 };
 
-/// The lines up to the first that ends a head, taken off the bytes. Throws DataError("map", …) where there is none, which
-/// is called `end`.
+/// The lines up to the first that ends a head, which is called `end`, taken off the bytes.
 std::string_view take_head(std::string_view& bytes, bool (*ends)(std::string_view line),
                            std::string_view end);
 

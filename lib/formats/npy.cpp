@@ -1,13 +1,14 @@
 /// NumPy's .npy, versions 1, 2 and 3.
 ///
-///     \x93NUMPY, two bytes of version, the head's length (two bytes in version 1, else four, the least significant first)
+///     \x93NUMPY, two bytes of version, the head's length (two bytes in version 1, else four, little-endian)
 ///     {'descr': '<f8', 'fortran_order': False, 'shape': (5, 3), }
 ///     padded with blanks and ended by a line feed, and then the numbers
-/// descr is < or > (the least or most significant byte first) or | (one byte), and f2, f4, f8, i1, i2, i4, i8, u1, u2, u4,
-/// u8 or b1 (truth, 0 or 1). Arrays of two dimensions are read; Order says which index of the array is x, whichever way
-/// the numbers lie in the file. NaN is a missing point. The file knows neither size nor units.
+/// descr is < or > (the least or most significant byte first) or | (one byte), and f2, f4, f8, i1, i2, i4,
+/// i8, u1, u2, u4, u8 or b1 (truth, 0 or 1). Arrays of two dimensions are read; Order says which index of the
+/// array is x, whichever way the numbers lie in the file. NaN is a missing point. The file knows neither size
+/// nor units.
 ///
-/// Written are doubles, '<f8', the last index fastest, in version 1 with the numbers at a multiple of 64 bytes.
+/// Written are doubles, '<f8', the last index fastest, in version 1, the numbers at a multiple of 64 bytes.
 ///
 /// NumPy reference, numpy.lib.format, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #include <cmath>

@@ -1,19 +1,19 @@
 /// NRRD, nearly raw raster data, versions 1 to 5.
 ///
 ///     NRRD0004
-///     type: double               signed or unsigned integers of 8 to 64 bits, float, double, by all their names
+///     type: double               integers of 8 to 64 bits, float, double, by all their names
 ///     dimension: 2               or more, if no more than two axes are longer than 1
 ///     sizes: 5 3                 points along x, the fastest axis, and y, from the least on
-///     spacings: 1e-06 2e-06      or axis mins and axis maxs (with centers), or space directions, whose lengths are taken:
+///     spacings: 1e-06 2e-06      or axis mins and maxs (with centers), or the lengths of space directions:
 ///                            an axis against its space is turned around, a mirrored map refused
-///     units: "m" "m"             of each axis (space units with space directions); where none is stated the size is unknown
-///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem); nothing is assumed where there is none
+///     units: "m" "m"             of each axis (space units with space directions); else the size is unknown
+///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem)
 ///     content: heights           the title
 ///     endian: little             or big
 ///     encoding: raw              or text (ascii, txt), or gzip (gz)
-/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and fields that say something else
-/// are passed over. A header whose data stand in another file is refused, since a file that is read names no others to be
-/// opened; so are line skip and byte skip, and the encodings hex and bzip2.
+/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and fields that say
+/// something else are passed over. A header whose data stand in another file is refused, since a file that is
+/// read names no others to be opened; so are line skip and byte skip, and the encodings hex and bzip2.
 ///
 /// Written are raw doubles, the least significant byte first.
 ///
@@ -141,8 +141,7 @@ double length_of(const std::vector<double>& direction, const Head& head) {
   return length;
 }
 
-// An axis that runs against its space's is turned around. One may be turned within the plane, where a map has axes of its
-// own, but not mirrored.
+// An axis that runs against its space's is turned around. A map may be turned in the plane, but not mirrored.
 void orient(Field& values, const Head& head, const Axes& axes) {
   const std::vector<double> x = components_of(word(head, "space directions", axes.x)),
                             y = components_of(word(head, "space directions", axes.y));

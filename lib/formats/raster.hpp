@@ -1,4 +1,4 @@
-/// Numbers as a file's bytes, and back: of any type, in either byte order, a matrix in either order of its indices.
+/// Numbers as a file's bytes, and back: of any type and byte order, a matrix in either order of its indices.
 ///
 /// Accuracy  exact into double but for 64-bit integers, which are rounded to 53 bits.
 /// Cost      one pass, transposed in blocks that stay in the cache.
@@ -56,8 +56,9 @@ struct Raster {
   Order order = Order::yx;  ///< which index is the slower one
 };
 
-/// The cells that `bytes` are, as a field. Throws DataError("map", …) before any memory is taken when there are fewer bytes
-/// than the shape needs, or more (dataset/bytes.hpp), the shape is empty or impossible, or its map takes more than is allowed.
+/// The cells that `bytes` are, as a field. Throws DataError("map", …) before any memory is taken when there
+/// are fewer bytes than the shape needs, or more (dataset/bytes.hpp), the shape is empty or impossible, or
+/// its map takes more than is allowed.
 Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const MemoryBound& memory = {});
 /// Values are rounded to whole numbers for an integer type; those that a type cannot hold throw DataError.
 std::string bytes_of(const Field& field, const Raster& raster = {});

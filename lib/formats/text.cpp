@@ -1,13 +1,13 @@
 /// Numbers in plain text: a matrix of heights, one line for each x or for each y, or points of a surface.
 ///
-/// A line of the form `# units: um` states the unit of the values. Neither that nor the size need be there: a matrix says
-/// little about itself. How its numbers are separated is in formats/text_table.hpp. Lines of x z or x y z are read where
-/// Reading says that they are; a matrix whose first columns look like coordinates is refused until it says what they are,
-/// for a map of its columns would be no error that anyone sees.
+/// A line of the form `# units: um` states the unit of the values. Neither that nor the size need be there: a
+/// matrix says little about itself. How its numbers are separated is in formats/text_table.hpp. Lines of x z
+/// or x y z are read where Reading says that they are; a matrix whose first columns look like coordinates is
+/// refused until it says what they are, for a map of its columns would be no error that anyone sees.
 ///
-/// The coordinates of points are those of a grid: along each axis evenly spaced to a twentieth of the spacing, in any order.
-/// A point that is not given is missing; at least half of them are there. The spacing is the range of the coordinate by the
-/// number of steps. A profile x z has its spacing in y too.
+/// The coordinates of points are those of a grid: along each axis evenly spaced to a twentieth of the
+/// spacing, in any order. A point that is not given is missing; at least half of them are there. The spacing
+/// is the range of the coordinate by the number of steps. A profile x z has its spacing in y too.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -90,7 +90,7 @@ bool scanned(const Column& c) {
   return !constant(c) && ((steps >= 0).all() || (steps <= 0).all());
 }
 
-// Of lines x y z: a profile along an axis, points on a grid, or lines of a scan of which one coordinate never turns.
+// Of lines x y z: a profile along an axis, points on a grid, or a scan of which one coordinate never turns.
 bool are_coordinates(const Column& x, const Column& y, const Column& z) {
   if ((constant(x) && even(y)) || (constant(y) && even(x))) return true;
   if (even(x)) return !even(z);
@@ -113,9 +113,9 @@ Axis grid_axis(const Column& coordinates, char name) {
   return out;
 }
 
-// Whether the columns are not all heights, to the eye: the first one ascends or descends in even steps where the last one
-// does not; the first of two does so steadily; the first two of three stand on a grid, or one of them never turns; or the
-// first line ascends evenly too, whatever stands in the corner.
+// Whether the columns are not all heights, to the eye: the first one ascends or descends in even steps where
+// the last one does not; the first of two does so steadily; the first two of three stand on a grid, or one of
+// them never turns; or the first line ascends evenly too, whatever stands in the corner.
 bool has_coordinates(const Field& lines) {
   const Index n = lines.rows(), columns = lines.cols();
   if (n < 3 || columns < 2) return false;

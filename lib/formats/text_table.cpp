@@ -226,8 +226,8 @@ std::string_view without_mark(std::string_view text, const std::string& variable
   return text;
 }
 
-// The text with semicolons for the commas that have a blank beside them, where others have none: those may mark decimals,
-// as in "1,5, 2,5". Nothing where all are alike.
+// The text with semicolons for the commas that have a blank beside them, where others have none: those may
+// mark decimals, as in "1,5, 2,5". Nothing where all are alike.
 std::string commas_apart(std::string_view text) {
   const auto blank = [&](std::size_t i) { return i < text.size() && text[i] == ' '; };
   const auto beside = [&](std::size_t comma) { return blank(comma + 1) || (comma > 0 && blank(comma - 1)); };

@@ -1,21 +1,21 @@
 /// X3P, ISO 5436-2 and ISO 25178-72: a zip archive of main.xml, which describes the map, and of its numbers.
 ///
-///     Record1/Axes          CX, CY: AxisType I, Increment [m]; CZ: DataType I (int16), L (int32), F, D, and an Increment
-///                           and Offset [m] that the numbers are multiplied by and shifted, 1 and 0 where they are absent
-///     Record3               MatrixDimension SizeX, SizeY, SizeZ; DataLink to a file of numbers, little-endian, x running
-///                           fastest, with its MD5; or DataList, a Datum each
-///     md5checksum.hex       the MD5 of main.xml
-/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (the least first) is 0 in the file that
-/// ValidPointsLink names. Integers are signed, as openGPS and Gwyddion have them; SurfaceTopography's are not.
-/// Elements are known by their names whatever the name space. A checksum that is there must be right. Profiles (PRF)
-/// and clouds of points (PCL) are no maps, nor is more than one layer. Beside a DataList main.xml has at most 1 MiB, and
-/// md5checksum.hex 64 KiB.
+///     Record1/Axes     CX, CY: AxisType I, Increment [m]; CZ: DataType I (int16), L (int32), F, D, Increment
+///                      and Offset [m] that numbers are multiplied by and shifted, 1 and 0 where absent
+///     Record3          MatrixDimension SizeX, SizeY, SizeZ; DataLink to a file of numbers, little-endian,
+///                      x fastest, with its MD5; or DataList, a Datum each
+///     md5checksum.hex  the MD5 of main.xml
+/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (the least first) is 0 in the
+/// file that ValidPointsLink names. Integers are signed, as openGPS and Gwyddion have them;
+/// SurfaceTopography's are not. Elements are known by their names whatever the name space. A checksum that is
+/// there must be right. Profiles (PRF) and clouds of points (PCL) are no maps, nor is more than one layer.
+/// Beside a DataList main.xml has at most 1 MiB, and md5checksum.hex 64 KiB.
 ///
 /// Memory    of reading, twice the map, and main.xml. A DataList is parsed by pieces.
 ///
-/// Written are doubles, NaN where missing, stored without deflation, which saves 4 % of a measured surface's bytes.
+/// Written are doubles, NaN where missing, stored: deflating saves 4 % of a measured surface's bytes.
 ///
-/// ISO 25178-72:2017, Geometrical product specifications: Surface texture: Areal, part 72, XML file format x3p.
+/// ISO 25178-72:2017, Geometrical product specifications: Surface texture: Areal, part 72, XML file format
 #include <cmath>
 #include <vector>
 
@@ -71,7 +71,7 @@ Index size_in(pugi::xml_node dimensions, std::string_view name) {
   return *size;
 }
 
-// A real list of numbers deflates less than 32-fold; a document of elements without end deflates a thousandfold.
+// A list of numbers deflates less than 32-fold; a document of elements without end a thousandfold.
 std::string read_main(const ZipArchive& archive, const MemoryBound& memory) {
   const auto [index, size, stored] = archive.entry(main_file);
   if (size > most_of_main + 32 * stored) refuse_size(main_file, size);
@@ -230,7 +230,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
 
 // ---- writing ----
 
-// With two spacings, two numbers of points, the name of the file of numbers, its checksum, and the list's name.
+// With two spacings, two numbers of points, the file of numbers, its checksum, and the list's name.
 constexpr char main_form[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"

@@ -1,5 +1,4 @@
-/// Checksums of an X3P, and the DataList of its main.xml, which a parser sees by pieces: its nodes would take twenty times
-/// the memory of the map.
+/// Checksums of an X3P, and its DataList by pieces: a parser's nodes take twenty times the map's memory.
 #pragma once
 
 #include <cstddef>
