@@ -16,13 +16,12 @@ namespace {
 
 constexpr std::uint16_t day = 0x21;  // 1980-01-01, the first that an archive knows
 
-struct CloseEntry {
-  void operator()(zip_file_t* file) const { zip_fclose(file); }
+template <auto release>
+struct Release {
+  void operator()(auto* owned) const { release(owned); }
 };
-struct FreeSource {
-  void operator()(zip_source_t* source) const { zip_source_free(source); }
-};
-using Source = std::unique_ptr<zip_source_t, FreeSource>;
+using Source = std::unique_ptr<zip_source_t, Release<zip_source_free>>;
+using EntryFile = std::unique_ptr<zip_file_t, Release<zip_fclose>>;
 
 Source owned(zip_source_t* source) {
   if (!source) throw std::bad_alloc();
@@ -147,7 +146,7 @@ ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
 
 std::string ZipArchive::read(const std::string& name) const {
   const Entry found = entry(name);
-  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(archive_.get(), found.index, 0));
+  const EntryFile file(zip_fopen_index(archive_.get(), found.index, 0));
   if (!file) refuse("{} cannot be read: {}", named(name), zip_strerror(archive_.get()));
   constexpr std::size_t piece = 1 << 16;
   std::string out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "dataset/conventions.hpp"
@@ -85,9 +86,45 @@ Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
 
 // ---- the arrays, and the bytes that follow the XML ----
 
-using Arrays = std::vector<const Variable*>;
+// Its numbers are made when they are written, a layer at a time.
+struct Array {
+  std::string name, unit;
+  NumberType type;
+  std::size_t tuples;
+  Index layers;
+  std::function<Field(Index layer)> layer;
+};
+using Arrays = std::vector<Array>;
 
-NumberType type_of(const Variable& v) { return is_flags(v) ? NumberType::int8 : NumberType::float64; }
+struct Block {
+  Points x, y, z;
+  Arrays fields, volumes;
+
+  explicit Block(const Dataset& data)
+      : x(coordinate_of(data, "x")), y(coordinate_of(data, "y")), z(heights_of_layers(data)) {
+    for (const Variable& v : data.variables) {
+      const std::size_t layers = is_volume(v) ? z.size() : 1, tuples = x.size() * y.size() * layers;
+      if (std::holds_alternative<std::string>(v.values) || count(v.values) != tuples) continue;
+      if (!is_field(v) && !is_volume(v)) continue;
+      (is_volume(v) ? volumes : fields)
+          .push_back({v.name, unit_shown(v), is_flags(v) ? NumberType::int8 : NumberType::float64, tuples,
+                      static_cast<Index>(layers), [&](Index k) { return layer_of(data, v, k); }});
+    }
+    if (fields.empty() && volumes.empty())
+      throw DataError("dataset", "it has no field on (x, y) and no volume on (z, x, y)");
+  }
+
+  std::string extent() const {
+    return fmt::format("0 {} 0 {} 0 {}", x.size() - 1, y.size() - 1, z.size() - 1);
+  }
+};
+
+Array coordinate(std::string name, const Points& points) {
+  const auto all = [&](Index) {
+    return Field(Eigen::Map<const Field>(points.data(), 1, static_cast<Index>(points.size())));
+  };
+  return {std::move(name), "m", NumberType::float64, points.size(), 1, all};
+}
 
 // Of XML 1.0, which has no control characters, and none of ]]> but at the end of a section.
 std::string escaped(std::string_view text) {
@@ -100,102 +137,45 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// Grows the XML; knows where in the appended bytes the next array stands.
-class Document {
- public:
-  explicit Document(std::string_view kind)
-      : kind_(kind),
-        xml_(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" "
-                         "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n",
-                         kind)) {}
-
-  Document& operator<<(std::string_view text) {
-    xml_ += text;
-    return *this;
-  }
-  void declare(std::string_view name, NumberType type, std::size_t tuples, std::string_view unit) {
-    constexpr std::string_view key = "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">";
-    xml_ += fmt::format(
+// An element of arrays, from this place among the bytes that follow, which is moved behind them.
+std::string declared(std::string_view element, const Arrays& arrays, std::size_t& place) {
+  std::string out = fmt::format("<{}>\n", element);
+  for (const Array& a : arrays) {
+    out += fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" offset=\"{}\"",
-        type == NumberType::int8 ? "Int8" : "Float64", escaped(name), tuples, offset_);
-    xml_ +=
-        unit.empty() ? "/>\n" : fmt::format(">\n{}{}</InformationKey>\n</DataArray>\n", key, escaped(unit));
-    offset_ += sizeof(std::uint64_t) + tuples * size_of(type);
+        a.type == NumberType::int8 ? "Int8" : "Float64", escaped(a.name), a.tuples, place);
+    out += a.unit.empty() ? "/>\n"
+                          : fmt::format(
+                                ">\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}"
+                                "</InformationKey>\n</DataArray>\n",
+                                escaped(a.unit));
+    place += sizeof(std::uint64_t) + a.tuples * size_of(a.type);
   }
-  void begin_data() {
-    xml_ += fmt::format("</{}>\n<AppendedData encoding=\"raw\">\n_", kind_);
-    xml_.reserve(xml_.size() + offset_ + 64);
-  }
-  void begin_array(std::size_t bytes) {
-    const auto raw = bytes_of(std::uint64_t{bytes}, std::endian::little);
-    xml_.append(raw.data(), raw.size());
-  }
-  void append(const Field& layer, NumberType type = NumberType::float64) { xml_ += bytes_of(layer, {type}); }
-  std::string take() { return std::move(xml_ += "\n</AppendedData>\n</VTKFile>\n"); }
-
- private:
-  std::string kind_, xml_;
-  std::size_t offset_ = 0;
-};
-
-struct Block {
-  const Dataset& dataset;
-  Points x, y, z;
-  Arrays fields, volumes;
-
-  explicit Block(const Dataset& data)
-      : dataset(data), x(coordinate_of(data, "x")), y(coordinate_of(data, "y")), z(heights_of_layers(data)) {
-    for (const Variable& v : data.variables) {
-      const std::size_t tuples = x.size() * y.size() * (is_volume(v) ? z.size() : 1);
-      if (std::holds_alternative<std::string>(v.values) || count(v.values) != tuples) continue;
-      if (is_field(v)) fields.push_back(&v);
-      if (is_volume(v)) volumes.push_back(&v);
-    }
-    if (fields.empty() && volumes.empty())
-      throw DataError("dataset", "it has no field on (x, y) and no volume on (z, x, y)");
-  }
-
-  std::string extent() const {
-    return fmt::format("0 {} 0 {} 0 {}", x.size() - 1, y.size() - 1, z.size() - 1);
-  }
-  void declare(Document& document, const Arrays& arrays) const {
-    for (const Variable* v : arrays) document.declare(v->name, type_of(*v), count(v->values), unit_shown(*v));
-  }
-  void append(Document& document, const Arrays& arrays) const {
-    for (const Variable* v : arrays) {
-      document.begin_array(count(v->values) * size_of(type_of(*v)));
-      const Index layers = is_volume(*v) ? static_cast<Index>(z.size()) : 1;
-      for (Index k = layers; k-- > 0;) document.append(layer_of(dataset, *v, k), type_of(*v));
-    }
-  }
-};
+  return out + fmt::format("</{}>\n", element);
+}
 
 // `geometry` is what the element of the whole says of its points, unless their coordinates are listed.
-std::string encode(const Block& block, std::string_view kind, std::string_view geometry, bool coordinates) {
-  using Axes = std::vector<std::pair<const char*, const Points*>>;
-  const Axes axes = coordinates ? Axes{{"x", &block.x}, {"y", &block.y}, {"z", &block.z}} : Axes{};
-  Document document(kind);
+std::string encode(const Block& block, std::string_view kind, std::string_view geometry,
+                   const Arrays& coordinates) {
   const bool volumes = !block.volumes.empty();
-  document << fmt::format("<{} WholeExtent=\"{}\"{}>\n", kind, block.extent(), geometry);
-  if (volumes && !block.fields.empty()) {
-    document << "<FieldData>\n";
-    block.declare(document, block.fields);
-    document << "</FieldData>\n";
-  }
-  document << fmt::format("<Piece Extent=\"{}\">\n<PointData>\n", block.extent());
-  block.declare(document, volumes ? block.volumes : block.fields);
-  document << "</PointData>\n";
-  if (coordinates) document << "<Coordinates>\n";
-  for (const auto& [name, points] : axes) document.declare(name, NumberType::float64, points->size(), "m");
-  document << (coordinates ? "</Coordinates>\n</Piece>\n" : "</Piece>\n");
-  document.begin_data();
-  block.append(document, block.fields);
-  block.append(document, block.volumes);
-  for (const auto& [name, points] : axes) {
-    document.begin_array(points->size() * sizeof(double));
-    document.append(Eigen::Map<const Field>(points->data(), 1, static_cast<Index>(points->size())));
-  }
-  return document.take();
+  std::size_t size = 0;
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<{0} WholeExtent=\"{1}\"{2}>\n",
+      kind, block.extent(), geometry);
+  if (volumes && !block.fields.empty()) out += declared("FieldData", block.fields, size);
+  out += fmt::format("<Piece Extent=\"{}\">\n", block.extent());
+  out += declared("PointData", volumes ? block.volumes : block.fields, size);
+  if (!coordinates.empty()) out += declared("Coordinates", coordinates, size);
+  out += fmt::format("</Piece>\n</{}>\n<AppendedData encoding=\"raw\">\n_", kind);
+  out.reserve(out.size() + size + 64);
+  for (const Arrays* arrays : {&block.fields, &block.volumes, &coordinates})
+    for (const Array& a : *arrays) {
+      const auto bytes = bytes_of(std::uint64_t{a.tuples * size_of(a.type)}, std::endian::little);
+      out.append(bytes.data(), bytes.size());
+      for (Index k = a.layers; k-- > 0;) out += bytes_of(a.layer(k), {a.type});
+    }
+  return std::move(out += "\n</AppendedData>\n</VTKFile>\n");
 }
 
 }  // namespace
@@ -209,9 +189,13 @@ std::string encode_vti(const Dataset& dataset) {
   const std::string geometry = fmt::format(
       " Origin=\"{} {} {}\" Spacing=\"{} {} {}\"", shortest(block.x.front()), shortest(block.y.front()),
       shortest(block.z.front()), shortest(grid.dx), shortest(grid.dy), shortest(step_of(block.z, grid.dx)));
-  return encode(block, "ImageData", geometry, false);
+  return encode(block, "ImageData", geometry, {});
 }
 
-std::string encode_vtr(const Dataset& dataset) { return encode(Block(dataset), "RectilinearGrid", "", true); }
+std::string encode_vtr(const Dataset& dataset) {
+  const Block block(dataset);
+  return encode(block, "RectilinearGrid", "",
+                {coordinate("x", block.x), coordinate("y", block.y), coordinate("z", block.z)});
+}
 
 }  // namespace asperity
