@@ -27,7 +27,7 @@ class DatasetStream {
   /// The last `deferred` variables are of doubles and hold none yet. Another call replaces the head;
   /// attributes may differ in value, not in size.
   void head(const Dataset& dataset, std::size_t deferred) {
-    const std::string bytes = encode_netcdf_head(dataset, deferred);
+    const std::string bytes = encode_netcdf(dataset, deferred);
     if (head_bytes_ > 0 && bytes.size() != head_bytes_)
       throw std::logic_error("a head of another length cannot replace the first one");
     if (head_bytes_ > 0)

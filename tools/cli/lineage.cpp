@@ -78,13 +78,10 @@ std::string in_short(const Names& names) {
 
 void drop_results(Dataset& data, std::string_view result, std::string_view input) {
   const Gone gone = stale(data, result, input);
-  erase_variables(data, [&](const Variable& v) {
-    const KnownVariable* known = known_variable(v.name);
-    return v.name != input && known && has(gone, result_of(*known));
-  });
+  erase_variables(
+      data, [&](const Variable& v) { return v.name != input && has(gone, result_of_variable(v.name)); });
   for (const Attribute& a : Attributes(data.attributes))
-    if (const KnownAttribute* known = known_attribute(a.name); known && has(gone, result_of(*known)))
-      data.attributes.erase(a.name);
+    if (has(gone, result_of_attribute(a.name))) data.attributes.erase(a.name);
 }
 
 void drop_surface(Dataset& data, std::string_view result) {

@@ -43,7 +43,7 @@ Field counter_heights(const Tool& tool, const std::string& name, const Grid& gri
   if (!same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
                                            described(grid)));
-  return heights_of(data, "heights");
+  return field_of(data, "heights", "m");
 } catch (const DataError& e) {
   throw DataError(e.name, fmt::format("in {}: {}", name, e.what()));
 }
@@ -132,14 +132,14 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
     scene.data.find(axis)->attributes.set("periodic", scene.grid.periodic ? 1 : 0);
 
   scene.gap = undeformed_gap(scene.grid, o.bodies);
-  if (!o.smooth) scene.gap -= heights_of(scene.data, o.variable);
+  if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m");
   if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
   return scene;
 }
 
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
   const bool keeps = options.unload && !options.smooth;
-  const Field pressed = keeps ? heights_of(scene.data, options.variable) : Field();
+  const Field pressed = keeps ? field_of(scene.data, options.variable, "m") : Field();
   const bool overwrites = options.unload && options.variable == "heights_residual";
   drop_results(scene.data, "contact", overwrites ? "" : options.variable);
   Attributes& a = scene.data.attributes;

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 
 namespace asperity::cli {
@@ -108,7 +108,7 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
     return !lags || lags->size() < 2 || std::abs((*lags)[1] - (*lags)[0] - spacing) <= 1e-6 * spacing;
   };
   if (!fits("p", grid.dx) || !fits("q", grid.dy)) return std::nullopt;
-  return LagField(known_lags(table_of(data, name, Missing::not_a_number))).normalised();
+  return LagField(known_lags(table_of(data, name, "", Missing::not_a_number))).normalised();
 }
 
 std::string unit_to(const std::string& unit, int power) {

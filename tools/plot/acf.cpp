@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -50,7 +50,7 @@ Index zero_of(const std::vector<double>& lags, const char* name) {
 
 // The profiles of a function over the half-plane of lags, divided by its value at lag zero.
 void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bool& in_metres) {
-  const Field table = table_of(data, name, Missing::not_a_number);
+  const Field table = table_of(data, name, "", Missing::not_a_number);
   const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
   const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
   auto add = [&](Curve& curve, double lag, double value) {

@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {

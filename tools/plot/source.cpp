@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "tools/cli/quantity.hpp"
 
 namespace asperity::plot {

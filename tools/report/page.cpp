@@ -40,8 +40,8 @@ std::vector<std::string> parts(const Content& c) {
                                    : "the kernel of its autocorrelation");
   if (data.has("pressure")) out.push_back("a contact");
   if (std::ranges::any_of(data.variables, [](const Variable& v) {
-        const KnownVariable* known = known_variable(v.name);
-        return known && known->result == "stress";
+        const KnownResult* result = result_of_variable(v.name);
+        return result && result->name == "stress";
       }))
     out.push_back(out.empty() ? "stress below a surface" : "the stress below it");
   return out;

@@ -10,7 +10,6 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
-#include "dataset/variable_units.hpp"
 #include "formats/text_table.hpp"
 #include "tools/cli/plain_text.hpp"
 #include "tools/cli/quantity.hpp"
@@ -94,7 +93,7 @@ AcfTable from_dataset(Dataset data) {
   const std::string name = data.has("acf") ? "acf" : "acf_target";
   if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
   AcfTable out;
-  const Field table = table_of(data, name, Missing::not_a_number);
+  const Field table = table_of(data, name, "", Missing::not_a_number);
   out.half_plane = known_lags(table);
   out.left_out = name == "acf" && out.half_plane.size() < table.size();
   target_of_table(out.half_plane);

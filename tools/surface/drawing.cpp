@@ -102,7 +102,8 @@ class Writer {
 
   // What is known of the surface by now.
   void record() {
-    for (const Layer& layer : layers_) defer_field(data_, layer.name, range_of(layer.moments), layer.meaning);
+    for (const Layer& layer : layers_)
+      defer_values(data_, layer.name, {"x", "y"}, range_of(layer.moments), layer.meaning);
     const Drawing& d = drawing_;
     Attributes& a = data_.attributes;
     a.set("generate_seed", static_cast<double>(d.noise.seed()));

@@ -5,7 +5,7 @@
 #include "acf/iteration.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/tool.hpp"
 

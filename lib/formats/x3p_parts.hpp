@@ -1,9 +1,9 @@
-/// The DataList of an X3P's main.xml, apart from the rest: a parser's nodes take twenty times the memory of the map, so that
-/// it sees the list by pieces.
+/// Checksums of an X3P, and its DataList by pieces: a parser's nodes take twenty times the map's memory.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace pugi {
@@ -20,5 +20,8 @@ ListPlace list_in(std::string_view xml);
 
 /// Calls take(element) for all of a list. Throws DataError("map", …) where it is no XML.
 void for_each_element(std::string_view list, const std::function<void(pugi::xml_node)>& take);
+
+/// The MD5 of bytes, 32 digits in lower case.
+std::string md5_of(std::string_view bytes);
 
 }  // namespace asperity

@@ -1,14 +1,22 @@
-#include "formats/text_points.hpp"
-
+/// Numbers in plain text: a matrix of heights, one line for each x or for each y, or points of a surface.
+///
+/// A line of the form `# units: um` states the unit of the values. Neither that nor the size need be there: a
+/// matrix says little about itself. How its numbers are separated is in formats/text_table.hpp. Lines of x z
+/// or x y z are read where Reading says that they are; a matrix whose first columns look like coordinates is
+/// refused until it says what they are, for a map of its columns would be no error that anyone sees.
+///
+/// The coordinates of points are those of a grid: along each axis evenly spaced to a twentieth of the
+/// spacing, in any order. A point that is not given is missing; at least half of them are there. The spacing
+/// is the range of the coordinate by the number of steps. A profile x z has its spacing in y too.
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
+#include "dataset/bytes.hpp"
+#include "formats/format.hpp"
+#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_table.hpp"
 
 namespace asperity {
 namespace {
@@ -47,13 +55,10 @@ Axis axis_of(const Column& coordinates) {
   return out;
 }
 
-bool turns(const Column& c) {
-  const Column steps = c.tail(c.size() - 1) - c.head(c.size() - 1);
-  return !((steps >= 0).all() || (steps <= 0).all());
-}
+Column steps_of(const Column& c) { return c.tail(c.size() - 1) - c.head(c.size() - 1); }
 
 bool steady(const Column& c) {
-  const Column steps = c.tail(c.size() - 1) - c.head(c.size() - 1);
+  const Column steps = steps_of(c);
   return (steps > 0).all() || (steps < 0).all();
 }
 
@@ -79,11 +84,16 @@ bool on_grid(const Column& a, const Column& b) {
 
 bool constant(const Column& c) { return c.maxCoeff() <= c.minCoeff(); }
 
-// Of lines x y z: a profile along an axis, points on a grid, or lines of a scan of which one coordinate never turns.
+// It changes, and never turns.
+bool scanned(const Column& c) {
+  const Column steps = steps_of(c);
+  return !constant(c) && ((steps >= 0).all() || (steps <= 0).all());
+}
+
+// Of lines x y z: a profile along an axis, points on a grid, or a scan of which one coordinate never turns.
 bool are_coordinates(const Column& x, const Column& y, const Column& z) {
   if ((constant(x) && even(y)) || (constant(y) && even(x))) return true;
   if (even(x)) return !even(z);
-  const auto scanned = [](const Column& c) { return !turns(c) && !constant(c); };
   return z.size() > 3 && (on_grid(x, y) || scanned(x) || scanned(y));
 }
 
@@ -94,20 +104,18 @@ bool labelled(const Field& lines) {
   return even(lines.col(0).tail(n)) && even(lines.row(0).tail(columns)) && !even(lines.col(columns).tail(n));
 }
 
-[[noreturn]] void refuse(const std::string& what) { throw DataError("map", what); }
-
-Axis grid_axis(const Column& coordinates, const std::string& name) {
-  if (!coordinates.isFinite().all()) refuse("a coordinate " + name + " is missing");
+Axis grid_axis(const Column& coordinates, char name) {
+  if (!coordinates.isFinite().all()) refuse("a coordinate {} is missing", name);
   const Axis out = axis_of(coordinates);
   if (out.off > unevenness)
-    refuse("its " + std::to_string(out.count) + " coordinates " + name +
-           " are not evenly spaced: " + shortest(out.worst) + " lies " +
-           shortest(std::round(100 * out.off) / 100) + " spacings from its place");
+    refuse("its {} coordinates {} are not evenly spaced: {} lies {} spacings from its place", out.count, name,
+           shortest(out.worst), shortest(std::round(100 * out.off) / 100));
   return out;
 }
 
-}  // namespace
-
+// Whether the columns are not all heights, to the eye: the first one ascends or descends in even steps where
+// the last one does not; the first of two does so steadily; the first two of three stand on a grid, or one of
+// them never turns; or the first line ascends evenly too, whatever stands in the corner.
 bool has_coordinates(const Field& lines) {
   const Index n = lines.rows(), columns = lines.cols();
   if (n < 3 || columns < 2) return false;
@@ -119,30 +127,72 @@ bool has_coordinates(const Field& lines) {
   return even(first) && !even(last);
 }
 
+// Lines of x z or x y z, x and y in `metres`.
 Map map_of_points(const Field& lines, double metres) {
   const Index columns = lines.cols(), points = lines.rows();
   if (columns != 2 && columns != 3)
-    refuse("lines of points are x z or x y z, and these hold " + counted(columns, "number"));
+    refuse("lines of points are x z or x y z, and these hold {}", counted(columns, "number"));
   const Column xs = lines.col(0), ys = columns == 3 ? Column(lines.col(1)) : Column::Zero(points);
-  const Axis x = grid_axis(xs, "x"), y = grid_axis(ys, "y");
-  const std::string shape = std::to_string(x.count) + " x " + std::to_string(y.count);
+  const Axis x = grid_axis(xs, 'x'), y = grid_axis(ys, 'y');
   if (x.count * y.count < 2) refuse("one point is no map");
   if (x.count > 2 * points / y.count)
-    refuse(std::to_string(points) + " points are less than half of a grid of " + shape);
+    refuse("{} points are less than half of a grid of {} x {}", points, x.count, y.count);
   Map map{.values = Field::Constant(x.count, y.count, Map::unknown)};
   std::vector<bool> given(static_cast<std::size_t>(map.values.size()));
   for (Index i = 0; i < points; ++i) {
     const Index at_x = x.place(xs(i)), at_y = y.place(ys(i));
     const auto at = static_cast<std::size_t>(at_x * y.count + at_y);
     if (given[at])
-      refuse("the point x = " + shortest(xs(i)) + (columns == 3 ? ", y = " + shortest(ys(i)) : "") +
-             " is given twice");
+      refuse("the point x = {}{} is given twice", shortest(xs(i)),
+             columns == 3 ? ", y = " + shortest(ys(i)) : "");
     given[at] = true;
     map.values(at_x, at_y) = lines(i, columns - 1);
   }
-  const double dx = metres * (x.count > 1 ? x.step : y.step), dy = metres * (y.count > 1 ? y.step : x.step);
-  map.spacing = {dx, dy};
+  map.spacing = {metres * (x.count > 1 ? x.step : y.step), metres * (y.count > 1 ? y.step : x.step)};
   return map;
 }
+
+// Of the last line "# units: …", behind which no second matrix may stand.
+std::string_view units_in(std::string_view text) {
+  constexpr std::string_view states_units = "# units:";
+  std::string_view units, second;
+  for (bool numbers = false; !text.empty();) {
+    const std::string_view all = text, line = take_line(text);
+    if (line.starts_with(states_units)) {
+      units = trimmed(line.substr(states_units.size()));
+      if (numbers && second.empty()) second = all;
+    } else if (!line.empty() && line.front() != '#') {
+      numbers = true;
+      if (!second.empty()) refuse_rest(second, "map");
+    }
+  }
+  return units;
+}
+
+Map map_of_lines(Field lines, const Reading& reading) {
+  if (reading.coordinate > 0) return map_of_points(lines, reading.coordinate);
+  if (!reading.heights && has_coordinates(lines))
+    refuse(
+        "its first columns look like coordinates, not heights: tell asperity-convert the unit of the "
+        "points in lines of x z or x y z, or that every column is of heights");
+  if (reading.order == Order::yx) lines.transposeInPlace();
+  return {.values = std::move(lines)};
+}
+
+Map decode(std::string_view bytes, const Reading& reading) {
+  Map map = map_of_lines(matrix_of(bytes, "map", 1, reading), reading);
+  if (const std::string_view units = units_in(bytes); !units.empty()) set_units(map, units);
+  return map;
+}
+
+std::string encode(const Map& map, Order order) {
+  const std::string head = map.units.empty() ? "" : "# units: " + map.units + "\n";
+  return head + (order == Order::yx ? text_of(map.values.transpose()) : text_of(map.values));
+}
+
+}  // namespace
+
+const Format format::text{
+    "text", "txt csv tsv dat asc xyz", "matrix of numbers in plain text", nullptr, decode, encode};
 
 }  // namespace asperity

@@ -1,11 +1,12 @@
-#include "formats/x3p_list.hpp"
+#include "formats/x3p_parts.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include <md5.h>
 #include <pugixml.hpp>
 
-#include "core/error.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
@@ -47,13 +48,18 @@ void for_each_element(std::string_view list, const std::function<void(pugi::xml_
   constexpr std::size_t piece = 1 << 16;
   for (pugi::xml_document document; !list.empty();) {
     const std::size_t end = find_element(list, piece);
-    if (const auto parsed = document.load_buffer(list.data(), end, pugi::parse_default | pugi::parse_fragment,
-                                                 pugi::encoding_utf8);
-        !parsed)
-      throw DataError("map", std::string("the DataList is no XML: ") + parsed.description());
+    constexpr unsigned parts = pugi::parse_default | pugi::parse_fragment;
+    const auto parsed = document.load_buffer(list.data(), end, parts, pugi::encoding_utf8);
+    if (!parsed) refuse("the DataList is no XML: {}", parsed.description());
     for (const pugi::xml_node node : document) take(node);
     list.remove_prefix(end);
   }
+}
+
+std::string md5_of(std::string_view bytes) {
+  char digits[MD5_DIGEST_STRING_LENGTH];
+  MD5Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), digits);
+  return digits;
 }
 
 }  // namespace asperity
