@@ -1,6 +1,5 @@
 // The autocorrelation of a surface beside the one asked for, and its lengths.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -40,17 +39,11 @@ struct Result {
 
 // ---- lengths ----
 
-double share_of(const std::string& word) {
-  double value = NAN;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !(value > 0 && value < 1))
-    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
-  return value;
-}
-
 AcfLevel level_of(const std::string& word) {
   if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
-  const double value = share_of(word), percent = std::round(1e12 * value) / 1e10;
+  const double value = to_number<double>(word).value_or(NAN), percent = std::round(1e12 * value) / 1e10;
+  if (!(value > 0 && value < 1))
+    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
   return {value, shortest(percent), shortest(percent) + " %"};
 }
 

@@ -1,7 +1,6 @@
 #include "tools/measure/field_options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -19,11 +18,8 @@ std::string metres(double length) { return format_quantity(length, "m"); }
 
 int form_degree(const std::string& level) {
   if (level == "mean" || level == "plane") return level == "plane";
-  int degree = -1;
-  const auto [end, error] = std::from_chars(level.data(), level.data() + level.size(), degree);
-  if (error != std::errc() || end != level.data() + level.size())
-    throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
-  return degree;
+  if (const auto degree = to_number<int>(level)) return *degree;
+  throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
 }
 
 // λs < λc, and both within the longer side of the field, beyond which a filter separates nothing.
