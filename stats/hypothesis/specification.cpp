@@ -87,10 +87,11 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
 
 void SpecificationTest::choose_lags() {
   const LagField& rho = asked_.correlation;
-  const CorrelationPowers powers(tapered(rho, grid_), grid_);
-  const Convolution c = [&](Index p, Index q) { return powers.second(p, q); };
+  const CorrelationAlgebra algebra(rho, grid_);
   const double cells = static_cast<double>(grid_.shape.cells());
   const Shape most = longest_lag(rho, grid_);
+  const LagField c = algebra.convolution({2 * most.nx, 2 * most.ny}, grid_.periodic);
+  std::vector<double> scales;  // of third cumulants
   const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
   for (Index p = 0; p <= most.nx; p += dp)
     for (Index q = p == 0 ? dq : -(most.ny / dq) * dq; q <= most.ny; q += dq) {
@@ -98,8 +99,9 @@ void SpecificationTest::choose_lags() {
       const double variance = bartlett_covariance(c, h, h);
       if (!(variance > 1e-12 * c(0, 0))) continue;
       lags_.push_back(h);
-      lag_skewness_.push_back(8 * powers.third_cumulant(h) / (std::sqrt(cells) * std::pow(variance, 1.5)));
+      scales.push_back(std::sqrt(cells) * std::pow(variance, 1.5));
     }
+  lag_skewness_ = 8 * algebra.third_cumulants(lags_) / Eigen::Map<Eigen::ArrayXd>(scales.data(), lags());
   if (!lags_.empty()) largest_ = NullDistribution::of_largest_magnitude(bartlett_correlation(c, lags_));
 }
 
@@ -109,10 +111,11 @@ void SpecificationTest::find_skewness() {
   const double w = complete_.mean_powers(1), v = 1 - w;
   const LagField square(rho.half_plane().square());
   const EffectiveSampleSize size(rho, Pairs(grid_));
-  variance_skewness_ = 8 * (mean_of_triples(rho, grid_) / (cells * cells) - w * w * w) / (v * v * v) /
-                       std::pow(2 * complete_.mean_powers(2), 1.5);
-  sku_skewness_ = std::min(most_skewed, 1728 * mean_of_triples(square, grid_) / (cells * cells) /
-                                            std::pow(24 * size.sum(4) / size.points(), 1.5));
+  variance_skewness_ = 8 * (CorrelationAlgebra(rho, grid_).mean_of_triples() / (cells * cells) - w * w * w) /
+                       (v * v * v) / std::pow(2 * complete_.mean_powers(2), 1.5);
+  sku_skewness_ =
+      std::min(most_skewed, 1728 * CorrelationAlgebra(square, grid_).mean_of_triples() / (cells * cells) /
+                                std::pow(24 * size.sum(4) / size.points(), 1.5));
 }
 
 void SpecificationTest::Theory::operator+=(const Theory& other) {
@@ -215,8 +218,7 @@ TestResult SpecificationTest::correlation_result() const {
   for (Index i = 0; i < lags(); ++i) {
     if (!(error(i) > 0)) continue;
     const auto& [lag, rho] = lags_[static_cast<std::size_t>(i)];
-    const double z = mean(i) / error(i),
-                 strays = std::abs(score(z, lag_skewness_[static_cast<std::size_t>(i)]));
+    const double z = mean(i) / error(i), strays = std::abs(score(z, lag_skewness_(i)));
     if (strays > largest) out = {"ACF", rho, rho + mean(i), error(i), z, 1, lag.nx, lag.ny}, largest = strays;
   }
   if (largest >= 0) out.p = largest_score_p(largest);

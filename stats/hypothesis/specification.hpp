@@ -123,7 +123,7 @@ class SpecificationTest {
   Grid grid_;
   std::optional<Translated> translated_;
   std::vector<CorrelatedLag> lags_;
-  std::vector<double> lag_skewness_;                 ///< of e of one surface
+  Eigen::ArrayXd lag_skewness_;                      ///< of e of one surface
   double variance_skewness_ = 0, sku_skewness_ = 0;  ///< of one surface's
   NullDistribution largest_;                         ///< of the errors of the lags
   Theory complete_, total_;                          ///< of a surface that misses nothing; over all added

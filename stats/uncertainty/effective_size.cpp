@@ -79,20 +79,12 @@ class Tail {
 }  // namespace
 
 EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs)
-    : points_(pairs.points()) {
-  const LagField rho = correlation.normalised();
-  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
-    const double value = rho(p, q);
-    double power = weight;
-    for (std::size_t k = 1; k <= powers && std::abs(power) > 1e-18; ++k) sums_[k] += power *= value;
-  });
-  for (double& s : sums_) s = std::max(s, 0.0);
-}
+    : points_(pairs.points()), sums_(CorrelationAlgebra(correlation, pairs).power_sums()) {}
 
 EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
   const Tail tail(rho, admitted, pairs);
-  const double n = pairs.points(), s1 = tail.first_sum(), b = bias_of_lags(s1 / n);
+  const double n = pairs.points(), s1 = tail.first_sum(), b = asperity::bias_of_lags(s1 / n);
   const Field& values = admitted.half_plane();
   EffectiveSampleSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
   const double s2 = tail.second_sum(b);

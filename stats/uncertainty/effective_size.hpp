@@ -3,15 +3,13 @@
 /// The mean over N points of any function f of the height x = (z - mean)/σ has, for a Gaussian field of
 /// correlation ρ, by the Hermite series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ,
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
-///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (weights 1 on a periodic grid),            (2)
-/// the weights being the pairs at a lag over the points, missing heights left out of both (stats/spatial/pairs.hpp).
+///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (stats/uncertainty/correlation_algebra.hpp).  (2)
 /// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
 ///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
 ///     Var[Sa]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
-/// to first order in 1/N, the mean and the rms height that the field itself supplies allowed for in (3)–(5). The field's
-/// own mean takes w = S_1/N of the variance: it lowers E[Sq²] by the factor 1 - w, and each lag of ρ to (ρ - w)/(1 - w),
-/// which (ρ + b)/(1 + b) with b = w/(1 - w) undoes. w is followed to a half; there N/S_2 ≤ 4, and no error can be told.
+/// to first order in 1/N, the mean and the rms height that the field itself supplies allowed for in (3)–(5). Where the
+/// mean takes w = S_1/N of a half, N/S_2 ≤ 4, and no error can be told.
 ///
 /// An estimated ρ is mostly noise far out, of standard error √(S_2/N) (stats/uncertainty/acf_error.hpp); summed, that
 /// noise would be as large as S_2 itself. Therefore lags are admitted in the order of |ρ| for as long as the
@@ -30,13 +28,12 @@
 ///           (Sku) at 3. An estimated N/S_2 does not fall below some 10, however long the correlation: the field's own mean
 ///           and its half bound what is seen of it. At 16 in truth (20 estimated, the median) Sq and Sa are covered by
 ///           86 %, at 5 (11) by 73 %, at 2 (9) by 55 %. An S_k that noise makes negative counts as zero.
-/// Cost      at most 512 multiplications a lag, fewer where ρᵏ vanishes; two passes over an estimate's lags.
+/// Cost      that of the S_k; two passes over an estimate's lags.
 ///
 /// F. G. Mehler, J. reine angew. Math. 66 (1866) 161-176.
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -46,12 +43,13 @@
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
+#include "stats/uncertainty/correlation_algebra.hpp"
 
 namespace asperity {
 
 class EffectiveSampleSize {
  public:
-  static constexpr int powers = 512;
+  static constexpr int powers = CorrelationAlgebra::powers;
 
   /// The sums (2) of a known correlation, normalised or not.
   EffectiveSampleSize(const LagField& correlation, const Pairs& pairs);
@@ -62,8 +60,8 @@ class EffectiveSampleSize {
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
   double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
-  double taken_by_mean() const { return std::min(mean_power(1), most_taken); }  ///< w
-  double bias_of_lags() const { return bias_of_lags(mean_power(1)); }           ///< b
+  double taken_by_mean() const { return asperity::taken_by_mean(mean_power(1)); }  ///< w
+  double bias_of_lags() const { return asperity::bias_of_lags(mean_power(1)); }    ///< b
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
   /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an estimate.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
@@ -73,11 +71,8 @@ class EffectiveSampleSize {
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:
-  static constexpr double most_taken = 0.5;
-  static double bias_of_lags(double w) { return std::min(w, most_taken) / (1 - std::min(w, most_taken)); }
-
   double points_, degrees_ = std::numeric_limits<double>::infinity();
-  std::array<double, powers + 1> sums_{};
+  std::array<double, powers + 1> sums_;
 };
 
 /// The lags of an estimate that stand out of its noise, the others zero; normalised.

@@ -9,6 +9,7 @@
 #include "stats/hypothesis/specification.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/acf_error.hpp"
+#include "stats/uncertainty/correlation_algebra.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;
@@ -58,6 +59,11 @@ double distance_from_even(std::vector<double> p) {
   return largest;
 }
 
+// t(0), which K of the lag zero is of an error whose ρ counts as 0.
+double cube_at_zero(const LagField& rho, const Grid& grid) {
+  return CorrelationAlgebra(rho, grid).third_cumulants({{{0, 0}, 0}})(0);
+}
+
 // The number of successes among n of probability p that is exceeded by three standard errors.
 double most_of(double n, double p) { return n * p + 3 * std::sqrt(n * p * (1 - p)); }
 
@@ -66,29 +72,28 @@ double most_of(double n, double p) { return n * p + 3 * std::sqrt(n * p * (1 - p
 // Six factors of round-off: of three transforms, and of the terms of (1), whose magnitudes add up to less than ten times
 // the sum.
 TEST_CASE("the mean over the triples of a field is the trace of its covariance cubed",
-          "[correlation-powers][exact]") {
+          "[correlation-algebra][exact]") {
   for (const Shape shape : narrow_shapes)
     for (const LagField& rho : {oblique(), triangular_correlation({5, 4})}) {
       const Grid g = grid(shape.nx, shape.ny);
       const Eigen::MatrixXd C = covariance(rho, g);
       CAPTURE(shape.nx, shape.ny);
-      CHECK(relative_error(mean_of_triples(rho, g), mean_trace(C * C * C)) <= 1e-13);
+      CHECK(relative_error(CorrelationAlgebra(rho, g).mean_of_triples(), mean_trace(C * C * C)) <= 1e-13);
     }
 }
 
 // Odd periods: at half an even one an oblique correlation has two values. Lags beyond half a period once counted again in S_k,
 // and took the place of shorter ones in the triples.
 TEST_CASE("of a periodic field each lag counts once, however long the correlation",
-          "[pairs][correlation-powers][exact]") {
+          "[pairs][correlation-algebra][exact]") {
   for (const Shape shape : {Shape{1, 1}, {1, 9}, {7, 1}, {3, 7}, {9, 7}, {25, 3}})
     for (const LagField& rho : {oblique(), triangular_correlation({4, 3})}) {
       const Grid torus = grid(shape.nx, shape.ny, true);
       const Eigen::MatrixXd C = covariance(rho, torus);
       CAPTURE(shape.nx, shape.ny);
       CHECK(relative_error(EffectiveSampleSize(rho, torus).sum(2), mean_trace(C * C)) <= 1e-13);
-      CHECK(relative_error(mean_of_triples(rho, torus), mean_trace(C * C * C)) <= 1e-13);
-      CHECK(relative_error(CorrelationPowers(tapered(rho, torus), torus).third(0, 0),
-                           mean_trace(C * C * C)) <= 1e-13);
+      CHECK(relative_error(CorrelationAlgebra(rho, torus).mean_of_triples(), mean_trace(C * C * C)) <= 1e-13);
+      CHECK(relative_error(cube_at_zero(rho, torus), mean_trace(C * C * C)) <= 1e-13);
     }
 }
 
@@ -99,12 +104,12 @@ TEST_CASE("a tapered correlation has the pairs of its field, and its triples wit
     for (const LagField& rho :
          {oblique(), triangular_correlation({5, 4}), triangular_correlation({40, 40})}) {
       const Grid g = grid(shape.nx, shape.ny);
-      const CorrelationPowers powers(tapered(rho, g), g);
       const Eigen::MatrixXd C = covariance(rho, g);
       CAPTURE(shape.nx, shape.ny);
-      CHECK(relative_error(powers.second(0, 0), mean_trace(C * C)) <= 1e-13);
+      CHECK(relative_error(CorrelationAlgebra(rho, g).convolution({0, 0}, false)(0, 0), mean_trace(C * C)) <=
+            1e-13);
       const double sides = (shape.nx > 2) + (shape.ny > 2);
-      CHECK(relative_error(powers.third(0, 0), mean_trace(C * C * C)) <= std::pow(1.1, sides) - 1 + 1e-13);
+      CHECK(relative_error(cube_at_zero(rho, g), mean_trace(C * C * C)) <= std::pow(1.1, sides) - 1 + 1e-13);
     }
 }
 

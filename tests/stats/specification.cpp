@@ -35,17 +35,25 @@ double rejected(const Specification& asked, Shape drawn, int surfaces, int ensem
 
 }  // namespace
 
-// The convolution of two triangles at 0, Σ (1 - |k|/w)² = (2w² + 1)/(3w); three of them, by the sum itself.
-TEST_CASE("powers of the spectrum are the convolutions of the correlation", "[prescription][exact]") {
-  const Shape window{4, 3};
-  const LagField rho = triangular_correlation(window);
-  const CorrelationPowers powers(rho, grid(64, 64));
-  CHECK(powers.second(0, 0) == Approx(33.0 / 12 * 19 / 9).epsilon(1e-14));
-  for (Shape h : {Shape{0, 0}, Shape{2, -1}, Shape{5, 4}, Shape{9, -6}}) {
-    double third = 0;
-    for (Index p = -3; p <= 3; ++p)
-      for (Index q = -2; q <= 2; ++q) third += rho(p, q) * powers.second(h.nx - p, h.ny - q);
-    CHECK(std::abs(powers.third(h.nx, h.ny) - third) <= 1e-12);
+// The convolution of two triangles at 0, Σ (1 - |k|/w)² = (2w² + 1)/(3w); three of them, by the sum itself. Over a period
+// nothing is tapered.
+TEST_CASE("convolutions and third cumulants are the sums over the correlation",
+          "[prescription][correlation-algebra][exact]") {
+  const LagField rho = triangular_correlation({4, 3});
+  const CorrelationAlgebra algebra(rho, grid(64, 64, true));
+  const LagField c = algebra.convolution({32, 32}, true);
+  CHECK(c(0, 0) == Approx(33.0 / 12 * 19 / 9).epsilon(1e-14));
+  auto t = [&](Index p, Index q) {
+    double sum = 0;
+    for (Index k = -3; k <= 3; ++k)
+      for (Index l = -2; l <= 2; ++l) sum += rho(k, l) * c(p - k, q - l);
+    return sum;
+  };
+  for (const auto& [p, q] : {Shape{0, 0}, Shape{2, -1}, Shape{5, 4}, Shape{9, -6}}) {
+    const double r = rho(p, q), expected = (3 * t(p, q) + t(3 * p, 3 * q)) / 4 - 1.5 * r * t(0, 0) -
+                                           1.5 * r * t(2 * p, 2 * q) + 3 * r * r * t(p, q) -
+                                           r * r * r * t(0, 0);
+    CHECK(std::abs(algebra.third_cumulants({{{p, q}, r}})(0) - expected) <= 1e-12);
   }
 }
 

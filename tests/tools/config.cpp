@@ -6,12 +6,6 @@ using namespace asperity::test;
 
 namespace {
 
-void require(const std::string& line) {
-  const Outcome run = shell(line);
-  INFO(line << "\n" << run.error);
-  REQUIRE(run.exit == 0);
-}
-
 const std::string draw = "asperity-generate --shape 16x12 --size 3um,2um --rq 0.4nm --length 4px --seed 3";
 
 std::string refused(const std::string& file) {

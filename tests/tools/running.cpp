@@ -19,12 +19,6 @@ const std::string smooth =
     "5kN ";
 const std::string wiped = "\r\033[K";
 
-void require(const std::string& line) {
-  const Outcome run = shell(line);
-  INFO(line << "\n" << run.error);
-  REQUIRE(run.exit == 0);
-}
-
 // Of 1.52 s, CPU 2.9 s (2.7 s user, 0.2 s system), peak memory 61 MB the number of MB.
 double peak_of(const std::string& told) {
   const std::regex form(

@@ -1,0 +1,134 @@
+#include "stats/uncertainty/correlation_algebra.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "transform/lag_sums.hpp"
+#include "transform/plan.hpp"
+
+namespace asperity {
+namespace {
+
+Index wrapped(Index lag, Index period) { return (lag % period + period) % period; }
+
+// At half a period, where p and -p are one, a table may hold either or both: it is the same value.
+Field unfolded(const LagField& rho, Shape torus, const auto& weight) {
+  Field out = Field::Zero(torus.nx, torus.ny);
+  for (Index p = -rho.max_p(); p <= rho.max_p(); ++p)
+    for (Index q = -rho.max_q(); q <= rho.max_q(); ++q)
+      out(wrapped(p, torus.nx), wrapped(q, torus.ny)) = rho(p, q) * weight(p, q);
+  return out;
+}
+
+double one(Index, Index) { return 1; }
+
+// A torus on which so many lags of these add up to no other.
+Shape torus_for(const LagField& rho, Index lags, Index more) {
+  return {fast_length(lags * rho.max_p() + more), fast_length(lags * rho.max_q() + more)};
+}
+
+// ρ and its weights are even: their spectra are real.
+Eigen::ArrayXd spectrum_of(const LagField& rho, const RealTransform2D& transform, Shape torus,
+                           const auto& weight) {
+  AlignedVector<Complex> values(static_cast<std::size_t>(transform.spectrum_size()));
+  const Field plane = unfolded(rho, torus, weight);
+  transform.forward(plane.data(), values.data());
+  return Eigen::Map<const Eigen::ArrayXcd>(values.data(), static_cast<Index>(values.size())).real();
+}
+
+// t on the whole torus.
+Field cube_of(const LagField& rho, Shape torus) {
+  const RealTransform2D transform(torus);
+  const Eigen::ArrayXcd cube = spectrum_of(rho, transform, torus, one).cube().cast<Complex>();
+  AlignedVector<Complex> values(cube.data(), cube.data() + cube.size());
+  Field out(torus.nx, torus.ny);
+  transform.inverse(values.data(), out.data());
+  return out / static_cast<double>(torus.cells());
+}
+
+// How often a wave number of the half spectrum is one of the whole.
+Eigen::ArrayXd multiplicities(const RealTransform2D& transform, Shape torus) {
+  const Index columns = transform.spectrum_columns();
+  return Eigen::ArrayXd::NullaryExpr(transform.spectrum_size(), [=](Index place) {
+    const Index l = place % columns;
+    return l == 0 || 2 * l == torus.ny ? 1.0 : 2.0;
+  });
+}
+
+}  // namespace
+
+CorrelationAlgebra::CorrelationAlgebra(const LagField& correlation, const Pairs& pairs)
+    : rho_(correlation.normalised()), pairs_(pairs) {}
+
+std::array<double, CorrelationAlgebra::powers + 1> CorrelationAlgebra::power_sums() const {
+  std::array<double, powers + 1> sums{};
+  for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
+    const double value = rho_(p, q);
+    double power = weight;
+    for (std::size_t k = 1; k <= powers && std::abs(power) > 1e-18; ++k) sums[k] += power *= value;
+  });
+  for (double& s : sums) s = std::max(s, 0.0);
+  return sums;
+}
+
+// Over the plane the c of a ρ that ends at P is zero beyond 2P.
+LagField CorrelationAlgebra::convolution(Shape max_lag, bool periodic) const {
+  const LagField rho = tapered(rho_, pairs_);
+  if (periodic) {
+    const Shape period = pairs_.grid().shape;
+    return LagField(lag_sums(unfolded(rho, period, one), pairs_.grid(),
+                             {std::min(max_lag.nx, period.nx / 2), std::min(max_lag.ny, period.ny / 2)}));
+  }
+  const Shape reach = rho.reach();
+  const Field plane = Field::NullaryExpr(2 * reach.nx + 1, 2 * reach.ny + 1,
+                                         [&](Index i, Index j) { return rho(i - reach.nx, j - reach.ny); });
+  return LagField(lag_sums(plane, {shape_of(plane), 1, 1, false},
+                           {std::min(max_lag.nx, 2 * reach.nx), std::min(max_lag.ny, 2 * reach.ny)}));
+}
+
+Eigen::ArrayXd CorrelationAlgebra::third_cumulants(const std::vector<CorrelatedLag>& lags) const {
+  const LagField rho = tapered(rho_, pairs_);
+  const Field cube = cube_of(rho, pairs_.grid().periodic ? pairs_.grid().shape : torus_for(rho, 6, 2));
+  return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(lags.size()), [&](Index i) {
+    const auto& [lag, r] = lags[static_cast<std::size_t>(i)];
+    auto t = [&](Index k) {
+      return cube(wrapped(k * lag.nx, cube.rows()), wrapped(k * lag.ny, cube.cols()));
+    };
+    return (3 * t(1) + t(3)) / 4 - 1.5 * r * (t(0) + t(2)) + 3 * r * r * t(1) - r * r * r * t(0);
+  });
+}
+
+double CorrelationAlgebra::mean_of_triples() const {
+  const LagField inside = rho_.within(longest_lags(pairs_.grid()));
+  if (pairs_.grid().periodic) return cube_of(inside, pairs_.grid().shape)(0, 0);
+  const auto [nx, ny] = pairs_.grid().shape;
+  const Shape torus = torus_for(inside, 3, 1);
+  const RealTransform2D transform(torus);
+  auto spectrum = [&](const auto& weight) { return spectrum_of(inside, transform, torus, weight); };
+  auto part = [](Index lag, Index n) { return static_cast<double>(std::abs(lag)) / static_cast<double>(n); };
+  const Eigen::ArrayXd r = spectrum(one), rx = spectrum([&](Index p, Index) { return part(p, nx); }),
+                       ry = spectrum([&](Index, Index q) { return part(q, ny); }),
+                       rxy = spectrum([&](Index p, Index q) { return part(p, nx) * part(q, ny); });
+  const Eigen::ArrayXd terms = r * r * (r - 1.5 * (rx + ry) + 0.75 * rxy) + 1.5 * rx * ry * r;
+  return (multiplicities(transform, torus) * terms).sum() / static_cast<double>(torus.cells());
+}
+
+double bartlett_covariance(const LagField& c, const CorrelatedLag& h, const CorrelatedLag& g) {
+  const auto [p, q] = h.lag;
+  const auto [k, l] = g.lag;
+  return c(p - k, q - l) + c(p + k, q + l) - 2 * g.rho * c(p, q) - 2 * h.rho * c(k, l) +
+         2 * h.rho * g.rho * c(0, 0);
+}
+
+Eigen::MatrixXd bartlett_correlation(const LagField& c, const std::vector<CorrelatedLag>& lags) {
+  const auto n = static_cast<Index>(lags.size());
+  Eigen::MatrixXd out(n, n);
+  for (Index a = 0; a < n; ++a)
+    for (Index b = 0; b <= a; ++b)
+      out(a, b) = out(b, a) =
+          bartlett_covariance(c, lags[static_cast<std::size_t>(a)], lags[static_cast<std::size_t>(b)]);
+  const Eigen::VectorXd scale = out.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  return scale.asDiagonal() * out * scale.asDiagonal();
+}
+
+}  // namespace asperity
