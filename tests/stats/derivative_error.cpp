@@ -5,6 +5,7 @@
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/spatial/acf.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

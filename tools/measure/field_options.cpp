@@ -9,6 +9,7 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/variable_units.hpp"
+#include "tools/cli/output_name.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 
 namespace asperity::cli {
@@ -112,6 +113,15 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
 
 std::string unit_to(const std::string& unit, int power) {
   return unit == "1" ? unit : unit + std::to_string(power);
+}
+
+bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables) {
+  if (dataset && tool.json())
+    throw UsageError("json", "prints " + tables + ", and does not go together with --dataset");
+  const bool out = dataset || !(prints || tool.json() || tool.output_is_terminal());
+  tool.writes_dataset(out);
+  if (out) check_dataset_name(tool.output_name());
+  return out;
 }
 
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
