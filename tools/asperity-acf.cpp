@@ -12,7 +12,6 @@
 #include "stats/spatial/acf.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/marginal_dataset.hpp"
@@ -136,7 +135,7 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
-  cli::check_finite(cli::Quantities{lengths});
+  cli::check_finite(lengths);
   for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
 }
 
@@ -228,7 +227,7 @@ int main(int argc, char** argv) {
       before.tell(tool, data, "acf");
       tool.write(data);
     } else if (what.lengths) {
-      cli::print(tool, cli::Quantities{lengths_of(tool, result, what)});
+      cli::print(tool, lengths_of(tool, result, what));
     } else {
       warn_of_few(tool, result.estimate.size);
       cli::print(tool, profiles(surface, result, what.absolute));

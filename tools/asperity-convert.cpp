@@ -12,7 +12,6 @@
 #include "formats/vti.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/convert/map_options.hpp"

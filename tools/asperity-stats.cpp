@@ -66,7 +66,7 @@ class Surfaces {
     for (const std::string& group : missing_) tool_.warn(group);
     if (fewest_) warn_of_few(tool_, *fewest_);
     if (ensemble_.surfaces() == 1)
-      cli::print(tool_, cli::Quantities{last_});
+      cli::print(tool_, last_);
     else
       cli::print(tool_, table());
   }

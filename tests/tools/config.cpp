@@ -79,6 +79,12 @@ TEST_CASE("a file of options that cannot be meant is refused in a line that name
   CHECK_THAT(absent.error, ContainsSubstring("--config: 'absent.toml' cannot be read"));
 }
 
+// The regular expression that told a number recursed once a character.
+TEST_CASE("a number of a hundred thousand digits is dumped and read back", "[config][contract]") {
+  require(draw + " --level 0.$(printf '1%.0s' $(seq 100000)) --dump-config > c.toml");
+  CHECK(shell("asperity-generate --config c.toml --dump-config | cmp - c.toml").exit == 0);
+}
+
 TEST_CASE("a wrong value of the environment is named by its variable", "[config][contract]") {
   const Outcome run = shell("ASPERITY_LEVEL=high " + draw + " -o bad.nc");
   CHECK(run.exit == 2);

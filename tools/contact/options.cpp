@@ -6,7 +6,6 @@
 
 #include "contact/flattening.hpp"
 #include "tools/cli/output_name.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
@@ -70,7 +69,7 @@ void ContactOptions::declare_bodies(Tool& tool) {
   tool.quantities("--radius-y", radius_y_, "m", "Radius of the section along y" + more, group).excludes(both);
   tool.quantities("--young", bodies.young, "Pa", "Young's modulus of each body; inf is rigid", group)
       .required();
-  tool.numbers_pair("--poisson", bodies.poisson, "Poisson's ratio of each body", group).required();
+  tool.quantities("--poisson", bodies.poisson, "1", "Poisson's ratio of each body", group).required();
 }
 
 void ContactOptions::declare_load(Tool& tool) {

@@ -8,7 +8,6 @@
 #include "dataset/units.hpp"
 #include "formats/fill.hpp"
 #include "formats/format.hpp"
-#include "tools/cli/series.hpp"
 
 namespace asperity::cli {
 namespace {

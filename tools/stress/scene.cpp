@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "core/poisson.hpp"
 #include "dataset/layout.hpp"
-#include "tools/cli/series.hpp"
 
 namespace asperity::cli {
 namespace {
