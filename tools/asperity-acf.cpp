@@ -11,7 +11,6 @@
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "tools/cli/lineage.hpp"
-#include "tools/cli/output_name.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
@@ -38,16 +37,11 @@ struct Result {
 
 // ---- lengths ----
 
-double share_of(const std::string& word) {
-  const auto value = to_number<double>(word);
-  if (!value || !(*value > 0 && *value < 1))
-    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
-  return *value;
-}
-
 AcfLevel level_of(const std::string& word) {
   if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
-  const double value = share_of(word), percent = std::round(1e12 * value) / 1e10;
+  const double value = to_number<double>(word).value_or(NAN), percent = std::round(1e12 * value) / 1e10;
+  if (!(value > 0 && value < 1))
+    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
   return {value, shortest(percent), shortest(percent) + " %"};
 }
 
@@ -202,13 +196,6 @@ void declare(cli::Tool& tool, Options& what) {
       "without any is not a number.");
 }
 
-// A dataset is binary: on a terminal, and as JSON, the profiles stand for it.
-bool prints_profiles(const cli::Tool& tool, const Options& what) {
-  if (what.dataset && tool.json())
-    throw cli::UsageError("json", "prints profiles or lengths, and does not go together with --dataset");
-  return what.profiles || tool.json() || (!what.dataset && tool.output_is_terminal());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -226,25 +213,24 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    tool.writes_dataset(!what.lengths && !prints_profiles(tool, what));
-    if (!what.lengths && !prints_profiles(tool, what)) cli::check_dataset_name(tool.output_name());
+    const bool dataset =
+        cli::writes_dataset(tool, what.lengths || what.profiles, what.dataset, "profiles or lengths");
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
     Result result = estimate(surface, what, max_lag, tool.thread_count());
     if (options.variable == "heights")
       result.target = cli::carried_correlation(data, "acf_target", surface.grid);
-    auto lengths = [&] { return lengths_of(tool, result, what); };
-    if (what.lengths) {
-      cli::print(tool, lengths());
-    } else if (prints_profiles(tool, what)) {
-      warn_of_few(tool, result.estimate.size);
-      cli::print(tool, profiles(surface, result, what.absolute));
-    } else {
+    if (dataset) {
       const cli::Inventory before(data);
-      add_to(data, surface, result, lengths(), options.variable, what.absolute);
+      add_to(data, surface, result, lengths_of(tool, result, what), options.variable, what.absolute);
       before.tell(tool, data, "acf");
       tool.write(data);
+    } else if (what.lengths) {
+      cli::print(tool, lengths_of(tool, result, what));
+    } else {
+      warn_of_few(tool, result.estimate.size);
+      cli::print(tool, profiles(surface, result, what.absolute));
     }
     return cli::done;
   });

@@ -5,7 +5,6 @@
 #include "stats/spectrum/spectrum.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
-#include "tools/cli/output_name.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 
@@ -105,13 +104,6 @@ void declare(cli::Tool& tool, Options& what) {
       "Sq^2 dx dy leaks into every wave number.");
 }
 
-// A dataset is binary: on a terminal, and as JSON, the rings stand for it.
-bool prints_radial(const cli::Tool& tool, const Options& what) {
-  if (what.dataset && tool.json())
-    throw cli::UsageError("json", "prints rings or profiles, and does not go together with --dataset");
-  return what.radial || tool.json() || (!what.dataset && tool.output_is_terminal());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -126,8 +118,8 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    tool.writes_dataset(!what.profiles && !prints_radial(tool, what));
-    if (!what.profiles && !prints_radial(tool, what)) cli::check_dataset_name(tool.output_name());
+    const bool dataset =
+        cli::writes_dataset(tool, what.profiles || what.radial, what.dataset, "rings or profiles");
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const DataWindows windows = what.windows(surface.grid);
@@ -136,14 +128,14 @@ int main(int argc, char** argv) {
       return cli::done;
     }
     const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
-    if (prints_radial(tool, what)) {
+    if (!dataset) {
       cli::print(tool, radial(surface, psd, windows));
-    } else {
-      const cli::Inventory before(data);
-      add_to(data, surface, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
-      before.tell(tool, data, "psd");
-      tool.write(data);
+      return cli::done;
     }
+    const cli::Inventory before(data);
+    add_to(data, surface, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
+    before.tell(tool, data, "psd");
+    tool.write(data);
     return cli::done;
   });
 }

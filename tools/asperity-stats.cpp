@@ -18,20 +18,6 @@ using namespace asperity;
 
 namespace {
 
-// What is said once, of however many surfaces.
-struct Cautions {
-  std::optional<EffectiveSampleSize> fewest;  ///< of the surface with the fewest independent heights
-  std::set<std::string> missing;              ///< groups that cannot be had, and why
-
-  void add(const EffectiveSampleSize& size) {
-    if (!fewest || size.effective(2) < fewest->effective(2)) fewest = size;
-  }
-  void tell(const cli::Tool& tool) const {
-    for (const std::string& group : missing) tool.warn(group);
-    if (fewest) warn_of_few(tool, *fewest);
-  }
-};
-
 // Other formats than NetCDF are read whole.
 bool larger_than_memory(const std::string& path, std::size_t memory) {
   namespace fs = std::filesystem;
@@ -77,7 +63,8 @@ class Surfaces {
     return true;
   }
   void print() const {
-    cautions_.tell(tool_);
+    for (const std::string& group : missing_) tool_.warn(group);
+    if (fewest_) warn_of_few(tool_, *fewest_);
     if (ensemble_.surfaces() == 1)
       cli::print(tool_, last_);
     else
@@ -100,7 +87,7 @@ class Surfaces {
   }
 
   void add(const Sample& sample) {
-    cautions_.add(sample.size());
+    if (!fewest_ || sample.size().effective(2) < fewest_->effective(2)) fewest_ = sample.size();
     last_.clear();
     for (const Group group : asked_.groups) {
       const Parameters rows = measure(sample, group, asked_);
@@ -114,7 +101,7 @@ class Surfaces {
   void caution_of_missing(const std::string& why, Group group) {
     if (why.empty()) return;
     if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
-    cautions_.missing.insert(field_.variable + ": no " + cli::name_of(group) + " parameters: " + why);
+    missing_.insert(field_.variable + ": no " + cli::name_of(group) + " parameters: " + why);
   }
 
   cli::Table table() const {
@@ -138,7 +125,9 @@ class Surfaces {
   cli::EnsembleGrid grids_;
   EnsembleParameters ensemble_;
   Parameters last_;
-  Cautions cautions_;
+  // What is said once, of however many surfaces: the fewest independent heights; groups that cannot be had, and why.
+  std::optional<EffectiveSampleSize> fewest_;
+  std::set<std::string> missing_;
 };
 
 }  // namespace

@@ -11,36 +11,15 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-template <class Value>
-LagField lag_field(Index P, Index Q, Value value) {
-  return LagField(
-      Field::NullaryExpr(P + 1, 2 * Q + 1, [&](Index p, Index column) { return value(p, column - Q); }));
-}
-
-// The same with zeros beyond its lags.
-LagField padded(const LagField& R, Index by) {
-  return lag_field(R.max_p() + by, R.max_q() + by, [&](Index p, Index q) { return R(p, q); });
-}
-
 // (1), as far as R reaches.
 LagField difference(const LagField& R, bool x) {
   const Index P = R.max_p() - (x ? 1 : 0), Q = R.max_q() - (x ? 0 : 1), dp = x ? 1 : 0, dq = 1 - dp;
   if (P < 0 || Q < 0) throw DataError("acf", "errors of derivatives need two lags in x and y");
-  return lag_field(P, Q,
-                   [&](Index p, Index q) { return 2 * R(p, q) - R(p + dp, q + dq) - R(p - dp, q - dq); });
+  return LagField::of({P, Q},
+                      [&](Index p, Index q) { return 2 * R(p, q) - R(p + dp, q + dq) - R(p - dp, q - dq); });
 }
-
-// Lags that count: those of the correlation, or those of an estimate that stand out.
-using Choose = LagField (*)(const LagField&, const Pairs&);
-
-LagField all_lags(const LagField& R, const Pairs&) { return R.normalised(); }
 
 constexpr double round_off = 1e-13;  // of R(0,0), that a second difference of R may hold
-
-// What there is of a difference's correlation that its errors rest on; nothing where the field does not change that way.
-LagField counting(const LagField& D, double variance, const Pairs& pairs, Choose choose) {
-  return D(0, 0) > round_off * variance ? choose(D, pairs) : LagField(Field::Zero(1, 1));
-}
 
 double relative_error(const LagField& counted, const Pairs& pairs) {
   return counted(0, 0) > 0 ? std::sqrt(2 / EffectiveSampleSize(counted, pairs).effective(2)) : unknown;
@@ -61,9 +40,32 @@ double cross_sum(const LagField& R, const LagField& x, const LagField& y, const 
   return sum;
 }
 
-DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, Choose choose) {
+// Not numbers where one of the points is missing, as the last one is that has no neighbour.
+Field differences_along_x(const Field& z, bool periodic) {
+  const Index last = z.rows() - 1;
+  Field out = Field::Constant(z.rows(), z.cols(), unknown);
+  out.topRows(last) = z.bottomRows(last) - z.topRows(last);
+  if (periodic) out.row(last) = z.row(0) - z.row(last);
+  return out;
+}
+
+Field differences_along_y(const Field& z, bool periodic) {
+  return differences_along_x(z.transpose(), periodic).transpose();
+}
+
+}  // namespace
+
+DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs,
+                                   bool estimated) {
+  const LagField rho = correlation.normalised();
+  // Two for (1) twice, two that it takes.
+  const LagField R = estimated ? rho : LagField::of({rho.max_p() + 4, rho.max_q() + 4}, rho);
   const LagField dx = difference(R, true), dy = difference(R, false);
-  auto counted = [&](const LagField& D, const Pairs& p) { return counting(D, R(0, 0), p, choose); };
+  // The lags of a difference's correlation that its errors rest on; none where the field does not change that way.
+  auto counted = [&](const LagField& D, const Pairs& p) {
+    if (!(D(0, 0) > round_off * R(0, 0))) return LagField(Field::Zero(1, 1));
+    return estimated ? significant_lags(D, p) : D.normalised();
+  };
   const LagField x = counted(dx, pairs.dx), y = counted(dy, pairs.dy);
   DerivativeErrors out{.m20 = relative_error(x, pairs.dx),
                        .m02 = relative_error(y, pairs.dy),
@@ -78,42 +80,17 @@ DerivativeErrors errors(const LagField& R, const DifferencePairs& pairs, Choose 
   return out;
 }
 
-// Not numbers where one of the points is missing, as the last one is that has no neighbour.
-Field differences(const Field& z, const Grid& grid, bool x) {
-  const Index n = x ? z.rows() : z.cols();
-  if (grid.periodic)
-    return Field::NullaryExpr(z.rows(), z.cols(), [&](Index i, Index j) {
-      return (x ? z((i + 1) % n, j) : z(i, (j + 1) % n)) - z(i, j);
-    });
-  Field out = Field::Constant(z.rows(), z.cols(), std::numeric_limits<double>::quiet_NaN());
-  if (x)
-    out.topRows(n - 1) = z.bottomRows(n - 1) - z.topRows(n - 1);
-  else
-    out.leftCols(n - 1) = z.rightCols(n - 1) - z.leftCols(n - 1);
-  return out;
-}
-
-}  // namespace
-
 DifferencePairs::DifferencePairs(const Pairs& of_heights, const Field& z, int threads)
     : DifferencePairs(of_heights.grid()) {
   if (of_heights.complete()) return;
   const Grid& grid = of_heights.grid();
-  const Field along_x = differences(z, grid, true), along_y = differences(z, grid, false);
+  const bool closed = grid.periodic;
+  const Field along_x = differences_along_x(z, closed), along_y = differences_along_y(z, closed);
   heights = of_heights;
   dx = Pairs::of(along_x, grid, threads);
   dy = Pairs::of(along_y, grid, threads);
-  dxx = Pairs::of(differences(along_x, grid, true), grid, threads);
-  dyy = Pairs::of(differences(along_y, grid, false), grid, threads);
-}
-
-DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs) {
-  return errors(padded(correlation.normalised(), 4), pairs,
-                all_lags);  // two for (1) twice, two that it takes
-}
-
-DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const DifferencePairs& pairs) {
-  return errors(estimate.normalised(), pairs, significant_lags);
+  dxx = Pairs::of(differences_along_x(along_x, closed), grid, threads);
+  dyy = Pairs::of(differences_along_y(along_y, closed), grid, threads);
 }
 
 }  // namespace asperity

@@ -39,9 +39,8 @@ struct DifferencePairs {
   explicit DifferencePairs(const Pairs& p) : heights(p), dx(p), dy(p), dxx(p), dyy(p) {}
 };
 
-/// From a correlation that is zero beyond its lags.
-DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs);
-/// From an estimate.
-DerivativeErrors derivative_errors_of_estimate(const LagField& estimate, const DifferencePairs& pairs);
+/// From a correlation that is zero beyond its lags, or from an estimate.
+DerivativeErrors derivative_errors(const LagField& correlation, const DifferencePairs& pairs,
+                                   bool estimated = false);
 
 }  // namespace asperity

@@ -53,10 +53,4 @@ SlopeParameters SlopeSums::parameters(const Grid& grid) const {
           .sdr = mean_of(sums_[2])};
 }
 
-SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads) {
-  SlopeSums sums;
-  sums.add(Strip::whole(z, grid), threads);
-  return sums.parameters(grid);
-}
-
 }  // namespace asperity

@@ -40,6 +40,4 @@ class SlopeSums {
   RowSums<3> sums_{};
 };
 
-SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads = 1);
-
 }  // namespace asperity

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "stats/filter/form.hpp"
 
 namespace asperity {
 namespace {
@@ -91,12 +90,6 @@ SpectralMoments SpectralMomentSums::moments(const Grid& grid) const {
           .m22 = x * x * y * y * mean_of(sums_[s22]),
           .m13 = x * y * y * y * mean_of(sums_[s13]),
           .m04 = y * y * y * y * mean_of(sums_[s04])};
-}
-
-SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) {
-  SpectralMomentSums sums;
-  sums.add(Strip::whole(z, grid), mean(z), threads);
-  return sums.moments(grid);
 }
 
 }  // namespace asperity

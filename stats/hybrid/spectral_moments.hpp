@@ -65,6 +65,4 @@ class SpectralMomentSums {
   RowSums<9> sums_{};
 };
 
-SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads = 1);
-
 }  // namespace asperity

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "stats/filter/form.hpp"
 
 namespace asperity {
 namespace {
@@ -73,12 +72,6 @@ CountedSummits SummitSums::summits(const Grid& grid) const {
       std::sqrt(std::max(0.0, mean_of(sums_[squares]) - out.mean_height * out.mean_height));
   out.mean_curvature = mean_of(sums_[curvatures]);
   return out;
-}
-
-CountedSummits counted_summits(const Field& z, const Grid& grid, int threads) {
-  SummitSums sums;
-  sums.add(Strip::whole(z, grid), mean(z), threads);
-  return sums.summits(grid);
 }
 
 Summits expected_summits(const ProfileSpectralMoments& m) {

@@ -58,8 +58,6 @@ class SummitSums {
   RowSums<4> sums_{};
 };
 
-CountedSummits counted_summits(const Field& z, const Grid& grid, int threads = 1);
-
 /// (2)–(4).
 Summits expected_summits(const ProfileSpectralMoments& moments);
 

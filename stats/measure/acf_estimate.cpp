@@ -11,14 +11,12 @@ namespace asperity {
 namespace {
 
 // What is measured at one level, of the estimate, which has errors, or of the target.
-class LevelLengths {
- public:
-  LevelLengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level, const LagField* target)
-      : out_(out),
-        estimate_(estimate),
-        level_(level),
-        target_(target),
-        rho_(target ? *target : estimate.rho) {}
+struct LevelLengths {
+  ParameterList& out;
+  const AcfEstimate& estimate;
+  const AcfLevel& level;
+  const LagField* target;
+  const LagField& rho = target ? *target : estimate.rho;
 
   void add(const std::optional<double>& direction) {
     const auto x = add_length("x", 0), y = add_length("y", std::numbers::pi / 2);
@@ -27,45 +25,38 @@ class LevelLengths {
     add_ellipse();
   }
 
- private:
   struct Length {
     double length, error;
   };
 
-  const Grid& grid() const { return estimate_.basis.pairs.grid(); }
-  std::string prefix() const { return target_ ? "target_" : ""; }
+  const Grid& grid() const { return estimate.basis.pairs.grid(); }
+  std::string prefix() const { return target ? "target_" : ""; }
 
   std::optional<Length> add_length(const std::string& name, double angle) {
-    const auto crossing = first_crossing(rho_, grid(), angle, level_.value);
+    const auto crossing = first_crossing(rho, grid(), angle, level.value);
     if (!crossing) return std::nullopt;
     Estimate length{crossing->lag};
-    if (!target_) {
-      length.standard_error = estimate_.length_error(angle, crossing->lag, crossing->slope);
-      length.interval = estimate_.lengths.along(angle, level_.value);
+    if (!target) {
+      length.standard_error = estimate.length_error(angle, crossing->lag, crossing->slope);
+      length.interval = estimate.lengths.along(angle, level.value);
     }
-    out_.add(prefix() + "length_" + level_.tag + "_" + name, "m", "where the ACF has fallen to {}", length,
-             {.meaning = level_.text});
-    return Length{length.value, estimate_.size.tells_errors() ? length.standard_error : unknown};
+    out.add(prefix() + "length_" + level.tag + "_" + name, "m", "where the ACF has fallen to {}", length,
+            {.meaning = level.text});
+    return Length{length.value, estimate.size.tells_errors() ? length.standard_error : unknown};
   }
   void add_ratio(const Length& x, const Length& y) {
     const double ratio = x.length / y.length, relative = std::hypot(x.error / x.length, y.error / y.length);
-    out_.add(prefix() + "gamma_" + level_.tag, "1", "ellipticity, length in x over length in y",
-             {ratio, ratio * relative, Interval::of_ratio(ratio, half_width_95 * relative)});
+    out.add(prefix() + "gamma_" + level.tag, "1", "ellipticity, length in x over length in y",
+            {ratio, ratio * relative, Interval::of_ratio(ratio, half_width_95 * relative)});
   }
   void add_ellipse() {
-    const auto ellipse = central_lobe(rho_, grid(), level_.value).ellipse;
+    const auto ellipse = central_lobe(rho, grid(), level.value).ellipse;
     if (!ellipse) return;
-    const std::string name = prefix() + "ellipticity_" + level_.tag;
-    out_.add(name, "1", "long over short axis of the contour at {}", {ellipse->gamma()},
-             {.meaning = level_.text});
-    out_.add(name + "_direction", "rad", "of the long axis, from +x towards +y", {ellipse->major.angle});
+    const std::string name = prefix() + "ellipticity_" + level.tag;
+    out.add(name, "1", "long over short axis of the contour at {}", {ellipse->gamma()},
+            {.meaning = level.text});
+    out.add(name + "_direction", "rad", "of the long axis, from +x towards +y", {ellipse->major.angle});
   }
-
-  ParameterList& out_;
-  const AcfEstimate& estimate_;
-  const AcfLevel& level_;
-  const LagField* target_;
-  const LagField& rho_;
 };
 
 }  // namespace
@@ -101,8 +92,8 @@ Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>&
                        const std::optional<double>& direction, const std::optional<LagField>& target) {
   ParameterList out("1");
   for (const AcfLevel& level : levels) {
-    LevelLengths(out, estimate, level, nullptr).add(direction);
-    if (target) LevelLengths(out, estimate, level, &*target).add(direction);
+    LevelLengths{out, estimate, level, nullptr}.add(direction);
+    if (target) LevelLengths{out, estimate, level, &*target}.add(direction);
   }
   return std::move(out).told(estimate.size);
 }

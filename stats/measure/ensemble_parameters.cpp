@@ -27,18 +27,13 @@ Centre centre_of(const std::string& unit, const Ensemble& values) {
 
 }  // namespace
 
-EnsembleParameters::Quantity& EnsembleParameters::quantity(const Parameter& parameter) {
-  const auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
-  return known != quantities_.end() ? *known
-                                    : quantities_.emplace_back(Quantity{parameter.name, parameter.unit});
-}
-
 void EnsembleParameters::add(const Parameters& parameters) {
   ++surfaces_;
   for (const Parameter& parameter : parameters) {
-    Quantity& q = quantity(parameter);
-    q.values.add(summed(parameter));
-    q.squared_errors.add(Eigen::ArrayXd::Constant(1, parameter.standard_error * parameter.standard_error));
+    auto q = std::ranges::find(quantities_, parameter.name, &Quantity::name);
+    if (q == quantities_.end()) q = quantities_.insert(q, {parameter.name, parameter.unit});
+    q->values.add(summed(parameter));
+    q->squared_errors.add(Eigen::ArrayXd::Constant(1, parameter.standard_error * parameter.standard_error));
   }
 }
 

@@ -39,8 +39,6 @@ class EnsembleParameters {
     Ensemble values = {}, squared_errors = {};
   };
 
-  Quantity& quantity(const Parameter& parameter);
-
   std::vector<Quantity> quantities_;
   int surfaces_ = 0;
 };

@@ -63,13 +63,13 @@ class ParameterList {
   Parameters parameters_;
 };
 
-Parameters height_parameters(const Sample& sample);
-Parameters quantiles(const Sample& sample, const std::vector<double>& shares);
+Parameters height_parameters(const Sample& sample, const MeasureOptions& options);
+Parameters quantiles(const Sample& sample, const MeasureOptions& options);
 /// Each test's statistic and p-value, with and without the correlation of the heights.
-Parameters gaussianity(const Sample& sample);
+Parameters gaussianity(const Sample& sample, const MeasureOptions& options);
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options);
-Parameters hybrid_parameters(const Sample& sample, const std::optional<Direction>& direction);
-Parameters spatial_parameters(const Sample& sample, double acf_level);
+Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options);
+Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options);
 /// Named P…, or R… where long waves were filtered out.
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options);
 

@@ -94,7 +94,7 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 
 }  // namespace
 
-Parameters height_parameters(const Sample& sample) {
+Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
   ParameterList out(sample.surface().units);
   out.add(height_table, heights_of(sample),
           {.why = "the correlation that was found sums to zero, and no number of points has that error"});
@@ -104,7 +104,8 @@ Parameters height_parameters(const Sample& sample) {
   return std::move(out).told(sample.size());
 }
 
-Parameters quantiles(const Sample& sample, const std::vector<double>& shares) {
+Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
+  const std::vector<double>& shares = options.quantiles;
   const std::vector<double> heights = sample.quantiles(shares);
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < shares.size(); ++i)
@@ -114,7 +115,7 @@ Parameters quantiles(const Sample& sample, const std::vector<double>& shares) {
   return std::move(out).told(sample.size());
 }
 
-Parameters gaussianity(const Sample& sample) {
+Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
   constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
   auto fits = sample.goodness_of_fit();
   ParameterList out(sample.surface().units);
@@ -128,14 +129,13 @@ Parameters gaussianity(const Sample& sample) {
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options) {
   const MaterialRatioCurve curve = sample.material_ratio();
   const auto [p, q] = options.material_ratios;
-  const VolumeParameters volumes = curve.volumes(p, q);
   ParameterList out(sample.surface().units);
   out.add(core_table, curve.core());
   for (const auto& [name, ratio] : {std::pair{"p", p}, {"q", q}})
     out.add("Smc_{}", of_field, "inverse material ratio at {}",
             {curve.height(ratio), material_height_error(ratio, sample.moments(), sample.size())},
             {name, shortest(ratio), ""});
-  out.add(volume_table, volumes);
+  out.add(volume_table, curve.volumes(p, q));
   return std::move(out).told(sample.size());
 }
 

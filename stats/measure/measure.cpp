@@ -16,6 +16,11 @@ std::string filled_in(std::string_view text, const std::string& word) {
   return out;
 }
 
+// In the order of the groups.
+constexpr Parameters (*measured_by[])(const Sample&, const MeasureOptions&) = {
+    height_parameters, quantiles,          gaussianity,     material_parameters,
+    hybrid_parameters, spatial_parameters, profile_averages};
+
 }  // namespace
 
 Parameters measure(const Surface& surface, const MeasureOptions& options) {
@@ -28,23 +33,7 @@ Parameters measure(const Surface& surface, const MeasureOptions& options) {
 }
 
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options) {
-  switch (group) {
-    case Group::height:
-      return height_parameters(sample);
-    case Group::quantiles:
-      return quantiles(sample, options.quantiles);
-    case Group::gaussianity:
-      return gaussianity(sample);
-    case Group::material:
-      return material_parameters(sample, options);
-    case Group::hybrid:
-      return hybrid_parameters(sample, options.direction);
-    case Group::spatial:
-      return spatial_parameters(sample, options.acf_level);
-    case Group::profiles:
-      break;
-  }
-  return profile_averages(sample, options);
+  return measured_by[static_cast<std::size_t>(group)](sample, options);
 }
 
 std::string missing(const Parameters& parameters) {

@@ -33,41 +33,32 @@ constexpr std::array<Definition1D, profile_parameters_count> table{
      {"dq", "1", "root mean square slope, by seven points"},
      {"Sm", "m", "mean spacing of profile elements"}}};
 
-// Throws DataError where profiles have a single point.
-ProfileAverages averages_of(const Sample& sample, Axis1D along, double cutoff) {
-  const Shape shape = sample.grid().shape;
-  if ((along == Axis1D::x ? shape.nx : shape.ny) < 2)
-    throw DataError(sample.surface().variable, std::string("a profile along ") +
-                                                   (along == Axis1D::x ? "x" : "y") +
-                                                   " needs two points, and there is one");
-  return sample.profiles(along, std::isnan(cutoff) ? unlimited : cutoff);
-}
-
-std::string untold_profiles(double independent) {
-  if (!(independent < least_profiles)) return "";
-  return "not told: profiles_eff = " + rounded(independent) + " is below " + shortest(least_profiles);
-}
-
 }  // namespace
 
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options) {
   const double cutoff = options.preparation.long_cutoff;
-  const std::string prefix = std::isnan(cutoff) ? "P" : "R";
-  const ProfileAverages averages = averages_of(sample, options.profiles, cutoff);
+  const bool primary = std::isnan(cutoff), x = options.profiles == Axis1D::x;
+  const std::string axis = x ? "x" : "y";
+  if ((x ? sample.grid().shape.nx : sample.grid().shape.ny) < 2)
+    throw DataError(sample.surface().variable,
+                    "a profile along " + axis + " needs two points, and there is one");
+  const ProfileAverages averages = sample.profiles(options.profiles, primary ? unlimited : cutoff);
   const bool few = averages.independent < least_profiles;
+  const std::string why_no_error = few ? "not told: profiles_eff = " + rounded(averages.independent) +
+                                             " is below " + shortest(least_profiles)
+                                       : "";
   ParameterList out(sample.surface().units);
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);
     if (i == profile_dq && sample.surface().units != "m") continue;
     const auto& [name, unit, meaning] = table[k];
-    const std::string symbol = prefix + name;
+    const std::string symbol = (primary ? "P" : "R") + std::string(name);
     out.add(symbol, unit, meaning, {averages.mean[i], few ? unknown : averages.standard_error[i]},
-            {.why = "no profile has one", .why_no_error = untold_profiles(averages.independent)});
+            {.why = "no profile has one", .why_no_error = why_no_error});
     out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", {averages.spread[i]},
             {.meaning = symbol});
   }
-  out.add("profiles", "1", "profiles along {}", {averages.profiles},
-          {.meaning = options.profiles == Axis1D::x ? "x" : "y"});
+  out.add("profiles", "1", "profiles along {}", {averages.profiles}, {.meaning = axis});
   out.add("profiles_eff", "1", "independent profiles with the same error", {averages.independent});
   return std::move(out).all();
 }

@@ -9,35 +9,10 @@
 namespace asperity {
 namespace {
 
-// Sums of the strips but for their correlation, heights above `level`.
-class Sums {
- public:
-  explicit Sums(const Mean& level) : level_(level.value()), moments_(level) {}
-
-  void add(const Strip& strip, bool derivatives, int threads) {
-    moments_.add(strip.z.topRows(strip.core));
-    if (!derivatives) return;
-    slopes_.add(strip, threads);
-    spectral_.add(strip, level_, threads);
-    summits_.add(strip, level_, threads);
-  }
-  SurfaceSums with(const Moments& moments, const ErrorBasis& basis, bool reaches_beyond = false) const {
-    return {moments, slopes_, spectral_, summits_, basis, reaches_beyond};
-  }
-  Moments moments(const std::string& variable) const { return moments_.moments(variable); }
-
- private:
-  double level_;
-  MomentSums moments_;
-  SlopeSums slopes_;
-  SpectralMomentSums spectral_;
-  SummitSums summits_;
-};
-
 SurfaceSums summed(const Surface& surface, bool derivatives, int threads) {
-  Sums sums(mean_above_base(surface.heights));
-  sums.add(Strip::whole(surface.heights, surface.grid), derivatives, threads);
-  return sums.with(sums.moments(surface.variable), error_basis(surface, threads));
+  DerivativeSums sums;
+  if (derivatives) sums.add(Strip::whole(surface.heights, surface.grid), mean(surface.heights), threads);
+  return {moments(surface.heights, surface.variable), sums, error_basis(surface, threads)};
 }
 
 SurfaceSums summed(const StripReader& reader, const Surface& surface, bool derivatives, int threads) {
@@ -45,18 +20,26 @@ SurfaceSums summed(const StripReader& reader, const Surface& surface, bool deriv
   const bool known = surface.correlation.has_value(),
              complete = reader.points() == static_cast<double>(grid.shape.cells());
   StripAutocorrelation correlation(grid, reader.rows(), threads);
-  Sums sums(Mean{});
+  MomentSums heights(Mean{});
+  DerivativeSums sums;
   reader.for_each_strip(derivatives ? 2 : 0, [&](const Field& strip, Index core, Index) {
-    sums.add({strip, grid, core}, derivatives, threads);
+    heights.add(strip.topRows(core));
+    if (derivatives) sums.add({strip, grid, core}, 0, threads);
     if (!known || !complete) correlation.add(strip.topRows(core));
   });
-  const Moments m = sums.moments(surface.variable);
+  const Moments m = heights.moments(surface.variable);
   refuse_round_off(std::max(m.sp, m.sv), reader.largest(), reader.degree(), surface.variable);
   const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs()};
-  return sums.with(m, basis, (!known || !complete) && correlation.reaches_beyond(basis.known_lags()));
+  return {m, sums, basis, (!known || !complete) && correlation.reaches_beyond(basis.known_lags())};
 }
 
 }  // namespace
+
+void DerivativeSums::add(const Strip& strip, double level, int threads) {
+  slopes.add(strip, threads);
+  spectral.add(strip, level, threads);
+  summits.add(strip, level, threads);
+}
 
 Sample::Sample(Surface surface, bool derivatives, int threads)
     : surface_(std::move(surface)),
@@ -74,9 +57,10 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
 }
 
 DerivativeErrors Sample::derivative_errors() const {
-  const Pairs& pairs = basis().pairs;
-  return basis().derivative_errors(reader_ ? DifferencePairs(pairs)
-                                           : DifferencePairs(pairs, surface_.heights, threads_));
+  const auto& [correlation, estimated, pairs] = basis();
+  return asperity::derivative_errors(
+      correlation, reader_ ? DifferencePairs(pairs) : DifferencePairs(pairs, surface_.heights, threads_),
+      estimated);
 }
 
 MaterialRatioCurve Sample::material_ratio() const {

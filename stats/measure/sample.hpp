@@ -21,12 +21,19 @@
 
 namespace asperity {
 
-/// What one pass over a surface sums up; slopes, spectral moments and summits where they are asked for.
-struct SurfaceSums {
-  Moments moments;
+struct DerivativeSums {
   SlopeSums slopes;
   SpectralMomentSums spectral;
   SummitSums summits;
+
+  /// `level` is the mean of the whole field.
+  void add(const Strip& strip, double level, int threads);
+};
+
+/// What one pass over a surface sums up; derivatives where they are asked for.
+struct SurfaceSums {
+  Moments moments;
+  DerivativeSums derivatives;
   ErrorBasis basis;
   bool reaches_beyond = false;  ///< the strips: the correlation that errors rest on is longer
 };
@@ -48,9 +55,9 @@ class Sample {
   /// Whether errors rest on a correlation that is longer than the strips.
   bool correlation_reaches_beyond() const { return sums_.reaches_beyond; }
 
-  SlopeParameters slopes() const { return sums_.slopes.parameters(grid()); }
-  SpectralMoments spectral_moments() const { return sums_.spectral.moments(grid()); }
-  CountedSummits summits() const { return sums_.summits.summits(grid()); }
+  SlopeParameters slopes() const { return sums_.derivatives.slopes.parameters(grid()); }
+  SpectralMoments spectral_moments() const { return sums_.derivatives.spectral.moments(grid()); }
+  CountedSummits summits() const { return sums_.derivatives.summits.summits(grid()); }
   /// Of strips as many of each difference as there are heights.
   DerivativeErrors derivative_errors() const;
   /// Heights below which these shares of the surface lie.

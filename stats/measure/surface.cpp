@@ -65,11 +65,6 @@ LagField ErrorBasis::known_lags() const {
   return estimated ? significant_lags(correlation, pairs) : correlation;
 }
 
-DerivativeErrors ErrorBasis::derivative_errors(const DifferencePairs& differences) const {
-  return estimated ? derivative_errors_of_estimate(correlation, differences)
-                   : asperity::derivative_errors(correlation, differences);
-}
-
 ErrorBasis error_basis(const Surface& surface, int threads) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
   if (surface.correlation) return {*surface.correlation, false, pairs};

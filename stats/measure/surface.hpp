@@ -14,7 +14,6 @@
 #include "core/field.hpp"
 #include "marginal/correlation_map.hpp"
 #include "marginal/translation.hpp"
-#include "stats/hybrid/derivative_error.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -60,7 +59,6 @@ struct ErrorBasis {
   std::optional<LagField> known() const {
     return estimated ? std::nullopt : std::optional<LagField>(correlation);
   }
-  DerivativeErrors derivative_errors(const DifferencePairs& differences) const;
 
  private:
   EffectiveSampleSize size_of(const LagField& rho) const;

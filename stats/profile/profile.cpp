@@ -172,11 +172,4 @@ ProfileAverages ProfileSums::averages(const Pairs& pairs, const LagField& rho) c
   return out;
 }
 
-ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
-                                 const LagField& rho) {
-  ProfileSums sums(pairs.grid(), along, section);
-  sums.add(z);
-  return sums.averages(pairs, rho);
-}
-
 }  // namespace asperity

@@ -88,8 +88,4 @@ class ProfileSums {
   Ensemble profiles_;
 };
 
-/// Of all profiles along the axis, at once.
-ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
-                                 const LagField& rho);
-
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

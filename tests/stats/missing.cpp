@@ -14,6 +14,7 @@
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/hybrid/summits.hpp"
 #include "stats/sample/moments.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -14,6 +14,7 @@
 #include "stats/spectrum/spectrum.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -5,6 +5,7 @@
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/effective_size.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

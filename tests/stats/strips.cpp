@@ -16,6 +16,7 @@
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/strip_acf.hpp"
 #include "stats/uncertainty/effective_size.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

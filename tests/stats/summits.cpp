@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

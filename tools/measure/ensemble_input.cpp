@@ -45,7 +45,7 @@ Names listed(const Bytes& bytes) {
   return out;
 }
 
-// Visits the dataset there, or returns the names that are listed.
+// Visits the dataset there, or returns the names listed.
 Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
                           const EnsembleInput::VisitPath& taken) {
   if (stdin_is_terminal())

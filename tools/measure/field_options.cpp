@@ -9,6 +9,7 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "tools/cli/output_name.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 
 namespace asperity::cli {
@@ -18,9 +19,8 @@ std::string metres(double length) { return format_quantity(length, "m"); }
 
 int form_degree(const std::string& level) {
   if (level == "mean" || level == "plane") return level == "plane";
-  const auto degree = to_number<int>(level);
-  if (!degree) throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
-  return *degree;
+  if (const auto degree = to_number<int>(level)) return *degree;
+  throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
 }
 
 // λs < λc, and both within the longer side of the field, beyond which a filter separates nothing.
@@ -113,6 +113,15 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
 
 std::string unit_to(const std::string& unit, int power) {
   return unit == "1" ? unit : unit + std::to_string(power);
+}
+
+bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables) {
+  if (dataset && tool.json())
+    throw UsageError("json", "prints " + tables + ", and does not go together with --dataset");
+  const bool out = dataset || !(prints || tool.json() || tool.output_is_terminal());
+  tool.writes_dataset(out);
+  if (out) check_dataset_name(tool.output_name());
+  return out;
 }
 
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {

@@ -36,6 +36,10 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
 /// A unit to a power, in UDUNITS' notation: "m2", "Pa-1", and "1" for pure numbers.
 std::string unit_to(const std::string& unit, int power);
 
+/// Of a tool that writes a dataset or prints a table: whether the dataset is what goes out. It is binary: on a terminal, and as
+/// JSON, the table stands for it. Throws UsageError for JSON of the dataset, which `tables` are printed in place of.
+bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables);
+
 /// Of fields of which errors are rough or cannot be told.
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size);
 /// Warns of a length below a sample, or beyond half the field; whether it is neither.

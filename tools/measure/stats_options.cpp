@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 #include <vector>
 
@@ -18,16 +17,15 @@ constexpr std::array<std::pair<const char*, Group>, 5> group_names{{{"height", G
                                                                     {"hybrid", Group::hybrid},
                                                                     {"spatial", Group::spatial}}};
 
-std::vector<double> shares(const std::string& option, const std::string& list) {
+std::vector<double> shares(const std::string& list) {
   std::vector<double> out;
   for (const std::string& word : split(list, ',')) {
-    double value = -1;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !(value >= 0 && value <= 1))
-      throw UsageError(option, "value \"" + word + "\" is not a number from 0 to 1");
-    if (std::ranges::find(out, value) != out.end())
-      throw UsageError(option, "value \"" + word + "\" is given twice");
-    out.push_back(value);
+    const auto value = to_number<double>(word);
+    if (!value || !(*value >= 0 && *value <= 1))
+      throw UsageError("quantiles", "value \"" + word + "\" is not a number from 0 to 1");
+    if (std::ranges::find(out, *value) != out.end())
+      throw UsageError("quantiles", "value \"" + word + "\" is given twice");
+    out.push_back(*value);
   }
   return out;
 }
@@ -81,7 +79,7 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   if (!profile.empty()) {
     out.groups = {Group::profiles};
   } else if (!quantiles.empty()) {
-    out.quantiles = shares("quantiles", quantiles);
+    out.quantiles = shares(quantiles);
     out.groups.insert(Group::quantiles);
   }
   return out;
