@@ -18,7 +18,7 @@ bool has_extension(const Format& format, std::string_view extension) {
 std::span<const Format> formats() {
   using namespace format;
   // What is recognised by its first bytes stands before what is not.
-  static const Format all[] = {gwyddion_text, gsf, nrrd, npy, sdf, sdf_ascii, esri, x3p, text};
+  static const Format all[] = {gwyddion_text, gsf, nrrd, npy, sdf, sdf_ascii, esri, x3p, format::text};
   return all;
 }
 
