@@ -11,9 +11,7 @@
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "tools/cli/lineage.hpp"
-#include "tools/cli/output_name.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/marginal_dataset.hpp"
@@ -34,17 +32,17 @@ struct Result {
   AcfEstimate estimate;
   std::optional<LagField> target = {};     ///< the correlation asked for, normalised
   std::optional<LagField> structure = {};  ///< in units squared
+  std::optional<MeasuredHeights> quantiles = {};
 };
 
 // ---- lengths ----
 
 AcfLevel level_of(const std::string& word) {
   if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
-  const auto value = to_number<double>(word);
-  if (!value || !(*value > 0 && *value < 1))
+  const double value = to_number<double>(word).value_or(NAN), percent = std::round(1e12 * value) / 1e10;
+  if (!(value > 0 && value < 1))
     throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
-  const std::string percent = shortest(std::round(1e12 * *value) / 1e10);
-  return {*value, percent, percent + " %"};
+  return {value, shortest(percent), shortest(percent) + " %"};
 }
 
 std::vector<AcfLevel> levels_of(const std::string& list) {
@@ -59,8 +57,8 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
 }
 
 Parameters lengths_of(const cli::Tool& tool, const Result& result, const Options& what) {
-  const auto direction =
-      what.direction.empty() ? std::nullopt : std::optional(cli::parse_angle("direction", what.direction));
+  std::optional<double> direction;
+  if (!what.direction.empty()) direction = cli::parse_angle("direction", what.direction);
   const std::vector<AcfLevel> levels = levels_of(what.levels);
   const Parameters out = acf_lengths(result.estimate, levels, direction, result.target);
   for (const AcfLevel& level : levels)
@@ -75,11 +73,10 @@ Parameters lengths_of(const cli::Tool& tool, const Result& result, const Options
 
 // ---- the two profiles ----
 
-void add_profile(cli::Table& table, const Result& result, bool absolute, bool x) {
+void add_profile(cli::Table& table, const Surface& surface, const Result& result, bool absolute, bool x) {
   const AcfEstimate& estimate = result.estimate;
-  const Grid& grid = estimate.basis.pairs.grid();
   const Index lags = x ? estimate.rho.max_p() : estimate.rho.max_q();
-  const double spacing = x ? grid.dx : grid.dy, scale = absolute ? estimate.variance : 1;
+  const double spacing = x ? surface.grid.dx : surface.grid.dy, scale = absolute ? estimate.variance : 1;
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
     const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
@@ -93,7 +90,7 @@ void add_profile(cli::Table& table, const Result& result, bool absolute, bool x)
 }
 
 cli::Table profiles(const Surface& surface, const Result& result, bool absolute) {
-  const std::string square = cli::unit_to(surface.units, 2), unit = absolute ? square : "1";
+  const std::string unit = absolute ? cli::unit_to(surface.units, 2) : "1";
   cli::Table table{{{"direction", ""},
                     {"lag", "m"},
                     {"acf", unit, cli::Holds::unknown},
@@ -102,47 +99,50 @@ cli::Table profiles(const Surface& surface, const Result& result, bool absolute)
                     {"high_95", unit, cli::Holds::open}},
                    {}};
   if (result.target) table.columns.push_back({"target", unit, cli::Holds::unknown});
-  if (result.structure) table.columns.push_back({"structure_function", square, cli::Holds::unknown});
-  for (const bool x : {true, false}) add_profile(table, result, absolute, x);
+  if (result.structure)
+    table.columns.push_back({"structure_function", cli::unit_to(surface.units, 2), cli::Holds::unknown});
+  for (const bool x : {true, false}) add_profile(table, surface, result, absolute, x);
   return table;
 }
 
 // ---- the dataset ----
 
-void set_quantiles(Dataset& data, const Field& heights) {
+MeasuredHeights quantiles_of(const Field& heights) {
   std::vector<double> sample(heights.data(), heights.data() + heights.size());
   std::erase_if(sample, [](double z) { return std::isnan(z); });
-  cli::set_quantiles(data, "acf_quantiles", MeasuredHeights::of(std::move(sample)));
+  return MeasuredHeights::of(std::move(sample));
 }
 
 void add_to(Dataset& data, const Surface& surface, const Result& result, const Parameters& lengths,
-            const Options& what) {
-  cli::drop_results(data, "acf", surface.variable);
-  data.attributes.set("acf_variable", surface.variable);
+            const std::string& variable, bool absolute) {
+  cli::drop_results(data, "acf", variable);
+  data.attributes.set("acf_variable", variable);
   const Grid& grid = surface.grid;
   const AcfEstimate& estimate = result.estimate;
-  const double scale = what.absolute ? estimate.variance : 1;
-  const std::string square = cli::unit_to(surface.units, 2), units = what.absolute ? square : "1";
+  const double scale = absolute ? estimate.variance : 1;
+  const std::string units = absolute ? cli::unit_to(surface.units, 2) : "1";
   const Axis lag_x{"lag_x", 0, grid.dx, "m", "lag in x"},
       lag_y{"lag_y", -estimate.rho.max_q(), grid.dy, "m", "lag in y"};
   set_table(data, "acf", scale * estimate.rho.half_plane(), lag_x, lag_y,
             {units, "autocorrelation estimated from the field"}, Missing::not_a_number);
   if (result.structure)
     set_table(data, "structure_function", result.structure->half_plane(), lag_x, lag_y,
-              {square, "mean square difference of two points a lag apart"}, Missing::not_a_number);
+              {cli::unit_to(surface.units, 2), "mean square difference of two points a lag apart"},
+              Missing::not_a_number);
   const Moments height = moments(surface.heights);
   data.attributes.set("acf_skewness", height.ssk);
   data.attributes.set("acf_kurtosis", height.sku);
-  if (what.quantiles) set_quantiles(data, surface.heights);
+  if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
   // In m2; of a field that is no height there is none.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
-  cli::check_finite(cli::Quantities{lengths});
+  cli::check_finite(lengths);
   for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
 }
 
 Result estimate(const Surface& surface, const Options& what, Shape max_lag, int threads) {
   Result out{AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
   if (what.structure) out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
+  if (what.quantiles) out.quantiles = quantiles_of(surface.heights);
   return out;
 }
 
@@ -196,13 +196,6 @@ void declare(cli::Tool& tool, Options& what) {
       "without any is not a number.");
 }
 
-// A dataset is binary: on a terminal, and as JSON, the profiles stand for it.
-bool prints_profiles(const cli::Tool& tool, const Options& what) {
-  if (what.dataset && tool.json())
-    throw cli::UsageError("json", "prints profiles or lengths, and does not go together with --dataset");
-  return what.profiles || tool.json() || (!what.dataset && tool.output_is_terminal());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -220,26 +213,24 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    const bool prints = what.lengths || prints_profiles(tool, what);
-    tool.writes_dataset(!prints);
-    if (!prints) cli::check_dataset_name(tool.output_name());
+    const bool dataset =
+        cli::writes_dataset(tool, what.lengths || what.profiles, what.dataset, "profiles or lengths");
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
     Result result = estimate(surface, what, max_lag, tool.thread_count());
     if (options.variable == "heights")
       result.target = cli::carried_correlation(data, "acf_target", surface.grid);
-    auto lengths = [&] { return lengths_of(tool, result, what); };
-    if (what.lengths) {
-      cli::print(tool, cli::Quantities{lengths()});
-    } else if (prints) {
-      warn_of_few(tool, result.estimate.size);
-      cli::print(tool, profiles(surface, result, what.absolute));
-    } else {
+    if (dataset) {
       const cli::Inventory before(data);
-      add_to(data, surface, result, lengths(), what);
+      add_to(data, surface, result, lengths_of(tool, result, what), options.variable, what.absolute);
       before.tell(tool, data, "acf");
       tool.write(data);
+    } else if (what.lengths) {
+      cli::print(tool, lengths_of(tool, result, what));
+    } else {
+      warn_of_few(tool, result.estimate.size);
+      cli::print(tool, profiles(surface, result, what.absolute));
     }
     return cli::done;
   });

@@ -1,5 +1,4 @@
-/// Presses two bodies together and writes pressure, gap, displacement and the state of every cell, or a table of
-/// what many loads do.
+/// Presses two bodies together: pressure, gap, displacement and state of each cell, or a table of loads.
 #include <cmath>
 #include <map>
 
@@ -12,7 +11,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/contact/record.hpp"
+#include "tools/contact/scene.hpp"
 
 using namespace asperity;
 
@@ -56,7 +55,7 @@ void warn(const cli::Tool& tool, const std::vector<Doubt>& doubts) {
   for (const Doubt& doubt : doubts) tool.warn(doubt.words);
 }
 
-// The doubts of a sweep: each kind whole at its first load, of the others how many they are and where they end.
+// The doubts of a sweep: each kind whole at its first load, of the others how many and up to which.
 class SweepDoubts {
  public:
   void add(const cli::Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {

@@ -12,7 +12,6 @@
 #include "formats/vti.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/convert/map_options.hpp"
@@ -21,12 +20,9 @@ using namespace asperity;
 
 namespace {
 
-// What a whole dataset is written as, beside the formats of maps.
-struct DatasetFormat {
-  std::string_view name;
-  std::string (*encode)(const Dataset& dataset);
-};
-constexpr DatasetFormat datasets[] = {{"netcdf", encode_netcdf}, {"vti", encode_vti}, {"vtr", encode_vtr}};
+// What a whole dataset is written as, beside NetCDF and the formats of maps.
+constexpr std::pair<std::string_view, std::string (*)(const Dataset&)> for_paraview[] = {{"vti", encode_vti},
+                                                                                         {"vtr", encode_vtr}};
 
 std::string extensions() {
   std::string out = ".nc, .vti, .vtr";
@@ -54,8 +50,7 @@ struct Options {
 };
 
 std::vector<std::string> targets() {
-  std::vector<std::string> out{"auto"};
-  for (const DatasetFormat& format : datasets) out.emplace_back(format.name);
+  std::vector<std::string> out{"auto", "netcdf", "vti", "vtr"};
   for (const Format& format : formats()) out.emplace_back(format.name);
   return out;
 }
@@ -75,10 +70,7 @@ Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Option
 
 // What does not lie below the surface.
 Dataset without_depth(Dataset data) {
-  const auto below = [](const Variable& v) {
-    return std::ranges::find(v.dimensions, "z") != v.dimensions.end();
-  };
-  std::erase_if(data.variables, below);
+  std::erase_if(data.variables, [](const Variable& v) { return std::ranges::count(v.dimensions, "z") > 0; });
   std::erase_if(data.dimensions, [](const Dimension& d) { return d.name == "z"; });
   return data;
 }
@@ -101,15 +93,14 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   Dataset data = decoded(tool, *bytes);
   bytes.reset();
   if (options.map.changes()) data = changed(tool, options, std::move(data));
-  if (options.surface) return without_depth(std::move(data));
-  return data;
+  return options.surface ? without_depth(std::move(data)) : data;
 }
 
 // All that is not NetCDF.
 std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                     const std::string& target, std::optional<cli::Bytes> bytes) {
-  for (const DatasetFormat& whole : datasets)
-    if (target == whole.name) return whole.encode(dataset_from(tool, format, options, std::move(bytes)));
+  for (const auto& [name, encode] : for_paraview)
+    if (target == name) return encode(dataset_from(tool, format, options, std::move(bytes)));
   if (options.surface)
     throw cli::UsageError("surface", "only netcdf, vti and vtr hold what lies below one, not " + target);
   const Map map = map_from(tool, format, options, *bytes);

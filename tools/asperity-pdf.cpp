@@ -44,21 +44,23 @@ struct Options {
   }
 };
 
-double told(double error, const EffectiveSampleSize& size) { return size.tells_errors() ? error : NAN; }
+// A field, and the errors that can be told of it.
+struct Heights {
+  const Surface& surface;
+  const Moments& m;
+  const EffectiveSampleSize& size;
 
-// Not a number where no error is told.
-double in_errors(double deviation, double untold, const EffectiveSampleSize& size) {
-  const double error = told(untold, size);
-  return error > 0 || std::isnan(error) ? deviation / error : deviation;
-}
+  // Not a number where none is told.
+  double told(double error) const { return size.tells_errors() ? error : NAN; }
+  double misfit(double deviation, double error) const {
+    const double scale = told(error);
+    return scale > 0 || std::isnan(scale) ? deviation / scale : deviation;
+  }
+};
 
-cli::Table table_of_bins(const Surface& surface, const Moments& m, const EffectiveSampleSize& size,
-                         int asked) {
-  if (asked > size.points())
-    throw cli::UsageError("bins", "value " + std::to_string(asked) + " is above the number of points, " +
-                                      cli::shortest(size.points()));
-  const std::string density = cli::unit_to(surface.units, -1);
-  cli::Table out{{{"height", surface.units},
+cli::Table table_of_bins(const Heights& of, int bins) {
+  const std::string density = cli::unit_to(of.surface.units, -1);
+  cli::Table out{{{"height", of.surface.units},
                   {"count", "1"},
                   {"standard_error", "1", cli::Holds::unknown},
                   {"gaussian", "1"},
@@ -67,33 +69,31 @@ cli::Table table_of_bins(const Surface& surface, const Moments& m, const Effecti
                   {"density_error", density, cli::Holds::unknown},
                   {"gaussian_density", density}},
                  {}};
-  for (const Bin& bin : histogram(surface.heights, m, size, asked ? asked : scott_bins(m, size.points()))) {
-    const double per_height = 1 / (size.points() * bin.width()), error = told(bin.count_error, size);
+  for (const Bin& bin : histogram(of.surface.heights, of.m, of.size, bins)) {
+    const double per_height = 1 / (of.size.points() * bin.width()), error = of.told(bin.count_error);
     out.rows.push_back({bin.centre(), bin.count, error, bin.expected,
-                        in_errors(bin.count - bin.expected, bin.misfit_error, size), bin.count * per_height,
+                        of.misfit(bin.count - bin.expected, bin.misfit_error), bin.count * per_height,
                         error * per_height, bin.expected * per_height});
   }
   return out;
 }
 
-cli::Table table_of_density(const std::vector<DensityPoint>& curve, const Surface& surface,
-                            const EffectiveSampleSize& size) {
-  const std::string density = cli::unit_to(surface.units, -1);
-  cli::Table out{{{"height", surface.units},
+cli::Table table_of_density(const Heights& of, double bandwidth, int points) {
+  const std::string density = cli::unit_to(of.surface.units, -1);
+  cli::Table out{{{"height", of.surface.units},
                   {"density", density},
                   {"standard_error", density, cli::Holds::unknown},
                   {"gaussian_density", density},
                   {"misfit", "1", cli::Holds::unknown}},
                  {}};
-  for (const DensityPoint& p : curve)
-    out.rows.push_back({p.height, p.density, told(p.density_error, size), p.gaussian,
-                        in_errors(p.density - p.gaussian, p.misfit_error, size)});
+  for (const DensityPoint& p : kernel_density(of.surface.heights, of.m, of.size, bandwidth, points))
+    out.rows.push_back({p.height, p.density, of.told(p.density_error), p.gaussian,
+                        of.misfit(p.density - p.gaussian, p.misfit_error)});
   return out;
 }
 
-cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const Surface& surface,
-                              const EffectiveSampleSize& size) {
-  const std::string& unit = surface.units;
+cli::Table table_of_quantiles(const Heights& of, const MaterialRatioCurve& curve, int points) {
+  const std::string& unit = of.surface.units;
   cli::Table out{{{"share", "1"},
                   {"normal_quantile", "1"},
                   {"height", unit},
@@ -101,37 +101,36 @@ cli::Table table_of_quantiles(const std::vector<QuantilePoint>& points, const Su
                   {"gaussian_height", unit},
                   {"misfit", "1", cli::Holds::unknown}},
                  {}};
-  for (const QuantilePoint& p : points)
-    out.rows.push_back({p.share, p.normal, p.height, told(p.height_error, size), p.gaussian,
-                        in_errors(p.height - p.gaussian, p.misfit_error, size)});
+  for (const QuantilePoint& p : quantile_plot(curve, of.m, of.size, points))
+    out.rows.push_back({p.share, p.normal, p.height, of.told(p.height_error), p.gaussian,
+                        of.misfit(p.height - p.gaussian, p.misfit_error)});
   return out;
 }
 
 double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampleSize& size) {
   if (std::isnan(what.bandwidth)) return silverman_bandwidth(m, size.points());
   const double least = least_bandwidth * m.sz() / m.sq;
-  const std::string value = "value " + shortest(what.bandwidth);
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
-    throw cli::UsageError("bandwidth", value + " is not finite or below " + shortest(least) +
-                                           " Sq, 1e-5 of the range of heights");
+    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is not finite or below " +
+                                           cli::shortest(least) + " Sq, 1e-5 of the range of heights");
   if (what.bandwidth * m.sq > m.sz())
-    throw cli::UsageError("bandwidth", value + " is above " + shortest(m.sz() / m.sq) +
+    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is above " +
+                                           cli::shortest(m.sz() / m.sq) +
                                            " Sq, the range of heights: nothing but the kernel would show");
   return what.bandwidth * m.sq;
 }
 
-cli::Table table_of(const Surface& surface, const Moments& m, const EffectiveSampleSize& size,
-                    const Options& what, int threads) {
-  if (what.estimate == "kernel") {
-    const double h = bandwidth_for(what, m, size);
-    return table_of_density(kernel_density(surface.heights, m, size, h, what.points ? what.points : 256),
-                            surface, size);
-  }
+cli::Table table_of(const Heights& of, const Options& what, int threads) {
+  if (what.estimate == "kernel")
+    return table_of_density(of, bandwidth_for(what, of.m, of.size), what.points ? what.points : 256);
   if (what.estimate == "quantiles")
-    return table_of_quantiles(
-        quantile_plot(MaterialRatioCurve(surface.heights, threads), m, size, what.points ? what.points : 99),
-        surface, size);
-  return table_of_bins(surface, m, size, what.bins);
+    return table_of_quantiles(of, MaterialRatioCurve(of.surface.heights, threads),
+                              what.points ? what.points : 99);
+  const double points = of.size.points();
+  if (what.bins > points)
+    throw cli::UsageError("bins", "value " + std::to_string(what.bins) + " is above the number of points, " +
+                                      cli::shortest(points));
+  return table_of_bins(of, what.bins ? what.bins : scott_bins(of.m, points));
 }
 
 }  // namespace
@@ -165,7 +164,7 @@ int main(int argc, char** argv) {
     const Moments m = moments(surface.heights, options.variable);
     const EffectiveSampleSize size = error_basis(surface, tool.thread_count()).size();
     warn_of_few(tool, size);
-    cli::print(tool, table_of(surface, m, size, what, tool.thread_count()));
+    cli::print(tool, table_of({surface, m, size}, what, tool.thread_count()));
     return cli::done;
   });
 }

@@ -9,8 +9,7 @@
 #include "tools/cli/place.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
-#include "tools/plot/gnuplot.hpp"
-#include "tools/plot/kinds.hpp"
+#include "tools/plot/figure.hpp"
 
 using namespace asperity;
 
@@ -96,11 +95,11 @@ std::string format_of(const Options& o) {
   const std::string format = told ? o.request.format : extension_of(o.output);
   if (format == "png" || format == "svg" || format == "pdf") {
     if (!stream && !o.request.format.empty() && o.request.format != format)
-      throw cli::UsageError("format", "'" + o.request.format + "' contradicts the name " + o.output);
+      cli::refuse("format", o.request.format, "contradicts the name " + o.output);
     return format;
   }
-  if (stream) throw cli::UsageError("format", "'" + format + "' is not png, svg or pdf, which -o - needs");
-  throw cli::UsageError("output", "'" + o.output + "' does not end in .png, .svg or .pdf");
+  if (stream) cli::refuse("format", format, "is not png, svg or pdf, which -o - needs");
+  cli::refuse("output", o.output, "does not end in .png, .svg or .pdf");
 }
 
 plot::Range rising(const char* option, std::array<double, 2> range) {

@@ -5,7 +5,6 @@
 #include "stats/spectrum/spectrum.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
-#include "tools/cli/output_name.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 
@@ -57,21 +56,24 @@ cli::Table profiles(const Surface& surface, const DataWindows& windows, int thre
                   {"psd", unit},
                   {"standard_error", unit, cli::Holds::unknown}},
                  {}};
-  for (const bool x : {true, false})
-    for (const SpectrumPoint& point : profile_spectrum(
-             surface.heights, surface.grid, x ? Axis1D::x : Axis1D::y, x ? windows.x : windows.y, threads))
-      out.rows.push_back({x ? "x" : "y", point.wave_number, point.density, point.standard_error});
+  auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
+    for (const SpectrumPoint& point : profile_spectrum(surface.heights, surface.grid, axis, window, threads))
+      out.rows.push_back({direction, point.wave_number, point.density, point.standard_error});
+  };
+  add("x", Axis1D::x, windows.x);
+  add("y", Axis1D::y, windows.y);
   return out;
 }
 
-void add_to(Dataset& data, const Surface& surface, const LagField& psd, const char* window) {
-  cli::drop_results(data, "psd", surface.variable);
-  const double turn = 2 * std::numbers::pi;
+void add_to(Dataset& data, const Surface& surface, const LagField& psd, const std::string& variable,
+            const std::string& window) {
+  cli::drop_results(data, "psd", variable);
+  const auto step = [](double size) { return 2 * std::numbers::pi / size; };
   set_table(data, "psd", psd.half_plane(),
-            {"wave_number_x", 0, turn / surface.grid.size_x(), per_length, "wave number in x"},
-            {"wave_number_y", -psd.max_q(), turn / surface.grid.size_y(), per_length, "wave number in y"},
+            {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
+            {"wave_number_y", -psd.max_q(), step(surface.grid.size_y()), per_length, "wave number in y"},
             {density_units(surface, 2), "power spectral density of the field"});
-  data.attributes.set("psd_variable", surface.variable);
+  data.attributes.set("psd_variable", variable);
   data.attributes.set("psd_window", window);
 }
 
@@ -102,13 +104,6 @@ void declare(cli::Tool& tool, Options& what) {
       "Sq^2 dx dy leaks into every wave number.");
 }
 
-// A dataset is binary: on a terminal, and as JSON, the rings stand for it.
-bool prints_radial(const cli::Tool& tool, const Options& what) {
-  if (what.dataset && tool.json())
-    throw cli::UsageError("json", "prints rings or profiles, and does not go together with --dataset");
-  return what.radial || tool.json() || (!what.dataset && tool.output_is_terminal());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -123,9 +118,8 @@ int main(int argc, char** argv) {
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    const bool prints = what.profiles || prints_radial(tool, what);
-    tool.writes_dataset(!prints);
-    if (!prints) cli::check_dataset_name(tool.output_name());
+    const bool dataset =
+        cli::writes_dataset(tool, what.profiles || what.radial, what.dataset, "rings or profiles");
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const DataWindows windows = what.windows(surface.grid);
@@ -134,14 +128,14 @@ int main(int argc, char** argv) {
       return cli::done;
     }
     const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
-    if (prints) {
+    if (!dataset) {
       cli::print(tool, radial(surface, psd, windows));
-    } else {
-      const cli::Inventory before(data);
-      add_to(data, surface, psd, windows.x == DataWindow::hann ? "hann" : "none");
-      before.tell(tool, data, "psd");
-      tool.write(data);
+      return cli::done;
     }
+    const cli::Inventory before(data);
+    add_to(data, surface, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
+    before.tell(tool, data, "psd");
+    tool.write(data);
     return cli::done;
   });
 }

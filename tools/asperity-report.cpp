@@ -10,7 +10,6 @@
 #include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/measure/field_options.hpp"
-#include "tools/plot/gnuplot.hpp"
 #include "tools/report/page.hpp"
 
 using namespace asperity;
@@ -72,7 +71,7 @@ int report_on(cli::Tool& tool, const Options& o) {
   const Dataset& data = dataset[0].data;
   std::string untold;
   const std::vector<report::Group> groups = groups_of(tool, data, o, untold);
-  for (const report::Group& group : groups) cli::check_finite(cli::Quantities{group.rows});
+  for (const report::Group& group : groups) cli::check_finite(group.rows);
   const bool any =
       !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
   if (!any)

@@ -65,7 +65,7 @@ class Surfaces {
   void print() const {
     for (const std::string& group : missing_) tool_.warn(group);
     if (fewest_) warn_of_few(tool_, *fewest_);
-    if (ensemble_.surfaces() == 1) return cli::print(tool_, cli::Quantities{last_});
+    if (ensemble_.surfaces() == 1) return cli::print(tool_, last_);
     cli::print(tool_, table());
   }
 

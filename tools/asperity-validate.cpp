@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
       grids.add(tool, grid_of(data), name);
       if (!test) test = test_for(tool, options, data);
       tool.detail(name);
-      test->add(heights_of(data, options.variable, Missing::not_a_number), grid_of(data));
+      test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
     });
     const std::vector<TestResult> results = test->results();
     tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag"));

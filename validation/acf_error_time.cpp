@@ -18,6 +18,8 @@
 
 #include "acf/equations.hpp"
 #include "acf/kernel.hpp"
+#include "acf_yardsticks.hpp"
+#include "reference/exponential_target.hpp"
 #include "timing.hpp"
 
 using namespace asperity;
@@ -57,25 +59,29 @@ double other_transform_seconds(const KernelRequest& request) {
                : 3 * spectrum + zero_phase_seconds({2 * n - 1, 2 * m - 1}, {4 * n - 2, 4 * m - 2}, oriented);
 }
 
-KernelReport fastest(const KernelRequest& request) {
-  KernelReport best = solve_kernel(request).report;
+using Solve = KernelReport (*)(const KernelRequest&);
+
+KernelReport by_the_library(const KernelRequest& request) { return solve_kernel(request).report; }
+
+KernelReport fastest(const KernelRequest& request, Solve solve) {
+  KernelReport best = solve(request);
   if (best.seconds > 1) return best;
   seconds_of([&] {
-    const KernelReport report = solve_kernel(request).report;
+    const KernelReport report = solve(request);
     if (report.seconds < best.seconds) best = report;
   });
   return best;
 }
 
-void row(const KernelRequest& request, double c) {
-  const KernelReport r = fastest(request);
+void row(std::string_view method, const KernelRequest& request, double c, Solve solve = by_the_library) {
+  const KernelReport r = fastest(request, solve);
   const std::string ratio =
       r.equation_seconds > 0
           ? fmt::format("{:.2f}", r.seconds / (r.equation_seconds + other_transform_seconds(request)))
           : "-";
-  fmt::print("{}\t{}\t{}x{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{}\t{}\t{}\t{}\n", name_of(request.method),
+  fmt::print("{}\t{}\t{}x{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{}\t{}\t{}\t{}\n", method,
              name_of(*request.formulation), request.lags.nx, request.lags.ny, c, r.error, r.mirrored_error,
-             r.seconds, r.residual, r.newton_steps, r.jacobian_products, ratio, name_of(r.answer));
+             r.seconds, r.residual, r.steps, r.jacobian_products, ratio, name_of(r.answer));
 }
 
 void head(const char* title) {
@@ -170,18 +176,21 @@ void outcome(const Extreme& extreme, InfeasiblePolicy infeasible) {
 int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 63;
+  const std::string_view newton = name_of(Method::newton_krylov);
   head("Newton-Krylov");
   for (Formulation f : {Formulation::symmetric, Formulation::oriented, Formulation::patir})
     for (Index n = 7; n <= largest; n = 2 * n + 1)
       for (double c : {4.6, 6.0, 7.0, 9.0, 11.5, 14.0})
         if (f != Formulation::patir || c == 4.6 || c == 7.0)
-          if (f != Formulation::patir || c == 7.0 || n <= 64) row(cut({n, n}, c, f), c);
+          if (f != Formulation::patir || c == 7.0 || n <= 64) row(newton, cut({n, n}, c, f), c);
   for (Shape lags : {Shape{7, 4}, Shape{3, 3}, Shape{17, 4}, Shape{17, 14}, Shape{13, 13}})
-    for (Formulation f : {Formulation::symmetric, Formulation::patir}) row(cut(lags, 4.6, f), 4.6);
+    for (Formulation f : {Formulation::symmetric, Formulation::patir}) row(newton, cut(lags, 4.6, f), 4.6);
   head("The other methods");
-  for (Method m : {Method::fixed_point, Method::conjugate_gradient, Method::spectral})
+  for (Formulation f : {Formulation::symmetric, Formulation::oriented, Formulation::patir})
+    for (Index n : {7, 15, 31}) row("fixed-point", cut({n, n}, 4.6, f), 4.6, anderson_fixed_point);
+  for (Method m : {Method::conjugate_gradient, Method::spectral})
     for (Formulation f : {Formulation::symmetric, Formulation::oriented, Formulation::patir})
-      for (Index n : {7, 15, 31}) row(cut({n, n}, 4.6, f, m), 4.6);
+      for (Index n : {7, 15, 31}) row(name_of(m), cut({n, n}, 4.6, f, m), 4.6);
   fmt::print(
       "\n# Stability\n# "
       "case\tdifficulty\tinfeasible\toutcome\tresidual\terror\tfeasibility\tkernel\tseconds\n");

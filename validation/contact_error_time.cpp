@@ -83,18 +83,18 @@ void discretisation(Index largest) {
   }
 }
 
-using Solver = void (*)(ElasticOperator&, const ContactProblem&, const Watch&);
+using Solver = void (*)(const ContactProblem&, const Watch&);
 
 // Its convolutions and seconds when each tolerance is first met.
 void yardstick(const ContactScene& s, const char* name, Solver run) {
   const auto influence = make_influence(s.grid, s.composite_modulus);
-  const ContactProblem problem{s.gap, s.load / s.grid.cell_area(), s.limit_pressure,
+  const ContactProblem problem{influence.get(), s.gap, s.load / s.grid.cell_area(), s.limit_pressure,
                                influence->self_influence()};
   Field warm_up = s.gap;
   influence->apply(s.gap, warm_up);
   const Stopwatch clock;
   double tolerance = 1e-4;
-  run(*influence, problem, [&](const ContactResidual& residual, int convolutions) {
+  run(problem, [&](const ContactResidual& residual, int convolutions) {
     for (; residual.epsilon <= tolerance && tolerance > 1e-11; tolerance /= 100)
       fmt::print("{}\t{}\t{}\t{:.0e}\t\t\t{}\t\t\t{:.4f}\t\t{:.1e}\n", s.name, s.grid.shape.ny, name,
                  tolerance, convolutions, clock.seconds(), residual.epsilon);

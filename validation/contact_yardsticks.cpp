@@ -14,9 +14,9 @@ Field even_start(const ContactProblem& problem) {
                          problem.sum / static_cast<double>(problem.h.size()));
 }
 
-Field gap_under(ElasticOperator& influence, const ContactProblem& problem, const Field& p) {
+Field gap_under(const ContactProblem& problem, const Field& p) {
   Field g;
-  influence.apply(p, g);
+  problem.influence->apply(p, g);
   return g + problem.h;
 }
 
@@ -35,8 +35,8 @@ bool release(const ContactProblem& problem, const Field& r, double step, Field& 
 
 }  // namespace
 
-void polonsky_keer(ElasticOperator& influence, const ContactProblem& problem, const Watch& watch) {
-  Field p = even_start(problem), g = gap_under(influence, problem, p), t = 0 * p, q;
+void polonsky_keer(const ContactProblem& problem, const Watch& watch) {
+  Field p = even_start(problem), g = gap_under(problem, p), t = 0 * p, q;
   double norm_old = 1;
   int convolutions = 1, since_refresh = 0;
   bool conjugate = false;
@@ -47,7 +47,7 @@ void polonsky_keer(ElasticOperator& influence, const ContactProblem& problem, co
     const double norm = (free * r.square()).sum();
     t = free * (r + (conjugate ? norm / norm_old : 0) * t);
     norm_old = norm;
-    influence.apply(t, q);
+    problem.influence->apply(t, q);
     ++convolutions;
     const double step = (r * t).sum() / ((q - (free * q).sum() / free.sum()) * t).sum();
     const Field wanted = p - step * t;
@@ -57,14 +57,14 @@ void polonsky_keer(ElasticOperator& influence, const ContactProblem& problem, co
     if (!clip_and_rescale(problem, p)) project(problem, p);
     g -= step * q;
     if (!cut && !released && ++since_refresh < steps_before_refresh) continue;
-    g = gap_under(influence, problem, p);
+    g = gap_under(problem, p);
     ++convolutions;
     since_refresh = 0;
   }
 }
 
-void projected_gradient(ElasticOperator& influence, const ContactProblem& problem, const Watch& watch) {
-  Field p = even_start(problem), g = gap_under(influence, problem, p), q;
+void projected_gradient(const ContactProblem& problem, const Watch& watch) {
+  Field p = even_start(problem), g = gap_under(problem, p), q;
   double alpha = 0.5 / problem.self_influence;
   int convolutions = 1;
   for (int step = 0;; ++step) {
@@ -73,7 +73,7 @@ void projected_gradient(ElasticOperator& influence, const ContactProblem& proble
     Field target = p - alpha * (g - residual.approach);
     project(problem, target);
     const Field d = target - p;
-    influence.apply(d, q);
+    problem.influence->apply(d, q);
     ++convolutions;
     const double slope = ((g - residual.approach) * d).sum(), curvature = (d * q).sum();
     if (!(slope < 0 && curvature > 0)) return;
@@ -82,7 +82,7 @@ void projected_gradient(ElasticOperator& influence, const ContactProblem& proble
     g += lambda * q;
     alpha = step % 2 == 1 ? d.square().sum() / curvature : curvature / q.square().sum();
     if (step % steps_before_refresh != steps_before_refresh - 1) continue;
-    g = gap_under(influence, problem, p);
+    g = gap_under(problem, p);
     ++convolutions;
   }
 }

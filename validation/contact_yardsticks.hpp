@@ -13,7 +13,6 @@
 
 #include <functional>
 
-#include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
 
 namespace asperity {
@@ -21,7 +20,7 @@ namespace asperity {
 /// Told ε and the applications of K so far; false ends the solution.
 using Watch = std::function<bool(const ContactResidual&, int convolutions)>;
 
-void polonsky_keer(ElasticOperator& influence, const ContactProblem& problem, const Watch& watch);
-void projected_gradient(ElasticOperator& influence, const ContactProblem& problem, const Watch& watch);
+void polonsky_keer(const ContactProblem& problem, const Watch& watch);
+void projected_gradient(const ContactProblem& problem, const Watch& watch);
 
 }  // namespace asperity

@@ -22,6 +22,7 @@
 #include "marginal/johnson.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"
+#include "reference/exponential_target.hpp"
 #include "timing.hpp"
 
 using namespace asperity;

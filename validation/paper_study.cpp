@@ -41,6 +41,7 @@
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
 #include "core/parallel.hpp"
+#include "reference/exponential_target.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"

@@ -29,6 +29,7 @@
 #include "acf/kernel.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
+#include "reference/exponential_target.hpp"
 #include "reference/hertz_stress.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"

@@ -26,6 +26,7 @@
 #include "acf/kernel.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"
+#include "reference/exponential_target.hpp"
 #include "stress/equivalent.hpp"
 #include "stress/layers.hpp"
 #include "stress/maximum.hpp"
@@ -103,7 +104,7 @@ void compute(Asked asked, const Grid& grid, const Field& pressure, Field& out) {
           std::ranges::copy(s[stress::zz], out.row(l * n + i).data());
         });
   if (asked == Asked::section)
-    StressSolver({grid, pressure, poisson}, {true, n / 2}, 1, adapted)
+    StressSolver({grid, pressure, poisson}, Plane{true, n / 2}, 1, adapted)
         .layers(depths(), stress::all, keep_mises);
   if (asked == Asked::maximum) maximum_von_mises(StressSolver({grid, pressure, poisson}, 1, adapted));
 }

@@ -3,6 +3,7 @@
 
 #include "acf/kernel.hpp"
 #include "acf/table.hpp"
+#include "reference/exponential_target.hpp"
 #include "stability.hpp"
 
 namespace asperity {

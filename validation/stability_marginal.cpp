@@ -5,6 +5,7 @@
 #include "marginal/measured.hpp"
 #include "marginal/predistortion.hpp"
 #include "marginal/prescribed.hpp"
+#include "reference/exponential_target.hpp"
 #include "stability.hpp"
 
 namespace asperity {

@@ -118,7 +118,7 @@ void report_all(Index n, int layers) {
   });
   for (DepthResolution resolution : {adapted, full})
     report(s, resolution == full ? "section_full" : "section_adapted", [&] {
-      StressSolver({s.grid, s.pressure, poisson}, {true, n / 2}, 1, resolution)
+      StressSolver({s.grid, s.pressure, poisson}, Plane{true, n / 2}, 1, resolution)
           .layers(s.depths, stress::all, [&](Index l, Index, const StressRow& row) {
             von_mises(row, {out.row(l).data(), row[0].size()});
           });

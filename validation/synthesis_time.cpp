@@ -22,6 +22,7 @@
 #include <fmt/format.h>
 
 #include "acf/kernel.hpp"
+#include "reference/exponential_target.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 

@@ -4,18 +4,20 @@
 #include <cmath>
 
 #include "acf/conjugate_gradient.hpp"
-#include "acf/fixed_point.hpp"
 #include "acf/kernel_cost.hpp"
 #include "acf/kernel_evaluation.hpp"
 #include "acf/least_squares.hpp"
 #include "acf/minimum_norm_newton.hpp"
 #include "acf/newton_krylov.hpp"
 #include "acf/projections.hpp"
-#include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
+#include "core/calibration.hpp"
+#include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
+
+namespace solver = calibration::acf;
 
 // Share of the tolerance, so that the residual recomputed by other sums stays below the whole.
 constexpr double inside = 0.5;
@@ -35,16 +37,6 @@ NewtonOptions newton_options(const KernelProblem& problem) {
   return options;
 }
 
-// What an iteration makes of the start.
-template <class Solve>
-Attempt iterate(const KernelProblem& problem, Solve solve) {
-  std::vector<double> u = problem.equations->start();
-  Attempt out;
-  out.effort = solve(*problem.equations, u);
-  out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
-  return out;
-}
-
 // Why no torus of this size is tried, or nothing.
 std::string beyond_limits(const KernelProblem& problem, Index torus) {
   const double memory = wider_kernel_cost(problem.lags, torus).memory;
@@ -55,12 +47,7 @@ std::string beyond_limits(const KernelProblem& problem, Index torus) {
 }
 
 // The kernel that a torus leads to, and what the torus itself leaves of the change.
-struct Widened {
-  std::optional<Kernel> kernel;
-  double change;
-};
-
-Widened widen(const KernelProblem& problem, Index torus) {
+std::pair<std::optional<Kernel>, double> widen(const KernelProblem& problem, Index torus) {
   const KernelRequest& request = problem.request;
   const double goal = inside * problem.enough;
   const NearestKernel nearest =
@@ -68,16 +55,9 @@ Widened widen(const KernelProblem& problem, Index torus) {
                      {.tolerance = goal, .torus = torus, .on_step = problem.observer("projections")});
   if (problem.enough > request.tolerance)
     return {problem.evaluate(nearest.values, Answer::nearest), nearest.change};
-  const Field improved =
-      minimum_norm_newton(nearest.values, request.target, problem.lags, problem.oriented,
-                          {.tolerance = goal, .on_step = problem.observer("least change")});
+  const Field improved = minimum_norm_newton(nearest.values, request.target, problem.lags, problem.oriented,
+                                             goal, problem.observer("least change"));
   return {problem.evaluate(improved, Answer::nearest), nearest.change};
-}
-
-// The least residual of these.
-double residual_of(const std::optional<Kernel>& a, const std::optional<Kernel>& b) {
-  const double none = std::numeric_limits<double>::infinity();
-  return std::min(a ? a->report.residual : none, b ? b->report.residual : none);
 }
 
 // Without what is not needed of the ends of a kernel that is near enough: a fifth of its length at a time.
@@ -180,20 +160,13 @@ Attempt newton(const KernelProblem& problem) {
   return out;
 }
 
-Attempt fixed_point(const KernelProblem& problem) {
-  return iterate(problem, [&](Equations& equations, std::vector<double>& u) {
-    return solve_fixed_point(
-        equations, u,
-        {.tolerance = inside * problem.request.tolerance, .on_step = problem.observer("fixed point")});
-  });
-}
-
 Attempt conjugate_gradient(const KernelProblem& problem) {
-  return iterate(problem, [&](Equations& equations, std::vector<double>& u) {
-    return solve_conjugate_gradient(equations, u,
-                                    {.tolerance = inside * problem.request.tolerance,
-                                     .on_step = problem.observer("conjugate gradients")});
-  });
+  std::vector<double> u = problem.equations->start();
+  Attempt out;
+  out.effort = solve_conjugate_gradient(*problem.equations, u, inside * problem.request.tolerance,
+                                        problem.observer("conjugate gradients"));
+  out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
+  return out;
 }
 
 Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products) {
@@ -212,15 +185,17 @@ Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& 
   Attempt out;
   // Whether the ends of the kernel, and not the target, keep it from what is asked for.
   auto lost_more_than = [&](double change) {
-    const double residual = residual_of(out.candidate, best);
+    const double none = std::numeric_limits<double>::infinity(),
+                 residual = std::min(out.candidate ? out.candidate->report.residual : none,
+                                     best ? best->report.residual : none);
     return problem.enough > problem.request.tolerance && std::isfinite(residual) &&
            residual > problem.enough && residual > 2 * change;
   };
   for (Index torus = solver::least_torus; out.effort.reason.empty();) {
-    Widened widened = widen(problem, torus);
-    if (widened.kernel && (!out.candidate || problem.better(*widened.kernel, *out.candidate)))
-      out.candidate = std::move(widened.kernel);
-    if (!lost_more_than(widened.change)) break;
+    auto [widened, change] = widen(problem, torus);
+    if (widened && (!out.candidate || problem.better(*widened, *out.candidate)))
+      out.candidate = std::move(widened);
+    if (!lost_more_than(change)) break;
     torus = solver::wider_torus(torus);
     out.effort.reason = beyond_limits(problem, torus);
   }

@@ -1,4 +1,24 @@
-/// The ways to a kernel, each from the problem to a candidate, if it has one.
+/// The search for a kernel at given lags: the ways to one, each from the problem to a candidate, if it has
+/// one.
+///
+/// Before any iteration the spectrum of the cut target is looked at. One that is negative beyond round-off
+/// under Fejér's window belongs to no surface, one whose negative part is a tenth of the whole is hopeless:
+/// neither is iterated on. Else Newton's iteration, which keeps to positive spectra, decides in a few steps,
+/// and least squares find the few kernels whose spectrum changes sign. A target that has no kernel then is
+/// refused, or met by a wider kernel, or by that of least squares, as KernelRequest::infeasible says:
+///
+///     attempt                         when
+///     wider kernel                    the target is smooth: its spectrum ends in round-off
+///     Newton                          always
+///     wider kernel                    Newton's iteration has no start, or the spectrum is barely negative
+///     least squares, a second         there is no kernel yet, as in all that follows
+///     wider kernel or least squares   as the policy says: the wider one meets the equations exactly where an
+///                                     autocorrelation with these lags exists
+///
+/// The first attempt that solves the equations ends the search; else the candidate of the least error over
+/// all lags is kept, or of a table, the one of the least change. A target whose spectrum is negative however
+/// many lags it is taken from (a predistorted smooth one, say) gets the root of the positive part. Patir's
+/// equations have no wider kernel: least squares answer for them.
 #pragma once
 
 #include <memory>
@@ -13,8 +33,8 @@ namespace asperity {
 
 /// The equations of a request at given lags, and what their spectrum says beforehand.
 struct KernelProblem {
-  /// `of_no_surface`: its spectrum is known to be negative whatever the lags. Throws ParameterError("memory") where
-  /// Newton's iteration takes more than the request allows, and as refuse() does when the target is not finite.
+  /// `of_no_surface`: its spectrum is known to be negative whatever the lags. Throws
+  /// ParameterError("memory"), and as refuse() does when the target is not finite.
   KernelProblem(const KernelRequest& request, Shape lags, bool of_no_surface);
 
   const KernelRequest& request;  ///< lives as long as the problem
@@ -26,13 +46,13 @@ struct KernelProblem {
   Feasibility feasibility;
   bool recognised;  ///< no iteration is worth its time
   bool smooth;      ///< Newton's matrix is singular at the solution
-  double
-      enough;  ///< change of the lags prescribed; of a table at open lags, what is tolerated over all of it
+  double enough;    ///< change of the lags prescribed; of a table at open lags, over all of it
 
   bool solved_by(const Kernel& kernel) const { return kernel.report.residual <= request.tolerance; }
   /// By the error over all lags; of a table, or in Patir's formulation, by the residual.
   bool better(const Kernel& a, const Kernel& b) const;
-  /// What these coefficients achieve, their variance set right where they are no solution; none if they are not finite.
+  /// What these coefficients achieve, their variance set right where they are no solution; none if not
+  /// finite.
   std::optional<Kernel> evaluate(const Field& values, Answer answer) const;
   /// Passes on, with its name, what an iteration tells.
   IterationObserver observer(std::string_view iteration) const;
@@ -50,13 +70,12 @@ struct Attempt {
 Attempt spectral_root(const KernelProblem& problem);
 /// Newton's iteration from the windowed root, where it is worth its time: a candidate where it converges.
 Attempt newton(const KernelProblem& problem);
-/// The best that these come to.
-Attempt fixed_point(const KernelProblem& problem);
+/// The best that they come to.
 Attempt conjugate_gradient(const KernelProblem& problem);
 /// On from `start`, or the windowed root where that is empty, by so many products at the most.
 Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products);
-/// A kernel of twice the lags by projections (acf/projections.hpp), and where equations are to be met exactly the least
-/// change that meets them (acf/minimum_norm_newton.hpp). Where the lags are a table that is met within what is
+/// A kernel of twice the lags by projections (acf/projections.hpp), and where equations are to be met exactly
+/// the least change that meets them (acf/minimum_norm_newton.hpp). Of a table that is met within what is
 /// tolerated, of more lags until the ends of the kernel do no harm, or the `best` so far is good enough.
 Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& best);
 

@@ -13,7 +13,9 @@ namespace {
 
 using Vector = Eigen::ArrayXd;
 
-std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+constexpr int most_iterations = 3000;
+
+std::span<double> span(Vector& v) { return {v.data(), size(v.size())}; }
 
 // One descent: the iterate, its residual and gradient, and the direction.
 class Descent {
@@ -56,7 +58,7 @@ class Descent {
   double dot(const Vector& a, const Vector& b) const { return (weight_ * a * b).sum(); }
 
   void refresh() {
-    const std::span<const double> u{u_.data(), static_cast<std::size_t>(u_.size())};
+    const std::span<const double> u{u_.data(), size(u_.size())};
     equations_.residual(u, span(f_));
     equations_.linearize(u);
     equations_.adjoint(span(f_), span(g_));
@@ -71,7 +73,7 @@ class Descent {
     const int count = gsl_poly_solve_cubic(c3 / c4, c2 / c4, c1 / c4, &roots[0], &roots[1], &roots[2]);
     auto gain = [&](double t) { return t * (c1 + t * (c2 / 2 + t * (c3 / 3 + t * c4 / 4))); };
     double best = 0;
-    for (double root : std::span(roots).first(static_cast<std::size_t>(count)))
+    for (double root : std::span(roots).first(size(count)))
       if (gain(root) < gain(best)) best = root;
     // A root close to 0 beside large ones has lost its digits.
     if (best == 0 && c1 < 0 && c2 > 0) best = -c1 / c2;
@@ -88,19 +90,19 @@ class Descent {
 
 }  // namespace
 
-IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u,
-                                         const DescentOptions& options) {
+IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u, double tolerance,
+                                         const IterationObserver& on_step) {
   Descent descent(equations, u);
   IterationResult result;
   auto tell = [&] {
-    if (options.on_step)
-      options.on_step({result.steps, 2 * result.steps + 1, descent.largest(),
-                       static_cast<double>(result.steps) / options.max_iterations});
+    if (on_step)
+      on_step({result.steps, 2 * result.steps + 1, descent.largest(),
+               static_cast<double>(result.steps) / most_iterations});
   };
   result.reason = "solved";
   tell();
-  while (!(descent.largest() <= options.tolerance)) {
-    if (result.steps == options.max_iterations) {
+  while (!(descent.largest() <= tolerance)) {
+    if (result.steps == most_iterations) {
       result.reason = "not solved in " + counted(result.steps, "iteration");
       break;
     }
@@ -111,9 +113,8 @@ IterationResult solve_conjugate_gradient(Equations& equations, std::span<double>
     }
     tell();
   }
-  result.converged = descent.largest() <= options.tolerance;
-  result.residuals = 2 * result.steps + 1;
-  result.jacobian_products = 2 * result.steps + 1;
+  result.converged = descent.largest() <= tolerance;
+  result.residuals = result.jacobian_products = 2 * result.steps + 1;
   return result;
 }
 

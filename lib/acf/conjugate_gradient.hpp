@@ -1,5 +1,4 @@
-/// The autocorrelation equations by nonlinear conjugate gradients, the method of Bakolas and of Creţu, Bălan
-/// & Urzică.
+/// The autocorrelation equations by nonlinear conjugate gradients, as Bakolas and Creţu, Bălan & Urzică do.
 ///
 /// The sum of squares ½‖F(u)‖² falls along directions
 ///     d ← -g + β d,      g = J*F,      β = max(0, ⟨g, g - g'⟩ / ⟨g', g'⟩),                              (1)
@@ -9,8 +8,7 @@
 /// search is exact and costs one product.
 ///
 /// It squares the condition of J: some 400 iterations at 31 × 31 lags and e^-4.6, 1200 at 63 × 63, where
-/// Newton's method takes 5 steps (validation/acf_error_time.cpp). It finds kernels whose spectrum changes
-/// sign.
+/// Newton takes 5 steps (validation/acf_error_time.cpp). It finds kernels whose spectrum changes sign.
 ///
 /// Cost      three transforms there and back an iteration and half of one.
 ///
@@ -25,14 +23,8 @@
 
 namespace asperity {
 
-struct DescentOptions {
-  double tolerance = 1e-10;  ///< on max |F|
-  int max_iterations = 3000;
-  IterationObserver on_step = {};
-};
-
-/// Improves u.
-IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u,
-                                         const DescentOptions& options);
+/// Improves u until max |F| ≤ tolerance, by 3000 iterations at the most.
+IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u, double tolerance,
+                                         const IterationObserver& on_step);
 
 }  // namespace asperity

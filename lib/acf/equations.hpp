@@ -10,10 +10,10 @@
 /// spectrum α^ is real. On a torus of at least 3n - 2 points, where the lags below n do not wrap around, with
 /// P the restriction to the part,
 ///     F(α) = P (α^)² - R,      J v = 2 P (α^ v^),      M v = ½ P (v^ / α^).                             (2)
-/// With the weights w (how often a coefficient occurs) J is self-adjoint, ⟨J u, v⟩_w = ⟨u, J v⟩_w;
-/// while α^ > 0 it is positive definite and Newton's method needs 4–6 steps. Where α^ ≤ 0, J turns singular
-/// on the way, and mostly the target cut at n × m lags has no kernel at all: residual() says so of such
-/// iterates, which Newton's iteration refuses. The start is the zero-phase root √max(R^, 0) under Fejér's window (1-k/n)(1-l/m).
+/// With the weights w (how often a coefficient occurs) J is self-adjoint, ⟨J u, v⟩_w = ⟨u, J v⟩_w; while α^ >
+/// 0 it is positive definite and Newton's method needs 4–6 steps. Where α^ ≤ 0, J turns singular on the way,
+/// and mostly the cut target has no kernel at all: residual() says so, and Newton's iteration refuses such
+/// iterates. The start is the root √max(R^, 0) under Fejér's window (1-k/n)(1-l/m).
 ///
 /// PatirEquations. The kernel is a(k,l), 0 ≤ k < n, 0 ≤ l < m [1]. On a torus of 2n points, with the complex
 /// spectrum,
@@ -60,8 +60,8 @@ inline void normalise(std::span<double> u, const std::vector<double>& w, double 
   for (double& x : u) x *= std::sqrt(variance / sum);
 }
 
-/// What the iterations ask of a formulation. Vectors hold one number an equation, or an unknown. J, its adjoint and M
-/// belong to the iterate of the last linearize().
+/// What the iterations ask of a formulation. Vectors hold one number an equation, or an unknown. J, its
+/// adjoint and M belong to the iterate of the last linearize().
 class Equations {
  public:
   virtual ~Equations() = default;
@@ -140,11 +140,12 @@ class PatirEquations : public Equations {
   Field kernel(std::span<const double> u) const override;
 
  private:
+  Eigen::Map<Field> plane();             ///< field_
   void load(std::span<const double> u);  ///< into field_, zeros around it
   void forward();                        ///< field_ → spectrum_
   void backward();                       ///< spectrum_ → field_
   void keep_causal();                    ///< [·]₊ of field_
-  void restrict_to(std::span<double> out, double scale) const;
+  void restrict_to(std::span<double> out, double scale);
 
   Shape lags_;
   RealTransform2D transform_;

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// What a library in C calls back must not throw: the exception is kept, and thrown where the library has returned.
+/// What C calls back must not throw: the exception is kept, and thrown where the library has returned.
 class GuardedCall {
  public:
   /// What work() returns, or `failed`.

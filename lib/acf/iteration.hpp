@@ -22,7 +22,7 @@ struct IterationResult {
   bool converged = false;
   std::string reason;  ///< how it ended
   long steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
-  double equation_seconds = 0;  ///< in the equations, of Newton's iteration
+  double equation_seconds = 0;  ///< in residuals, products and preconditionings of Newton's iteration
 };
 
 /// The name and version of the library behind Newton's iteration.

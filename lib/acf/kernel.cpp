@@ -3,21 +3,145 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/equations.hpp"
+#include "acf/attempts.hpp"
 #include "acf/kernel_cost.hpp"
-#include "acf/kernel_solver.hpp"
-#include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
-#include "core/enum_words.hpp"
+#include "acf/kernel_evaluation.hpp"
+#include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr EnumWords<3> formulations{"symmetric", "oriented", "patir"};
-constexpr EnumWords<4> methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};
-constexpr EnumWords<4> policies{"auto", "error", "nearest", "least-squares"};
-constexpr EnumWords<6> answers{"exact", "wider", "nearest", "least-squares", "spectral", "best"};
+namespace solver = calibration::acf;
+
+// ---- the search at given lags ----
+
+class KernelSolver {
+ public:
+  // As KernelProblem's; makes the attempts of the method asked for.
+  KernelSolver(const KernelRequest& request, Shape lags, bool of_no_surface = false)
+      : problem_(request, lags, of_no_surface) {
+    run();
+  }
+
+  bool solved() const { return best_ && (problem_.solved_by(*best_) || method() == Method::spectral); }
+  const Kernel& best() const { return *best_; }
+
+  // The best kernel and its report, after the answer to an infeasible target if it is one.
+  Kernel finish() {
+    if (method() == Method::newton_krylov && !solved()) {
+      const long modest = solver::modest_budget(problem_.equations->count());
+      try_in_turn(
+          {[&] { return problem_.recognised ? Attempt{} : least_squares(problem_, unknowns_, modest); },
+           [&] { return answer(); }});
+      const bool bounded = problem_.request.infeasible == InfeasiblePolicy::automatic;
+      if (bounded && !(best_ && best_->report.residual <= bound())) problem_.refuse(excuse() + closest());
+    }
+    if (!best_) problem_.refuse("no finite kernel was found (" + effort_.reason + ")");
+    complete(best_->report);
+    return *std::move(best_);
+  }
+
+ private:
+  Method method() const { return problem_.request.method; }
+
+  void run() {
+    if (method() == Method::spectral || problem_.of_no_surface) return choose(spectral_root(problem_));
+    if (method() == Method::conjugate_gradient) return choose(conjugate_gradient(problem_));
+    const InfeasiblePolicy policy = problem_.request.infeasible;
+    const bool may_widen = problem_.zero_phase && !problem_.recognised && policy != InfeasiblePolicy::error &&
+                           policy != InfeasiblePolicy::least_squares;
+    auto barely_negative = [this] {
+      const bool no_start = effort_.steps == 0 && !effort_.converged;
+      return !problem_.smooth && (no_start || problem_.feasibility.least > solver::nearly_smooth);
+    };
+    try_in_turn({[&] { return may_widen && problem_.smooth ? wider() : Attempt{}; },
+                 [&] { return newton(problem_); },
+                 [&] { return may_widen && barely_negative() ? wider() : Attempt{}; }});
+  }
+
+  void try_in_turn(const std::vector<std::function<Attempt()>>& attempts) {
+    for (const auto& attempt : attempts)
+      if (!solved()) choose(attempt());
+  }
+
+  void choose(Attempt attempt) {
+    IterationResult& effort = attempt.effort;
+    effort_.converged = effort.converged;
+    effort_.steps += effort.steps;
+    effort_.residuals += effort.residuals;
+    effort_.jacobian_products += effort.jacobian_products;
+    effort_.preconditionings += effort.preconditionings;
+    effort_.equation_seconds += effort.equation_seconds;
+    if (!effort.reason.empty()) effort_.reason = std::move(effort.reason);
+    if (!attempt.unknowns.empty()) unknowns_ = std::move(attempt.unknowns);
+    if (attempt.candidate && (!best_ || problem_.better(*attempt.candidate, *best_)))
+      best_ = std::move(attempt.candidate);
+  }
+
+  // Once: a second time it would come to the same.
+  Attempt wider() {
+    Attempt attempt;
+    if (widened_)
+      attempt.effort.reason = *widened_;
+    else
+      widened_ = (attempt = wider_kernel(problem_, best_)).effort.reason;
+    return attempt;
+  }
+
+  // What the policy makes of equations that no attempt has solved.
+  Attempt answer() {
+    const InfeasiblePolicy policy = problem_.request.infeasible;
+    if (policy == InfeasiblePolicy::error) problem_.refuse(excuse());
+    if (policy == InfeasiblePolicy::least_squares || !problem_.zero_phase)
+      return least_squares(problem_, unknowns_, solver::large_budget(problem_.equations->count()));
+    const bool close =
+        policy == InfeasiblePolicy::automatic && best_ && best_->report.residual <= solver::negligible_change;
+    return close || problem_.of_no_surface ? Attempt{} : wider();
+  }
+
+  // Of the change that the automatic answer makes.
+  double bound() const { return std::max(solver::largest_change, problem_.request.acf_tolerance); }
+
+  // Why there is no kernel, and what can be done.
+  std::string excuse() const {
+    const Shape lags = problem_.lags;
+    const double least = problem_.feasibility.least;
+    std::string words = "no kernel of " + text(lags) + " lags has this autocorrelation (" + effort_.reason;
+    if (least < 0) words += "; its spectrum falls to " + number(least) + " of its maximum";
+    const bool more = !problem_.request.target.known && !problem_.of_no_surface;
+    return words + ")" + (more ? ": take more, such as " + text({2 * lags.nx, 2 * lags.ny}) : "");
+  }
+
+  std::string closest() const {
+    if (!best_) return "; nothing close to it was found";
+    return "; the closest one found changes it by " + number(best_->report.residual) +
+           " of the variance, more than " + number(bound()) + " (see infeasible, acf-tolerance" +
+           (problem_.request.target.known ? "; a biased estimate is one that a surface has)" : ")");
+  }
+
+  void complete(KernelReport& report) const {
+    if (method() == Method::conjugate_gradient && !(report.residual <= problem_.request.tolerance))
+      report.answer = Answer::best;
+    const bool exact = report.answer == Answer::exact,
+               as_asked = report.answer == Answer::spectral || report.answer == Answer::best;
+    if (!exact) report.change = report.residual;
+    static_cast<IterationResult&>(report) = effort_;
+    if (exact)
+      report.reason = "solved";
+    else if (!as_asked)
+      report.reason = excuse();
+    judge(report, problem_.request);
+    report.feasibility = problem_.feasibility.least;
+  }
+
+  KernelProblem problem_;
+  std::optional<Kernel> best_;
+  IterationResult effort_;              // of all attempts; the reason is that of the last which had one
+  std::vector<double> unknowns_;        // where least squares have come to
+  std::optional<std::string> widened_;  // once there was a wider kernel: why none is wider still
+};
 
 double unknowns(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
 
@@ -51,13 +175,11 @@ bool belongs_to_no_surface(const KernelRequest& request) {
 }
 
 Kernel solve_at(const KernelRequest& request, Shape lags, bool of_no_surface = false) {
-  KernelSolver solver(request, lags, of_no_surface);
-  solver.run();
-  return solver.finish();
+  return KernelSolver(request, lags, of_no_surface).finish();
 }
 
-// Such a target has no kernel, and more lags are no remedy: the nearest one is sought where it has fallen to the
-// tolerance.
+// Such a target has no kernel, and more lags are no remedy: the nearest one is sought where it has fallen to
+// the tolerance.
 Kernel solve_at_fallen(const KernelRequest& request) {
   const Shape lags = request.target.reach(std::min(request.acf_tolerance, 0.5));
   refuse_too_many(request, lags);
@@ -71,7 +193,6 @@ Kernel solve_at_open_lags(const KernelRequest& request) {
   for (int trial = 1;; ++trial, lags = more(lags)) {
     refuse_too_many(request, lags);
     KernelSolver search(request, lags);
-    search.run();
     if (trial == 1 && !search.solved() && request.method == Method::newton_krylov &&
         belongs_to_no_surface(request))
       return solve_at_fallen(request);
@@ -98,42 +219,26 @@ bool allows(InfeasiblePolicy policy, double change) {
   return policy != InfeasiblePolicy::error || change == 0;
 }
 
-std::string_view name_of(Formulation formulation) { return word_of(formulations, formulation); }
-std::string_view name_of(Method method) { return word_of(methods, method); }
-std::string_view name_of(InfeasiblePolicy policy) { return word_of(policies, policy); }
-std::string_view name_of(Answer answer) { return word_of(answers, answer); }
-
-Formulation formulation_named(std::string_view name) {
-  return enum_named<Formulation>(formulations, name, "formulation");
-}
-Method method_named(std::string_view name) { return enum_named<Method>(methods, name, "method"); }
-InfeasiblePolicy infeasible_named(std::string_view name) {
-  return enum_named<InfeasiblePolicy>(policies, name, "infeasible");
-}
-
 void check_rms(double rms) {
-  if (!(rms >= 1e-100 && rms <= 1e100))
-    throw ParameterError("rq", number(rms) + ": must lie in 1e-100 ... 1e100");
+  check_parameter(rms >= 1e-100 && rms <= 1e100, "rq", number(rms) + ": must lie in 1e-100 ... 1e100");
 }
 
 void KernelRequest::check() const {
-  const bool open = lags == Shape{};
-  if (!open && (lags.nx < 1 || lags.ny < 1)) throw ParameterError("lags", text(lags) + ": at least 1x1");
-  if (unknowns(lags) > solver::most_unknowns) throw ParameterError("lags", too_many(lags));
+  check_parameter(lags == Shape{} || (lags.nx >= 1 && lags.ny >= 1), "lags", text(lags) + ": at least 1x1");
+  check_parameter(unknowns(lags) <= solver::most_unknowns, "lags", too_many(lags));
   check_rms(rms);
-  if (!(tolerance >= 1e-13 && tolerance <= 1e-2))
-    throw ParameterError("tolerance", number(tolerance) + " does not lie in 1e-13 ... 1e-2");
-  if (!(acf_tolerance >= 1e-8 && acf_tolerance <= 0.5))
-    throw ParameterError("acf-tolerance", number(acf_tolerance) + " does not lie in 1e-8 ... 0.5");
-  if (!target) throw ParameterError("target", "there is none");
-  if (!(std::abs(target(0, 0) - 1) <= 1e-12))
-    throw ParameterError("target", number(target(0, 0)) + " at lag (0,0): must be 1");
-  if (target.known && (lags.nx > target.known->nx || lags.ny > target.known->ny))
-    throw ParameterError("lags",
-                         text(lags) + ": the table of the autocorrelation has " + text(*target.known));
-  if (formulation == Formulation::symmetric && target.oriented)
-    throw ParameterError("formulation",
-                         "symmetric: R(p,-q) differs from R(p,q), which takes the oriented one");
+  check_parameter(tolerance >= 1e-13 && tolerance <= 1e-2, "tolerance",
+                  number(tolerance) + " does not lie in 1e-13 ... 1e-2");
+  check_parameter(acf_tolerance >= 1e-8 && acf_tolerance <= 0.5, "acf-tolerance",
+                  number(acf_tolerance) + " does not lie in 1e-8 ... 0.5");
+  check_parameter(static_cast<bool>(target), "target", "there is none");
+  check_parameter(std::abs(target(0, 0) - 1) <= 1e-12, "target",
+                  number(target(0, 0)) + " at lag (0,0): must be 1");
+  const Shape known = target.known.value_or(lags);
+  check_parameter(lags.nx <= known.nx && lags.ny <= known.ny, "lags",
+                  text(lags) + ": the table of the autocorrelation has " + text(known));
+  check_parameter(formulation != Formulation::symmetric || !target.oriented, "formulation",
+                  "symmetric: R(p,-q) differs from R(p,q), which takes the oriented one");
 }
 
 Kernel solve_kernel(const KernelRequest& request) {

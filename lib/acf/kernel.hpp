@@ -3,39 +3,33 @@
 /// A surface drawn as z(i,j) = Σ kernel(k,l) η(i+k, j+l) from unit white noise η has the autocorrelation
 ///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                                    (1)
 /// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric and oriented
-/// formulations), or at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond
-/// these lags R is free and ends at 2n - 2 (n - 1 in Patir's); the report says how far it is from the target
-/// there. The target is never cut: where R has ended, the target is the error. Of a table all lags are prescribed
-/// unless fewer are asked for; nothing is asked beyond them, where R is what the kernel makes of it.
+/// formulations), or at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond, R
+/// is free and ends at 2n - 2 (n - 1 in Patir's). The target is never cut: where R has ended, the target is
+/// the error. Of a table all lags are prescribed unless fewer are asked for, and nothing beyond them.
 ///
-/// A target prescribed at too few lags can have no kernel of that size: for an exponential that has
-/// fallen to e⁻ᶜ at the last lag, the largest n that can be had is about 0.3 c eᶜ. More lags are the remedy;
-/// or a kernel wider than its lags; acf/kernel_solver.hpp says what is tried, and KernelRequest::infeasible what is
-/// wanted.
+/// At too few lags there can be no kernel: of an exponential that has fallen to e⁻ᶜ at the last lag, n is
+/// about 0.3 c eᶜ at the most. The remedy is more lags, or a kernel wider than its lags (acf/attempts.hpp).
 ///
 /// Symbols   σ  rms height [m]   n, m  lags [samples]   errors are relative to σ²
 /// Accuracy  residual ≤ tolerance (1e-10) at the prescribed lags. Over all lags an exponential target with c
-///           decay lengths of lags each way is met within 3e-3, 8e-4, 4e-5, 3e-6 for c = 4.6, 6, 9, 11.5
-///           from 7 × 7 lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31
-///           (validation/acf_error_time.cpp).
+///           decay lengths of lags is met within 3e-3, 8e-4, 4e-5, 3e-6 for c = 4.6, 6, 9, 11.5 from 7 × 7
+///           lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31 (validation/acf_error_time.cpp).
 /// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
-///           points. From 15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented, 1.15 in
-///           Patir's formulation; below, plans and tables are 0.1 ms (validation/acf_error_time.cpp). Memory:
-///           acf/kernel_cost.hpp.
+///           points. From 15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented,
+///           1.15 in Patir's formulation; below, plans and tables are 0.1 ms. Memory: acf/kernel_cost.hpp.
 ///
-/// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
-/// [2] V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian three-dimensional rough
-///     surfaces, Wear 254 (2003) 546-554.
+/// N. Patir, Wear 47 (1978) 263-277; V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian
+/// three-dimensional rough surfaces, Wear 254 (2003) 546-554.
 #pragma once
 
 #include <functional>
 #include <limits>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "acf/iteration.hpp"
 #include "acf/target.hpp"
+#include "core/enum_words.hpp"
 #include "core/field.hpp"
 
 namespace asperity {
@@ -47,16 +41,14 @@ enum class Formulation {
 };
 enum class Method {
   newton_krylov,       ///< KINSOL's inexact Newton iteration
-  fixed_point,         ///< KINSOL's fixed point of u - M F(u) with Anderson acceleration
   conjugate_gradient,  ///< descent on ‖F‖², the way of 2009
   spectral             ///< the zero-phase root of the spectrum, no solve
 };
 /// What is done when no kernel of this size has the autocorrelation asked for.
 enum class InfeasiblePolicy {
-  automatic,  ///< the closest autocorrelation that has one, if it changes the target by 1e-2 or `acf_tolerance`, the
-              ///< larger of them, at the most
-  error,         ///< a ParameterError, or a DataError where the target is a table
-  nearest,       ///< the closest by projections, however far
+  automatic,  ///< the closest that has one, if it changes the target by 1e-2 (or `acf_tolerance`) at the most
+  error,      ///< a ParameterError, or a DataError where the target is a table
+  nearest,    ///< the closest by projections, however far
   least_squares  ///< the n × m kernel of least squares, however far
 };
 /// What a kernel is to its equations.
@@ -70,19 +62,18 @@ enum class Answer {
 };
 /// Whether an autocorrelation, or a distribution of heights, may be changed by so much of the variance.
 bool allows(InfeasiblePolicy policy, double change);
-std::string_view name_of(Formulation formulation);
-std::string_view name_of(Method method);
-std::string_view name_of(InfeasiblePolicy policy);
-std::string_view name_of(Answer answer);
-/// Throw ParameterError("formulation"), ("method"), ("infeasible").
-Formulation formulation_named(std::string_view name);
-Method method_named(std::string_view name);
-InfeasiblePolicy infeasible_named(std::string_view name);
+
+constexpr EnumWords<3> enum_words(Formulation) { return {"symmetric", "oriented", "patir"}; }
+constexpr EnumWords<3> enum_words(Method) { return {"newton-krylov", "conjugate-gradient", "spectral"}; }
+constexpr EnumWords<4> enum_words(InfeasiblePolicy) { return {"auto", "error", "nearest", "least-squares"}; }
+constexpr EnumWords<6> enum_words(Answer) {
+  return {"exact", "wider", "nearest", "least-squares", "spectral", "best"};
+}
 
 /// A step of one of the iterations that the search for a kernel is made of.
 struct KernelProgress : IterationStep {
   Shape lags;
-  std::string_view iteration;  ///< "Newton-Krylov", "fixed point", "projections", …
+  std::string_view iteration;  ///< "Newton-Krylov", "projections", …
 };
 
 struct KernelRequest {
@@ -95,26 +86,23 @@ struct KernelRequest {
   double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
   /// On the error over all lags where `lags` is left open, else on the change; 1e-8 … 0.5.
   double acf_tolerance = 1e-3;
-  /// Bound of acf/kernel_cost.hpp [byte].
-  double memory = std::numeric_limits<double>::infinity();
+  double memory = std::numeric_limits<double>::infinity();   ///< bound of acf/kernel_cost.hpp [byte]
   std::function<void(const KernelProgress&)> progress = {};  ///< told of every step
 
   void check() const;
 };
 
-struct KernelReport {
-  bool converged = false;  ///< the iteration came to its end, and the errors are within `acf_tolerance`
+/// With the counts of all iterations. `converged`: the last came to its end, and the errors are within
+/// `acf_tolerance`; `reason`: how it ended, and when it failed, what to do.
+struct KernelReport : IterationResult {
   Answer answer = Answer::exact;
-  std::string reason;         ///< how the iteration ended; when it failed, what to do
   double residual = 0;        ///< max |R - target| over the equations [σ²]
   double change = 0;          ///< … over the lags prescribed, of an answer that is not exact
   double error = 0;           ///< … over all lags of the plane, those where R has ended included
   double mirrored_error = 0;  ///< … over 0 < p < n, -m < q < 0
   double tail = 0;  ///< … over the lags that no equation prescribes; of |R| where the target is unknown
   double feasibility = 0;  ///< min/max of the spectrum of the cut target; ≥ 0 is certainly feasible
-  long newton_steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
   double seconds = 0;
-  double equation_seconds = 0;  ///< of them in residuals, products and preconditionings of Newton's iteration
 };
 
 struct Kernel {
@@ -122,10 +110,9 @@ struct Kernel {
   Shape lags;
   double rms = 1;
   Field values;  ///< the whole kernel as (1) applies it [m]
-  /// R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more of a wider kernel or a table [m²]; not a number beyond
-  /// the lags of a table.
-  Field acf_target;
-  Field acf_achieved;  ///< the same lags; the first and last of them lie beyond the support of R
+  /// R over p = 0 … 2n-1 (rows), q = -(2m-1) … 2m-1 (columns), more of a wider kernel or a table [m²]: beyond
+  /// the support of what is achieved. The target is not a number beyond the lags of a table.
+  Field acf_target, acf_achieved;
   KernelReport report;
 
   /// The lag q of the first column of the tables; the first row is p = 0.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/solver_constants.hpp"
-#include "acf/wording.hpp"
+#include "core/calibration.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -22,7 +22,7 @@ Shape first_lags(const KernelRequest& request) {
   if (request.target.known) return *request.target.known;
   if (!request.target.reach)
     throw ParameterError("lags", "are required: how far this target reaches is not known");
-  return request.target.reach(std::min(solver::cut_over_error * request.acf_tolerance, 0.5));
+  return request.target.reach(std::min(calibration::acf::cut_over_error * request.acf_tolerance, 0.5));
 }
 
 KernelCost kernel_cost(Shape lags) { return {1500 * area(lags), 160 * area(lags)}; }

@@ -1,15 +1,14 @@
 /// What a kernel costs, known before it is solved for.
 ///
-/// A search begins with the lags prescribed, with those of a table, or with those beyond which the target has fallen to
-/// 5 acf_tolerance, and may go on to more, a fifth at a time. With the tables that a tool makes of it a kernel of n × m
-/// lags takes
+/// A search begins with the lags prescribed, those of a table, or those beyond which the target has fallen to
+/// 5 acf_tolerance, and may go on to more, a fifth at a time. With a tool's tables a kernel of n × m lags
+/// takes
 ///     1500 n m bytes, of them 160 in a dataset,                                                         (1)
-/// or, where only one that is wider than its lags will do, as of exponentials of more than 300 lags or so, or the root of
-/// its spectrum,
-///     250 f² n m bytes, of them 40 f² n m in a dataset, f = 4 or, of tables of long waves, more.              (2)
+/// or, where only a wider one will do, as of exponentials of more than 300 lags or so, or a spectrum's root,
+///     250 f² n m bytes, of them 40 f² n m in a dataset, f = 4, of tables of long waves more.                  (2)
 ///
-/// Accuracy  the peaks of asperity-kernel are 0.2 to 0.8 times these at 70² to 550² lags, in all formulations and methods,
-///           those of asperity-generate 0.5 to 1, and up to 15 MB that the allocator keeps.
+/// Accuracy  the peaks of asperity-kernel are 0.2 to 0.8 times these at 70² to 550² lags, those of
+///           asperity-generate 0.5 to 1, and up to 15 MB that the allocator keeps.
 #pragma once
 
 #include "acf/kernel.hpp"

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "acf/wording.hpp"
 #include "transform/lag_sums.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
 namespace {
 
-// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, and all of a target that
-// is a table.
+// The lags 0 ≤ p < rows, |q| < columns of the tables: one beyond the end of every autocorrelation, and all of
+// a target that is a table.
 Shape extent(const Target& target, Shape lags, const Field& kernel) {
   const Shape known = target.known.value_or(Shape{1, 1});
   return {std::max({2 * lags.nx, kernel.rows() + 1, known.nx}),
@@ -32,18 +31,10 @@ Field zero_phase_autocorrelation(const Field& kernel, bool oriented, Index rows,
   const Index middle = columns / 2;
   for (Index p = 0; p < std::min(rows, reach.nx); ++p)
     for (Index q = 0; q < std::min(middle + 1, reach.ny); ++q) {
-      out(p, middle + q) = part[static_cast<std::size_t>(transform->place(p, q))];
-      out(p, middle - q) = part[static_cast<std::size_t>(transform->place(p, -q))];
+      out(p, middle + q) = part[size(transform->place(p, q))];
+      out(p, middle - q) = part[size(transform->place(p, -q))];
     }
   return out;
-}
-
-void leave_known(Field& half_plane, Shape known) {
-  const Index middle = half_plane.cols() / 2;
-  for (Index p = 0; p < half_plane.rows(); ++p)
-    for (Index q = -middle; q <= middle; ++q)
-      if (p >= known.nx || std::abs(q) >= known.ny)
-        half_plane(p, middle + q) = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -62,12 +53,17 @@ Field half_plane_of(const Target& target, Shape lags) {
   const Index middle = lags.ny - 1, columns = out.cols();
   for (Index p = 0; p < lags.nx; ++p) {
     const Index first = target.oriented ? 0 : middle;
-    const std::span row(out.data() + p * columns, static_cast<std::size_t>(columns));
-    target.row(static_cast<double>(p), static_cast<double>(first - middle),
-               row.subspan(static_cast<std::size_t>(first)));
+    const std::span row(out.data() + p * columns, size(columns));
+    target.row(static_cast<double>(p), static_cast<double>(first - middle), row.subspan(size(first)));
     if (!target.oriented) std::reverse_copy(row.end() - middle, row.end(), row.begin());
   }
-  if (target.known) leave_known(out, *target.known);
+  if (target.known) {
+    const Index rows = std::max<Index>(lags.nx - target.known->nx, 0),
+                beside = std::max<Index>(lags.ny - target.known->ny, 0);
+    for (auto unknown : {out.block(lags.nx - rows, 0, rows, columns), out.block(0, 0, lags.nx, beside),
+                         out.block(0, columns - beside, lags.nx, beside)})
+      unknown.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   return out;
 }
 

@@ -7,16 +7,17 @@
 
 namespace asperity {
 
-/// The kernel with its tables and the errors of its report; none when a coefficient is not finite or all are
-/// zero. Its sign, which is free, becomes that of a positive sum.
+/// The kernel with its tables and the errors of its report, of positive sum; none when a coefficient is not
+/// finite or all are zero.
 std::optional<Kernel> evaluate_kernel(const Target& target, Shape lags, Formulation formulation,
                                       Field values);
 
-/// The target at 0 ≤ p < lags.nx, |q| < lags.ny, as the tables of a kernel hold it: not a number where it is unknown.
+/// The target at 0 ≤ p < lags.nx, |q| < lags.ny, not a number where it is unknown.
 Field half_plane_of(const Target& target, Shape lags);
 /// The errors of the report, anew from the tables.
 void measure_errors(Kernel& kernel);
-/// Sets `converged`: whether the iteration came to its end and its errors are within what the request tolerates.
+/// Sets `converged`: whether the iteration came to its end and its errors are within what the request
+/// tolerates.
 void judge(KernelReport& report, const KernelRequest& request);
 
 }  // namespace asperity

@@ -1,8 +1,6 @@
 #include "acf/kinsol.hpp"
 
 #include <cmath>
-#include <memory>
-#include <new>
 
 #include <Eigen/Core>
 #include <sundials/sundials_version.h>
@@ -13,32 +11,23 @@
 
 namespace asperity {
 
-using kinsol::VectorStore;
-
 namespace {
 
-constexpr std::size_t alignment = 64;         // of the values
+constexpr std::align_val_t alignment{64};     // of the values
 constexpr std::size_t small_parts = 1 << 20;  // bytes that SUNDIALS takes beside the vectors, and some more
-
-constexpr std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+constexpr std::size_t page = 1 << 12;         // by which the allocator rounds
 
 // SUNDIALS' vector, with what it stands for behind it: in one piece with its values where they are its own.
 struct Array {
   _generic_N_Vector vector{};
   Index size = 0;
   double* values = nullptr;
-  VectorStore* store = nullptr;
-  bool stored = false;  // in a block of the store
 };
+constexpr std::size_t description_size = (sizeof(Array) + 63) / 64 * 64;
 
 using Map = Eigen::Map<Eigen::ArrayXd>;
 Array& content(N_Vector v) { return *static_cast<Array*>(v->content); }
 Map array(N_Vector v) { return {content(v).values, content(v).size}; }
-
-// A description, and behind it its values.
-std::size_t block_size(std::size_t values) {
-  return aligned(sizeof(Array)) + aligned(values * sizeof(double));
-}
 
 N_Vector placed(void* block, const Array& description) {
   auto* made = new (block) Array(description);
@@ -46,24 +35,16 @@ N_Vector placed(void* block, const Array& description) {
   return &made->vector;
 }
 
-// From the store, and should it hold too few for this SUNDIALS, from the heap.
 N_Vector clone(N_Vector v) {
   Array made = content(v);
-  void* block = made.store->take();
-  made.stored = block != nullptr;
-  if (!block)
-    block = ::operator new (block_size(static_cast<std::size_t>(made.size)), std::align_val_t{alignment},
-                            std::nothrow);
+  const std::size_t bytes = description_size + size(made.size) * sizeof(double);
+  void* const block = ::operator new(bytes, alignment, std::nothrow);
   if (!block) return nullptr;
-  made.values = reinterpret_cast<double*>(static_cast<std::byte*>(block) + aligned(sizeof(Array)));
+  made.values = reinterpret_cast<double*>(static_cast<std::byte*>(block) + description_size);
   return placed(block, made);
 }
 
-void destroy(N_Vector v) {
-  const Array gone = content(v);
-  if (gone.stored) return gone.store->give_back(v->content);
-  ::operator delete (v->content, std::align_val_t{alignment});
-}
+void destroy(N_Vector v) { ::operator delete(v->content, alignment); }
 
 // The operations that KINSOL and its GMRES ask for.
 _generic_N_Vector_Ops operations() {
@@ -90,31 +71,18 @@ _generic_N_Vector_Ops operations() {
 
 }  // namespace
 
-kinsol::VectorStore::VectorStore(std::size_t size, std::size_t count)
-    : memory_(new (std::align_val_t{alignment}) std::byte[count * block_size(size)]) {
-  free_.reserve(count);
-  for (std::size_t i = count; i-- > 0;) free_.push_back(memory_.get() + i * block_size(size));
-  require_room(small_parts);
+void kinsol::require_vectors(std::size_t size, std::size_t count) {
+  require_room(count * (description_size + size * sizeof(double) + page) + small_parts);
 }
 
-void* kinsol::VectorStore::take() noexcept {
-  if (free_.empty()) return nullptr;
-  void* const block = free_.back();
-  free_.pop_back();
-  return block;
-}
-
-void kinsol::VectorStore::give_back(void* block) noexcept { free_.push_back(block); }
-
-kinsol::Vector kinsol::vector_of(std::span<double> values, sundials::Context& context, VectorStore& store) {
+kinsol::Vector kinsol::vector_of(std::span<double> values, sundials::Context& context) {
   static _generic_N_Vector_Ops shared = operations();
   Array array;
   array.vector.ops = &shared;
   array.vector.sunctx = context;
   array.size = static_cast<Index>(values.size());
   array.values = values.data();
-  array.store = &store;
-  return Vector(placed(::operator new (sizeof(Array), std::align_val_t{alignment}), array));
+  return Vector(placed(::operator new(sizeof(Array), alignment), array));
 }
 
 std::string sundials_version() { return std::string("SUNDIALS ") + SUNDIALS_VERSION; }

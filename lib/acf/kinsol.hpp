@@ -1,18 +1,16 @@
-/// KINSOL's objects with owners, and its vectors: what the iterations on it share. The only door to SUNDIALS.
+/// KINSOL's objects with owners, and its vectors. The only door to SUNDIALS.
 ///
-/// SUNDIALS does not survive want of memory: N_VClone writes into the vector that it was not given, and KINInit frees what
-/// its caller frees again. All vectors of an iteration are therefore taken at once, before it is set up (VectorStore), with
-/// room for the little that SUNDIALS takes beside them.
+/// SUNDIALS does not survive want of memory: N_VClone writes into the vector that it was not given, and
+/// KINInit frees what its caller frees again. So an iteration asks for the room of all its vectors
+/// beforehand.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include <kinsol/kinsol.h>
 #include <sundials/sundials_context.hpp>
@@ -22,39 +20,14 @@
 
 namespace asperity::kinsol {
 
-struct FreeVector {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
+template <auto release>
+struct Release {
+  void operator()(auto* owned) const { release(owned); }
 };
-struct FreeSolver {
-  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-};
-struct FreeKinsol {
-  void operator()(void* memory) const { KINFree(&memory); }
-};
-using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, FreeVector>;
-using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, FreeSolver>;
-using Kinsol = std::unique_ptr<void, FreeKinsol>;
-
-/// The memory of the vectors that SUNDIALS clones: given back when the store ends, after them.
-class VectorStore {
- public:
-  /// For `count` vectors of `size` numbers. Throws std::bad_alloc.
-  VectorStore(std::size_t size, std::size_t count);
-  VectorStore(const VectorStore&) = delete;
-  VectorStore& operator=(const VectorStore&) = delete;
-
-  /// A block for one vector and what describes it; null where all are taken.
-  void* take() noexcept;
-  void give_back(void* block) noexcept;
-
- private:
-  struct Free {
-    void operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
-  };
-  static constexpr std::align_val_t alignment{64};  // of the values
-  std::unique_ptr<std::byte[], Free> memory_;
-  std::vector<void*> free_;
-};
+inline void free_kinsol(void* memory) { KINFree(&memory); }
+using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, Release<N_VDestroy>>;
+using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Release<SUNLinSolFree>>;
+using Kinsol = std::unique_ptr<void, Release<free_kinsol>>;
 
 /// Throws std::runtime_error naming the call where its flag says that it failed.
 inline void check(int flag, const char* call) {
@@ -70,7 +43,8 @@ inline void silence([[maybe_unused]] void* kinsol, [[maybe_unused]] sundials::Co
 #endif
 }
 
-/// The pointer, or std::bad_alloc: nothing but want of memory keeps SUNDIALS from making what is asked for here.
+/// The pointer, or std::bad_alloc: nothing but want of memory keeps SUNDIALS from making what is asked for
+/// here.
 template <class Pointer>
 Pointer made(Pointer pointer) {
   if (!pointer) throw std::bad_alloc();
@@ -81,15 +55,10 @@ inline std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
 }
 
-/// SUNDIALS' vector over `values`, its clones from the store. The operations are by vector instructions, and a clone is one
-/// piece of memory, where the library's serial vector, as it is packaged, would take as long as the transforms.
-Vector vector_of(std::span<double> values, sundials::Context& context, VectorStore& store);
-
-/// One of KINSOL's counters: KINGetNumFuncEvals and its like.
-inline long counter(void* kinsol, int (*get)(void*, long*)) {
-  long count = 0;
-  check(get(kinsol, &count), "a counter of KINSOL");
-  return count;
-}
+/// SUNDIALS' vector over `values`. Its operations are by vector instructions; the library's serial vector, as
+/// it is packaged, would take as long as the transforms.
+Vector vector_of(std::span<double> values, sundials::Context& context);
+/// Throws std::bad_alloc where there is no room for so many vectors, and what SUNDIALS takes beside them.
+void require_vectors(std::size_t size, std::size_t count);
 
 }  // namespace asperity::kinsol

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multilarge_nlinear.h>

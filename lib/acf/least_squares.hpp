@@ -4,8 +4,7 @@
 /// step minimises the linear model ‖F + J s‖ within ‖s‖ ≤ Δ by conjugate gradients that stop at the bound
 /// (Steihaug), with products J v and J*v only.
 ///
-/// How the iteration ends, without progress too, GSL tells by its codes: its error handler, which is the process's, is
-/// left as it is, and called for want of memory alone.
+/// GSL's error handler, which is the process's, is left as it is, and called for want of memory alone.
 ///
 /// Cost      two transforms there and back a product. Memory O(n·m).
 ///

@@ -5,8 +5,7 @@
 /// ν = ½ is the exponential, ν → ∞ the Gaussian of length 2√ν. The profiles are ⌈ν⌉-1 times differentiable,
 /// and a surface with ν < 1 is a fractal of Hurst exponent ν at small lags,
 ///     1 - ρ ≈ Γ(1-ν)/Γ(1+ν) (r/2)^2ν,    r ≪ 1,                                                       (2)
-/// so that (1) is the self-affine model with a smooth roll-off; optics calls its spectrum ABC or
-/// K-correlation [2].
+/// so that (1) is the self-affine model with a smooth roll-off, ABC or K-correlation in optics [2].
 ///
 /// ln ρ is tabulated in ln r, where its derivatives are ratios of Bessel functions: with u = d ln ρ/d ln r,
 ///     u = -r K_(ν-1)/K_ν,    du/d ln r = 2νu + r² - u².                                                (3)

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 #include "transform/zero_phase.hpp"
 
 namespace asperity {
@@ -13,8 +13,10 @@ namespace {
 
 using Vector = Eigen::ArrayXd;
 
-std::span<double> span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-std::span<const double> constant(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+constexpr int most_steps = 12, most_inner = 60;  // inner iterations a step
+
+std::span<double> span(Vector& v) { return {v.data(), size(v.size())}; }
+std::span<const double> constant(const Vector& v) { return {v.data(), size(v.size())}; }
 
 // R of the kernel reaches to 2K - 2 and must not wrap around into the lags below n.
 Shape least_torus(Shape kernel, Shape lags) { return {2 * kernel.nx + lags.nx, 2 * kernel.ny + lags.ny}; }
@@ -27,7 +29,7 @@ class Problem {
   Problem(const Field& kernel, const Target& target, Shape lags, bool oriented)
       : transform_(zero_phase_transform(half_of(kernel), least_torus(half_of(kernel), lags), oriented)),
         scale_(1 / static_cast<double>(transform_->torus().cells())),
-        transfer_(static_cast<std::size_t>(transform_->spectrum_size())) {
+        transfer_(size(transform_->spectrum_size())) {
     const Index middle_x = kernel.rows() / 2, middle_y = kernel.cols() / 2;
     auto vector = [&](auto f) {
       const std::vector<double> part = transform_->part(f);
@@ -54,7 +56,7 @@ class Problem {
     transform_->forward(constant(u), transfer_);
     double square = 0;
     for (double a : transfer_) square += a * a;
-    floor_ = solver::minimum_norm_floor * solver::minimum_norm_floor * square /
+    floor_ = calibration::acf::minimum_norm_floor * calibration::acf::minimum_norm_floor * square /
              static_cast<double>(transfer_.size());
   }
   /// 2 Q (α^ v^): J without its restriction, and J*.
@@ -89,11 +91,11 @@ class Problem {
 };
 
 // J J*y = b to a hundredth, or as far as it goes.
-Vector conjugate_gradients(Problem& problem, const Vector& b, int iterations) {
+Vector conjugate_gradients(Problem& problem, const Vector& b) {
   Vector y = Vector::Zero(b.size()), r = b, z = problem.preconditioned(r), d = z;
   double rz = problem.dot(r, z);
   const double enough = 1e-4 * problem.dot(b, b);
-  for (int i = 0; i < iterations && problem.dot(r, r) > enough; ++i) {
+  for (int i = 0; i < most_inner && problem.dot(r, r) > enough; ++i) {
     const Vector image = problem.image(d);
     const double curvature = problem.dot(d, image);
     if (!(curvature > 0)) break;
@@ -124,19 +126,18 @@ bool advance(Problem& problem, Vector& f, const Vector& step) {
 }  // namespace
 
 Field minimum_norm_newton(const Field& kernel, const Target& target, Shape lags, bool oriented,
-                          const MinimumNormOptions& options) {
+                          double tolerance, const IterationObserver& on_step) {
   Problem problem(kernel, target, lags, oriented);
   Vector f = problem.residual(problem.u);
   auto tell = [&](int step) {
-    if (options.on_step)
-      options.on_step(
-          {step, problem.products, f.abs().maxCoeff(), static_cast<double>(step) / options.max_steps});
+    if (on_step)
+      on_step({step, problem.products, f.abs().maxCoeff(), static_cast<double>(step) / most_steps});
   };
   tell(0);
-  for (int i = 0; i < options.max_steps && f.abs().maxCoeff() > options.tolerance; ++i) {
+  for (int i = 0; i < most_steps && f.abs().maxCoeff() > tolerance; ++i) {
     const double former = problem.dot(f, f);
     problem.linearize();
-    const Vector y = conjugate_gradients(problem, -f, options.max_inner);
+    const Vector y = conjugate_gradients(problem, -f);
     const bool advanced = advance(problem, f, problem.product(y));
     tell(i + 1);
     if (!advanced || problem.dot(f, f) > 0.5 * former) break;

@@ -6,8 +6,7 @@
 /// has many solutions, and s = J*y with J J*y = -F is the shortest. It is found by conjugate gradients,
 /// preconditioned by P / (4 α^²), and tried at half its length where ‖F‖ does not fall.
 ///
-/// Cost      two transforms there and back of (2K+n)(2L+m) points an inner iteration, and one to precondition
-/// it.
+/// Cost      three transforms there and back of (2K+n)(2L+m) points an inner iteration, 60 a step at most.
 ///
 /// A. Ben-Israel, A Newton–Raphson method for the solution of systems of equations, J. Math. Anal. Appl. 15
 /// (1966) 243-252.
@@ -19,15 +18,9 @@
 
 namespace asperity {
 
-struct MinimumNormOptions {
-  double tolerance = 1e-10;  ///< on max |F| [σ²]
-  int max_steps = 12;
-  int max_inner = 60;  ///< inner iterations a step
-  IterationObserver on_step = {};
-};
-
-/// `kernel` of (2K-1) × (2L-1) coefficients, improved as far as it goes; never worse in ‖F‖ than it was.
+/// `kernel` of (2K-1) × (2L-1) coefficients, improved until max |F| ≤ tolerance [σ²] or as far as it goes;
+/// never worse in ‖F‖ than it was.
 Field minimum_norm_newton(const Field& kernel, const Target& target, Shape lags, bool oriented,
-                          const MinimumNormOptions& options = {});
+                          double tolerance, const IterationObserver& on_step);
 
 }  // namespace asperity

@@ -36,9 +36,8 @@ class Iteration {
         options_(options),
         unknowns_(u),
         scales_(equations.scale()),
-        store_(u.size(), static_cast<std::size_t>(options.krylov_dimension) + beside_directions),
-        u_(vector_of(u, context_, store_)),
-        scale_(vector_of(scales_, context_, store_)),
+        u_(vector_of(u, context_)),
+        scale_(vector_of(scales_, context_)),
         gmres_(made(
             LinearSolver(SUNLinSol_SPGMR(u_.get(), SUN_PREC_RIGHT, options.krylov_dimension, context_)))),
         kinsol_(made(Kinsol(KINCreate(context_)))) {
@@ -148,13 +147,17 @@ class Iteration {
   }
 
   void* memory() const { return kinsol_.get(); }
-  long counter(int (*get)(void*, long*)) const { return kinsol::counter(memory(), get); }
+  // KINGetNumFuncEvals and its like.
+  long counter(int (*get)(void*, long*)) const {
+    long count = 0;
+    check(get(memory(), &count), "a counter of KINSOL");
+    return count;
+  }
 
   Equations& equations_;
   const NewtonOptions& options_;
   std::span<double> unknowns_;
   std::vector<double> scales_;
-  VectorStore store_;
   sundials::Context context_;
   Vector u_, scale_;
   LinearSolver gmres_;
@@ -170,6 +173,7 @@ class Iteration {
 }  // namespace
 
 IterationResult solve_newton_krylov(Equations& equations, std::span<double> u, const NewtonOptions& options) {
+  require_vectors(u.size(), static_cast<std::size_t>(options.krylov_dimension) + beside_directions);
   return Iteration(equations, u, options).run();
 }
 

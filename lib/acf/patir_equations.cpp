@@ -1,16 +1,11 @@
 #include <algorithm>
 
 #include "acf/equations.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
-namespace {
 
-using solver::inverse_floor;
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
-}  // namespace
+using calibration::acf::inverse_floor;
 
 PatirEquations::PatirEquations(const Target& target, Shape lags)
     : lags_(lags), transform_({fast_length(2 * lags.nx, 2), fast_length(2 * lags.ny, 2)}) {
@@ -24,28 +19,27 @@ PatirEquations::PatirEquations(const Target& target, Shape lags)
   inverse_.resize(spectrum_.size());
 }
 
+Eigen::Map<Field> PatirEquations::plane() {
+  return {field_.data(), transform_.shape().nx, transform_.shape().ny};
+}
+
 void PatirEquations::load(std::span<const double> u) {
-  std::fill(field_.begin(), field_.end(), 0.0);
-  const Index m = lags_.ny, stride = transform_.shape().ny;
-  for (Index k = 0; k < lags_.nx; ++k) std::copy_n(u.data() + k * m, m, field_.data() + k * stride);
+  plane().setZero();
+  plane().topLeftCorner(lags_.nx, lags_.ny) = Eigen::Map<const Field>(u.data(), lags_.nx, lags_.ny);
 }
 
 void PatirEquations::forward() { transform_.forward(field_.data(), spectrum_.data()); }
 void PatirEquations::backward() { transform_.inverse(spectrum_.data(), field_.data()); }
 
 void PatirEquations::keep_causal() {
-  const auto [rows, columns] = transform_.shape();
-  for (Index p = 0; p < rows; ++p) {
-    double* row = field_.data() + p * columns;
-    std::fill(row + (p <= rows / 2 ? columns / 2 + 1 : 0), row + columns, 0.0);
-  }
+  const Index ahead_x = plane().rows() / 2 + 1, ahead_y = plane().cols() / 2 + 1;
+  plane().topRightCorner(ahead_x, plane().cols() - ahead_y).setZero();
+  plane().bottomRows(plane().rows() - ahead_x).setZero();
   field_[0] /= 2;
 }
 
-void PatirEquations::restrict_to(std::span<double> out, double scale) const {
-  const Index m = lags_.ny, stride = transform_.shape().ny;
-  for (Index k = 0; k < lags_.nx; ++k)
-    for (Index l = 0; l < m; ++l) out[size(k * m + l)] = scale * field_[size(k * stride + l)];
+void PatirEquations::restrict_to(std::span<double> out, double scale) {
+  Eigen::Map<Field>(out.data(), lags_.nx, lags_.ny) = scale * plane().topLeftCorner(lags_.nx, lags_.ny);
 }
 
 std::vector<double> PatirEquations::start() {

@@ -29,11 +29,11 @@ Field periodic_sum(const Field& half_plane, Shape period) {
 
 Field periodic_kernel(const Field& half_plane, Shape torus) {
   const RealTransform2D transform(torus);
-  AlignedVector<double> field(static_cast<std::size_t>(torus.cells()));
-  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  AlignedVector<double> field(size(torus.cells()));
+  AlignedVector<Complex> spectrum(size(transform.spectrum_size()));
   const Eigen::Map<Field> plane(field.data(), torus.nx, torus.ny);
   auto place = [&](Index p, Index q) -> double& {
-    return field[static_cast<std::size_t>(within(p, torus.nx) * torus.ny + within(q, torus.ny))];
+    return field[size(within(p, torus.nx) * torus.ny + within(q, torus.ny))];
   };
   const Index middle = half_plane.cols() / 2;
   for (Index p = 0; p < half_plane.rows(); ++p)

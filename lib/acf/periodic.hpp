@@ -1,11 +1,11 @@
 /// Autocorrelations and kernels of periodic surfaces.
 ///
-/// A surface that continues itself after N × M points has an autocorrelation that does so too. The one that belongs to R is
-/// its sum over the periods,
+/// A surface that continues itself after N × M points has an autocorrelation that does so too, of R its sum
+/// over the periods,
 ///     R°(p,q) = Σ_j Σ_k R(p + jN, q + kM),                                                              (1)
-/// whose spectrum is that of R at the waves that fit: it is positive wherever that of R is, and every autocorrelation of
-/// the plane leaves one of the period. Its variance R°(0,0) is another than R(0,0), 17 times that of a profile 1 × 4096 of
-/// 20 samples: who keeps the rms height divides by it. Where R ends before half a period, R° is R.
+/// whose spectrum is that of R at the waves that fit: every autocorrelation of the plane leaves one of the
+/// period. Its variance R°(0,0) is another than R(0,0), 17 times that of a profile 1 × 4096 of 20 samples:
+/// who keeps the rms height divides by it. Where R ends before half a period, R° is R.
 ///
 /// On the torus nothing is left to solve: the kernel is the root of the spectrum,
 ///     kernel^ = √max(R°^, 0),                                                                           (2)
@@ -13,7 +13,8 @@
 ///
 /// Symbols   ^ the discrete Fourier transform over the torus
 /// Accuracy  ε log2(N M) of the variance.
-/// Cost      (1) one addition a lag of R; (2) one real transform there and back, 24 bytes a point of the torus.
+/// Cost      (1) one addition a lag of R; (2) one real transform there and back, 24 bytes a point of the
+///           torus.
 #pragma once
 
 #include "core/field.hpp"
@@ -21,16 +22,15 @@
 namespace asperity {
 
 /// Whether a kernel of this shape correlates heights half a period apart or farther.
-constexpr bool reaches_around(Index kernel, Index period) { return 2 * (kernel - 1) >= period; }
 constexpr bool reaches_around(Shape kernel, Shape period) {
-  return reaches_around(kernel.nx, period.nx) || reaches_around(kernel.ny, period.ny);
+  return 2 * (kernel.nx - 1) >= period.nx || 2 * (kernel.ny - 1) >= period.ny;
 }
 
 /// (1) at the lags p = 0 …, q = -… + … up to half a period that the half plane reaches.
 Field periodic_sum(const Field& half_plane, Shape period);
 
-/// (2) of a half plane of lags up to half the torus, zero where it ends, as a kernel of the whole torus with lag zero at its
-/// middle, of unit variance.
+/// (2) of a half plane of lags up to half the torus, zero where it ends: a kernel of the whole torus with lag
+/// zero at its middle, of unit variance.
 Field periodic_kernel(const Field& half_plane, Shape torus);
 
 }  // namespace asperity

@@ -11,36 +11,10 @@
 namespace asperity {
 namespace {
 
-constexpr int look_every = 10;  // steps between two reports
+constexpr int look_every = 10;   // steps between two reports
+constexpr int most_steps = 100;  // to a mean of 1
 
 using Spectrum = Eigen::ArrayXd;
-
-// θ of the projection max(S - θ, 0) onto spectra of mean 1: Newton's iteration on a convex, piecewise linear function,
-// which ends after finitely many steps.
-class MeanOfOne {
- public:
-  static constexpr int most_steps = 100;  // some five are taken
-
-  explicit MeanOfOne(const std::vector<double>& multiplicity)
-      : weight_(Eigen::Map<const Spectrum>(multiplicity.data(), static_cast<Index>(multiplicity.size()))),
-        cells_(weight_.sum()) {}
-
-  void project(Eigen::Map<Spectrum> spectrum) {
-    if (!(spectrum > theta_).any())
-      theta_ = spectrum.minCoeff() - 1;  // that of another spectrum is above all of this
-    double former = 0, active = -1;
-    for (int i = 0; i < most_steps && active != former; ++i) {
-      former = active;
-      active = (spectrum > theta_).select(weight_, 0).sum();
-      theta_ += (((spectrum - theta_).max(0.0) * weight_).sum() - cells_) / active;
-    }
-    spectrum = (spectrum - theta_).max(0.0);
-  }
-
- private:
-  Spectrum weight_;
-  double cells_, theta_ = 0;
-};
 
 class Projections {
  public:
@@ -48,8 +22,10 @@ class Projections {
     auto half = [torus](Index n) { return fast_length(std::max<Index>(torus * n, 8), 2) / 2; };
     const Shape reach{half(lags.nx), half(lags.ny)};
     transform_ = zero_phase_transform(reach, {2 * reach.nx, 2 * reach.ny}, oriented);
-    spectrum_.resize(static_cast<std::size_t>(transform_->spectrum_size()));
-    mean_of_one_ = std::make_unique<MeanOfOne>(transform_->spectrum_multiplicity());
+    spectrum_.resize(size(transform_->spectrum_size()));
+    const std::vector<double> multiplicity = transform_->spectrum_multiplicity();
+    weight_ = Eigen::Map<const Spectrum>(multiplicity.data(), static_cast<Index>(multiplicity.size()));
+    cells_ = weight_.sum();
     const Shape known = target.known.value_or(transform_->torus());
     auto within = [](Index p, Index q, Shape box) { return p < box.nx && std::abs(q) < box.ny; };
     std::size_t place = 0;
@@ -65,7 +41,7 @@ class Projections {
   // P_B of what stands in projected_. Returns how far it is from the target.
   double project() {
     transform_->forward(projected_, spectrum_);
-    mean_of_one_->project({spectrum_.data(), static_cast<Index>(spectrum_.size())});
+    give_mean_of_one();
     transform_->inverse(spectrum_, projected_);
     double largest = 0;
     for (const auto& [place, value] : prescribed_)
@@ -95,8 +71,24 @@ class Projections {
     std::size_t place;
     double value;
   };
+
+  // max(S - θ, 0): θ by Newton's iteration on a convex, piecewise linear function, in some five steps.
+  void give_mean_of_one() {
+    Eigen::Map<Spectrum> spectrum(spectrum_.data(), static_cast<Index>(spectrum_.size()));
+    if (!(spectrum > theta_).any())
+      theta_ = spectrum.minCoeff() - 1;  // that of another spectrum is above all of this
+    double former = 0, active = -1;
+    for (int i = 0; i < most_steps && active != former; ++i) {
+      former = active;
+      active = (spectrum > theta_).select(weight_, 0).sum();
+      theta_ += (((spectrum - theta_).max(0.0) * weight_).sum() - cells_) / active;
+    }
+    spectrum = (spectrum - theta_).max(0.0);
+  }
+
   std::unique_ptr<ZeroPhaseTransform> transform_;
-  std::unique_ptr<MeanOfOne> mean_of_one_;
+  Spectrum weight_;
+  double cells_, theta_ = 0;
   std::vector<Prescribed> prescribed_;
   std::vector<double> present_, projected_;
   AlignedVector<double> spectrum_;

@@ -1,28 +1,29 @@
 /// The autocorrelation closest to a target that is none, and its kernel.
 ///
-/// A function R of the lag is the autocorrelation of some surface of unit variance exactly when its spectrum S is
-/// nowhere negative and has the mean R(0,0) = 1. Two convex sets of functions on a torus of fn × fm points, f = 4
-/// unless more is asked for, are projected onto in turn:
+/// A function R of the lag is the autocorrelation of some surface of unit variance exactly when its spectrum
+/// S is nowhere negative and has the mean R(0,0) = 1. Two convex sets of functions on a torus of fn × fm
+/// points, f = 4 unless more is asked for, are projected onto in turn:
 ///     A   those that agree with the target at |p| < n, |q| < m: it is put back there,
 ///     B   the autocorrelations: S ← max(S - θ, 0), θ such that the mean is 1 [1],
 /// by the iteration of Douglas and Rachford [2],
 ///     z ← z + P_B(2 P_A z - z) - P_A z,                                                                 (1)
-/// that begins with the target where it is known and 0 elsewhere; what lies beyond n and m is free. Where the sets
-/// meet, P_B ends in an extension of the target, mostly after finitely many steps; where they do not, in the
-/// autocorrelation that is closest to it in the mean square [3]. The kernel is the zero-phase root kernel^ = √S on the
-/// whole torus; what it has beyond its ends on the torus is lost, so that its error is to be measured on it. A larger
-/// torus loses less.
+/// that begins with the target where it is known and 0 elsewhere; what lies beyond n and m is free. Where the
+/// sets meet, P_B ends in an extension of the target, mostly after finitely many steps; else in the
+/// autocorrelation that is closest to it in the mean square [3]. The kernel is the zero-phase root kernel^ =
+/// √S on the whole torus; what it has beyond is lost, less on a larger torus, and its error is to be
+/// measured.
 ///
-/// Accuracy  an exponential cut where it has fallen to e⁻²·³ is met to round-off after 30 steps of 7² and 13² lags, 100 of
-///           31²; a Gaussian cut at 1 %, on the edge of what is feasible, to 1e-5 after 100.
-/// Cost      one transform there and back on the torus and four passes over its spectrum a step, 300 at the most.
-///           Memory: 5 vectors of 4 n·m, 8 oriented, for f = 4.
+/// Accuracy  an exponential cut where it has fallen to e⁻²·³ is met to round-off after 30 steps of 7² and 13²
+///           lags, 100 of 31²; a Gaussian cut at 1 %, on the edge of what is feasible, to 1e-5 after 100.
+/// Cost      one transform there and back on the torus and four passes over its spectrum a step. Memory: 5
+///           vectors of 4 n·m, 8 oriented, for f = 4.
 ///
-/// [1] M. Held, P. Wolfe, H. P. Crowder, Validation of subgradient optimization, Math. Program. 6 (1974) 62-88.
-/// [2] P.-L. Lions, B. Mercier, Splitting algorithms for the sum of two nonlinear operators, SIAM J. Numer. Anal.
-///     16 (1979) 964-979.
-/// [3] H. H. Bauschke, P. L. Combettes, D. R. Luke, Finding best approximation pairs relative to two closed convex
-///     sets in Hilbert spaces, J. Approx. Theory 127 (2004) 178-192.
+/// [1] M. Held, P. Wolfe, H. P. Crowder, Validation of subgradient optimization, Math. Program. 6 (1974)
+///     62-88.
+/// [2] P.-L. Lions, B. Mercier, Splitting algorithms for the sum of two nonlinear operators, SIAM J. Numer.
+///     Anal. 16 (1979) 964-979.
+/// [3] H. H. Bauschke, P. L. Combettes, D. R. Luke, Finding best approximation pairs relative to two closed
+///     convex sets in Hilbert spaces, J. Approx. Theory 127 (2004) 178-192.
 #pragma once
 
 #include "acf/iteration.hpp"

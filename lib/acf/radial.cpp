@@ -1,11 +1,8 @@
 #include "acf/radial.hpp"
 
 #include <cmath>
-#include <memory>
-#include <new>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
+#include "math/bracketed_root.hpp"
 
 namespace asperity {
 
@@ -29,18 +26,7 @@ double falls_to(const std::function<double(double)>& correlation, double t) {
     if (low < std::log(1e-300)) return 0;
     high = low, low -= 2;
   }
-  using Excess = decltype(excess);
-  gsl_function f{[](double x, void* g) { return (*static_cast<Excess*>(g))(x); }, &excess};
-  const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
-      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
-  if (!solver) throw std::bad_alloc();
-  gsl_root_fsolver_set(solver.get(), &f, low, high);
-  for (int i = 0; i < 200 && gsl_root_test_interval(low, high, 1e-15, 0) == GSL_CONTINUE; ++i) {
-    gsl_root_fsolver_iterate(solver.get());
-    low = gsl_root_fsolver_x_lower(solver.get());
-    high = gsl_root_fsolver_x_upper(solver.get());
-  }
-  return std::exp(gsl_root_fsolver_root(solver.get()));
+  return std::exp(bracketed_root(excess, {low, excess(low)}, {high, excess(high)}, 0));
 }
 
 }  // namespace asperity

@@ -8,8 +8,8 @@
 ///     1 - ρ ≈ Γ(1-H) / ((1+H) Γ(1+H)) (r/2)^2H,   r ≪ 1, H < 1,                                       (3)
 ///     ρ ≈ 4H J₀(r)/r²,                             r ≫ 1.                                              (4)
 ///
-/// Three ranges of r are computed in three ways. Below 2 by the power series of (2); its terms r^2H and r²,
-/// which have opposite poles at H = 1, are taken together there. Above 128 by parts,
+/// Below r = 2 by the power series of (2), whose terms r^2H and r², of opposite poles at H = 1, are taken
+/// together. Above 128 by parts,
 ///     ∫_r^∞ t^-μ J₀ dt = -r^-μ J₁ + (μ+1) r^(-μ-1) J₀ - (μ+1)² ∫_r^∞ t^(-μ-2) J₀ dt,                   (5)
 /// with μ = 1 + 2H for t = qr. Between them from a table in r, filled from 128 downwards by Gauss-Legendre
 /// quadrature of (5)'s integrand; I, the integral in (2), has the derivative I' = (2H I - J₀(r))/r.

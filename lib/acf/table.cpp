@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -65,44 +65,38 @@ double steps_in(double lag, double step, const char* name) {
   return steps;
 }
 
-class Filling {
- public:
-  // `largest`: of the values' sizes; R(0,0), or the table is none.
-  Filling(double most_p, double most_q, std::size_t values, double largest)
-      : round_off_(agree_within * largest) {
-    const double cells = (most_p + 1) * (2 * most_q + 1);
-    // A quadrant fills half of the half plane, and a little more.
-    if (!(cells <= 2 * static_cast<double>(values)))
-      refuse("values are missing: lags up to (" + number(most_p) + ", " + number(most_q) +
-             ") take more than " + std::to_string(values));
-    table_ = Field::Constant(static_cast<Index>(most_p) + 1, 2 * static_cast<Index>(most_q) + 1, unknown);
-  }
-  void place(Index p, Index q, double value) {
-    if (!std::isfinite(value)) refuse("the value " + at(p, q) + " is not finite");
-    if (p > 0 && q < 0) quadrant_ = false;
-    set(p, q, value);
-    if (p == 0) set(0, -q, value);
-  }
-  Field finish() {
-    if (quadrant_) table_.leftCols(middle()) = table_.rightCols(middle()).rowwise().reverse().eval();
-    for (Index p = 0; p < table_.rows(); ++p)
-      for (Index q = -middle(); q <= middle(); ++q)
-        if (std::isnan(table_(p, middle() + q))) refuse("there is no value " + at(p, q));
-    return std::move(table_);
-  }
-
- private:
-  Index middle() const { return table_.cols() / 2; }
-  void set(Index p, Index q, double value) {
-    double& entry = table_(p, middle() + q);
-    if (!std::isnan(entry) && !(std::abs(entry - value) <= round_off_))
+// The table of values at whole lags up to these; `largest` of their sizes is R(0,0), or the table is none.
+struct WholeLag {
+  double p, q, value;
+};
+Field filled(const std::vector<WholeLag>& values, double most_p, double most_q, double largest) {
+  // A quadrant fills half of the half plane, and a little more.
+  if (!((most_p + 1) * (2 * most_q + 1) <= 2 * static_cast<double>(values.size())))
+    refuse("values are missing: lags up to (" + number(most_p) + ", " + number(most_q) + ") take more than " +
+           std::to_string(values.size()));
+  const auto middle = static_cast<Index>(most_q);
+  Field table = Field::Constant(static_cast<Index>(most_p) + 1, 2 * middle + 1, unknown);
+  bool quadrant = true;
+  auto set = [&](Index p, Index q, double value) {
+    double& entry = table(p, middle + q);
+    if (!std::isnan(entry) && !(std::abs(entry - value) <= agree_within * largest))
       refuse("there are two values " + at(p, q));
     entry = value;
+  };
+  for (const WholeLag& lag : values) {
+    const double sign = lag.p < 0 ? -1 : 1;
+    const auto p = static_cast<Index>(sign * lag.p), q = static_cast<Index>(sign * lag.q);
+    if (!std::isfinite(lag.value)) refuse("the value " + at(p, q) + " is not finite");
+    quadrant &= p == 0 || q >= 0;
+    set(p, q, lag.value);
+    if (p == 0) set(0, -q, lag.value);
   }
-  Field table_;
-  double round_off_;
-  bool quadrant_ = true;
-};
+  if (quadrant) table.leftCols(middle) = table.rightCols(middle).rowwise().reverse().eval();
+  for (Index p = 0; p < table.rows(); ++p)
+    for (Index q = -middle; q <= middle; ++q)
+      if (std::isnan(table(p, middle + q))) refuse("there is no value " + at(p, q));
+  return table;
+}
 
 }  // namespace
 
@@ -147,20 +141,15 @@ LagTable table_of_lags(const std::vector<LagValue>& values) {
   for (const LagValue& v : values)
     if (!std::isfinite(v.lag_x) || !std::isfinite(v.lag_y)) refuse("a lag is not finite");
   const double dx = step_of(values, &LagValue::lag_x), dy = step_of(values, &LagValue::lag_y);
-  auto p_of = [&](const LagValue& v) { return steps_in(v.lag_x, dx, "lag_x"); };
-  auto q_of = [&](const LagValue& v) { return steps_in(v.lag_y, dy, "lag_y"); };
+  std::vector<WholeLag> whole;
   double most_p = 0, most_q = 0, largest = 0;
   for (const LagValue& v : values) {
+    whole.push_back({steps_in(v.lag_x, dx, "lag_x"), steps_in(v.lag_y, dy, "lag_y"), v.value});
     largest = std::max(largest, std::abs(v.value));
-    most_p = std::max(most_p, std::abs(p_of(v)));
-    most_q = std::max(most_q, std::abs(q_of(v)));
+    most_p = std::max(most_p, std::abs(whole.back().p));
+    most_q = std::max(most_q, std::abs(whole.back().q));
   }
-  Filling filling(most_p, most_q, values.size(), largest);
-  for (const LagValue& v : values) {
-    const auto p = static_cast<Index>(p_of(v)), q = static_cast<Index>(q_of(v));
-    p < 0 ? filling.place(-p, -q, v.value) : filling.place(p, q, v.value);
-  }
-  return {filling.finish(), dx, dy};
+  return {filled(whole, most_p, most_q, largest), dx, dy};
 }
 
 }  // namespace asperity

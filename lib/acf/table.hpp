@@ -1,11 +1,10 @@
 /// Autocorrelations given as tables: measured, computed elsewhere, or those of another kernel.
 ///
-/// A table holds R(p,q) over the half plane p = 0…P (rows), q = -Q…Q (columns, odd in number); the other half
-/// follows from R(-p,-q) = R(p,q). As a target it is known at |p| ≤ P, |q| ≤ Q only, is divided by R(0,0), and
-/// is the table to the last bit elsewhere than in row 0, whose two halves say the same and must agree.
-///
-/// Refused is what can be no autocorrelation: R(0,0) not positive, |R| above R(0,0), a number that is not
-/// finite, a row 0 that is not even. Whether the table is positive definite is the solver's question.
+/// A table holds R(p,q) over the half plane p = 0…P (rows), q = -Q…Q (columns, odd in number), R(-p,-q) being
+/// R(p,q). As a target it is known at |p| ≤ P, |q| ≤ Q only, is divided by R(0,0), and is the table to the
+/// last bit elsewhere than in row 0, whose halves must agree. Refused is what can be no autocorrelation:
+/// R(0,0) not positive, |R| above it, a number that is not finite. Whether it is positive definite the solver
+/// finds out.
 #pragma once
 
 #include <vector>
@@ -19,8 +18,7 @@ namespace asperity {
 /// DataError("acf", …).
 Target target_of_table(Field half_plane);
 
-/// The table without the rows and columns at its ends that hold no number: an `acf_target` beside an autocorrelation
-/// that reaches farther than what was asked for.
+/// The table without the rows and columns at its ends that hold no number.
 Field known_lags(const Field& half_plane);
 
 /// The half plane of a quadrant R(p,q), p = 0…P, q = 0…Q, whose R is even in p and in q.
@@ -38,8 +36,8 @@ struct LagTable {
 };
 
 /// The half plane of values at evenly spaced lags, in any order, each lag or its mirror image (-p,-q) once at
-/// least: the whole plane, half of it, or a quadrant, which is taken to be even. Lags may be rounded to 1e-3 of a
-/// step. Throws DataError("acf", …).
+/// least: the whole plane, half of it, or a quadrant, which is taken to be even. Lags may be rounded to 1e-3
+/// of a step. Throws DataError("acf", …).
 LagTable table_of_lags(const std::vector<LagValue>& values);
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
 #include "acf/target.hpp"
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -9,21 +9,16 @@
 
 #include "acf/matern.hpp"
 #include "acf/self_affine.hpp"
-#include "core/enum_words.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 
 namespace {
 
-constexpr EnumWords<6> models{"exponential",           "gaussian",    "matern",
-                              "stretched-exponential", "self-affine", "exponential-cosine"};
 constexpr Index most_lags = Index{1} << 30;
 
 void require(bool holds, const char* name, double value, const char* bound) {
-  if (holds) return;
-  std::array<char, 32> number{};
-  std::snprintf(number.data(), number.size(), "%.6g", value);
-  throw ParameterError(name, std::string(number.data()) + bound);
+  check_parameter(holds, name, in_digits(value, 6) + bound);
 }
 
 void require_length(const char* name, double value) {
@@ -42,7 +37,7 @@ Direction direction(double angle) {
   return quarters % 2 == 0 ? Direction{1, 0} : Direction{0, 1};
 }
 
-// The lags of (2): principal coordinates in units of the lengths, and boxes around the ellipses.
+// The lags of (1): principal coordinates in units of the lengths, and boxes around the ellipses.
 struct Ellipse {
   double xp, xq, yp, yq;  // x'/λx* = xp p + xq q, y'/λy* = yp p + yq q
   double half_x, half_y;  // of the box around the unit ellipse [lags]
@@ -78,7 +73,8 @@ auto reach(const Ellipse& ellipse, Radius radius) {
   };
 }
 
-// f(r²) of eight lags of a row at a time; whole packets only, so that a value does not depend on its neighbours.
+// f(r²) of eight lags of a row at a time; whole packets only, so that a value does not depend on its
+// neighbours.
 template <class Correlation>
 Target::Row by_packets(const Ellipse& ellipse, Correlation f) {
   using Packet = Eigen::Array<double, 8, 1>;
@@ -143,10 +139,6 @@ Target radial(const EllipticTarget& t, const Ellipse& ellipse) {
 }
 
 }  // namespace
-
-std::string_view name_of(Model model) { return word_of(models, model); }
-
-Model model_named(std::string_view name) { return enum_named<Model>(models, name, "target"); }
 
 void EllipticTarget::check() const {
   require(level > 0 && level < 1, "level", level, " does not lie between 0 and 1");

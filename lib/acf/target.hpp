@@ -1,48 +1,37 @@
 /// Target autocorrelations: what a surface is asked to look like.
 ///
 /// A target is the autocorrelation R(λx, λy) = E[z(x,y) z(x+λx, y+λy)] divided by R(0,0) = σ², at lags
-/// counted in samples. The solver only samples it, so that any callable will do: a model below, a table, a rotated
-/// model.
+/// counted in samples. The solver only samples it, so that any callable will do.
 ///
-/// The exponential model has the elliptic contours of a surface with a lay,
-///     R(λx, λy) = σ² exp(ln(level) √((λx/λx*)² + (λy/λy*)²)),                                           (1)
-/// and falls to `level` at the lengths λx*, λy*. Its decay lengths, where it is 1/e, are λ*/ln(1/level); its
-/// ellipticity is γ = λx*/λy*.
-///
-/// Every model of `EllipticTarget` is a radial correlation ρ(r), ρ(0) = 1, on the same ellipses,
-///     R(p,q)/σ² = ρ(r* √((x'/λx*)² + (y'/λy*)²)),   ρ(r*) = level, r* the least,                       (2)
+/// Every model of `EllipticTarget` is a radial correlation ρ(r), ρ(0) = 1, on the ellipses of a surface with
+/// a lay,
+///     R(p,q)/σ² = ρ(r* √((x'/λx*)² + (y'/λy*)²)),   ρ(r*) = level, r* the least,                       (1)
 ///     x' = x cos θ + y sin θ,   y' = y cos θ - x sin θ,   x = p Δx,   y = q Δy:
 ///     exponential           exp(-r)
 ///     gaussian              exp(-r²)
 ///     stretched exponential exp(-r^β), 0 < β ≤ 2
 ///     Matérn                acf/matern.hpp, 0.01 ≤ ν ≤ 100
 ///     self-affine           acf/self_affine.hpp, 0.01 ≤ H ≤ 1
-///     exponential-cosine    (2) with exp(-r), times cos(2πx'/wavelength): a machined lay across x'.
-/// All are positive definite in the plane. For the last that is so because it is a product of two that are;
-/// the radial exp(-r) cos(kr) is none where k > 1.
+///     exponential-cosine    (1) with exp(-r), times cos(2πx'/wavelength): a machined lay across x'.
+/// All are positive definite in the plane, the last as a product of two that are.
 ///
-/// Symbols   λx, λy    lags [samples]           λx*, λy*  lengths at `level` [samples]
+/// Symbols   λx, λy    lags                     λx*, λy*  lengths at `level`
 ///           Δx, Δy    spacing                  θ         angle from x towards y [rad]
 /// Accuracy  1e-11 of ρ in the tabulated models, round-off in the others.
 /// Cost      3 to 5 ns a lag of the exponential and the Gaussian, 15 to 60 ns of the others; the self-affine
 ///           beyond r = 128, where |ρ| < 2e-5, 500 ns.
 ///
-/// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact,
-/// Proc. R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for (1) in two dimensions.
+/// D. J. Whitehouse, J. F. Archard, The properties of random surfaces of significance in their contact, Proc.
+/// R. Soc. Lond. A 316 (1970) 97-121; N. Patir, Wear 47 (1978) 263-277 for the exponential in two dimensions.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
-#include "core/error.hpp"
+#include "core/enum_words.hpp"
 #include "core/field.hpp"
-#include "core/words.hpp"
 
 namespace asperity {
 
@@ -52,10 +41,9 @@ struct Target {
   /// R(-p,-q) = R(p,q). A value does not depend on the row that it is sampled with.
   using Row = std::function<void(double p, double first_q, std::span<double> out)>;
   Row row;
-  bool oriented = false;            ///< R(p,-q) ≠ R(p,q) at some lags
-  std::optional<Shape> known = {};  ///< of a table: nothing is known at |p| ≥ nx or |q| ≥ ny
-  std::function<Shape(double)> reach =
-      {};  ///< reach(t): the least n × m with |R| ≤ t where |p| ≥ n or |q| ≥ m
+  bool oriented = false;                    ///< R(p,-q) ≠ R(p,q) at some lags
+  std::optional<Shape> known = {};          ///< of a table: nothing is known at |p| ≥ nx or |q| ≥ ny
+  std::function<Shape(double)> reach = {};  ///< the least n × m with |R| ≤ t where |p| ≥ n or |q| ≥ m
 
   Target() = default;
   template <class Correlation>
@@ -73,43 +61,12 @@ struct Target {
   explicit operator bool() const { return static_cast<bool>(row); }
 };
 
-/// The exponential autocorrelation (1).
-struct ExponentialTarget {
-  double length_x = 1;  ///< lag at which R has fallen to `level` in x [samples], > 0
-  double length_y = 1;  ///< the same in y
-  double level = 0.1;   ///< between 0 and 1; 1/e makes the lengths decay lengths
-
-  void check() const {
-    if (!(level > 0 && level < 1))
-      throw ParameterError("level", shortest(level) + " does not lie between 0 and 1");
-    for (double length : {length_x, length_y})
-      if (!(length > 0 && std::isfinite(length)))
-        throw ParameterError("length", shortest(length) + " samples: must be positive and finite");
-  }
-  double operator()(double p, double q) const {
-    const double x = p / length_x, y = q / length_y;
-    return std::exp(std::log(level) * std::sqrt(x * x + y * y));
-  }
-  double decay_length_x() const { return length_x / -std::log(level); }
-  double decay_length_y() const { return length_y / -std::log(level); }
-
-  /// Lags that cover so many decay lengths each way. Six leave an error below 1e-3 over all lags, 11.5 below
-  /// 1e-6.
-  Shape lags(double decay_lengths = 6) const {
-    auto cover = [&](double decay) {
-      return std::max<Index>(1, static_cast<Index>(std::ceil(decay_lengths * decay)));
-    };
-    return {cover(decay_length_x()), cover(decay_length_y())};
-  }
-};
-
 enum class Model { exponential, gaussian, matern, stretched_exponential, self_affine, exponential_cosine };
-/// As on the command line, words joined by hyphens.
-std::string_view name_of(Model model);
-/// Throws ParameterError("target").
-Model model_named(std::string_view name);
+constexpr EnumWords<6> enum_words(Model) {
+  return {"exponential", "gaussian", "matern", "stretched-exponential", "self-affine", "exponential-cosine"};
+}
 
-/// The models (2). Lengths, spacing and wavelength share one unit, whichever.
+/// The models (1). Lengths, spacing and wavelength share one unit, whichever.
 struct EllipticTarget {
   Model model = Model::exponential;
   double length_x = 1;  ///< lag at which ρ, or its envelope, has fallen to `level` along x', 1e-100 … 1e100
@@ -128,8 +85,8 @@ struct EllipticTarget {
   /// Checks, and throws ParameterError("level") too when ρ passes the level nearer to 0 than r = 1e-300.
   ///
   /// reach(t) is the box around the ellipse on which ρ, or its envelope, is t for the last time, in lags to
-  /// 1e-12 of them and 2^30 at the most. An angle within 1e-12 of a multiple of 90° is taken as that, and then
-  /// R(p,-q) = R(p,q) to the last bit; equal lengths of a radial model need no angle.
+  /// 1e-12 of them and 2^30 at the most. An angle within 1e-12 of a multiple of 90° is taken as that, and
+  /// then R(p,-q) = R(p,q) to the last bit; equal lengths of a radial model need no angle.
   Target target() const;
 };
 

@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "acf/equations.hpp"
-#include "acf/solver_constants.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
-using solver::inverse_floor;
+using calibration::acf::inverse_floor;
 
 double fejer(Index k, Index n) { return 1 - static_cast<double>(std::abs(k)) / static_cast<double>(n); }
 
@@ -42,7 +42,7 @@ ZeroPhaseEquations::ZeroPhaseEquations(const Target& target, Shape lags, bool or
   });
   multiplicity_ = transform_->multiplicity();
   window_ = transform_->part([&](Index k, Index l) { return fejer(k, lags.nx) * fejer(l, lags.ny); });
-  transfer_.resize(static_cast<std::size_t>(transform_->spectrum_size()));
+  transfer_.resize(size(transform_->spectrum_size()));
   inverse_.resize(transfer_.size());
 }
 

@@ -1,11 +1,11 @@
 /// Passes over the cells of fields, in blocks that stay in the cache.
 ///
-/// A step of the solver reads the same cells for several sums and updates. Block by block they are read from
-/// memory once; blocks are dealt to threads, and the sums of the blocks are added in their order, so that a
-/// result never depends on the number of threads.
+/// A step of the solver reads the same cells for several sums and updates: block by block, once from memory.
+/// The sums of blocks are added in order, so that no result depends on the number of threads.
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "core/field.hpp"
@@ -16,15 +16,13 @@ namespace asperity {
 struct Block {
   Index begin = 0, size = 0;
 
-  auto of(const Field& f) const { return Eigen::Map<const Eigen::ArrayXd>(f.data() + begin, size); }
-  auto of(Field& f) const { return Eigen::Map<Eigen::ArrayXd>(f.data() + begin, size); }
-  template <class T>
-  auto of(const std::vector<T>& v) const {
-    return Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>(v.data() + begin, size);
-  }
-  template <class T>
-  auto of(std::vector<T>& v) const {
-    return Eigen::Map<Eigen::Array<T, Eigen::Dynamic, 1>>(v.data() + begin, size);
+  /// Of a field or a vector.
+  template <class Cells>
+  auto of(Cells& cells) const {
+    using Value = std::remove_pointer_t<decltype(cells.data())>;
+    using Part = Eigen::Array<std::remove_const_t<Value>, Eigen::Dynamic, 1>;
+    return Eigen::Map<std::conditional_t<std::is_const_v<Value>, const Part, Part>>(cells.data() + begin,
+                                                                                    size);
   }
 };
 

@@ -12,11 +12,9 @@ namespace asperity {
 
 namespace {
 
-void check_radius(const char* name, double r) {
-  if (std::isnan(r) || r == 0) throw ParameterError(name, fmt::format("{} m is no radius", r));
-}
-
-void check_curvature(const char* name, double first, double second) {
+void check_radii(const char* name, double first, double second) {
+  for (double r : {first, second})
+    if (std::isnan(r) || r == 0) throw ParameterError(name, fmt::format("{} m is no radius", r));
   if (!(1 / first + 1 / second >= 0))
     throw ParameterError(name, fmt::format("the hollow of {} m is narrower than the other body, {} m",
                                            std::min(first, second), std::max(first, second)));
@@ -27,10 +25,8 @@ void check_curvature(const char* name, double first, double second) {
 void Bodies::check() const {
   auto round = [](Radii r) { return r.x == r.y || (std::isnan(r.x) && std::isnan(r.y)); };
   const bool spheres = round(radius[0]) && round(radius[1]);
-  const char *along_x = spheres ? "radius" : "radius-x", *along_y = spheres ? "radius" : "radius-y";
-  for (const Radii& r : radius) check_radius(along_x, r.x), check_radius(along_y, r.y);
-  check_curvature(along_x, radius[0].x, radius[1].x);
-  check_curvature(along_y, radius[0].y, radius[1].y);
+  check_radii(spheres ? "radius" : "radius-x", radius[0].x, radius[1].x);
+  check_radii(spheres ? "radius" : "radius-y", radius[0].y, radius[1].y);
   for (double e : young)
     if (!(e > 0)) throw ParameterError("young", fmt::format("{} Pa is not above 0", e));
   if (std::isinf(young[0]) && std::isinf(young[1])) throw ParameterError("young", "both bodies are rigid");

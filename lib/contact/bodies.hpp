@@ -1,16 +1,16 @@
 /// Two elastic bodies and the gap between them before they touch.
 ///
-/// Under the half-space approximation the two act as one elastic half-space against one rigid profile, with
+/// In the half-space approximation the two act as one elastic half-space against one rigid profile, with
 ///     1/E* = (1 - ν₁²)/E₁ + (1 - ν₂²)/E₂                 composite modulus                     (1)
 ///     1/Rx = 1/Rx₁ + 1/Rx₂,   1/Ry = 1/Ry₁ + 1/Ry₂       composite curvatures                  (2)
 ///     h    = x²/(2Rx) + y²/(2Ry) - z₁ - z₂               undeformed gap                        (3)
-/// where z₁ and z₂ are the heights of either body above its smooth form at the same point (x, y) of the one
-/// grid, each positive towards the other body. A counter body that was measured face up, as it lies before the
-/// instrument, is to be mirrored in x or y before it faces the first. Rx is the radius of the section along x,
-/// Ry of that along y; the principal axes of both bodies lie along x and y. A sphere has Rx = Ry, a cylinder
-/// along y has Ry = ∞, a flat both; a hollow has a negative radius, of no less magnitude than that of the body in it.
+/// z₁ and z₂ are the heights of either body above its smooth form at the same (x, y), each positive towards
+/// the other body; a counter body that was measured face up is to be mirrored in x or y first. Rx is the
+/// radius of the section along x; the principal axes of both bodies lie along x and y. A sphere has Rx = Ry,
+/// a cylinder along y has Ry = ∞, a flat both; a hollow's radius is negative, no smaller than that of what is
+/// in it.
 ///
-/// Symbols   E Young's modulus [Pa]   ν Poisson's ratio   R radius of curvature [m]   h gap [m]   z heights [m]
+/// Symbols   E Young's modulus [Pa]   ν Poisson's ratio   R radius [m]   h gap [m]   z heights [m]
 /// Scope     (3) is the paraboloid of the bodies: relative error x²/(4R²).
 ///
 /// K. L. Johnson, Contact Mechanics, Cambridge University Press (1985), sections 4.1, 4.2.
@@ -37,8 +37,7 @@ struct Bodies {
   std::array<double, 2> young{208e9, 208e9};  ///< Young's modulus [Pa]; infinity is a rigid body
   std::array<double, 2> poisson{0.3, 0.3};    ///< Poisson's ratio
 
-  /// Throws ParameterError: radius ≠ 0 and the composite curvatures not negative, young > 0 and not both
-  /// infinite, -1 < poisson ≤ 1/2.
+  /// Throws ParameterError unless radius ≠ 0, curvatures ≥ 0, young > 0, not both infinite, -1 < poisson ≤ ½.
   void check() const;
   double composite_modulus() const;  ///< E* of (1) [Pa]
   double curvature_x() const;        ///< 1/Rx of (2) [1/m]; 0 between flats

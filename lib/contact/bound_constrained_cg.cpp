@@ -4,25 +4,24 @@
 #include <cmath>
 #include <optional>
 
-#include "contact/calibration.hpp"
 #include "contact/projection.hpp"
 #include "contact/subspace_cg.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::contact;
 
 // The iterate, and what the steps to the next one work with.
 struct Iteration : ContactSolution {
-  ElasticOperator& influence;
   ContactProblem& problem;
   int updates = 0;  // of g by recurrence
   Trial trial = {};
 
   void apply(const Field& pressure, Field& displacement) {
     ++convolutions;
-    influence.apply(pressure, displacement);
+    problem.influence->apply(pressure, displacement);
   }
 };
 
@@ -55,8 +54,8 @@ void scale_to_least_energy(Iteration& x) {
   x.g = h + factor * (x.g - h);
 }
 
-Iteration first_iterate(ElasticOperator& influence, ContactProblem& problem, ContactStart start) {
-  Iteration x{{std::move(start.p), std::move(start.g)}, influence, problem};
+Iteration first_iterate(ContactProblem& problem, ContactStart start) {
+  Iteration x{{std::move(start.p), std::move(start.g)}, problem};
   if (x.g.size() > 0) return x;
   if (!clip_and_rescale(problem, x.p)) project(problem, x.p);
   refresh(x);
@@ -152,7 +151,7 @@ void minimise(SubspaceCG& cg, double wanted) {
 int subspace_step(Iteration& x, double tolerance) {
   const FreeSet free(x.problem, x.p, x.g, x.residual.approach);
   if (free.cells < (x.problem.approach ? 1 : 2)) return steps_at_start;
-  SubspaceCG cg(x.influence, x.problem, free, x.p, x.g, x.trial);
+  SubspaceCG cg(x.problem, free, x.p, x.g, x.trial);
   minimise(cg, goal * tolerance * x.residual.scale);
   x.convolutions += cg.applications();
   x.preconditionings += cg.applications();
@@ -166,10 +165,10 @@ int subspace_step(Iteration& x, double tolerance) {
 
 }  // namespace
 
-ContactSolution minimise(ElasticOperator& influence, ContactProblem& problem, ContactStart start,
-                         double tolerance, double convolutions, const ContactObserver& observe) {
+ContactSolution minimise(ContactProblem& problem, ContactStart start, double tolerance, double convolutions,
+                         const ContactObserver& observe) {
   GradientSteps gradient = gradient_steps(problem, start.near ? 0 : steps_at_start);
-  Iteration x = first_iterate(influence, problem, std::move(start));
+  Iteration x = first_iterate(problem, std::move(start));
   Stagnation gain(1), halving(0.5);
   while (true) {
     if (x.updates >= updates_of_gap) refresh(x);

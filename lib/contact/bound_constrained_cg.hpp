@@ -9,15 +9,14 @@
 ///       gradient step p ← p + λ (Proj(p - α (g - δ)) - p),  λ = min(1, -(g-δ)·d / d·Kd)
 ///                     a few times; also when ε has not halved in four rounds, or |F| < 2
 ///
-/// Cells leave a bound all at once when F is built, or in a gradient step; they join one only in a
-/// guarded or a gradient step, and then exactly. Every iterate is feasible and the energy falls, so that the
-/// sets cannot cycle. The residual on F is not driven to zero: while no bound is violated the conjugate
-/// gradients go on, and once it has fallen to a quarter they stop at the first violation; they stop too where it
-/// has grown a thousandfold, for at round-off directions are noise that adds up.
+/// Cells leave a bound all at once when F is built, or in a gradient step; they join one in a guarded or a
+/// gradient step alone, and exactly. Every iterate is feasible and the energy falls: the sets cannot cycle.
+/// On F the gradients go on while no bound is violated; once the residual has fallen to a quarter they stop
+/// at the first violation, and where it has grown a thousandfold, for at round-off directions are noise.
 ///
 /// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
-/// Cost      one application of K a step, one of M a conjugate gradient step, a few passes over the cells; six
-///           fields and a mask.
+/// Cost      one K a step, one M a conjugate gradient step, a few passes over the cells; six fields and a
+///           mask.
 ///
 /// E. G. Birgin, J. M. Martínez, M. Raydan, Nonmonotone spectral projected gradient methods on convex sets,
 /// SIAM J. Optim. 10 (2000) 1196-1211; J. J. Moré, G. Toraldo, On the solution of large quadratic programming
@@ -27,7 +26,6 @@
 #include <functional>
 #include <limits>
 
-#include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
 
 namespace asperity {
@@ -57,7 +55,6 @@ class Stagnation {
  public:
   explicit Stagnation(double share) : share_(share) {}
 
-  /// Of one more round.
   int add(double value) {
     if (!(value < share_ * mark_)) return ++rounds_;
     restart(value);
@@ -71,9 +68,8 @@ class Stagnation {
   int rounds_ = 0;
 };
 
-/// Ends at this ε, after about so many convolutions, or at round-off. Shifts the problem's datum where round-off
-/// demands it.
-ContactSolution minimise(ElasticOperator& influence, ContactProblem& problem, ContactStart start,
-                         double tolerance, double convolutions, const ContactObserver& observe = {});
+/// Ends at this ε, after about so many convolutions, or at round-off, which may shift the problem's datum.
+ContactSolution minimise(ContactProblem& problem, ContactStart start, double tolerance, double convolutions,
+                         const ContactObserver& observe = {});
 
 }  // namespace asperity

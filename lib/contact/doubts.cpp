@@ -57,30 +57,22 @@ std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& c
                                       : lengthen(grid, bodies, contact, touched));
 }
 
-// Along one axis: half the domain and the smallest radius of a body, of either sign.
-struct Reach {
-  const char* axis;
-  double half, radius;
-  double share() const { return half / radius; }
-};
-
-Reach reach(const char* axis, double side, double first, double second) {
-  return {axis, side / 2, std::min(std::abs(first), std::abs(second))};
-}
-
 }  // namespace
 
 std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies) {
   const auto& [one, other] = bodies.radius;
-  const Reach x = reach("x", grid.size_x(), one.x, other.x), y = reach("y", grid.size_y(), one.y, other.y);
-  const Reach& far = x.share() < y.share() ? y : x;
-  if (far.share() <= 1) return {};
+  auto smallest = [](double first, double second) { return std::min(std::abs(first), std::abs(second)); };
+  const double half_x = grid.size_x() / 2, half_y = grid.size_y() / 2;
+  const double radius_x = smallest(one.x, other.x), radius_y = smallest(one.y, other.y);
+  const bool in_y = half_x / radius_x < half_y / radius_y;
+  const double half = in_y ? half_y : half_x, radius = in_y ? radius_y : radius_x;
+  if (half / radius <= 1) return {};
   return {
       {"lies on a domain beyond the body",
        fmt::format(
            "the domain ends at {} = {:.3g} m, beyond a body's radius of {:.3g} m: the gap there is that of a "
            "paraboloid, not of the body",
-           far.axis, far.half, far.radius)}};
+           in_y ? "y" : "x", half, radius)}};
 }
 
 std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {

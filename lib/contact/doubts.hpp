@@ -1,15 +1,13 @@
 /// Where a contact leaves the model that it was computed with, in sentences.
 ///
-/// The model is that of half-spaces under small strains, on a domain that holds the contact. A result is in doubt where
-///     cells in contact < 50            too few for its outline and its pressure,                            (1)
-///     p > 0 at the domain's edge       what would be pressed beyond it is missing,                          (2)
-///     max p > E*                       strains and slopes are of order one,                                 (3)
-///     L/2 > |R|                        the body has ended where its paraboloid goes on.                     (4)
-/// (2) tells the sides that Hertz's semi-axes a, b need, 3a × 3b, or those of a like ellipse that carries the load at
-/// max p, where that is larger; and half as much again where the domain has them already. Flats have no such size,
-/// and a cylinder ends with its domain. (3): under a pressure p a square cell sinks by K₀₀ p = 1.12 Δx p/E*
-/// (contact/influence.hpp), at p = E* by more than its own width. Solids yield long before, which is for the limit
-/// pressure to say.
+/// The model is that of half-spaces under small strains, on a domain that holds the contact. In doubt is
+///     cells in contact < 50            too few for its outline and its pressure,                         (1)
+///     p > 0 at the domain's edge       what would be pressed beyond it is missing,                       (2)
+///     max p > E*                       strains and slopes are of order one,                              (3)
+///     L/2 > |R|                        the body has ended where its paraboloid goes on.                  (4)
+/// (2) tells the sides that are needed: 3a × 3b of Hertz's semi-axes, or of a like ellipse that carries the
+/// load at max p where that is larger, and half as much again where the domain has them already. (3): under p
+/// a square cell sinks by K₀₀ p = 1.12 Δx p/E*; solids yield long before: give a limit pressure.
 ///
 /// Symbols   p pressure [Pa]   E* composite modulus [Pa]   L side of the domain [m]   R radius of a body [m]
 #pragma once

@@ -1,14 +1,12 @@
 /// What a contact at its limit pressure leaves behind when the load is taken off.
 ///
-/// Where p = p_Y the undeformed bodies overlap, pressed together, by δ - g > 0 (contact/problem.hpp): by that
-/// much they have yielded. The bodies keep it, the elastic displacement springs back entirely, and p = 0:
+/// Where p = p_Y the undeformed bodies overlap, pressed together, by δ - g > 0 (contact/problem.hpp): so much
+/// has yielded. It stays; the elastic displacement springs back, and p = 0:
 ///     w  = max(0, -gap) where p = p_Y, 0 elsewhere      plastic flattening                     (1)
 ///     z' = z - w                                        heights of the unloaded surface        (2)
-/// Pressed again by the same load, z' carries it elastically under the same pressure, for the undeformed gap is
-/// now h + w, and the former p and δ satisfy
+/// Under the same load z' carries the same pressure elastically: the undeformed gap is h + w, and
 ///     h + w + K p - δ = gap + w,  which is gap ≥ 0 where p = 0,  0 where 0 < p < p_Y,  0 where p = p_Y,  (3)
-/// the conditions of elastic contact, whose solution is unique. No pressure is above p_Y: the surface has shaken
-/// down.
+/// the conditions of elastic contact, whose solution is unique: the surface has shaken down.
 ///
 /// Symbols   z heights [m]   w flattening [m]   gap, p, p_Y, δ, h, K as in contact/solver.hpp
 /// Scope     no residual stress, no pile-up: what yields is gone from between the bodies.
@@ -19,7 +17,7 @@
 
 namespace asperity {
 
-/// What limits the pressure of a contact, over the yield stress in tension (D. Tabor, The Hardness of Metals, 1951).
+/// Limit pressure over the yield stress in tension (D. Tabor, The Hardness of Metals, 1951).
 inline constexpr double hardness = 3;
 
 /// w of (1) [m].

@@ -19,19 +19,13 @@ constexpr double largest_ratio = 1e100;  // of curvatures; GSL's R_D ends at k²
 
 double carlson_d(double x, double y, double z) { return gsl_sf_ellint_RD(x, y, z, GSL_PREC_DOUBLE); }
 
-// ln(B/A) of (4) for k = exp t, less the one wanted.
-double mismatch(double t, double wanted) {
-  const double k2 = std::exp(2 * t);
-  return std::log(carlson_d(0, 1, k2) / carlson_d(0, k2, 1)) - wanted;
-}
-
-// k ≤ 1 for B/A = exp(ratio) ≥ 1, by bisection; it lies above A/B, for B/A ≥ 1/k. Near k = 1 the mismatch may have lost
-// its sign in round-off at both ends, which a bisection does not mind.
+// k ≤ 1 of (4) for B/A = exp(ratio) ≥ 1; it lies above A/B. Bisection does not mind that near k = 1 round-off
+// takes the sign of the mismatch at both ends.
 double axes_ratio(double ratio) {
   double low = -ratio, high = 0;
   for (int i = 0; i < bisections; ++i) {
-    const double middle = (low + high) / 2;
-    (mismatch(middle, ratio) > 0 ? low : high) = middle;
+    const double middle = (low + high) / 2, k2 = std::exp(2 * middle);
+    (std::log(carlson_d(0, 1, k2) / carlson_d(0, k2, 1)) - ratio > 0 ? low : high) = middle;
   }
   return std::exp(high);
 }
@@ -53,7 +47,7 @@ Hertz hertz(const Bodies& bodies, double load) {
   if (!(load > 0 && std::isfinite(load)))
     throw ParameterError("load", fmt::format("{} N is not above 0", load));
   const double along_x = bodies.curvature_x(), along_y = bodies.curvature_y();
-  const double less = std::min(along_x, along_y), more = std::max(along_x, along_y);
+  const auto [less, more] = std::minmax({along_x, along_y});
   const double k = axes_ratio(std::log(more / less)), modulus = bodies.composite_modulus();
   const double a = std::cbrt(load * carlson_d(0, k * k, 1) / (pi * modulus * less)), b = k * a;
 

@@ -5,20 +5,18 @@
 ///     B/A = [E/k² - K] / [K - E]                    gives k                                      (1)
 ///     a³  = 3Q (K - E) / (2π E* m A)                p₀ = 3Q / (2πab)       δ = p₀ b K / E*       (2)
 ///     p   = p₀ √(1 - x²/a² - y²/b²)                                                              (3)
-/// and where A > B, x and y change places. For k → 1 numerators and denominators vanish together; in Carlson's
-/// forms [2], K = R_F(0, k², 1), K - E = m R_D(0, k², 1)/3, E/k² - K = m R_D(0, 1, k²)/3, nothing cancels:
+/// and where A > B, x and y change places. In Carlson's forms [2], K = R_F(0, k², 1), K - E = m R_D(0, k²,
+/// 1)/3, E/k² - K = m R_D(0, 1, k²)/3, nothing cancels for k → 1:
 ///     B/A = R_D(0, 1, k²) / R_D(0, k², 1)           a³ = Q R_D(0, k², 1) / (2π E* A)             (4)
 /// For k = 1 these are the sphere's a = (3QR / 4E*)^⅓, δ = a²/R.
 ///
-/// A line contact of two parallel cylinders, of load q per length in plane strain, has the half-width and
-/// greatest pressure
+/// A line contact of parallel cylinders, of load q per length in plane strain, has
 ///     b = √(4qR / πE*)      p₀ = 2q / (πb)      p = p₀ √(1 - x²/b²)                              (5)
 /// and no approach: that of a half-space under a line load grows without bound with its depth.
 ///
 /// Symbols   Q load [N]   q load per length [N/m]   E* composite modulus [Pa]   Rx, Ry, R composite radii [m]
-///           a, b semi-axes of the contact [m]   p₀ greatest pressure [Pa]   δ approach [m]
-/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5): infinite length; a cylinder that ends with the
-///           domain presses harder at its ends.
+///           a, b semi-axes of the contact, b half its width [m]   p₀ greatest pressure [Pa]   δ approach [m]
+/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5): infinite length.
 /// Accuracy  round-off, some 10 ε.
 ///
 /// [1] H. Hertz, Über die Berührung fester elastischer Körper, J. reine angew. Math. 92 (1881) 156-171;
@@ -39,11 +37,11 @@ struct Hertz {
   double radius_y = 0;  ///< semi-axis along y [m]
 };
 
-/// Whether (2) has an answer in doubles: both composite curvatures above 0 and finite, neither 1e100 times the other.
+/// Whether (2) has an answer: both composite curvatures above 0 and finite, neither 1e100 times the other.
 bool has_point_contact(const Bodies& bodies);
 
-/// (2). Throws ParameterError("radius") where has_point_contact is false, ParameterError("load") where the load is not
-/// above 0 and finite, and as Bodies::check does.
+/// (2). Throws ParameterError("radius") where has_point_contact is false, ParameterError("load") where the
+/// load is not above 0 and finite, and as Bodies::check does.
 Hertz hertz(const Bodies& bodies, double load);
 
 struct HertzLine {

@@ -1,13 +1,13 @@
 #include "contact/influence.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "contact/calibration.hpp"
+#include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "math/asinh_difference.hpp"
+#include "math/gauss_legendre.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
@@ -21,24 +21,14 @@ double closed_form(double x, double y, double a, double b) {
   return edge(x + a, y, b) - edge(x - a, y, b) + edge(y + b, x, a) - edge(y - b, x, a);
 }
 
-struct Node {
-  double at, weight;
-};
-constexpr std::array<Node, 3> gauss3{
-    {{-0.7745966692414834, 5.0 / 9}, {0, 8.0 / 9}, {0.7745966692414834, 5.0 / 9}}};
-constexpr std::array<Node, 4> gauss4{{{-0.8611363115940526, 0.3478548451374538},
-                                      {-0.3399810435848563, 0.6521451548625461},
-                                      {0.3399810435848563, 0.6521451548625461},
-                                      {0.8611363115940526, 0.3478548451374538}}};
-
 // The integrand 1/r is analytic: n nodes a side leave (size/2r)^2n.
 template <std::size_t n>
-double gauss_rule(const std::array<Node, n>& rule, double x, double y, double a, double b) {
+double gauss_rule(const GaussLegendre<n>& rule, double x, double y, double a, double b) {
   double sum = 0;
-  for (const auto [s, v] : rule)
-    for (const auto [t, w] : rule) {
-      const double dx = x + a * s, dy = y + b * t;
-      sum += v * w / std::sqrt(dx * dx + dy * dy);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double dx = x + a * rule.nodes[i], dy = y + b * rule.nodes[j];
+      sum += rule.weights[i] * rule.weights[j] / std::sqrt(dx * dx + dy * dy);
     }
   return a * b * sum;
 }
@@ -117,10 +107,11 @@ class HalfSpace final : public ElasticOperator {
     auto exceeds = [](Shape a, double share, Shape b) {
       return static_cast<double>(a.cells()) > share * static_cast<double>(b.cells());
     };
-    if (exceeds(torus, calibration::largest_window, padded_torus(shape())) || !covers(shape(), window.shape))
+    if (exceeds(torus, calibration::contact::largest_window, padded_torus(shape())) ||
+        !covers(shape(), window.shape))
       return nullptr;
     if (window_ && covers(window_->shape(), least) &&
-        !exceeds(window_->shape(), calibration::shared_window, window.shape))
+        !exceeds(window_->shape(), calibration::contact::shared_window, window.shape))
       return window_;
     setup_ = setup_seconds();
     return window_ = std::make_shared<HalfSpace>(window, modulus_, threads_, work_);

@@ -5,22 +5,22 @@
 ///     G(w; y,b) = w [asinh((y+b)/|w|) - asinh((y-b)/|w|)],
 /// so that a grid of cells is displaced by the convolution
 ///     u(i,j) = Σ_{i',j'} K(i-i', j-j') p(i',j'),   K(i,j) = (1) at (iΔx, jΔy),               (2)
-/// computed by transforms on a padded torus, without wrap-around [2]. On a periodic surface it is
-///     u^(q) = 2 p^(q) / (E* |q|),   u^(0) = 0                                                (3)
-/// instead, the half-space's answer to waves: nothing is padded, and u has zero mean.
+/// by transforms on a padded torus, without wrap-around [2]. A periodic surface answers to waves instead,
+///     u^(q) = 2 p^(q) / (E* |q|),   u^(0) = 0;                                               (3)
+/// nothing is padded, and u has zero mean.
 ///
-/// The preconditioner inverts K's transform on the torus of the field itself, M^ = 1/K^, where K is taken
-/// between nearest images; on a periodic surface it is (3) inverted. It costs a third of (2) or less.
+/// The preconditioner inverts K's transform on the torus of the field itself, M^ = 1/K^, K taken between
+/// nearest images, or (3). It costs a third of (2) or less.
 ///
-/// Where pressures vanish off a window of the grid, (2) within the window takes the window's cells alone. Windows
-/// are grown to the cells that their torus has room for; none is made for more than three quarters of the grid.
-/// Periodic surfaces have no windows. Grids, windows and M share one work space, and are made when first used.
+/// Where pressures vanish off a window of the grid, (2) takes the window's cells alone. A window is grown to
+/// the cells that its torus has room for; none is made of more than three quarters of the grid, or of a
+/// periodic one. Grids, windows and M share one work space, and are made when first used.
 ///
 /// Symbols   u displacement into the body [m]     p pressure [Pa]     E* composite modulus [Pa]
 ///           q wave vector [1/m]                  a, b half sides [m]
-/// Accuracy  (1): 1e-12 relative up to 16 000 cells away, where the textbook form has lost ε (r/Δx)². Beyond
-///           20 cells Gauss's rule over the rectangle takes its place, beyond 160 the multipoles up to the
-///           sixteenth: 1e-15.
+/// Accuracy  (1): 1e-12 relative up to 16 000 cells away, where the textbook form has lost ε (r/Δx)². From 20
+///           cells on Gauss's rule over the rectangle takes over, from 160 the multipoles to the sixteenth:
+///           1e-15.
 /// Cost      set-up: one even transform and 10 ns a coefficient. Apply: transform/convolution.hpp.
 ///
 /// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary,

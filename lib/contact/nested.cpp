@@ -2,22 +2,23 @@
 
 #include <algorithm>
 
-#include "contact/calibration.hpp"
+#include "core/calibration.hpp"
 #include "core/parallel.hpp"
 
 namespace asperity {
+namespace {
 
 bool can_coarsen(Shape shape) {
   return shape.nx % 2 == 0 && shape.ny % 2 == 0 &&
-         std::min(shape.nx, shape.ny) / 2 >= calibration::least_side;
+         std::min(shape.nx, shape.ny) / 2 >= calibration::contact::least_side;
 }
 
-ContactProblem coarsened(const ContactProblem& problem) {
+// On a quarter of the cells; K₀₀ is that of cells twice the size.
+ContactProblem coarsened(const ContactProblem& problem, ElasticOperator& body) {
   const Field& h = problem.h;
-  ContactProblem coarse = problem.without_gap();
+  ContactProblem coarse = problem.on(body, Field(h.rows() / 2, h.cols() / 2));
   coarse.sum /= 4;
   coarse.self_influence *= 2;
-  coarse.h.resize(h.rows() / 2, h.cols() / 2);
   parallel_ranges(coarse.h.rows(), problem.threads, [&](Index begin, Index end, int) {
     for (Index i = begin; i < end; ++i)
       for (Index j = 0; j < coarse.h.cols(); ++j) {
@@ -26,6 +27,19 @@ ContactProblem coarsened(const ContactProblem& problem) {
       }
   });
   return coarse;
+}
+
+}  // namespace
+
+std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem) {
+  std::vector<CoarseLevel> levels;
+  for (const ContactProblem* finer = &problem; can_coarsen(shape_of(finer->h));
+       finer = &levels.back().problem) {
+    auto body = finer->influence->coarsened();
+    ContactProblem coarse = coarsened(*finer, *body);
+    levels.push_back({std::move(body), std::move(coarse)});
+  }
+  return levels;
 }
 
 Field prolonged(const Field& coarse, bool periodic, int threads) {

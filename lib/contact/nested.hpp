@@ -1,4 +1,4 @@
-/// From a grid to one twice as coarse and back, for a start that is nearly the solution.
+/// Grids twice as coarse and back, for a start that is nearly the solution.
 ///
 /// The gap is averaged over 2 × 2 cells; pressures return with the weights 9-3-3-1 of the four nearest coarse
 /// cells, where the coarse cell that holds the fine one is in contact, and are 0 elsewhere.
@@ -8,11 +8,15 @@
 
 namespace asperity {
 
-/// Even sides, and no half below 32 cells.
-bool can_coarsen(Shape shape);
-/// The same load, or approach, on a quarter of the cells; K₀₀ is doubled, as it is of cells twice the size.
-ContactProblem coarsened(const ContactProblem& problem);
+/// The problem on coarser cells, and the body there.
+struct CoarseLevel {
+  std::unique_ptr<ElasticOperator> body;
+  ContactProblem problem;
+};
+
+/// Under the same load or approach, from the second finest grid on: sides are even, no half below 32.
+std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem);
 /// Pressures on the grid twice as fine; `periodic` tells what lies beyond the edge.
-Field prolonged(const Field& coarse, bool periodic, int threads = 1);
+Field prolonged(const Field& coarse, bool periodic, int threads);
 
 }  // namespace asperity

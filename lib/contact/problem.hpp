@@ -8,20 +8,20 @@
 ///
 /// Or δ is given in place of S: then Σp is free, and (2) are the conditions of the least
 ///     ½ p·Kp + (h - δ)·p   under 0 ≤ p ≤ c.                                                  (1')
-/// δ ≤ min h leaves p = 0. Where K has no answer to a constant pressure (periodic surfaces) and c = ∞, (1')
-/// has a minimum for δ < mean h alone: in full contact the mean gap is 0 whatever the load.
+/// δ ≤ min h leaves p = 0. On periodic surfaces with c = ∞ (1') has a minimum for δ < mean h alone: in full
+/// contact the mean gap is 0 whatever the load.
 ///
-/// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of max g
-/// over p = c and min g over p = 0, or the one that exists. Within (1') it is as given. p is unique, K being
-/// definite; δ is where a cell is free, and else any value between those two. With k = K₀₀,
+/// Given any p within (1), δ is the mean of g where 0 < p < c; if no cell is free, the midpoint of max g over
+/// p = c and min g over p = 0, or the one that exists. p is unique, K being definite; δ is where a cell is
+/// free, and else any value between those two. With k = K₀₀,
 ///     w = k p - clip(k p - (g - δ), 0, k c)                                                  (3)
 /// is g - δ where p is free, min(g - δ, 0) where p = 0, max(g - δ, 0) where p = c, as far as a cell's own
 /// pressure can mend it, and 0 everywhere in the solution alone. The residual is
 ///     ε = max|w| / max(max u - min u, k Σp/n),   u = K p.                                    (4)
-/// k Σp/n, a cell's displacement under the mean pressure, counts only where surfaces are so flat and contact is
-/// so full that u hardly varies. ε does not depend on units or on the datum of h. ε = 1e-6 leaves the greatest
-/// pressure an error of 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves
-/// 1e-10…2e-7 and none. Round-off sets a floor of 5e-14…5e-12, with h counted from about δ.
+/// k Σp/n, a cell's displacement under the mean pressure, counts only where contact is so full and so flat
+/// that u hardly varies. ε depends neither on units nor on the datum of h. ε = 1e-6 leaves the greatest
+/// pressure an error of 1e-9…3e-5 and the contact area one of three cells or less; ε = 1e-8 leaves 1e-10…2e-7
+/// and none. Round-off sets a floor of 5e-14…5e-12, with h counted from about δ.
 ///
 /// Symbols   p pressure [Pa]   c limit pressure [Pa]   S load over cell area [Pa]   h undeformed gap [m]
 ///           g gap but for the approach [m]   δ approach [m]   K elastic operator [m/Pa]
@@ -31,11 +31,13 @@
 #include <optional>
 
 #include "contact/blocks.hpp"
+#include "contact/elastic_operator.hpp"
 #include "core/field.hpp"
 
 namespace asperity {
 
 struct ContactProblem {
+  ElasticOperator* influence = nullptr;                  ///< K
   Field h;                                               ///< undeformed gap [m]
   double sum = 0;                                        ///< S [Pa]
   double cap = std::numeric_limits<double>::infinity();  ///< c [Pa]
@@ -44,10 +46,12 @@ struct ContactProblem {
   int threads = 1;
   double datum = 0;  ///< what h, g and δ count from [m]
 
-  /// Counts from `by` further up. Round-off of g is ε of its largest value in contact: none where δ is about 0.
+  /// Counts from `by` further up. Round-off of g is ε of its largest in contact: none where δ is about 0.
   void shift(double by);
-  /// All but h.
-  ContactProblem without_gap() const { return {{}, sum, cap, self_influence, approach, threads, datum}; }
+  /// The same on other cells of the body.
+  ContactProblem on(ElasticOperator& cells, Field gap) const {
+    return {&cells, std::move(gap), sum, cap, self_influence, approach, threads, datum};
+  }
   Blocks blocks() const { return {h.size(), threads}; }
   bool capped() const { return cap < std::numeric_limits<double>::infinity(); }
   bool is_free(double p) const { return p > 0 && p < cap; }

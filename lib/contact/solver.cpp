@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "contact/calibration.hpp"
 #include "contact/influence.hpp"
 #include "contact/nested.hpp"
 #include "contact/problem.hpp"
 #include "contact/stiffness.hpp"
 #include "contact/windowed.hpp"
+#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
@@ -19,7 +19,7 @@
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::contact;
 
 void check_approach(const Grid& grid, const Field& gap, const ContactParameters& parameters) {
   const double approach = *parameters.approach, touch = gap.minCoeff(), mean = gap.mean();
@@ -33,13 +33,7 @@ void check_approach(const Grid& grid, const Field& gap, const ContactParameters&
                     approach, mean));
 }
 
-void check_start(const Grid& grid, const Field& start) {
-  if (start.size() == 0) return;
-  if (!(shape_of(start) == grid.shape)) throw DataError("pressure", "the start and the grid differ in shape");
-  if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
-}
-
-ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& influence,
+ContactProblem make_problem(const Grid& grid, Field gap, ElasticOperator& influence,
                             const ContactParameters& parameters) {
   if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
     throw DataError("heights", "the field, the grid and the operator differ in shape");
@@ -48,8 +42,12 @@ ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& 
     check_approach(grid, gap, parameters);
   else
     check_carried("load", parameters.load, grid, parameters.limit_pressure);
-  check_start(grid, parameters.start);
-  ContactProblem problem{std::move(gap),
+  const Field& start = parameters.start;
+  if (start.size() > 0 && shape_of(start) != grid.shape)
+    throw DataError("pressure", "the start and the grid differ in shape");
+  if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
+  ContactProblem problem{&influence,
+                         std::move(gap),
                          parameters.load / grid.cell_area(),
                          parameters.limit_pressure,
                          influence.self_influence(),
@@ -57,21 +55,6 @@ ContactProblem make_problem(const Grid& grid, Field gap, const ElasticOperator& 
                          parameters.threads};
   if (parameters.approach) problem.shift(*parameters.approach);
   return problem;
-}
-
-// A coarser grid.
-struct Level {
-  std::unique_ptr<ElasticOperator> influence;
-  ContactProblem problem;
-};
-
-// From the second finest to the coarsest.
-std::vector<Level> coarser_levels(const ElasticOperator& influence, const ContactProblem& problem) {
-  std::vector<Level> levels;
-  for (const ElasticOperator* finer = &influence; can_coarsen(finer->shape());
-       finer = levels.back().influence.get())
-    levels.push_back({finer->coarsened(), coarsened(levels.empty() ? problem : levels.back().problem)});
-  return levels;
 }
 
 ContactObserver observer(const Grid& grid, Shape shape, const ContactParameters& parameters) {
@@ -99,8 +82,7 @@ std::string describe(ContactStop stop, double epsilon, const ContactParameters& 
 }
 
 // Squares of pressures beyond 1e154 are infinite: then no residual says anything.
-void check_range(const ContactParameters& parameters, bool finite) {
-  if (finite) return;
+[[noreturn]] void refuse_range(const ContactParameters& parameters) {
   const bool sunk = parameters.approach.has_value();
   throw ParameterError(sunk ? "approach" : "load",
                        fmt::format("{} {}: the pressures or displacements leave the range of a double",
@@ -125,7 +107,7 @@ void set_fields(Contact& contact, const Grid& grid, ContactProblem& problem, Win
     });
     return Eigen::Array3d(p.sum(), g.max(0.0).sum(), u.sum());
   });
-  check_range(parameters, sums.isFinite().all());
+  if (!sums.isFinite().all()) refuse_range(parameters);
   contact.load = sums[0] * grid.cell_area();
   contact.load_error = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
   contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
@@ -170,27 +152,26 @@ Field flat_start(const ContactProblem& problem) {
 }
 
 // From the coarsest grid to the second finest, each starting from the solution before it.
-Field nested_start(Contact& contact, const Grid& grid, std::vector<Level> levels,
+Field nested_start(Contact& contact, const Grid& grid, std::vector<CoarseLevel> levels,
                    const ContactParameters& parameters) {
   const WindowedLimits limits{std::max(coarse_tolerance, parameters.tolerance), coarse_convolutions, false};
   Field start = flat_start(levels.back().problem);
   for (bool near = false; !levels.empty(); levels.pop_back(), near = true) {
-    auto& [influence, problem] = levels.back();
-    const Shape shape = influence->shape();
-    const WindowedSolution solved = minimise_on_window(*influence, problem, std::move(start), near, limits,
-                                                       observer(grid, shape, parameters));
+    auto& [body, problem] = levels.back();
+    const Shape shape = body->shape();
+    const WindowedSolution solved =
+        minimise_on_window(problem, std::move(start), near, limits, observer(grid, shape, parameters));
     count(contact, solved.convolutions, solved.preconditionings, share_of(shape, grid));
     start = prolonged(solved.p, grid.periodic, parameters.threads);
-    contact.setup_seconds += influence->setup_seconds();
+    contact.setup_seconds += body->setup_seconds();
   }
   return start;
 }
 
-void solve(Contact& contact, const Grid& grid, ElasticOperator& influence, ContactProblem problem,
-           const ContactParameters& parameters) {
+void solve(Contact& contact, const Grid& grid, ContactProblem problem, const ContactParameters& parameters) {
   const bool warm = parameters.start.size() > 0;
-  std::vector<Level> levels;
-  if (parameters.nested_start && !warm) levels = coarser_levels(influence, problem);
+  std::vector<CoarseLevel> levels;
+  if (parameters.nested_start && !warm) levels = coarser_levels(problem);
   contact.levels = 1 + static_cast<int>(levels.size());
   const bool near = warm || !levels.empty();
   Field start = warm             ? parameters.start
@@ -199,13 +180,13 @@ void solve(Contact& contact, const Grid& grid, ElasticOperator& influence, Conta
 
   const WindowedLimits limits{parameters.tolerance, static_cast<double>(parameters.max_convolutions), true,
                               warm ? warm_margin_part : margin_part};
-  WindowedSolution solved = minimise_on_window(influence, problem, std::move(start), near, limits,
-                                               observer(grid, grid.shape, parameters));
+  WindowedSolution solved =
+      minimise_on_window(problem, std::move(start), near, limits, observer(grid, grid.shape, parameters));
   count(contact, solved.convolutions, solved.preconditionings, 1);
   set_result(contact, grid, problem, solved, parameters);
   set_fields(contact, grid, problem, solved, parameters);
   if (parameters.stiffness && contact.converged)
-    add_stiffness(contact, grid, influence, solved.body, parameters);
+    add_stiffness(contact, grid, *problem.influence, solved.body, parameters);
 }
 
 }  // namespace
@@ -242,7 +223,7 @@ Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& i
   const Stopwatch watch;
   const double setup_before = influence.setup_seconds();
   ContactProblem problem = make_problem(grid, std::move(undeformed_gap), influence, parameters);
-  solve(contact, grid, influence, std::move(problem), parameters);
+  solve(contact, grid, std::move(problem), parameters);
   contact.setup_seconds += influence.setup_seconds() - setup_before;
   contact.seconds = watch.seconds() - contact.setup_seconds;
   return contact;

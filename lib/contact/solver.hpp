@@ -7,24 +7,22 @@
 /// Find the pressure that carries the load Q,
 ///     0 ≤ p ≤ p_Y,   Σ p ΔxΔy = Q,   gap = h + K p - δ,
 /// with gap ≥ 0 where p = 0 (open), gap = 0 where 0 < p < p_Y (elastic), gap ≤ 0 where p = p_Y (flattened
-/// plastically by -gap), and K of contact/influence.hpp. contact/problem.hpp states the residual ε,
-/// contact/bound_constrained_cg.hpp the iteration, contact/windowed.hpp where it runs. It starts from the solutions of
-/// coarser grids (2 × 2 averages down to 32 cells a side), each to ε = 1e-3, or from a pressure that is given,
-/// as of a neighbouring load.
+/// plastically by -gap). Or δ is given and Q results; δ counts from the datum of h, so that the bodies first
+/// touch at δ = min h. On a periodic surface without limit pressure δ stays below the mean of h.
 ///
-/// Or δ is given and Q results. δ counts from the datum of h: the bodies first touch at δ = min h. On a
-/// periodic surface without limit pressure δ stays below the mean of h, which every full contact has.
+/// K is that of contact/influence.hpp, the residual ε that of contact/problem.hpp, the iteration that of
+/// contact/bound_constrained_cg.hpp on the windows of contact/windowed.hpp. It starts from coarser grids
+/// (averages of 2 × 2 cells down to 32 a side), each to ε = 1e-3, or from a given pressure.
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa], about 3 σ_Y   Q load [N]   δ approach [m]
 ///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
 /// Accuracy  bounds exact, load to 1e-12, ε as asked for and confirmed. What the cells leave: Hertz's
 ///           greatest pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)².
-/// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…100 for rough ones, more the finer the grid;
-///           two for a contact of a hundred cells; half as many again for the stiffness. Preconditioners and passes
-///           over the cells add a half.
+/// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…100 for rough ones, more the finer the
+///           grid; two for a contact of a hundred cells; half as many again for the stiffness.
+///           Preconditioners and passes over the cells add a half.
 /// Scope     half-spaces and small strains: contact/doubts.hpp says where a result leaves them.
-/// Memory    12 doubles a cell, the gap and the result included; less where contact is a part of the domain.
-///           Move the gap in if it is not wanted any more.
+/// Memory    12 doubles a cell, gap and result included; less where contact is a part of the domain.
 #pragma once
 
 #include <cstdint>
@@ -61,8 +59,7 @@ struct ContactParameters {
   int threads = 1;
   std::function<void(const ContactProgress&)> progress = {};  ///< told of every round
 
-  /// Throws ParameterError: load > 0 or an approach, not both; limit-pressure > 0, 0 < tolerance < 1,
-  /// max-convolutions ≥ 1.
+  /// Throws ParameterError unless load > 0 or an approach is given, not both; the rest > 0, tolerance < 1.
   void check() const;
 };
 
@@ -97,8 +94,8 @@ struct Contact {
 
 /// Solves with the half-space's operator, the periodic one where the grid is periodic. Throws
 /// DataError("heights") when the gap is not finite, DataError("pressure") when the start is not or does not
-/// fit, ParameterError("load") when not even p_Y on every cell carries it, ParameterError("approach") when the
-/// bodies do not touch at it or no contact has it, and either when what it asks for leaves the range of a double.
+/// fit, ParameterError("load") when not even p_Y on every cell carries it, ParameterError("approach") when
+/// the bodies do not touch at it or no contact has it, either when it leaves the range of a double.
 Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 

@@ -18,8 +18,10 @@ bool answers_constant(ElasticOperator& body, Shape shape) {
 
 Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double limit_pressure,
                             double cell_area, double convolutions, int threads) {
-  ContactProblem problem{
-      .h = Field::Zero(pressure.rows(), pressure.cols()), .cap = limit_pressure, .threads = threads};
+  ContactProblem problem{.influence = &body,
+                         .h = Field::Zero(pressure.rows(), pressure.cols()),
+                         .cap = limit_pressure,
+                         .threads = threads};
   const Field& none = problem.h;
   const FreeSet free(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
   if (free.cells == 0) return {.value = 0, .residual = 0};
@@ -30,12 +32,12 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
 
   problem.approach = 1;  // of K q
   Trial trial;
-  SubspaceCG cg(body, problem, free, none, none, trial);
+  SubspaceCG cg(problem, free, none, none, trial);
   while (cg.residual().largest > stiffness_tolerance / 2 && asked + cg.applications() < convolutions &&
          cg.step()) {
   }
   body.apply(trial.p, trial.g);
-  const SubspaceCG fresh(body, problem, free, trial.p, trial.g, trial);
+  const SubspaceCG fresh(problem, free, trial.p, trial.g, trial);
   Stiffness out{.residual = fresh.residual().largest,
                 .convolutions = asked + cg.applications() + 1,
                 .preconditionings = cg.applications()};

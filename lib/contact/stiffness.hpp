@@ -1,26 +1,23 @@
 /// The stiffness of a contact: how its load grows with the approach.
 ///
-/// While no cell changes its state the gap stays 0 on the free cells C, where 0 < p < p_Y, and every other pressure
-/// stays as it is, at 0 or at p_Y. So q = dp/dδ obeys
+/// While no cell changes its state the gap stays 0 on the free cells C, other pressures stay: q = dp/dδ obeys
 ///     K q = 1 on C,   q = 0 elsewhere,                                                       (1)
 ///     S = dQ/dδ = ΔxΔy Σ q,                                                                   (2)
-/// the flat punch of the contact's outline, solved by preconditioned conjugate gradients on C (contact/subspace_cg.hpp).
-/// Of an approximate q with u = K q,
+/// the flat punch of the contact's outline, by conjugate gradients on C. Of an approximate q with u = K q,
 ///     S ≈ ΔxΔy Σ q (2 - u)                                                                    (3)
-/// is low by ΔxΔy (q* - q)·K(q* - q), of the second order in the residual max|1 - u| on C; (2) errs by that residual
-/// at most, relative, where q* ≥ 0.
+/// is low by ΔxΔy (q* - q)·K(q* - q), of the second order in the residual max|1 - u| on C; (2) errs by that
+/// residual at most, relative, where q* ≥ 0.
 ///
-/// Without free cells S = 0: all are at their limit. Where every cell is free and K has no answer to a constant
-/// pressure (a periodic surface in full contact), S = ∞: the mean gap is 0 whatever the load. In its partial contact S
-/// is the fall of load with the mean gap, for u has no mean.
+/// Without free cells S = 0. Where every cell is free and K has no answer to a constant pressure (a periodic
+/// surface in full contact), S = ∞. In its partial contact S is the fall of load with the mean gap.
 ///
-/// Symbols   p pressure [Pa]   p_Y limit pressure [Pa]   q dp/dδ [Pa/m]   K elastic operator [m/Pa]   δ approach [m]
-///           Q load [N]   S stiffness [N/m]   Δx, Δy cell [m]   a contact radius [m]   E* composite modulus [Pa]
-/// Scope     the solution's C: Q(δ) of cells is piecewise linear, S is a staircase that steps up where a cell joins.
-/// Accuracy  (3): round-off, 1e-10 or so at a residual of 1e-6, which is asked for. The outline's cells leave of Hertz's
-///           2aE* some 0.05 Δx/a, 0.2 Δx/a at most where the contact has 20 cells or more.
-/// Cost      about half the convolutions of the solution, on its window: 5 for smooth spheres, 5…35 for rough ones, the
-///           more the sparser the contact and the finer the grid, 8…25 for periodic surfaces.
+/// Symbols   p pressure [Pa]   p_Y limit pressure [Pa]   q dp/dδ [Pa/m]   K elastic operator [m/Pa]
+///           Q load [N]   S stiffness [N/m]   δ approach [m]   Δx, Δy cell [m]   a contact radius [m]
+/// Scope     the solution's C: S is a staircase that steps up where a cell joins.
+/// Accuracy  (3): round-off, 1e-10 or so at a residual of 1e-6, which is asked for. The outline's cells leave
+///           of Hertz's 2aE* some 0.05 Δx/a, 0.2 Δx/a at most where the contact has 20 cells or more.
+/// Cost      about half the convolutions of the solution, on its window: 5 for smooth spheres, 5…35 for rough
+///           ones, more the sparser the contact and the finer the grid, 8…25 for periodic surfaces.
 ///
 /// J. R. Barber, Bounds on the electrical resistance between contacting elastic rough bodies,
 /// Proc. R. Soc. Lond. A 459 (2003) 53-66.

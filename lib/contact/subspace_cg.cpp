@@ -1,20 +1,12 @@
 #include "contact/subspace_cg.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace asperity {
-namespace {
-
-// Pairs of sums over a block.
-using Sums = Eigen::Array2d;
-
-}  // namespace
 
 FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, double approach)
     : mask(static_cast<std::size_t>(p.size())) {
-  const Sums sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
+  const Eigen::Array2d sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
     const auto pb = block.of(p), gb = block.of(g);
     auto in_set = block.of(mask);
     double count = 0, gap = 0;
@@ -27,23 +19,15 @@ FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, 
       count += in ? 1.0 : 0.0;
       gap += in ? gb[i] : 0.0;
     }
-    return Sums(count, gap);
+    return Eigen::Array2d(count, gap);
   });
   cells = sums[0];
   gap_sum = sums[1];
 }
 
-void SubspaceResidual::operator+=(const SubspaceResidual& other) {
-  squared += other.squared;
-  largest = std::max(largest, other.largest);
-}
-
-double SubspaceResidual::norm() const { return std::sqrt(squared); }
-
-SubspaceCG::SubspaceCG(ElasticOperator& influence, const ContactProblem& problem, const FreeSet& free,
-                       const Field& p, const Field& g, Trial& trial)
-    : influence_(influence),
-      problem_(problem),
+SubspaceCG::SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
+                       Trial& trial)
+    : problem_(problem),
       free_(free),
       trial_(trial),
       mean_gap_(problem.approach ? *problem.approach : mean(free.gap_sum)) {
@@ -74,41 +58,46 @@ SubspaceResidual SubspaceCG::residual(Block b) {
 }
 
 bool SubspaceCG::step() {
-  const Blocks blocks = problem_.blocks();
   ++applications_;
-  influence_.precondition(trial_.q, trial_.q);
-  const Sums z = blocks.sum([&, level = mean_gap_](Block b) {
+  problem_.influence->precondition(trial_.q, trial_.q);
+  const auto [zr, sum_z] = sums_of_z();
+  turn(mean(sum_z), steps_ > 0 ? zr / zr_old_ : 0);
+  problem_.influence->apply(trial_.d, trial_.q);
+  const auto [curvature, sum_q] = sums_of_q();
+  if (!(curvature > 0 && zr > 0)) return false;
+  zr_old_ = zr;
+  advance(zr / curvature, mean(sum_q));
+  ++steps_;
+  return true;
+}
+
+SubspaceCG::Sums SubspaceCG::sums_of_z() const {
+  return problem_.blocks().sum([&, level = mean_gap_](Block b) {
     const auto in_set = b.of(free_.mask);
-    const auto zb = b.of(std::as_const(trial_.q)), g = b.of(std::as_const(trial_.g));
-    double sum = 0, zr = 0;
+    const auto z = b.of(std::as_const(trial_.q)), g = b.of(std::as_const(trial_.g));
+    double zr = 0, sum = 0;
 #pragma omp simd reduction(+ : sum, zr)
     for (Index i = 0; i < b.size; ++i) {
-      const double zi = in_set[i] * zb[i];
+      const double zi = in_set[i] * z[i];
       sum += zi;
       zr += zi * (level - g[i]);
     }
-    return Sums(sum, zr);
+    return Sums{zr, sum};
   });
-  const double zr = z[1];
-  turn(mean(z[0]), steps_ > 0 ? zr / zr_old_ : 0);
+}
 
-  influence_.apply(trial_.d, trial_.q);
-  const Sums q = blocks.sum([&](Block b) {
+SubspaceCG::Sums SubspaceCG::sums_of_q() const {
+  return problem_.blocks().sum([&](Block b) {
     const auto in_set = b.of(free_.mask);
-    const auto d = b.of(std::as_const(trial_.d)), qb = b.of(std::as_const(trial_.q));
-    double curvature = 0, sum = 0;
-#pragma omp simd reduction(+ : curvature, sum)
+    const auto d = b.of(std::as_const(trial_.d)), q = b.of(std::as_const(trial_.q));
+    double dq = 0, sum = 0;
+#pragma omp simd reduction(+ : dq, sum)
     for (Index i = 0; i < b.size; ++i) {
-      curvature += d[i] * qb[i];
-      sum += in_set[i] * qb[i];
+      dq += d[i] * q[i];
+      sum += in_set[i] * q[i];
     }
-    return Sums(curvature, sum);
+    return Sums{dq, sum};
   });
-  if (!(q[0] > 0 && zr > 0)) return false;
-  zr_old_ = zr;
-  advance(zr / q[0], mean(q[1]));
-  ++steps_;
-  return true;
 }
 
 // d = P_F z + β d.

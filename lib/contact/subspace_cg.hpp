@@ -1,6 +1,4 @@
-/// Conjugate gradients on the cells that may change.
-///
-/// These are the free ones, and those at a bound whose gap drives them off it,
+/// Conjugate gradients on the cells that may change: free ones, and those that the gap drives off a bound,
 ///     F = {0 < p < c} ∪ {p = 0, g < δ} ∪ {p = c, g > δ}.                                        (1)
 /// On F the energy is least, bounds ignored, where g is even: r = mean_F(g) - g = 0. With P_F the projection
 /// that masks F and subtracts the mean over F, a step is
@@ -9,7 +7,7 @@
 /// Σp stays as it is, and δ is never an unknown. Under a given approach δ takes the place of mean_F(g), and
 /// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's.
 ///
-/// Cost: one application of K, one of M, and four passes over the cells a step, a third of the operators' time.
+/// Cost: an application of K, one of M, and four passes a step, a third of the operators' time.
 /// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g.
 ///
 /// I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level
@@ -18,10 +16,11 @@
 /// 931-953.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "contact/elastic_operator.hpp"
 #include "contact/problem.hpp"
 
 namespace asperity {
@@ -46,16 +45,18 @@ struct Trial {
 struct SubspaceResidual {
   double squared = 0, largest = 0;  ///< |r|² [m²], max|r| [m]
 
-  void operator+=(const SubspaceResidual& other);
-  double norm() const;  ///< |r| [m]
+  double norm() const { return std::sqrt(squared); }  ///< |r| [m]
+  void operator+=(const SubspaceResidual& other) {
+    squared += other.squared;
+    largest = std::max(largest, other.largest);
+  }
 };
 
 class SubspaceCG {
  public:
-  /// Starts from p and g = h + K p, on a set that outlives it. Works in the fields of `trial`, whose p and g are the
-  /// iterate.
-  SubspaceCG(ElasticOperator& influence, const ContactProblem& problem, const FreeSet& free, const Field& p,
-             const Field& g, Trial& trial);
+  /// Starts from p and g = h + K p. The iterate is p and g of `trial`, whose fields are worked in.
+  SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
+             Trial& trial);
 
   /// (2). False, and p and g are as before, when the curvature along d or z·r is not positive.
   bool step();
@@ -72,11 +73,17 @@ class SubspaceCG {
  private:
   /// What P_F subtracts from a field whose sum over F this is.
   double mean(double sum) const { return problem_.approach ? 0 : sum / free_.cells; }
+  /// The product with another vector, and the sum over F.
+  struct Sums {
+    double product = 0, sum = 0;
+    void operator+=(const Sums& other) { product += other.product, sum += other.sum; }
+  };
+  Sums sums_of_z() const;  ///< z·r
+  Sums sums_of_q() const;  ///< d·q
   SubspaceResidual residual(Block b);
   void turn(double mean_z, double beta);
   void advance(double a, double mean_q);
 
-  ElasticOperator& influence_;
   const ContactProblem& problem_;
   const FreeSet& free_;
   Trial& trial_;

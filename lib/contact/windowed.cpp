@@ -7,14 +7,13 @@
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::contact;
 
 double share_of(Index cells, const ContactProblem& problem) {
   return static_cast<double>(cells) / static_cast<double>(problem.h.size());
 }
 
-// Under a given approach a contact lies where the undeformed bodies overlap: a start for want of one that they
-// push back.
+// Under a given approach, where nothing is pushed back, the contact of the undeformed bodies.
 Field pushed_back(const ContactProblem& problem, Field p) {
   p = p.max(0.0);
   if (!problem.approach || ((*problem.approach - problem.h) * p).sum() > 0) return p;
@@ -22,46 +21,43 @@ Field pushed_back(const ContactProblem& problem, Field p) {
 }
 
 // The least window of a contact that is worth a body of its own, else the whole.
-WindowBody body_around(const ContactWindow& contact, ElasticOperator& influence,
-                       const ContactProblem& problem, Index margin_part) {
-  const Shape domain = influence.shape();
+WindowBody body_around(const ContactWindow& contact, const ContactProblem& problem, Index margin_part) {
+  const Shape domain = shape_of(problem.h);
   WindowBody body{contact, whole(domain), nullptr};
   if (contact.empty()) return body;
   const Index margin = least_margin + std::max(contact.x.count, contact.y.count) / margin_part;
   const ContactWindow least = widened(contact, margin, domain);
   const bool carries = problem.approach ||
                        spare_cells * problem.sum < problem.cap * static_cast<double>(least.shape().cells());
-  if (carries) body.influence = influence.windowed(least.shape());
+  if (carries) body.influence = problem.influence->windowed(least.shape());
   if (body.influence) body.window = enlarged(least, body.influence->shape(), domain);
   return body;
 }
 
 // On some of the cells; adds to x what it took, by their share.
-void minimise_on(ElasticOperator& influence, ContactProblem& problem, ContactStart start, double share,
-                 const WindowedLimits& limits, const ContactObserver& observe, ContactSolution& x) {
+void minimise_on(ContactProblem& problem, ContactStart start, double share, const WindowedLimits& limits,
+                 const ContactObserver& observe, ContactSolution& x) {
   const double convolutions = x.convolutions, preconditionings = x.preconditionings;
   ContactObserver shared;
   if (observe)
     shared = [&](const ContactResidual& residual, double done) {
       observe(residual, convolutions + share * done);
     };
-  x = minimise(influence, problem, std::move(start), limits.tolerance,
-               (limits.convolutions - convolutions) / share, shared);
+  x = minimise(problem, std::move(start), limits.tolerance, (limits.convolutions - convolutions) / share,
+               shared);
   x.convolutions = convolutions + share * x.convolutions;
   x.preconditionings = preconditionings + share * x.preconditionings;
 }
 
-void minimise_on_body(ElasticOperator& influence, ContactProblem& problem, bool near,
-                      const WindowedLimits& limits, const ContactObserver& observe, WindowedSolution& x) {
+void minimise_on_body(ContactProblem& problem, bool near, const WindowedLimits& limits,
+                      const ContactObserver& observe, WindowedSolution& x) {
   ContactStart start{std::move(x.p), std::move(x.g), near};
-  if (!x.body.influence) return minimise_on(influence, problem, std::move(start), 1, limits, observe, x);
+  if (!x.body.influence) return minimise_on(problem, std::move(start), 1, limits, observe, x);
 
   const ContactWindow& window = x.body.window;
-  ContactProblem part = problem.without_gap();
-  part.h = window.of(problem.h);
+  ContactProblem part = problem.on(*x.body.influence, window.of(problem.h));
   ContactStart inside{window.of(start.p), start.g.size() > 0 ? window.of(start.g) : Field(), near};
-  minimise_on(*x.body.influence, part, std::move(inside), share_of(part.h.size(), problem), limits, observe,
-              x);
+  minimise_on(part, std::move(inside), share_of(part.h.size(), problem), limits, observe, x);
   window.put(x.p, start.p);
   x.p = std::move(start.p);
   x.g = std::move(start.g);
@@ -70,10 +66,10 @@ void minimise_on_body(ElasticOperator& influence, ContactProblem& problem, bool 
 }
 
 // ε of g = h + K p on the whole grid, the load restored to round-off.
-void confirm(ElasticOperator& influence, const ContactProblem& problem, ContactSolution& x) {
+void confirm(const ContactProblem& problem, ContactSolution& x) {
   if (x.fresh) return;
   clip_and_rescale(problem, x.p);
-  influence.apply(x.p, x.g);
+  problem.influence->apply(x.p, x.g);
   x.g += problem.h;
   ++x.convolutions;
   x.residual = contact_residual(problem, x.p, x.g);
@@ -82,17 +78,16 @@ void confirm(ElasticOperator& influence, const ContactProblem& problem, ContactS
 
 }  // namespace
 
-WindowedSolution minimise_on_window(ElasticOperator& influence, ContactProblem& problem, Field start,
-                                    bool near, const WindowedLimits& limits, const ContactObserver& observe) {
+WindowedSolution minimise_on_window(ContactProblem& problem, Field start, bool near,
+                                    const WindowedLimits& limits, const ContactObserver& observe) {
   WindowedSolution x;
   x.p = pushed_back(problem, std::move(start));
-  x.body =
-      body_around(window_of(x.p, [](double p) { return p > 0; }), influence, problem, limits.margin_part);
+  x.body = body_around(window_of(x.p, [](double p) { return p > 0; }), problem, limits.margin_part);
   Stagnation gain(1);
   for (;; near = true) {
-    minimise_on_body(influence, problem, near, limits, observe, x);
+    minimise_on_body(problem, near, limits, observe, x);
     if (!x.body.influence && !limits.confirm) return x;
-    confirm(influence, problem, x);
+    confirm(problem, x);
     const double epsilon = x.residual.epsilon;
     if (epsilon <= limits.tolerance) x.stop = ContactStop::converged;
     if (epsilon <= limits.tolerance || x.stop == ContactStop::convolution_limit) return x;
@@ -103,7 +98,7 @@ WindowedSolution minimise_on_window(ElasticOperator& influence, ContactProblem& 
     const auto overlaps = [approach = x.residual.approach](double g) { return g < approach; };
     const ContactWindow contact = united(x.body.contact, window_of(x.g, overlaps));
     if (united(x.body.window, contact) != x.body.window) {
-      x.body = body_around(contact, influence, problem, limits.margin_part);
+      x.body = body_around(contact, problem, limits.margin_part);
     } else if (exhausted) {
       x.stop = ContactStop::round_off;
       return x;

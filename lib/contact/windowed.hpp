@@ -7,22 +7,70 @@
 ///       minimise on W, p = 0 elsewhere                                 contact/bound_constrained_cg.hpp
 ///       g ← h + K p on the grid                                    one application of the whole K
 ///       W ← W ∪ the least window of g < δ, with a margin
-/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, the grid is looked at and W
-/// grows while there is a violation outside; only the limit of convolutions ends it without. W is the whole grid where
-/// the start is in contact everywhere, where the body has no windows or none worth it, and where the limit pressure on
-/// W would not carry the load.
+/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, W grows while there
+/// is a violation outside; only the limit of convolutions ends it without. W is the whole grid where the
+/// start is in contact everywhere, no window is worth it, or p_Y on W does not carry the load.
 ///
 /// Accuracy  ε is that of the last g on the grid, which no recurrence has touched.
 /// Cost      an application of K or M on W costs, and counts, as the share that W has of the grid's cells.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "contact/bound_constrained_cg.hpp"
-#include "contact/calibration.hpp"
-#include "contact/window.hpp"
+#include "core/calibration.hpp"
+#include "core/extent.hpp"
 
 namespace asperity {
+
+/// A rectangle of a grid's cells.
+struct ContactWindow {
+  Extent x, y;  ///< without lines: empty
+
+  bool empty() const { return x.count == 0; }
+  Shape shape() const { return {x.count, y.count}; }
+  bool operator==(const ContactWindow&) const = default;
+
+  Field of(const Field& f) const { return f.block(x.first, y.first, x.count, y.count); }
+  void put(const Field& part, Field& into) const { into.block(x.first, y.first, x.count, y.count) = part; }
+};
+
+inline ContactWindow whole(Shape shape) { return {{0, shape.nx}, {0, shape.ny}}; }
+
+/// The least window that holds both.
+inline ContactWindow united(const ContactWindow& a, const ContactWindow& b) {
+  if (a.empty() || b.empty()) return a.empty() ? b : a;
+  auto along = [](Extent one, Extent other) -> Extent {
+    const Index first = std::min(one.first, other.first);
+    return {first, std::max(one.end(), other.end()) - first};
+  };
+  return {along(a.x, b.x), along(a.y, b.y)};
+}
+
+/// More cells on each side, within the domain.
+inline ContactWindow widened(const ContactWindow& window, Index cells, Shape domain) {
+  auto along = [cells](Extent held, Index n) -> Extent {
+    const Index first = std::max<Index>(held.first - cells, 0);
+    return {first, std::min(held.end() + cells, n) - first};
+  };
+  return {along(window.x, domain.nx), along(window.y, domain.ny)};
+}
+
+/// About the same middle, larger, within the domain; `shape` covers the window's.
+inline ContactWindow enlarged(const ContactWindow& window, Shape shape, Shape domain) {
+  auto along = [](Extent held, Index count, Index n) -> Extent {
+    return {std::clamp<Index>(held.first - (count - held.count) / 2, 0, n - count), count};
+  };
+  return {along(window.x, shape.nx, domain.nx), along(window.y, shape.ny, domain.ny)};
+}
+
+/// The least window of the cells where holds(value): p > 0, or g < δ, which wants to be in contact.
+template <class Holds>
+ContactWindow window_of(const Field& f, Holds holds) {
+  const auto [x, y] = extents(f, holds);
+  return {x, y};
+}
 
 /// A rectangle that holds the contact, and the body on it.
 struct WindowBody {
@@ -35,16 +83,14 @@ struct WindowedSolution : ContactSolution {
 };
 
 struct WindowedLimits {
-  double tolerance = 1e-6;                       ///< of ε
-  double convolutions = 1000;                    ///< on this grid, by their share
-  bool confirm = true;                           ///< on the whole grid, even where the iteration has seen it
-  Index margin_part = calibration::margin_part;  ///< a margin is this part of the contact's sides
+  double tolerance = 1e-6;     ///< of ε
+  double convolutions = 1000;  ///< on this grid, by their share
+  bool confirm = true;         ///< on the whole grid, even where the iteration has seen it
+  Index margin_part = calibration::contact::margin_part;  ///< a margin is this part of the contact's sides
 };
 
-/// Solves from a pressure; `near` says that it is nearly the solution. Shifts the problem's datum where round-off
-/// demands it.
-WindowedSolution minimise_on_window(ElasticOperator& influence, ContactProblem& problem, Field start,
-                                    bool near, const WindowedLimits& limits,
-                                    const ContactObserver& observe = {});
+/// Solves from a pressure; `near`: nearly the solution. May shift the problem's datum.
+WindowedSolution minimise_on_window(ContactProblem& problem, Field start, bool near,
+                                    const WindowedLimits& limits, const ContactObserver& observe);
 
 }  // namespace asperity

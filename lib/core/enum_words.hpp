@@ -1,4 +1,4 @@
-/// Enumerations by their words, one a value and in the order of the values.
+/// Enumerations by their words: enum_words(Enum) has one a value, in the order of the values.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace asperity {
 template <std::size_t n>
 using EnumWords = std::array<std::string_view, n>;
 
-template <std::size_t n, class Enum>
-std::string_view word_of(const EnumWords<n>& words, Enum value) {
-  return words[static_cast<std::size_t>(value)];
-}
+template <class Enum>
+requires requires(Enum value) { enum_words(value); }
+std::string_view name_of(Enum value) { return enum_words(value)[static_cast<std::size_t>(value)]; }
 
 /// Throws ParameterError(parameter) where the word is none of them.
-template <class Enum, std::size_t n>
-Enum enum_named(const EnumWords<n>& words, std::string_view word, const char* parameter) {
+template <class Enum>
+Enum enum_named(std::string_view word, const char* parameter) {
+  const auto words = enum_words(Enum{});
   std::string all;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
     if (word == words[i]) return static_cast<Enum>(i);
-    all += (i == 0 ? "" : i + 1 == n ? " and " : ", ") + std::string(words[i]);
+    all += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + std::string(words[i]);
   }
   throw ParameterError(parameter, "'" + std::string(word) + "' is none of " + all);
 }

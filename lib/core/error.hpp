@@ -1,7 +1,5 @@
-/// What can be wrong with a request, in the user's words.
-///
-/// Both kinds carry the name of what is wrong, so that a tool can say "load: ..." or "heights: ..." in one
-/// line; the text gives the value and the bound that it breaks.
+/// What can be wrong with a request, in the user's words: the name of it, so that a tool can say "load: ..."
+/// in one line, and a text with the value and the bound that it breaks.
 #pragma once
 
 #include <stdexcept>
@@ -16,6 +14,11 @@ class ParameterError : public std::invalid_argument {
       : std::invalid_argument(message), name(std::move(parameter)) {}
   std::string name;
 };
+
+/// Throws ParameterError unless it holds.
+inline void check_parameter(bool holds, const char* parameter, const std::string& message) {
+  if (!holds) throw ParameterError(parameter, message);
+}
 
 /// Data that cannot be used: a dataset, a variable or a field of it. `name` is the variable's.
 class DataError : public std::runtime_error {

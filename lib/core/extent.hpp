@@ -1,11 +1,7 @@
-/// Where on a grid something is: the lines from the first to the last that hold any of it.
-///
-/// On a periodic grid they are the fewest lines in a row that hold all of it, and may go on beyond the edge.
-///
-/// Cost: one pass over the field.
+/// Where on a grid something is: the lines from the first to the last that hold any of it; on a periodic
+/// grid the fewest lines in a row that hold all of it, which may go on beyond the edge.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "core/field.hpp"

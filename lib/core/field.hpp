@@ -7,11 +7,17 @@
 /// Symbols   nx, ny  number of cells     Δx, Δy  spacing [m]     Lx, Ly  size of the domain [m]
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include <Eigen/Core>
 
 namespace asperity {
 
 using Index = Eigen::Index;
+
+/// A count as the standard library takes it.
+constexpr std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 /// A quantity per cell, nx × ny, row-major (y fastest).
 using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -24,6 +30,8 @@ struct Shape {
 };
 
 inline Shape shape_of(const Field& f) { return {f.rows(), f.cols()}; }
+/// "31x17"
+inline std::string text(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
 
 /// A domain cut into cells.
 struct Grid {

@@ -1,7 +1,5 @@
-/// Memory for large arrays in pages of 2 MiB, where the system has them on request.
-///
-/// The first touch of a page costs about half a microsecond, as much as copying it: an array of 4096 × 4096 doubles
-/// has 32768 pages of the common size, and 64 large ones.
+/// Memory for large arrays in pages of 2 MiB, where the system has them on request: the first touch of a page
+/// costs half a microsecond, as much as copying it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +7,7 @@
 
 namespace asperity {
 
-/// To be called on memory that has not been touched yet; small blocks, and a system that refuses, are left as they are.
+/// Of memory that has not been touched yet; small blocks, and a system that refuses, are left as they are.
 inline void prefer_large_pages(void* memory, std::size_t bytes) {
   constexpr std::size_t page = std::size_t{2} << 20;
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;

@@ -1,7 +1,5 @@
-/// Loops over independent pieces on several threads.
-///
-/// The pieces are dealt out in contiguous runs, one a thread, and nothing is reduced across threads: a result
-/// never depends on the number of threads.
+/// Loops over independent pieces on several threads, in contiguous runs, one a thread. Nothing is reduced
+/// across threads: a result never depends on their number.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +17,9 @@ inline int resolve_threads(int requested) {
   return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Calls run(begin, end, worker) on contiguous runs that cover [0, count); worker < threads tells buffers
-/// apart. Costs about 30 µs a thread: call it on pieces that take longer. Rethrows the first exception. A thread that
-/// cannot be started, for want of memory for its stack, leaves its run to the one that calls.
+/// Calls run(begin, end, worker) on runs that cover [0, count); worker < threads tells buffers apart. Costs
+/// 30 µs a thread. Rethrows the first exception. The run of a thread that cannot be started, for want of
+/// memory, is the caller's.
 template <class Run>
 void parallel_ranges(Index count, int threads, Run run) {
   const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));

@@ -1,12 +1,10 @@
-/// Poisson's ratio of an isotropic elastic body: one set of bounds for all that takes one,
-///     -1 < ν ≤ ½,
-/// within which the moduli of compression, E/3(1-2ν), and of shear, E/2(1+ν), are positive: at ½ the body keeps its
-/// volume, below 0 it widens when it is stretched (auxetic foams).
+/// Poisson's ratio of an isotropic elastic body, -1 < ν ≤ ½, within which the moduli of compression,
+/// E/3(1-2ν), and of shear, E/2(1+ν), are positive: at ½ the body keeps its volume, below 0 it widens when
+/// stretched.
 #pragma once
 
-#include <sstream>
-
 #include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 
@@ -14,10 +12,7 @@ constexpr bool is_poisson_ratio(double nu) { return nu > -1 && nu <= 0.5; }
 
 /// Throws ParameterError("poisson") unless it is one.
 inline void check_poisson(double nu) {
-  if (is_poisson_ratio(nu)) return;
-  std::ostringstream text;
-  text << nu << " must lie above -1 and not above 0.5";
-  throw ParameterError("poisson", text.str());
+  check_parameter(is_poisson_ratio(nu), "poisson", in_digits(nu, 6) + " must lie above -1 and not above 0.5");
 }
 
 }  // namespace asperity

@@ -1,8 +1,6 @@
-/// Whether memory can be had, asked before a library that breaks down for want of it: FFTW aborts, KINSOL goes on with what
-/// it has freed.
-///
-/// What is asked for is taken and given back: nothing keeps another thread from taking it in between.
-/// Cost: two calls of the system, some 2 µs.
+/// Whether memory can be had, asked before a library that breaks down for want of it: FFTW aborts, KINSOL
+/// goes on with what it has freed. It is taken and given back, and another thread may take it in between. 2
+/// µs.
 #pragma once
 
 #include <cstddef>

@@ -41,8 +41,8 @@ void for_each_character(std::string_view text, const auto& visit) {
   }
 }
 
-// Control characters of both sets, the soft hyphen, the ends of lines and paragraphs, marks and overrides of direction, what
-// joins words without a trace, the mark of byte order, and the two that are none.
+// Control characters of both sets, the soft hyphen, ends of lines and paragraphs, marks and overrides of
+// direction, what joins words without a trace, the mark of byte order, and the two that are none.
 bool speaks(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return first < 0x20 || first == 0x7f;

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dataset/layout.hpp"
 
 namespace asperity {
@@ -57,16 +59,6 @@ bool swap_axes(Dataset& dataset, const char* slow, const char* fast) {
   return any;
 }
 
-void name_axes(Dataset& dataset) {
-  for (const auto& [name, axis] : {std::pair{"x", "X"}, {"y", "Y"}})
-    if (Variable* coordinate = dataset.find(name)) coordinate->attributes.set("axis", axis);
-}
-
-void forget_axes(Dataset& dataset) {
-  for (const char* name : {"x", "y"})
-    if (Variable* coordinate = dataset.find(name)) coordinate->attributes.erase("axis");
-}
-
 // Of every variable that lies on the dimension, along it.
 void reverse_along(Dataset& dataset, std::string_view dimension) {
   const Index points = dataset.length(dimension);
@@ -98,27 +90,25 @@ void negate(Values& values) {
   negate(std::get<std::vector<double>>(values));
 }
 
-// The coordinate z of a dataset when it is positive in this direction, else nothing.
-Variable* vertical(Dataset& dataset, std::string_view positive) {
-  Variable* z = dataset.find("z");
-  return z && z->dimensions == Names{"z"} && z->attributes.text("positive") == positive ? z : nullptr;
-}
-
-void turn(Variable& z, std::string_view positive, std::string_view words) {
-  negate(z.values);
-  z.attributes.set("long_name", words);
-  z.attributes.set("positive", positive);
-  if (const Values* range = z.attributes.find("actual_range")) {
-    std::vector<double> turned = numbers(*range);
-    std::ranges::reverse(turned);
-    negate(turned);
-    z.attributes.set_values("actual_range", turned);
-  }
-}
-
 bool descends(const Variable& axis) {
   const std::vector<double> values = numbers(axis.values);
   return values.size() > 1 && values.back() < values.front();
+}
+
+// A coordinate z that is positive in one direction, into the other; layers run downwards, of heights upwards.
+void turn(Dataset& dataset, std::string_view from, std::string_view to, std::string_view words) {
+  Variable* z = dataset.find("z");
+  if (!z || z->dimensions != Names{"z"} || z->attributes.text("positive") != from) return;
+  negate(z->values);
+  z->attributes.set("long_name", words);
+  z->attributes.set("positive", to);
+  if (const Values* range = z->attributes.find("actual_range")) {
+    std::vector<double> turned = numbers(*range);
+    std::ranges::reverse(turned);
+    negate(turned);
+    z->attributes.set_values("actual_range", turned);
+  }
+  if (descends(*z)) reverse_along(dataset, "z");
 }
 
 // A depth that is not said to be one may be a height, and stays.
@@ -133,41 +123,36 @@ bool is_own_axis(const Variable& v) {
 // Rows of pictures often run downwards: each value keeps its coordinate.
 void let_ascend(Dataset& dataset) {
   Names turned;
-  for (const Variable& v : dataset.variables)
-    if (is_own_axis(v) && descends(v)) turned.push_back(v.name);
-  std::string line;
-  for (const std::string& name : turned) {
-    reverse_along(dataset, name);
-    line += (line.empty() ? "" : ", ") + name;
+  for (const Variable& v : dataset.variables) {
+    if (!is_own_axis(v) || !descends(v)) continue;
+    turned.push_back(v.name);
+    reverse_along(dataset, v.name);
   }
-  if (line.empty()) return;
-  line += " turned around with all that lay on " + std::string(turned.size() > 1 ? "them: they" : "it: it") +
-          " descended";
-  dataset.notes.push_back(line);
-  add_history(dataset, line);
+  if (turned.empty()) return;
+  dataset.notes.push_back(fmt::format("{} turned around with all that lay on {} descended",
+                                      fmt::join(turned, ", "), turned.size() > 1 ? "them: they" : "it: it"));
+  add_history(dataset, dataset.notes.back());
 }
 
 }  // namespace
 
 Dataset to_native_axes(Dataset dataset) {
-  if (swap_axes(dataset, "y", "x")) name_axes(dataset);
+  if (swap_axes(dataset, "y", "x"))
+    for (const auto& [name, axis] : {std::pair{"x", "X"}, {"y", "Y"}})
+      if (Variable* coordinate = dataset.find(name)) coordinate->attributes.set("axis", axis);
   constexpr std::pair<const char*, const char*> tables[] = {
       {"l", "k"}, {"q", "p"}, {"lag_y", "lag_x"}, {"wave_number_y", "wave_number_x"}};
   for (const auto& [slow, fast] : tables) swap_axes(dataset, slow, fast);
-  if (Variable* z = vertical(dataset, "up")) {
-    turn(*z, "down", "depth below the surface");
-    if (descends(*z)) reverse_along(dataset, "z");
-  }
+  turn(dataset, "up", "down", "depth below the surface");
   let_ascend(dataset);
   return dataset;
 }
 
 Dataset to_viewer_axes(Dataset dataset) {
-  if (swap_axes(dataset, "x", "y")) forget_axes(dataset);
-  if (Variable* z = vertical(dataset, "down")) {
-    turn(*z, "up", "height above the surface");
-    if (descends(*z)) reverse_along(dataset, "z");
-  }
+  if (swap_axes(dataset, "x", "y"))
+    for (const char* name : {"x", "y"})
+      if (Variable* coordinate = dataset.find(name)) coordinate->attributes.erase("axis");
+  turn(dataset, "down", "up", "height above the surface");
   return dataset;
 }
 

@@ -1,9 +1,14 @@
 #include "dataset/bytes.hpp"
 
 #include <algorithm>
+#include <fcntl.h>
 #include <new>
 #include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <utility>
+
+#include "core/error.hpp"
 
 namespace asperity {
 
@@ -11,10 +16,29 @@ Bytes::~Bytes() {
   if (data_) ::munmap(data_, capacity_);
 }
 
-Bytes::Bytes(Bytes&& other) noexcept
-    : data_(std::exchange(other.data_, nullptr)),
-      size_(std::exchange(other.size_, 0)),
-      capacity_(std::exchange(other.capacity_, 0)) {}
+Bytes::Bytes(Bytes&& other) noexcept { *this = std::move(other); }
+
+Bytes& Bytes::operator=(Bytes&& other) noexcept {
+  std::swap(data_, other.data_);
+  std::swap(size_, other.size_);
+  std::swap(capacity_, other.capacity_);
+  return *this;
+}
+
+Bytes Bytes::mapped(const std::string& path) {
+  Bytes out;
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status {};
+  if (fd >= 0 && ::fstat(fd, &status) == 0 && status.st_size > 0) {
+    const auto size = static_cast<std::size_t>(status.st_size);
+    if (void* const data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0); data != MAP_FAILED) {
+      out.data_ = static_cast<char*>(data);
+      out.size_ = out.capacity_ = size;
+    }
+  }
+  if (fd >= 0) ::close(fd);
+  return out;
+}
 
 char* Bytes::room(std::size_t more) {
   constexpr std::size_t least = std::size_t{64} << 20;
@@ -31,6 +55,14 @@ void Bytes::grow(std::size_t capacity) {
   data_ = static_cast<char*>(grown);
   capacity_ = capacity;
   ::madvise(data_, capacity_, MADV_HUGEPAGE);
+}
+
+void refuse_rest(std::string_view rest, const std::string& variable) {
+  if (std::ranges::all_of(rest, [](char c) { return c == '\0'; })) return;
+  throw DataError(variable,
+                  std::to_string(rest.size()) +
+                      " bytes follow its end, perhaps those of another one: give each in a file, or a "
+                      "stream, of its own");
 }
 
 }  // namespace asperity

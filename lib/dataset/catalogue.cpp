@@ -2,52 +2,29 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
+#include <utility>
 
 namespace asperity {
 namespace {
 
 using enum Role;
 
-constexpr KnownResult results[] = {{"kernel", "", "kernel_"},          {"heights", "kernel", "generate_"},
-                                   {"acf", "heights", "acf_"},         {"psd", "heights", "psd_"},
-                                   {"contact", "heights", "contact_"}, {"residual", "heights contact", ""},
-                                   {"stress", "contact", "stress_"}};
+constexpr KnownResult results[] = {
+    {"kernel", "", "kernel_", "kernel acf_target acf_achieved kernel_quantiles"},
+    {"heights", "kernel", "generate_", "heights values mask noise"},
+    {"acf", "heights", "acf_", "acf structure_function acf_quantiles"},
+    {"psd", "heights", "psd_", "psd"},
+    {"contact", "heights", "contact_", "pressure gap contact displacement displacement_plastic"},
+    {"residual", "heights contact", "", "heights_residual"},
+    {"stress", "contact", "stress_",
+     "von_mises max_shear octahedral_shear stress_1 stress_2 stress_3 stress_xx stress_yy stress_zz "
+     "stress_xy "
+     "stress_xz stress_yz direction_1_* direction_2_* direction_3_* section_x section_y"}};
 
-constexpr KnownVariable variables[] = {{"kernel", "kernel"},
-                                       {"acf_target", "kernel"},
-                                       {"acf_achieved", "kernel"},
-                                       {"kernel_quantiles", "kernel"},
-                                       {"heights", "heights", "m"},
-                                       {"values", "heights"},
-                                       {"mask", "heights"},
-                                       {"noise", "heights"},
-                                       {"acf", "acf"},
-                                       {"structure_function", "acf"},
-                                       {"acf_quantiles", "acf"},
-                                       {"psd", "psd"},
-                                       {"pressure", "contact", "Pa"},
-                                       {"gap", "contact", "m"},
-                                       {"contact", "contact"},
-                                       {"displacement", "contact", "m"},
-                                       {"displacement_plastic", "contact", "m"},
-                                       {"heights_residual", "residual", "m"},
-                                       {"von_mises", "stress", "Pa"},
-                                       {"max_shear", "stress"},
-                                       {"octahedral_shear", "stress"},
-                                       {"stress_1", "stress"},
-                                       {"stress_2", "stress"},
-                                       {"stress_3", "stress"},
-                                       {"stress_xx", "stress"},
-                                       {"stress_yy", "stress"},
-                                       {"stress_zz", "stress"},
-                                       {"stress_xy", "stress"},
-                                       {"stress_xz", "stress"},
-                                       {"stress_yz", "stress"},
-                                       {"direction_1_*", "stress"},
-                                       {"direction_2_*", "stress"},
-                                       {"direction_3_*", "stress"},
-                                       {"section_x", "stress"},
-                                       {"section_y", "stress"}};
+// Units that variables must measure where a tool reads them by their names.
+constexpr std::pair<std::string_view, std::string_view> units[] = {
+    {"m", "heights gap displacement displacement_plastic heights_residual"}, {"Pa", "pressure von_mises"}};
 
 // A tool that writes a new name adds it here: a test looks for it in the sources and in what they write.
 constexpr KnownAttribute attributes[] = {
@@ -156,10 +133,17 @@ constexpr KnownAttribute attributes[] = {
     {"stress_accurate_depth", achieved, "m", "accurate from this depth on"},
     {"stress_seconds", achieved, "s", "time"}};
 
-template <class List>
-auto named(const List& list, std::string_view name) {
-  const auto found = std::ranges::find_if(list, [&](const auto& item) { return fits(item.name, name); });
-  return found == std::end(list) ? nullptr : found;
+// Words of the table, between blanks.
+bool has(std::string_view words, std::string_view name) {
+  return std::ranges::any_of(std::views::split(words, ' '), [&](auto word) {
+    return fits(std::string_view(word.begin(), word.end()), name);
+  });
+}
+
+template <class Is>
+const KnownResult* result_that(Is is) {
+  const auto found = std::ranges::find_if(results, is);
+  return found == std::end(results) ? nullptr : found;
 }
 
 }  // namespace
@@ -169,24 +153,33 @@ bool fits(std::string_view pattern, std::string_view name) {
 }
 
 std::span<const KnownResult> known_results() { return results; }
-std::span<const KnownVariable> known_variables() { return variables; }
 std::span<const KnownAttribute> known_attributes() { return attributes; }
 
-const KnownVariable* known_variable(std::string_view name) { return named(variables, name); }
-const KnownAttribute* known_attribute(std::string_view name) { return named(attributes, name); }
+const KnownAttribute* known_attribute(std::string_view name) {
+  const auto found =
+      std::ranges::find_if(attributes, [&](const KnownAttribute& a) { return fits(a.name, name); });
+  return found == std::end(attributes) ? nullptr : found;
+}
 
-const KnownResult* result_of(const KnownVariable& variable) { return named(results, variable.result); }
+std::string_view unit_needed(std::string_view variable) {
+  for (const auto& [unit, names] : units)
+    if (has(names, variable)) return unit;
+  return "";
+}
 
-const KnownResult* result_of(const KnownAttribute& attribute) {
-  return std::ranges::find_if(results, [&](const KnownResult& r) {
-    return !r.prefix.empty() && attribute.name.starts_with(r.prefix);
-  });
+const KnownResult* result_of_variable(std::string_view name) {
+  return result_that([&](const KnownResult& r) { return has(r.variables, name); });
+}
+
+const KnownResult* result_of_attribute(std::string_view name) {
+  const KnownAttribute* known = known_attribute(name);
+  return result_that(
+      [&](const KnownResult& r) { return known && !r.prefix.empty() && known->name.starts_with(r.prefix); });
 }
 
 const KnownResult* result_of(std::string_view name) {
-  if (const KnownVariable* variable = known_variable(name)) return result_of(*variable);
-  const KnownAttribute* attribute = known_attribute(name);
-  return attribute ? result_of(*attribute) : nullptr;
+  const KnownResult* of_variable = result_of_variable(name);
+  return of_variable ? of_variable : result_of_attribute(name);
 }
 
 }  // namespace asperity

@@ -1,11 +1,10 @@
-/// What the tools write into a dataset: one table of results, of their variables and of their global attributes.
+/// What the tools write into a dataset: one table of results, their variables and their global attributes.
 ///
 /// A result is what one run computes together. It rests on another one when it was computed from it:
 ///
 ///     kernel ← heights ← contact ← residual, stress          acf, psd ← the field that was measured
 ///
-/// Whoever writes, forgets, checks, reports or documents a name finds here what is to be known of it. What the table does
-/// not name is a user's own.
+/// What the table does not name is a user's own.
 #pragma once
 
 #include <span>
@@ -19,11 +18,7 @@ bool fits(std::string_view pattern, std::string_view name);
 struct KnownResult {
   std::string_view name, rests_on;  ///< itself, and the results that it rests on, between blanks
   std::string_view prefix;          ///< of its attributes
-};
-
-struct KnownVariable {
-  std::string_view name, result;
-  std::string_view unit = "";  ///< that it must measure where a tool reads it by its name; "": any
+  std::string_view variables;       ///< its own, between blanks
 };
 
 /// What a number is: asked for, computed, said by a solver of itself, or none that a report has a place for.
@@ -39,17 +34,17 @@ struct KnownAttribute {
 };
 
 std::span<const KnownResult> known_results();
-std::span<const KnownVariable> known_variables();
 /// In the order in which the tools run, of each tool that in which a reader asks.
 std::span<const KnownAttribute> known_attributes();
 
 /// Null where the name is a user's own.
-const KnownVariable* known_variable(std::string_view name);
 const KnownAttribute* known_attribute(std::string_view name);
-/// The result that a variable, or an attribute, belongs to.
-const KnownResult* result_of(const KnownVariable& variable);
-const KnownResult* result_of(const KnownAttribute& attribute);
-/// The same of the name of either; null where the name is a user's own.
+/// The result that a variable, or an attribute, belongs to; null where the name is a user's own.
+const KnownResult* result_of_variable(std::string_view name);
+const KnownResult* result_of_attribute(std::string_view name);
+/// Of the name of either.
 const KnownResult* result_of(std::string_view name);
+/// What a variable must measure where a tool reads it by its name; "": anything.
+std::string_view unit_needed(std::string_view variable);
 
 }  // namespace asperity

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 #include "core/error.hpp"
-#include "dataset/rest.hpp"
+#include "dataset/bytes.hpp"
 
 namespace asperity {
 namespace {
@@ -16,7 +13,7 @@ enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attribut
 
 [[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
 
-// NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, into which it copies longer ones all the same.
+// NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, beyond which it writes all the same.
 constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
 // NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf looks for each name among all before it.
 constexpr std::uint64_t longest_list = 8192;
@@ -26,39 +23,24 @@ std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
 // Reads from the front of the bytes, and never beyond them.
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : rest_(bytes), all_(bytes.size()) {
-    const char version = bytes.size() > 3 ? bytes[3] : '\0';
-    wide_counts_ = version == 5;
-    wide_offsets_ = version != 1;
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {
     skip(4);
+    count_width_ = bytes[3] == 5 ? 8 : 4;
+    offset_width_ = bytes[3] == 1 ? 4 : 8;
   }
 
-  /// How many bytes have been read.
-  std::size_t place() const { return all_ - rest_.size(); }
-  bool wide_counts() const { return wide_counts_; }
-
-  std::uint64_t count() { return number(wide_counts_ ? 8 : 4); }
-  std::uint32_t word() { return static_cast<std::uint32_t>(number(4)); }
-  std::uint64_t offset() { return number(wide_offsets_ ? 8 : 4); }
-  void skip_count() { skip(wide_counts_ ? 8 : 4); }
+  std::size_t size() const { return bytes_.size(); }
+  std::size_t place() const { return place_; }
+  std::size_t count_width() const { return count_width_; }
   /// What a streaming writer leaves in place of the number of records.
-  std::uint64_t unknown_records() const { return wide_counts_ ? ~std::uint64_t{0} : 0xffffffff; }
-  /// a b bytes, which must be in the file.
-  std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
-    if (a != 0 && b > all_ / a) refuse_cut_short();
-    return a * b;
-  }
-  void require(std::uint64_t first, std::uint64_t bytes) {
-    if (first > all_ || bytes > all_ - first) refuse_cut_short();
-    end_ = std::max(end_, first + bytes);
-  }
-  /// Records whose number is not told reach to the end.
-  void require_all() { end_ = all_; }
-  /// The end of what was read and required so far, padded to four bytes.
-  std::uint64_t end() const { return std::min(padded(std::max(end_, all_ - rest_.size())), all_); }
+  std::uint64_t greatest_count() const { return ~std::uint64_t{0} >> (64 - 8 * count_width_); }
+
+  std::uint64_t count() { return number(count_width_); }
+  std::uint32_t word() { return static_cast<std::uint32_t>(number(4)); }
+  std::uint64_t offset() { return number(offset_width_); }
   /// n things of `size` bytes, padded to four.
   void skip_padded(std::uint64_t n, std::uint64_t size) {
-    if (n > rest_.size() / size) refuse_cut_short();
+    if (n > left() / size) refuse_cut_short();
     skip(padded(n * size));
   }
   void skip_name() {
@@ -66,40 +48,48 @@ class Reader {
     if (length > longest_name) refuse("its head has a name of " + std::to_string(length) + " bytes");
     skip_padded(length, 1);
   }
-
   /// The number of elements of a list, each of which has at least `least` words.
   std::uint64_t list(Tag tag, std::uint64_t least) {
     const std::uint32_t found = word();
     const std::uint64_t n = count();
     if (found != tag && (found != absent || n != 0)) refuse("its head is no NetCDF's");
-    if (n > rest_.size() / (4 * least)) refuse_cut_short();
+    if (n > left() / (4 * least)) refuse_cut_short();
     if (n > longest_list)
       refuse("its head lists " + std::to_string(n) + " things of a kind, more than the " +
              std::to_string(longest_list) + " that are read");
     return n;
   }
 
-  [[noreturn]] void refuse_cut_short() const {
-    refuse("its header claims more than the " + std::to_string(all_) +
-           " bytes that there are: it is cut short");
+  /// a b bytes, and the end of such as begin at a place, which must be in the file.
+  std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
+    if (a != 0 && b > size() / a) refuse_cut_short();
+    return a * b;
+  }
+  std::uint64_t end_of(std::uint64_t first, std::uint64_t bytes) const {
+    if (first > size() || bytes > size() - first) refuse_cut_short();
+    return first + bytes;
   }
 
  private:
+  [[noreturn]] void refuse_cut_short() const {
+    refuse("its header claims more than the " + std::to_string(size()) +
+           " bytes that there are: it is cut short");
+  }
+  std::size_t left() const { return size() - place_; }
+  void skip(std::uint64_t bytes) {
+    if (bytes > left()) refuse_cut_short();
+    place_ += bytes;
+  }
   std::uint64_t number(std::size_t width) {
-    if (width > rest_.size()) refuse_cut_short();
+    skip(width);
     std::uint64_t out = 0;
-    for (std::size_t i = 0; i < width; ++i) out = out << 8 | static_cast<unsigned char>(rest_[i]);
-    rest_.remove_prefix(width);
+    for (const char byte : bytes_.substr(place_ - width, width))
+      out = out << 8 | static_cast<unsigned char>(byte);
     return out;
   }
-  void skip(std::uint64_t bytes) {
-    if (bytes > rest_.size()) refuse_cut_short();
-    rest_.remove_prefix(bytes);
-  }
 
-  std::string_view rest_;
-  std::uint64_t all_, end_ = 0;
-  bool wide_counts_ = false, wide_offsets_ = false;
+  std::string_view bytes_;
+  std::size_t place_ = 0, count_width_ = 4, offset_width_ = 8;
 };
 
 // The bytes of a number of an external type, NC_BYTE = 1 to NC_UINT64 = 11.
@@ -117,8 +107,7 @@ void check_attributes(Reader& reader) {
   }
 }
 
-// Where the values of a variable lie: of one record, where it has records. `told` is where the head tells it, behind
-// the number of bytes.
+// Where the values of a variable lie, of one record if it has records, and where the head tells it.
 struct Extent {
   std::uint64_t begin = 0, bytes = 0;
   bool records = false;
@@ -153,7 +142,7 @@ Extent take_variable(Reader& reader, const std::vector<Length>& lengths) {
   }
   check_attributes(reader);
   out.bytes = reader.product(cells, size_of_type(reader.word()));
-  reader.skip_count();
+  reader.count();
   out.told = reader.place();
   out.begin = reader.offset();
   return out;
@@ -173,21 +162,23 @@ Head take_head(Reader& reader) {
   return out;
 }
 
-// Records follow each other, each of all variables that have them, padded unless there is one such variable.
-void check_extents(Reader& reader, const Head& head) {
-  std::uint64_t record = 0, last = 0, in_records = 0;
+// The end of all values. Records follow each other, each of all variables that have them, padded unless there
+// is one such variable; those whose number is not told reach to the end.
+std::uint64_t end_of_values(const Reader& reader, const Head& head) {
+  std::uint64_t end = 0, record = 0, last = 0, in_records = 0;
   for (const Extent& e : head.extents)
     if (e.records) {
       record += padded(last = e.bytes);
       ++in_records;
     } else {
-      reader.require(e.begin, e.bytes);
+      end = std::max(end, reader.end_of(e.begin, e.bytes));
     }
-  if (head.records == 0 || in_records == 0) return;
-  if (head.records == reader.unknown_records()) return reader.require_all();
+  if (head.records == 0 || in_records == 0) return end;
+  if (head.records == reader.greatest_count()) return reader.size();
   const std::uint64_t before = reader.product(head.records - 1, in_records == 1 ? last : record);
   for (const Extent& e : head.extents)
-    if (e.records) reader.require(e.begin, before + e.bytes);
+    if (e.records) end = std::max(end, reader.end_of(e.begin, before + e.bytes));
+  return end;
 }
 
 void put(std::string& file, std::size_t at, std::uint64_t number, std::size_t width) {
@@ -198,16 +189,15 @@ void put(std::string& file, std::size_t at, std::uint64_t number, std::size_t wi
 
 void check_classic_head(std::string_view bytes) {
   Reader reader(bytes);
-  check_extents(reader, take_head(reader));
-  refuse_rest(bytes.substr(reader.end()), "dataset");
+  const std::uint64_t values = end_of_values(reader, take_head(reader));
+  refuse_rest(bytes.substr(std::min(padded(std::max(values, reader.place())), bytes.size())), "dataset");
 }
 
 std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
                          const std::vector<std::uint64_t>& bytes) {
   Reader reader(file);
   const Head small = take_head(reader);
-  const std::size_t width = reader.wide_counts() ? 8 : 4;
-  const std::uint64_t most = reader.wide_counts() ? ~std::uint64_t{0} : 0xffffffff;
+  const std::size_t width = reader.count_width();
   for (std::size_t d = 0; d < small.lengths.size(); ++d)
     put(file, small.lengths[d].told, lengths.at(d), width);
   std::uint64_t begin = reader.place();
@@ -217,7 +207,7 @@ std::string resized_head(std::string file, const std::vector<std::uint64_t>& len
       const Extent& e = small.extents[v];
       if (e.records != records) continue;
       const std::uint64_t size = padded(bytes.at(v));
-      put(file, e.told - width, std::min(size, most), width);
+      put(file, e.told - width, std::min(size, reader.greatest_count()), width);
       put(file, e.told, begin, 8);
       begin += size;
     }

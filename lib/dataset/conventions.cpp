@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -29,7 +28,7 @@ bool is_floating(const Values& values) {
 
 std::string text_of(double value) { return in_digits(value, 6); }
 
-// The Users Guide's: the least number but one of signed types, the greatest of unsigned ones (but one of 64 bits).
+// The Users Guide's: the least number but one if it has a sign, else the greatest (but one of 64 bits).
 template <class T>
 constexpr T default_fill() {
   if constexpr (std::is_floating_point_v<T>) return static_cast<T>(default_of_doubles);
@@ -41,8 +40,7 @@ constexpr T default_fill() {
 // None of bytes and text.
 Values default_fill_of(const Values& values) {
   return std::visit(
-      [](const auto& list) -> Values {
-        using List = std::decay_t<decltype(list)>;
+      []<class List>(const List&) -> Values {
         using T = typename List::value_type;
         return sizeof(T) == 1 ? List() : List(1, default_fill<T>());
       },
@@ -61,8 +59,7 @@ std::optional<T> as(double value) {
 // A list of the one number, of the type of these values; an empty one where it is none of them.
 Values alone(double number, const Values& values) {
   return std::visit(
-      [&](const auto& list) -> Values {
-        using List = std::decay_t<decltype(list)>;
+      [&]<class List>(const List&) -> Values {
         const auto value = as<typename List::value_type>(number);
         return value ? List(1, *value) : List();
       },
@@ -88,20 +85,19 @@ Values with_sign(const List& list, bool sign) {
 // Of the numbers that are there, in the type of the values.
 void set_range(Variable& variable) {
   const double mark = mark_of(variable);
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  std::visit(
-      [&](const auto& list) {
-        for (const auto v : list)
-          if (const auto value = static_cast<double>(v); value != mark) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-          }
+  const Values range = std::visit(
+      [&]<class List>(const List& list) -> Values {
+        List out;
+        for (const auto v : list) {
+          if (const auto value = static_cast<double>(v); std::isnan(value) || value == mark) continue;
+          if (out.empty()) out = {v, v};
+          out[0] = std::min(out[0], v);
+          out[1] = std::max(out[1], v);
+        }
+        return out;
       },
       variable.values);
-  Values range = alone(low, variable.values);
-  const Values end = alone(high, variable.values);
-  if (!(low <= high) || count(range) + count(end) < 2) return variable.attributes.erase("actual_range");
-  std::visit([&](auto& list) { list.push_back(std::get<std::decay_t<decltype(list)>>(end)[0]); }, range);
+  if (count(range) == 0) return variable.attributes.erase("actual_range");
   variable.attributes.set_values("actual_range", range);
 }
 
@@ -154,8 +150,7 @@ std::optional<double> Conventions::number_in(const Variable& variable, const cha
 }
 
 void Conventions::take_sign(const Variable& variable) {
-  own_ =
-      std::visit([](const auto& list) -> Values { return std::decay_t<decltype(list)>(); }, variable.values);
+  own_ = std::visit([]<class List>(const List&) -> Values { return List(); }, variable.values);
   if (!variable.attributes.find("_Unsigned")) return;
   const std::string word = variable.attributes.text("_Unsigned");
   if (word != "true" && word != "false") refuse(variable, "_Unsigned", "neither true nor false");
@@ -164,9 +159,8 @@ void Conventions::take_sign(const Variable& variable) {
 
 // What is of the variable's own type has the sign that its values are meant with.
 Values Conventions::own_type(const Values& values) const {
-  const bool sign = std::visit(
-      [](const auto& list) { return std::is_signed_v<typename std::decay_t<decltype(list)>::value_type>; },
-      own_);
+  const bool sign =
+      std::visit([]<class List>(const List&) { return std::is_signed_v<typename List::value_type>; }, own_);
   return std::visit([&](const auto& list) { return with_sign(list, sign); }, values);
 }
 
@@ -225,8 +219,8 @@ Values Conventions::unpacked(Values packed) const {
   if (packed.index() != own_.index()) packed = own_type(packed);
   if (!doubles_ && !mark_) return packed;
   return std::visit(
-      [&](auto& list) -> Values {
-        using T = typename std::decay_t<decltype(list)>::value_type;
+      [&]<class List>(List& list) -> Values {
+        using T = typename List::value_type;
         if (!doubles_) {
           for (T& v : list)
             if (missing(static_cast<double>(v))) v = static_cast<T>(*mark_);

@@ -5,23 +5,20 @@
 ///     value = v scale_factor + add_offset                       where v is no mark and in the valid range
 ///     none                                                      elsewhere
 ///
-///     marks           _FillValue; every number of missing_value; where there is no _FillValue, NetCDF's default fill of
-///                     the type, which stands where nothing was ever written (9.969209968386869e36 of floating
-///                     numbers; bytes have none)
+///     marks           _FillValue; every number of missing_value; without _FillValue, NetCDF's default
+///                     fill of the type (9.969209968386869e36 of floating numbers; bytes have none)
 ///     valid range     valid_range, or valid_min and valid_max
 ///     _Unsigned       "true" of signed whole numbers: they and these attributes are meant without sign
 ///
-/// Marks and ranges are those of the packed numbers, as CF has it. Afterwards a variable holds plain values, of double
-/// precision where they were packed and else of its own type, and one mark at most, `_FillValue` or one missing_value; what
-/// told the rest is gone, and actual_range is that of the points that are there. A variable that no tool uses goes through a
-/// pipe like that: the same values and the same missing points.
+/// Marks and ranges are those of the packed numbers, as CF has it. Afterwards a variable holds plain values,
+/// of double precision where they were packed and else of its own type, and one mark at most, `_FillValue` or
+/// one missing_value; what told the rest is gone, and actual_range is that of the points that are there.
 ///
-/// Refused, by the variable's name: a scale that is not one finite number or is 0, an offset, a mark or a bound that is
-/// text or no number, a range that holds nothing, and one of floating numbers beside packed whole ones, which some
-/// write of the unpacked values.
+/// Refused, by the variable's name: a scale that is not one finite number or is 0, an offset, a mark or a
+/// bound that is text or no number, a range that holds nothing, and one of floating numbers beside packed
+/// whole ones, which some write of the unpacked values.
 ///
-/// Cost      a look at the names of attributes; one pass over what has such attributes. The default fill is told by
-///           mark_of and looked for in passes that are made anyway.
+/// Cost      a look at the names of attributes; one pass over what has such attributes.
 ///
 /// CF Conventions 1.8, sections 2.5.1 and 8.1; The NetCDF Users Guide, appendix A: Attribute Conventions.
 #pragma once
@@ -34,8 +31,8 @@
 
 namespace asperity {
 
-/// The number that stands for no value in a plain variable: _FillValue, else a missing_value, else the default of its
-/// type; NaN where there is none.
+/// The number that stands for no value in a plain variable: _FillValue, else a missing_value, else the
+/// default of its type; NaN where there is none.
 double mark_of(const Variable& variable);
 /// The values as doubles, NaN where there is none.
 std::vector<double> present_numbers(const Variable& variable);

@@ -10,15 +10,10 @@
 namespace asperity {
 namespace {
 
-// The first element of a list that has this name, or end.
-template <class List>
-auto named(List& list, std::string_view name) {
-  return std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
-}
-
+// The first element of a list that has this name, or null.
 template <class List>
 auto* pointer_to(List& list, std::string_view name) {
-  const auto at = named(list, name);
+  const auto at = std::ranges::find_if(list, [&](const auto& item) { return item.name == name; });
   return at == list.end() ? nullptr : &*at;
 }
 
@@ -43,19 +38,17 @@ void Attributes::set_values(std::string_view name, Values values) {
     list_.push_back({std::string(name), std::move(values)});
 }
 
-void Attributes::set(std::string_view name, std::string_view text) {
-  set_values(name, Values(std::string(text)));
-}
+void Attributes::set(std::string_view name, std::string_view text) { set_values(name, std::string(text)); }
 void Attributes::set(std::string_view name, double number) {
   const KnownAttribute* known = std::isfinite(number) ? nullptr : known_attribute(name);
   if (!std::isfinite(number) && !(known && known->open))
     throw DataError(std::string(name), std::string("it comes out ") +
                                            (std::isnan(number) ? "as no number" : "infinite") +
                                            ": what is asked for leaves the range of doubles");
-  set_values(name, Values(std::vector<double>{number}));
+  set_values(name, std::vector<double>{number});
 }
 void Attributes::set(std::string_view name, int number) {
-  set_values(name, Values(std::vector<std::int32_t>{number}));
+  set_values(name, std::vector<std::int32_t>{number});
 }
 
 void Attributes::erase(std::string_view name) {

@@ -1,8 +1,6 @@
 /// A dataset in memory: dimensions, variables and attributes, in the order in which they stand in the file.
 ///
-/// It is plain data. Whatever a file held that Asperity does not understand is kept as it was, its type
-/// included, and written again. dataset/netcdf.hpp turns it into bytes and back; dataset/layout.hpp knows
-/// what a surface, a grid and a kernel look like in it.
+/// It is plain data: what Asperity does not understand is kept, its type included, and written again.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +13,7 @@
 
 namespace asperity {
 
-/// The values of a variable (row-major) or of an attribute, in the external type of the file; text is a
-/// string.
+/// The values of a variable (row-major) or of an attribute, in the external type of the file.
 using Values = std::variant<std::string, std::vector<std::int8_t>, std::vector<std::uint8_t>,
                             std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>,
                             std::vector<std::uint32_t>, std::vector<std::int64_t>, std::vector<std::uint64_t>,
@@ -36,7 +33,7 @@ struct Attribute {
 class Attributes {
  public:
   void set(std::string_view name, std::string_view text);
-  /// Throws DataError(name, …) for a number that is not finite, unless the catalogue has it that this one may be.
+  /// Throws DataError(name, …) for a number that is not finite, unless by the catalogue it may be.
   void set(std::string_view name, double number);
   void set(std::string_view name, int number);
   void set_values(std::string_view name, Values values);

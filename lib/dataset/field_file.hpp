@@ -1,9 +1,7 @@
-/// A dataset whose fields, on (x, y) or (y, x), stay in the file, and are read by whole rows: for fields larger than memory.
-///
-/// What lies on both x and y is left in the file; everything else, coordinates, tables and attributes, is read.
+/// A dataset whose fields, on (x, y) or (y, x), stay in the file and are read by whole rows: for fields
+/// larger than memory. Everything else, coordinates, tables and attributes, is read.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -22,13 +20,11 @@ class FieldFile {
   const Dataset& dataset() const { return dataset_; }
   const Grid& grid() const { return grid_; }
   /// `count` rows from `first` on in SI, missing points NaN. Throws DataError when one is infinite.
-  Field rows(Index first, Index count) const;
-  /// The same of columns.
-  Field columns(Index first, Index count) const;
+  Field rows(Index first, Index count) const { return part("x", first, count); }
+  Field columns(Index first, Index count) const { return part("y", first, count); }
 
  private:
-  enum class Axis { x, y };
-  Field part(Axis along, Index first, Index count) const;
+  Field part(std::string_view axis, Index first, Index count) const;
 
   NetcdfFile file_;
   Dataset dataset_;

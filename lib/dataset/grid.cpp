@@ -1,5 +1,3 @@
-#include "dataset/grid.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +5,8 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/conventions.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
 
 namespace asperity {
 namespace {
@@ -25,7 +24,7 @@ double length_of_points(const std::vector<double>& points) {
   return n > 1 ? std::abs(points.back() - points.front()) / (n - 1) * n : NAN;
 }
 
-// Whether a length is that of the points within what numbers of their types, and texts of six digits, leave open.
+// Whether a length is that of the points within what their types, and texts of six digits, leave open.
 bool agrees(double length, const Variable& axis, const std::vector<double>& points) {
   const double of_points = length_of_points(points),
                farthest = std::max(std::abs(points.front()), std::abs(points.back())),
@@ -46,7 +45,7 @@ double settled_length(const Variable& axis, const std::vector<double>& points) {
   return coarser || !agrees(length, axis, points) ? of_points : length;
 }
 
-// Of a single point the length tells the size, unless it is that of the points which actual_range still tells of.
+// Of a single point the length tells the size, unless actual_range still tells of more points.
 void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points) {
   const Values* told = axis.attributes.find("actual_range");
   if (points.size() != 1 || told == nullptr || count(*told) != 2) return;

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/large_pages.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
-#include "dataset/variable_units.hpp"
 
 namespace asperity {
 namespace {
@@ -21,16 +23,15 @@ using List = Eigen::Map<const Eigen::ArrayXd>;
 // A sum of zeros, unless a value is not finite: the looking costs less than the range.
 void refuse_results(const std::string& name, const List& values, Missing missing) {
   if ((0.0 * values).sum() == 0 || (missing != Missing::refused && !values.isInf().any())) return;
-  throw DataError(name, std::string("a value comes out ") +
-                            (values.isInf().any() ? "infinite" : "as no number") +
-                            ": what is asked for leaves the range of doubles");
+  throw DataError(name, fmt::format("a value comes out {}: what is asked for leaves the range of doubles",
+                                    values.isInf().any() ? "infinite" : "as no number"));
 }
 
 void set_actual_range(Variable& variable, const List& values) {
   if (values.size() == 0 || values.isNaN().all()) return;
-  variable.attributes.set_values("actual_range",
-                                 Values(std::vector<double>{values.minCoeff<Eigen::PropagateNumbers>(),
-                                                            values.maxCoeff<Eigen::PropagateNumbers>()}));
+  const double low = values.minCoeff<Eigen::PropagateNumbers>(),
+               high = values.maxCoeff<Eigen::PropagateNumbers>();
+  variable.attributes.set_values("actual_range", std::vector<double>{low, high});
 }
 
 Variable make(std::string_view name, Names dimensions, std::vector<double> values, Meaning meaning,
@@ -102,31 +103,26 @@ void refuse_not_finite(const std::string& name, const Field& values, Missing mis
   const double* const at = std::find_if(values.data(), end, refused);
   if (at == end) return;
   const Index place = at - values.data(), i = place / values.cols(), j = place % values.cols();
-  throw DataError(name, "the value at point (" + std::to_string(i) + ", " + std::to_string(j) + ") is " +
-                            (std::isnan(*at) ? "not a number" : "infinite"));
-}
-
-void refuse_masked_points(const Dataset& dataset, std::string_view name) {
-  const Variable* mask = dataset.find("mask");
-  if (!mask) return;
-  const std::vector<double> values = numbers(mask->values);
-  const auto hidden = std::ranges::count_if(values, [](double v) { return v != 0; });
-  if (hidden > 0)
-    throw DataError(std::string(name),
-                    std::to_string(hidden) + " of its points are masked and none is made up for them");
+  throw DataError(name, fmt::format("the value at point ({}, {}) is {}", i, j,
+                                    std::isnan(*at) ? "not a number" : "infinite"));
 }
 
 // Marks have become NaN: only where there is one are they counted.
-void refuse_missing_points(const Variable& variable, const Field& values) {
+void refuse_missing(const Dataset& dataset, const Variable& variable, const Field& values) {
+  const auto refuse = [&](std::ptrdiff_t number, std::string_view how) {
+    if (number > 0)
+      throw DataError(variable.name,
+                      fmt::format("{} of its points are {} and none is made up for them", number, how));
+  };
+  if (const Variable* mask = dataset.find("mask"))
+    refuse(std::ranges::count_if(numbers(mask->values), [](double v) { return v != 0; }), "masked");
   if (!values.hasNaN()) return;
-  const std::vector<double> all = numbers(variable.values);
-  const auto missing = std::ranges::count(all, mark_of(variable));
-  const char* why = variable.attributes.find("_FillValue")      ? "_FillValue"
-                    : variable.attributes.find("missing_value") ? "missing_value"
-                                                                : "never written";
-  if (missing > 0)
-    throw DataError(variable.name, std::to_string(missing) + " of its points are missing (" + why +
-                                       ") and none is made up for them");
+  const bool filled = variable.attributes.find("_FillValue"),
+             named = variable.attributes.find("missing_value");
+  refuse(std::ranges::count(numbers(variable.values), mark_of(variable)), filled ? "missing (_FillValue)"
+                                                                          : named
+                                                                              ? "missing (missing_value)"
+                                                                              : "missing (never written)");
 }
 
 // NaN wherever the mask says that there is no value.
@@ -135,26 +131,6 @@ void leave_out_masked(const Dataset& dataset, const Variable& variable, Field& v
   if (!mask) return;
   if (mask->dimensions != variable.dimensions) throw DataError("mask", "it does not lie on (x, y)");
   values = (matrix(dataset, *mask, 1.0) != 0).select(std::numeric_limits<double>::quiet_NaN(), values);
-}
-
-Field field_times(const Dataset& dataset, const Variable& variable, double factor, Missing missing) {
-  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
-  Field out = matrix(dataset, variable, factor);
-  if (missing == Missing::refused) {
-    refuse_masked_points(dataset, variable.name);
-    refuse_missing_points(variable, out);
-  } else {
-    leave_out_masked(dataset, variable, out);
-  }
-  refuse_not_finite(variable.name, out, missing);
-  return out;
-}
-
-Field table_times(const Dataset& dataset, const Variable& variable, double factor, Missing missing) {
-  if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
-  Field out = matrix(dataset, variable, factor);
-  refuse_not_finite(variable.name, out, missing);
-  return out;
 }
 
 }  // namespace
@@ -181,11 +157,16 @@ Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {
 
 Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
   const Variable& variable = dataset.at(name);
-  return field_times(dataset, variable, factor_to(unit, variable), missing);
-}
-
-Field heights_of(const Dataset& dataset, std::string_view name, Missing missing) {
-  return field_of(dataset, name, "m", missing);
+  const double factor = factor_to(unit, variable);
+  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
+  Field out = matrix(dataset, variable, factor);
+  if (missing == Missing::refused) {
+    refuse_missing(dataset, variable, out);
+  } else {
+    leave_out_masked(dataset, variable, out);
+  }
+  refuse_not_finite(variable.name, out, missing);
+  return out;
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
@@ -203,10 +184,6 @@ void defer_values(Dataset& dataset, std::string_view name, std::vector<std::stri
   dataset.put(std::move(variable));
 }
 
-void defer_field(Dataset& dataset, std::string_view name, Range range, Meaning meaning) {
-  defer_values(dataset, name, {"x", "y"}, range, meaning);
-}
-
 void set_scalar(Dataset& dataset, std::string_view name, double value, Meaning meaning) {
   Variable variable = make(name, {}, {value}, meaning);
   variable.attributes.erase("actual_range");
@@ -216,16 +193,14 @@ void set_scalar(Dataset& dataset, std::string_view name, double value, Meaning m
 void set_flags(Dataset& dataset, std::string_view name, const std::vector<std::int8_t>& values,
                std::string_view long_name, std::string_view flag_meanings) {
   Variable variable{std::string(name), {"x", "y"}, values, {}};
-  const auto flags = std::ranges::count(flag_meanings, ' ') + 1;
-  std::vector<std::int8_t> list;
-  for (std::int8_t f = 0; f < flags; ++f) list.push_back(f);
+  std::vector<std::int8_t> list(static_cast<std::size_t>(std::ranges::count(flag_meanings, ' ')) + 1);
+  std::iota(list.begin(), list.end(), std::int8_t{0});
   const auto [low, high] = std::ranges::minmax_element(values);
   variable.attributes.set("long_name", long_name);
   variable.attributes.set("units", "1");
-  variable.attributes.set_values("flag_values", Values(list));
+  variable.attributes.set_values("flag_values", std::move(list));
   variable.attributes.set("flag_meanings", flag_meanings);
-  if (!values.empty())
-    variable.attributes.set_values("actual_range", Values(std::vector<std::int8_t>{*low, *high}));
+  if (!values.empty()) variable.attributes.set_values("actual_range", std::vector<std::int8_t>{*low, *high});
   dataset.put(std::move(variable));
 }
 
@@ -236,9 +211,9 @@ std::vector<double> depths_of(const Dataset& dataset) {
   for (double& d : depths) {
     d *= factor;
     if (!(d >= 0))
-      throw DataError("z", std::to_string(d) +
-                               " m is no depth below the surface; of heights the attribute "
-                               "positive says up");
+      throw DataError(
+          "z",
+          fmt::format("{:f} m is no depth below the surface; of heights the attribute positive says up", d));
   }
   return depths;
 }
@@ -269,13 +244,13 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
   dataset.put(make(name, {std::string(row.name), std::string(column.name)}, flat(values), meaning, missing));
 }
 
-Field table_of(const Dataset& dataset, std::string_view name, Missing missing) {
-  return table_times(dataset, dataset.at(name), 1.0, missing);
-}
-
 Field table_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
   const Variable& variable = dataset.at(name);
-  return table_times(dataset, variable, factor_to(unit, variable), missing);
+  const double factor = unit.empty() ? 1 : factor_to(unit, variable);
+  if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
+  Field out = matrix(dataset, variable, factor);
+  refuse_not_finite(variable.name, out, missing);
+  return out;
 }
 
 void add_history(Dataset& dataset, std::string_view line) {

@@ -1,8 +1,7 @@
-/// How much memory reading a file may take.
+/// How much memory reading a file may take, which its head tells before it is taken.
 ///
-/// What a file will take is in its head, and is known before it is taken. A map of n points takes three doubles a point
-/// at the most: its numbers as the file has them and those of the map, or those of the map and of the dataset that is
-/// made of it, and what is worked with; its file comes on top.
+/// A map of n points takes three doubles a point at the most: its numbers as the file has them and those of
+/// the map, or those of the map and of its dataset, and what is worked with; its file comes on top.
 #pragma once
 
 #include <cmath>

@@ -9,11 +9,7 @@
 
 #include "dataset/axis_order.hpp"
 #include "dataset/classic_head.hpp"
-#include "dataset/conventions.hpp"
-#include "dataset/mapped_file.hpp"
-#include "dataset/netcdf_read.hpp"
 #include "dataset/netcdf_types.hpp"
-#include "dataset/rest.hpp"
 
 namespace asperity {
 
@@ -23,8 +19,8 @@ namespace {
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
-// Where the superblock of an HDF5 file says that it ends (HDF5 File Format Specification 3.0, II.A); of one that is not
-// understood, all of it: the library refuses it.
+// Where the superblock of an HDF5 file says that it ends (HDF5 File Format Specification 3.0, II.A); of one
+// that is not understood, all of it: the library refuses it.
 std::size_t end_of_hdf5(std::string_view bytes) {
   const auto byte = [&](std::size_t i) {
     return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;
@@ -50,14 +46,8 @@ int open_in_memory(std::string_view bytes, Handle& file) {
   return status;
 }
 
-int open_on_disk(const std::string& path, Handle& file) {
-  const int status = nc_open(path.c_str(), NC_NOWRITE, &file.id);
-  file.open = status == NC_NOERR;
-  return status;
-}
-
-// In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the head does
-// not: then there is more to read of zeros.
+// In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the
+// head does not: then there is more to read of zeros.
 constexpr std::size_t piece = 1 << 14;
 
 std::string_view with_room(Bytes& bytes) { return {bytes.room(piece) - bytes.size(), bytes.size() + piece}; }
@@ -78,7 +68,7 @@ Dataset decode_here(std::string_view bytes, Extent extent) {
 
 std::atomic<DoneApart> apart = nullptr;
 
-// The same dataset in a classic format, made where the HDF5 library does no harm: it is there twice, here as there.
+// The dataset in a classic format, made where the HDF5 library does no harm: it is there twice, as here.
 Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory, bool whole) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
@@ -113,17 +103,20 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
   return to_native_axes(with_plain_values(decode_here(bytes, {.memory = memory})));
 }
 
-NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& deferred,
-                       const MemoryBound& memory) {
-  const MappedFile mapped(path);
-  check_extent(mapped.bytes());
-  if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped.bytes()))
-    classic_.emplace(classic_from(mapped.bytes(), done_apart, memory, false));
+NetcdfFile::NetcdfFile(const std::string& path, const MemoryBound& memory) {
+  const Bytes mapped = Bytes::mapped(path);
+  check_extent(mapped);
+  if (const DoneApart done_apart = apart; done_apart != nullptr && is_netcdf4(mapped))
+    classic_ = classic_from(mapped, done_apart, memory, false);
+  const bool in_memory = classic_.size() > 0;
   Handle file;
-  check(classic_ ? open_in_memory(with_room(*classic_), file) : open_on_disk(path, file),
-        path + " cannot be read");
-  const MemoryBound left = memory.beside(classic_ ? classic_->size() : 0);
-  dataset_ = read_dataset(file.id, {classic_ ? classic_->size() : mapped.bytes().size(), deferred, left});
+  const int status =
+      in_memory ? open_in_memory(with_room(classic_), file) : nc_open(path.c_str(), NC_NOWRITE, &file.id);
+  check(status, path + " cannot be read");
+  file.open = true;
+  dataset_ = read_dataset(file.id, {.bytes = in_memory ? classic_.size() : mapped.size(),
+                                    .memory = memory.beside(classic_.size()),
+                                    .fields_stay = true});
   for (const Variable& variable : dataset_.variables) conventions_.emplace_back(variable);
   dataset_ = with_plain_values(std::move(dataset_));
   id_ = file.id;
@@ -132,15 +125,7 @@ NetcdfFile::NetcdfFile(const std::string& path, const std::vector<std::string>& 
 
 NetcdfFile::~NetcdfFile() { nc_close(id_); }
 
-Values NetcdfFile::rows(std::string_view variable, Index first, Index count) const {
-  return part(variable, 0, first, count);
-}
-
-Values NetcdfFile::columns(std::string_view variable, Index first, Index count) const {
-  return part(variable, dataset_.at(variable).dimensions.size() - 1, first, count);
-}
-
-Values NetcdfFile::part(std::string_view variable, std::size_t along, Index first, Index count) const {
+Values NetcdfFile::part(std::string_view variable, std::string_view along, Index first, Index count) const {
   int id = -1;
   nc_type type = 0;
   const std::string name(variable);
@@ -149,7 +134,7 @@ Values NetcdfFile::part(std::string_view variable, std::size_t along, Index firs
   std::vector<std::size_t> start, counts;
   std::size_t elements = 1;
   for (const std::string& dimension : dataset_.at(variable).dimensions) {
-    const bool here = counts.size() == along;
+    const bool here = dimension == along;
     start.push_back(here ? static_cast<std::size_t>(first) : 0);
     counts.push_back(static_cast<std::size_t>(here ? count : dataset_.length(dimension)));
     elements *= counts.back();

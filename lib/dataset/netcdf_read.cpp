@@ -1,20 +1,10 @@
-#include "dataset/netcdf_read.hpp"
-
 #include <algorithm>
 #include <cerrno>
-
-#include <netcdf.h>
 
 #include "dataset/netcdf_types.hpp"
 
 namespace asperity::netcdf {
 namespace {
-
-std::string attribute_name(int file, int variable, int index) {
-  char name[NC_MAX_NAME + 1] = {};
-  check(nc_inq_attname(file, variable, index, name), "attribute");
-  return name;
-}
 
 // NetCDF-4 alone has attributes of type string; one of them is plain text elsewhere.
 Values read_string_attribute(int file, int variable, const std::string& name, std::size_t n) {
@@ -29,16 +19,17 @@ Values read_string_attribute(int file, int variable, const std::string& name, st
 Attributes read_attributes(int file, int variable, int number) {
   Attributes out;
   for (int a = 0; a < number; ++a) {
-    const std::string name = attribute_name(file, variable, a);
+    char name[NC_MAX_NAME + 1] = {};
+    check(nc_inq_attname(file, variable, a, name), "attribute");
     nc_type type = 0;
     std::size_t n = 0;
-    check(nc_inq_att(file, variable, name.c_str(), &type, &n), name);
+    check(nc_inq_att(file, variable, name, &type, &n), name);
     if (type == NC_STRING) {
       out.set_values(name, read_string_attribute(file, variable, name, n));
       continue;
     }
     Values values = allocate(type, n, name);
-    if (n > 0) check(nc_get_att(file, variable, name.c_str(), data(values)), name);
+    if (n > 0) check(nc_get_att(file, variable, name, data(values)), name);
     out.set_values(name, std::move(values));
   }
   return out;
@@ -84,21 +75,21 @@ Header read_header(int file, int id, const std::vector<Dimension>& dimensions) {
   return out;
 }
 
-bool classic(int file) {
-  int format = 0;
-  check(nc_inq_format(file, &format), "format");
-  return format == NC_FORMAT_CLASSIC || format == NC_FORMAT_64BIT_OFFSET || format == NC_FORMAT_CDF5;
-}
-
 // A classic file holds its values as they are: fewer bytes than values is a file cut short, and a header that
 // lies about its sizes must not make us allocate them.
-void refuse_if_cut_short(const std::vector<Header>& headers, std::size_t bytes) {
-  std::size_t needed = 0;
+void refuse_if_cut_short(int file, const std::vector<Header>& headers, std::size_t bytes) {
+  int format = 0;
+  check(nc_inq_format(file, &format), "format");
+  const bool deflates = format == NC_FORMAT_NETCDF4 || format == NC_FORMAT_NETCDF4_CLASSIC;
+  std::size_t left = deflates ? most_made_of(bytes) : bytes;
   for (const Header& h : headers) {
-    needed += h.bytes;
-    if (h.bytes > bytes || needed > bytes)
-      refuse(h.variable.name + " ends beyond the " + std::to_string(bytes) +
-             " bytes that there are: it is cut short");
+    const std::string there = std::to_string(bytes);
+    if (h.bytes > left && deflates)
+      refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " + there +
+             " can hold");
+    if (h.bytes > left)
+      refuse(h.variable.name + " ends beyond the " + there + " bytes that there are: it is cut short");
+    left -= h.bytes;
   }
 }
 
@@ -115,27 +106,16 @@ void refuse_groups(int file) {
     refuse("it has groups, which only NetCDF-4 has");
 }
 
-void refuse_if_thin(const std::vector<Header>& headers, std::size_t bytes) {
-  std::size_t left = most_made_of(bytes);
-  for (const Header& h : headers) {
-    if (h.bytes > left)
-      refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " +
-             std::to_string(bytes) + " can hold");
-    left -= h.bytes;
-  }
-}
-
-bool lies_on(const Variable& variable, const std::vector<std::string>& dimensions) {
-  return !dimensions.empty() && std::ranges::all_of(dimensions, [&](const std::string& name) {
-    return std::ranges::find(variable.dimensions, name) != variable.dimensions.end();
-  });
+bool stays(const Variable& variable, const Extent& extent) {
+  const auto lies_on = [&](const char* name) { return std::ranges::count(variable.dimensions, name) > 0; };
+  return extent.fields_stay && lies_on("x") && lies_on("y");
 }
 
 // The values so many times, and the largest variable as doubles where a whole one will be taken out.
 void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
   double values = 0, most = 0;
   for (const Header& h : headers) {
-    if (lies_on(h.variable, extent.deferred)) continue;
+    if (stays(h.variable, extent)) continue;
     values += static_cast<double>(h.bytes);
     most = std::max(most, static_cast<double>(h.elements));
   }
@@ -164,13 +144,13 @@ Dataset read_dataset(int file, const Extent& extent) {
   std::vector<Header> headers;
   headers.reserve(static_cast<std::size_t>(variables));
   for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
-  classic(file) ? refuse_if_cut_short(headers, extent.bytes) : refuse_if_thin(headers, extent.bytes);
+  refuse_if_cut_short(file, headers, extent.bytes);
   refuse_if_large(headers, extent);
   for (int v = 0; v < variables; ++v) {
     Header& header = headers[static_cast<std::size_t>(v)];
-    const bool stays = lies_on(header.variable, extent.deferred);
-    header.variable.values = allocate(header.type, stays ? 0 : header.elements, header.variable.name);
-    if (!stays && header.elements > 0) read_values(file, v, header.variable, extent.bytes);
+    const std::size_t elements = stays(header.variable, extent) ? 0 : header.elements;
+    header.variable.values = allocate(header.type, elements, header.variable.name);
+    if (elements > 0) read_values(file, v, header.variable, extent.bytes);
     out.variables.push_back(std::move(header.variable));
   }
   return out;

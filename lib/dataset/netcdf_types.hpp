@@ -1,4 +1,4 @@
-/// NetCDF's types and statuses as the program's own, and an open file; for dataset/netcdf*.cpp alone.
+/// NetCDF's types and statuses as the program's own, and a dataset from a file; for dataset/netcdf*.cpp.
 #pragma once
 
 #include <cerrno>
@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/large_pages.hpp"
 #include "dataset/dataset.hpp"
+#include "dataset/memory_bound.hpp"
 
 namespace asperity::netcdf {
 
@@ -59,7 +60,7 @@ std::vector<Element> room_for(std::size_t n) {
   return out;
 }
 
-// Room for n elements of an external type, which is looked for among those of Values from the one numbered `alternative` on.
+// Room for n elements of an external type, looked for among those of Values from `alternative` on.
 template <std::size_t alternative = 0>
 Values allocate(nc_type type, std::size_t n, const std::string& name) {
   if constexpr (alternative == std::variant_size_v<Values>) {
@@ -80,5 +81,22 @@ inline void* data(Values& values) {
 inline const void* data(const Values& values) {
   return std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, values);
 }
+
+struct Extent {
+  std::size_t bytes = 0;  // of the file
+  MemoryBound memory = {};
+  int times = 1;             // values are held so many times
+  bool whole = true;         // a variable will be taken out at once
+  bool fields_stay = false;  // the values of what lies on both x and y are not read
+};
+
+// No size that the head states is believed: the values of a classic file are bytes of it, those of NetCDF-4
+// no more than deflating can make of its bytes, and together they take no more memory than is allowed.
+Dataset read_dataset(int file, const Extent& extent);
+
+// NetCDF-4 deflates, and need not hold what was never written: no more is believed than deflating could make.
+std::size_t most_made_of(std::size_t bytes);
+
+[[noreturn]] void refuse_cut_short(const std::string& name, std::size_t bytes);
 
 }  // namespace asperity::netcdf

@@ -56,17 +56,9 @@ bool needs_cdf5(const Dataset& dataset) {
 }
 
 void write_attributes(int file, int variable, const Attributes& attributes) {
-  for (const auto& [name, values] : attributes) {
-    const void* p = data(values);
-    write_checked(nc_put_att(file, variable, name.c_str(), type_of(values), count(values), p), name);
-  }
-}
-
-void refuse_wrong_count(const Dataset& dataset, const Variable& variable) {
-  const std::size_t places = places_of(dataset, variable);
-  if (places != count(variable.values))
-    throw std::logic_error(variable.name + " has " + std::to_string(count(variable.values)) + " values for " +
-                           std::to_string(places) + " places");
+  for (const auto& [name, values] : attributes)
+    write_checked(nc_put_att(file, variable, name.c_str(), type_of(values), count(values), data(values)),
+                  name);
 }
 
 void define(int file, const Variable& variable) {
@@ -82,29 +74,22 @@ void define(int file, const Variable& variable) {
   write_attributes(file, id, variable.attributes);
 }
 
-int format_of(const Dataset& dataset) { return needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET; }
-
-// A file with room for one value of each variable, or for none, where the dimension of records has none.
-void write_small(int file, const Dataset& dataset) {
-  write_checked(nc_set_fill(file, NC_NOFILL, nullptr), "fill");
-  for (const Dimension& d : dataset.dimensions) {
-    int id = -1;
-    write_checked(nc_def_dim(file, d.name.c_str(), d.length > 0 ? 1 : NC_UNLIMITED, &id),
-                  "dimension " + d.name);
-  }
-  for (const Variable& v : dataset.variables) define(file, v);
-  write_attributes(file, NC_GLOBAL, dataset.attributes);
-  write_checked(nc_enddef(file), "header");
-}
-
-std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
-
-// The library writes a file of the dataset's whole size, on disk or in memory; so it is given a small one.
+// The library writes a file of the dataset's whole size, on disk or in memory; so it is given a small one,
+// with room for one value of each variable, or for none, where the dimension of records has none.
 std::string small_file_of(const Dataset& dataset) {
   Handle file;
-  write_checked(nc_create_mem("dataset", NC_CLOBBER | format_of(dataset), 1 << 16, &file.id), "create");
+  const int format = needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET;
+  write_checked(nc_create_mem("dataset", NC_CLOBBER | format, 1 << 16, &file.id), "create");
   file.open = true;
-  write_small(file.id, dataset);
+  write_checked(nc_set_fill(file.id, NC_NOFILL, nullptr), "fill");
+  for (const Dimension& d : dataset.dimensions) {
+    int id = -1;
+    const std::size_t length = d.length > 0 ? 1 : NC_UNLIMITED;
+    write_checked(nc_def_dim(file.id, d.name.c_str(), length, &id), "dimension " + d.name);
+  }
+  for (const Variable& v : dataset.variables) define(file.id, v);
+  write_attributes(file.id, NC_GLOBAL, dataset.attributes);
+  write_checked(nc_enddef(file.id), "header");
   file.open = false;
   NC_memio bytes{};
   write_checked(nc_close_memio(file.id, &bytes), "close");
@@ -152,30 +137,26 @@ void write_values(const Values& values, const std::function<void(std::string_vie
         bytes = list.size() * sizeof(Element);
       },
       values);
-  sink(std::string_view("\0\0\0", padded(bytes) - bytes));
-}
-
-// The header and the values of all variables but the last `deferred`.
-void write_part(const Dataset& dataset, std::size_t deferred,
-                const std::function<void(std::string_view)>& sink) {
-  for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v)
-    refuse_wrong_count(dataset, dataset.variables[v]);
-  sink(header_of(dataset));
-  for (std::size_t v = 0; v + deferred < dataset.variables.size(); ++v)
-    write_values(dataset.variables[v].values, sink);
+  sink(std::string_view("\0\0\0", (4 - bytes % 4) % 4));
 }
 
 }  // namespace
 
-void write_netcdf(const Dataset& dataset, const std::function<void(std::string_view)>& sink) {
-  write_part(dataset, 0, sink);
+void write_netcdf(const Dataset& dataset, const std::function<void(std::string_view)>& sink,
+                  std::size_t deferred) {
+  const std::span variables(dataset.variables.begin(), dataset.variables.size() - deferred);
+  for (const Variable& v : variables)
+    if (const std::size_t places = places_of(dataset, v); places != count(v.values))
+      throw std::logic_error(v.name + " has " + std::to_string(count(v.values)) + " values for " +
+                             std::to_string(places) + " places");
+  sink(header_of(dataset));
+  for (const Variable& v : variables) write_values(v.values, sink);
 }
 
-std::string encode_netcdf(const Dataset& dataset) { return encode_netcdf_head(dataset, 0); }
-
-std::string encode_netcdf_head(const Dataset& dataset, std::size_t deferred) {
+std::string encode_netcdf(const Dataset& dataset, std::size_t deferred) {
   std::string bytes;
-  write_part(dataset, deferred, [&](std::string_view piece) { bytes += piece; });
+  write_netcdf(
+      dataset, [&](std::string_view piece) { bytes += piece; }, deferred);
   return bytes;
 }
 

@@ -9,20 +9,25 @@
 
 #include <udunits2.h>
 
+#include "core/error.hpp"
 #include "core/room.hpp"
 #include "core/words.hpp"
+#include "dataset/catalogue.hpp"
+#include "dataset/conventions.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr std::size_t longest_unit = 64;  // in a message
 
-struct FreeUnit {
-  void operator()(ut_unit* u) const { ut_free(u); }
+template <auto release>
+struct Release {
+  void operator()(auto* owned) const { release(owned); }
 };
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+using Unit = std::unique_ptr<ut_unit, Release<ut_free>>;
+using Converter = std::unique_ptr<cv_converter, Release<cv_free>>;
 
-// UDUNITS speaks on standard error unless told not to; whoever else uses it in this process finds it as it was.
+// UDUNITS speaks on standard error unless told not to; whoever else uses it finds it as it was.
 class Silence {
  public:
   Silence() : former_(ut_set_error_message_handler(ut_ignore)) {}
@@ -42,8 +47,8 @@ constexpr std::size_t room_for_database = 2 << 20, room_for_unit = 1 << 18;
 
 // The database of units, read once.
 const ut_system* units() {
-  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(
-      (require_room(room_for_database), ut_read_xml(nullptr)), &ut_free_system);
+  static const std::unique_ptr<ut_system, Release<ut_free_system>> system(
+      (require_room(room_for_database), ut_read_xml(nullptr)));
   if (!system) throw std::runtime_error("the units database of UDUNITS-2 cannot be read");
   return system.get();
 }
@@ -64,16 +69,18 @@ Unit parse(const std::string& name) {
   return unit;
 }
 
-struct FreeConverter {
-  void operator()(cv_converter* c) const { cv_free(c); }
-};
-using Converter = std::unique_ptr<cv_converter, FreeConverter>;
-
-// None where the two measure different things, or one the inverse of the other, for which UDUNITS has a converter.
+// None where the two measure different things, or inverse ones, for which UDUNITS has a converter.
 Converter converter_of(const Unit& from, const Unit& to) {
   if (!from || !to) return nullptr;
   Converter out(ut_get_converter(from.get(), to.get()));
   return out && std::isfinite(cv_convert_double(out.get(), 0.0)) ? std::move(out) : nullptr;
+}
+
+// Whether both are known and measure the same thing.
+bool measure_the_same(const std::string& unit, const std::string& other) {
+  const std::lock_guard lock(library);
+  const Silence silence;
+  return converter_of(known(unit), known(other)) != nullptr;
 }
 
 }  // namespace
@@ -90,10 +97,49 @@ double unit_factor(const std::string& from, const std::string& to) {
   return cv_convert_double(converter.get(), 1.0);
 }
 
-bool measures(const std::string& unit, const std::string& other) {
-  const std::lock_guard lock(library);
-  const Silence silence;
-  return converter_of(known(unit), known(other)) != nullptr;
+std::string unit_of(const Variable& variable) {
+  const std::string unit = variable.attributes.text("units");
+  return unit.empty() ? variable.attributes.text("unit") : unit;
+}
+
+std::string si_unit_of(const Variable& variable) {
+  if (const auto needed = unit_needed(variable.name); !needed.empty()) return std::string(needed);
+  const std::string own = unit_of(variable);
+  for (const char* unit : {"m", "Pa"})
+    if (measure_the_same(own, unit)) return unit;
+  return own.empty() ? "1" : own;
+}
+
+double factor_to(std::string_view unit, const Variable& variable) {
+  const std::string own = unit_of(variable), needed(unit);
+  if (own == needed || (own.empty() && needed == "1")) return 1;
+  if (own.empty())
+    throw DataError(variable.name,
+                    "it has no unit, where " + needed +
+                        " or another of the same quantity is needed: give it the attribute units");
+  try {
+    const double factor = unit_factor(own, needed);
+    if (factor > 0 && std::isfinite(factor)) return factor;
+  } catch (const std::invalid_argument& e) {
+    throw DataError(variable.name, std::string(e.what()) + ": correct its attribute units");
+  }
+  throw DataError(variable.name,
+                  "'" + own + "' is no multiple of '" + needed + "': correct its attribute units");
+}
+
+std::optional<std::vector<double>> lags_of(const Variable& axis) {
+  const std::string unit = unit_of(axis);
+  const bool samples = unit.empty() || unit == "1" || unit == "px";
+  const double factor = samples ? 1 : factor_to("m", axis);
+  std::vector<double> lags = present_numbers(axis);
+  for (double& lag : lags) lag *= factor;
+  if (!samples) return lags;
+  for (std::size_t i = 1; i < lags.size(); ++i)
+    if (!(std::abs(lags[i] - lags[i - 1] - 1) <= 1e-3))
+      throw DataError(axis.name,
+                      "its lags have no unit and are not those of samples, one each: give it the "
+                      "attribute units");
+  return std::nullopt;
 }
 
 }  // namespace asperity

@@ -3,63 +3,53 @@
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
-#include <utility>
 
 #include <zip.h>
 
-#include "core/error.hpp"
-#include "dataset/rest.hpp"
+#include "dataset/bytes.hpp"
 #include "formats/gzip.hpp"
+#include "formats/raster.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr std::uint16_t day = 0x21;  // 1980-01-01, the first that an archive knows
 
-struct CloseEntry {
-  void operator()(zip_file_t* file) const { zip_fclose(file); }
+template <auto release>
+struct Release {
+  void operator()(auto* owned) const { release(owned); }
 };
-struct FreeSource {
-  void operator()(zip_source_t* source) const { zip_source_free(source); }
-};
-using Source = std::unique_ptr<zip_source_t, FreeSource>;
+using Source = std::unique_ptr<zip_source_t, Release<zip_source_free>>;
+using EntryFile = std::unique_ptr<zip_file_t, Release<zip_fclose>>;
 
-Source source_of(std::string_view bytes) {
-  zip_error_t error;
-  zip_error_init(&error);
-  Source out(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error));
-  zip_error_fini(&error);
-  if (!out) throw std::bad_alloc();
-  return out;
+Source owned(zip_source_t* source) {
+  if (!source) throw std::bad_alloc();
+  return Source(source);
 }
 
-// The record that ends an archive is looked for from behind, and says how long the list before it is and where it begins:
-// nothing may stand around them (APPNOTE.TXT 4.3.16). In 64 bits another record says so.
-void refuse_more(std::string_view bytes, const std::string& variable) {
+// The record that ends an archive is looked for from behind, and says how long the list before it is and
+// where it begins: nothing may stand around them (APPNOTE.TXT 4.3.16). In 64 bits another record says so.
+void refuse_more(std::string_view bytes) {
   constexpr std::size_t record = 22, locator = 20;
   const std::size_t at = bytes.rfind(std::string_view("PK\5\6", 4));
   if (at == bytes.npos || bytes.size() - at < record) return;
-  const auto number = [&](std::size_t place, std::size_t width) {
-    std::size_t out = 0;
-    for (std::size_t i = width; i-- > 0;) out = out << 8 | static_cast<unsigned char>(bytes[at + place + i]);
-    return out;
+  const char* const end = bytes.data() + at;
+  const auto number = [&]<class T>(T, std::size_t place) -> std::size_t {
+    return number_from<T>(end + place, std::endian::little);
   };
-  refuse_rest(bytes.substr(std::min(at + record + number(20, 2), bytes.size())), variable);
-  const std::size_t listed = number(12, 4) + number(16, 4);
+  refuse_rest(bytes.substr(std::min(at + record + number(std::uint16_t{}, 20), bytes.size())), "map");
+  const std::size_t listed = number(std::uint32_t{}, 12) + number(std::uint32_t{}, 16);
   const bool wide = at >= locator && bytes.substr(at - locator, 4) == std::string_view("PK\6\7", 4);
   if (listed < at && !wide)
-    throw DataError(variable,
-                    std::to_string(at - listed) +
-                        " bytes of it are not of its archive, perhaps those of another one: give each "
-                        "in a file of its own");
+    refuse(
+        "{} bytes of it are not of its archive, perhaps those of another one: give each in a file of its own",
+        at - listed);
 }
 
 // The archive takes a share in the source.
 zip_t* open(zip_source_t* source, int flags) {
-  zip_error_t error;
-  zip_error_init(&error);
-  zip_t* out = zip_open_from_source(source, flags, &error);
-  zip_error_fini(&error);
+  zip_t* out = zip_open_from_source(source, flags, nullptr);
   if (out) zip_source_keep(source);
   return out;
 }
@@ -79,17 +69,14 @@ void add(zip_t* archive, const ZipEntry& entry) {
   require(zip_file_set_dostime(archive, place, 0, day, 0) == 0, archive);
 }
 
-// A string that an archive is written into: the library's own buffer would be a copy more. It has room for all, so that
-// nothing is thrown through the library.
+// A string that an archive is written into: the library's own buffer would be a copy more. It has room for
+// all, so that nothing is thrown through the library.
 struct Sink {
   std::string bytes;
   std::size_t at = 0;
 
   zip_int64_t write(const void* data, std::size_t length) {
-    const std::size_t over = std::min(length, bytes.size() - at);
-    const char* from = static_cast<const char*>(data);
-    std::copy(from, from + over, bytes.begin() + static_cast<std::ptrdiff_t>(at));
-    bytes.append(from + over, length - over);
+    bytes.replace(at, length, static_cast<const char*>(data), length);
     at += length;
     return static_cast<zip_int64_t>(length);
   }
@@ -125,21 +112,17 @@ zip_int64_t answer(void* sink, void* data, zip_uint64_t length, zip_source_cmd_t
   }
 }
 
-Source source_of(Sink& sink) {
-  Source out(zip_source_function_create(&answer, &sink, nullptr));
-  if (!out) throw std::bad_alloc();
-  return out;
-}
+std::string named(const std::string& name) { return fmt::format("'{:.64}' in the archive", name); }
 
 }  // namespace
 
 void ZipArchive::Close::operator()(zip* archive) const { zip_discard(archive); }
 
-ZipArchive::ZipArchive(std::string_view bytes, std::string variable) : variable_(std::move(variable)) {
-  const Source source = source_of(bytes);
+ZipArchive::ZipArchive(std::string_view bytes) {
+  const Source source = owned(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr));
   archive_.reset(open(source.get(), ZIP_RDONLY));
-  refuse_more(bytes, variable_);
-  if (!archive_) throw DataError(variable_, "it is no zip archive, or is cut short");
+  refuse_more(bytes);
+  if (!archive_) refuse("it is no zip archive, or is cut short");
 }
 
 bool ZipArchive::has(const std::string& name) const {
@@ -147,44 +130,37 @@ bool ZipArchive::has(const std::string& name) const {
 }
 
 ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
-  const std::string quoted = "'" + name.substr(0, 64) + "' in the archive ";
   const zip_int64_t index = zip_name_locate(archive_.get(), name.c_str(), 0);
-  if (index < 0) throw DataError(variable_, "there is no " + quoted);
+  if (index < 0) refuse("there is no {}", named(name));
   zip_stat_t stat;
   const auto place = static_cast<zip_uint64_t>(index);
   constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
   if (zip_stat_index(archive_.get(), place, 0, &stat) != 0 || (stat.valid & needed) != needed)
-    throw DataError(variable_, quoted + "states no size");
+    refuse("{} states no size", named(name));
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
-    throw DataError(variable_, quoted + "is neither stored nor deflated");
+    refuse("{} is neither stored nor deflated", named(name));
   if (stat.size / most_inflated > stat.comp_size)
-    throw DataError(variable_, quoted + "claims " + std::to_string(stat.size) + " bytes, more than its " +
-                                   std::to_string(stat.comp_size) + " can hold");
+    refuse("{} claims {} bytes, more than its {} can hold", named(name), stat.size, stat.comp_size);
   return {place, stat.size, stat.comp_size};
 }
 
-std::size_t ZipArchive::size(const std::string& name) const { return entry(name).size; }
-
-std::size_t ZipArchive::stored_size(const std::string& name) const { return entry(name).stored; }
-
 std::string ZipArchive::read(const std::string& name) const {
   const Entry found = entry(name);
-  const std::string quoted = "'" + name.substr(0, 64) + "' in the archive ";
-  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(archive_.get(), found.index, 0));
-  if (!file) throw DataError(variable_, quoted + "cannot be read: " + zip_strerror(archive_.get()));
+  const EntryFile file(zip_fopen_index(archive_.get(), found.index, 0));
+  if (!file) refuse("{} cannot be read: {}", named(name), zip_strerror(archive_.get()));
   constexpr std::size_t piece = 1 << 16;
   std::string out;
   out.reserve(found.size + 1);  // address space alone, until it is filled
-  while (true) {
+  while (out.size() <= found.size) {
     const std::size_t before = out.size(), room = std::min(piece, found.size - before + 1);
     out.resize(before + room);
     const zip_int64_t got = zip_fread(file.get(), out.data() + before, room);
-    if (got < 0) throw DataError(variable_, quoted + "is damaged");
+    if (got < 0) refuse("{} is damaged", named(name));
     out.resize(before + static_cast<std::size_t>(got));
     if (got == 0) break;
-    if (out.size() > found.size) throw DataError(variable_, quoted + "is larger than it claims");
   }
-  if (out.size() != found.size) throw DataError(variable_, quoted + "is smaller than it claims");
+  if (out.size() != found.size)
+    refuse("{} is {} than it claims", named(name), out.size() < found.size ? "smaller" : "larger");
   return out;
 }
 
@@ -193,7 +169,7 @@ std::string zip_of(std::span<const ZipEntry> entries) {
   std::size_t bytes = 1024;
   for (const ZipEntry& entry : entries) bytes += entry.bytes.size() + 2 * entry.name.size() + 256;
   sink.bytes.reserve(bytes);
-  const Source target = source_of(sink);
+  const Source target = owned(zip_source_function_create(&answer, &sink, nullptr));
   zip_t* archive = open(target.get(), ZIP_TRUNCATE);
   if (!archive) throw std::runtime_error("an archive cannot be made");
   try {

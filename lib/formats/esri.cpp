@@ -1,10 +1,24 @@
-#include "formats/esri.hpp"
-
+/// ESRI's ASCII grid, as GDAL and geographic programs write it.
+///
+///     ncols 5                    points along a line, x
+///     nrows 3                    lines, y; the first is the north, the largest y
+///     xllcorner 0                where the grid stands (or xllcenter): of no meaning here
+///     yllcorner 0
+///     cellsize 1e-06             spacing; or dx and dy where the two differ, as GDAL has them
+///     NODATA_value -9999         a missing point; may be left out, and may be nan
+/// and nrows·ncols numbers, however they are broken into lines. Words in any case and order. The file knows
+/// no units: lengths are taken for metres, and heights are metres until something else is said.
+///
+/// A value is missing when it is NODATA to within single precision, in which many programs hold it. What is
+/// written has NODATA -9999, or a power of ten below everything where heights come near that.
+///
+/// GDAL, AAIGrid driver, https://gdal.org/drivers/raster/aaigrid.html
 #include <cctype>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "formats/format.hpp"
 #include "formats/head.hpp"
+#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 
@@ -18,17 +32,11 @@ bool begins_with_letter(std::string_view line) {
          !number_of(line.substr(0, line.find_first_of(blanks)));
 }
 
-struct Parts {
-  Head head;
-  std::string_view numbers;
-  std::size_t lines;  // of the head
-};
-
-Parts parts_of(std::string_view bytes) {
-  std::string_view rest = bytes;
-  std::size_t lines = 0;
-  for (std::string_view next = rest; begins_with_letter(trimmed(take_line(next))); rest = next) ++lines;
-  return {{bytes.substr(0, bytes.size() - rest.size()), blanks}, rest, lines};
+// Taken off the bytes.
+Head head_of(std::string_view& bytes) {
+  const std::string_view all = bytes;
+  for (std::string_view next = bytes; begins_with_letter(trimmed(take_line(next)));) bytes = next;
+  return {all.substr(0, all.size() - bytes.size()), blanks};
 }
 
 std::array<double, 2> spacing_of(const Head& head) {
@@ -36,7 +44,6 @@ std::array<double, 2> spacing_of(const Head& head) {
   return {head.positive("dx"), head.positive("dy")};
 }
 
-// NODATA and numbers pass through single precision in many programs.
 void remove_missing(Field& values, const Head& head) {
   if (lower(head.text("NODATA_value")) == "nan") return;
   const double nodata = head.number("NODATA_value");
@@ -48,41 +55,39 @@ double nodata_of(const Field& values) {
   const double low = values.minCoeff<Eigen::PropagateNumbers>();
   if (!(low < -5000)) return -9999;
   const double out = -std::pow(10.0, std::ceil(std::log10(-low)) + 1);
-  if (!std::isfinite(out)) throw DataError("map", "its heights leave no number for missing points");
+  if (!std::isfinite(out)) refuse("its heights leave no number for missing points");
   return out;
 }
 
-std::string head_of(const Map& map, double nodata) {
-  const auto [dx, dy] = map.spacing;
-  const auto entry = [](std::string_view key, auto value) { return head_line(key, " ", value); };
-  std::string out = entry("ncols", std::to_string(map.values.rows())) +
-                    entry("nrows", std::to_string(map.values.cols())) + entry("xllcorner", 0.0) +
-                    entry("yllcorner", 0.0);
-  out += dx == dy ? entry("cellsize", dx) : entry("dx", dx) + entry("dy", dy);
-  return out + entry("NODATA_value", nodata);
-}
-
-}  // namespace
-
-bool recognises_esri(std::string_view bytes) {
-  const Head head = parts_of(bytes.substr(0, 4096)).head;
+bool recognises(std::string_view bytes) {
+  bytes = bytes.substr(0, 4096);
+  const Head head = head_of(bytes);
   return head.has("ncols") && head.has("nrows");
 }
 
-Map decode_esri(std::string_view bytes, const Reading& reading) {
-  const auto [head, numbers, lines] = parts_of(bytes);
+Map decode(std::string_view bytes, const Reading& reading) {
+  const Head head = head_of(bytes);
   const Shape shape{head.count("ncols"), head.count("nrows")};
-  Map map{.values = field_of_lines(numbers, shape, "map", lines + 1, reading), .spacing = spacing_of(head)};
+  Map map{.values = field_of_lines(bytes, shape, head.lines() + 1, reading), .spacing = spacing_of(head)};
   map.values = map.values.rowwise().reverse().eval();
   if (head.has("NODATA_value")) remove_missing(map.values, head);
   return map;
 }
 
-std::string encode_esri(const Map& map, Order) {
+std::string encode(const Map& map, Order) {
   check_size(map, "an ESRI grid");
+  const auto [dx, dy] = map.spacing;
   const double nodata = nodata_of(map.values);
+  const std::string cell = dx == dy ? fmt::format("cellsize {}", shortest(dx))
+                                    : fmt::format("dx {}\ndy {}", shortest(dx), shortest(dy));
   const Field filled = map.values.isNaN().select(nodata, map.values);
-  return head_of(map, nodata) + text_of(filled.transpose().colwise().reverse(), ' ');
+  return fmt::format("ncols {}\nnrows {}\nxllcorner 0\nyllcorner 0\n{}\nNODATA_value {}\n", map.values.rows(),
+                     map.values.cols(), cell, shortest(nodata)) +
+         text_of(filled.transpose().colwise().reverse(), ' ');
 }
+
+}  // namespace
+
+const Format format::esri{"esri", "asc", "ESRI's ASCII grid", recognises, decode, encode};
 
 }  // namespace asperity

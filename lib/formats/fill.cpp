@@ -13,53 +13,36 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// (1) of the missing points, numbered in the order of the field.
-class Membrane {
- public:
-  Membrane(const Field& z, const Grid& grid)
-      : z_(z),
-        weights_{1 / (grid.dx * grid.dx), 1 / (grid.dy * grid.dy)},
-        number_(static_cast<std::size_t>(z.size()), -1) {
-    for (Index k = 0; k < z.size(); ++k)
-      if (std::isnan(z(k))) number_[static_cast<std::size_t>(k)] = count_++;
-  }
-
-  Index count() const { return count_; }
-  Eigen::VectorXd solve() const {
-    std::vector<Eigen::Triplet<double>> terms;
-    Eigen::VectorXd known = Eigen::VectorXd::Zero(count_);
-    for (Index i = 0; i < z_.rows(); ++i)
-      for (Index j = 0; j < z_.cols(); ++j)
-        if (const Index row = number(i, j); row >= 0) add_row(i, j, row, terms, known);
-    Matrix matrix(count_, count_);
-    matrix.setFromTriplets(terms.begin(), terms.end());
-    return Eigen::SimplicialLDLT<Matrix>(matrix).solve(known);
-  }
-
- private:
-  Index number(Index i, Index j) const { return number_[static_cast<std::size_t>(i * z_.cols() + j)]; }
-  void add_row(Index i, Index j, Index row, std::vector<Eigen::Triplet<double>>& terms,
-               Eigen::VectorXd& known) const {
-    constexpr std::array<std::array<Index, 2>, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-    double sum = 0;
-    for (const auto& [di, dj] : steps) {
-      const Index p = i + di, q = j + dj;
-      if (p < 0 || q < 0 || p >= z_.rows() || q >= z_.cols()) continue;
-      const double weight = weights_[di == 0];
-      sum += weight;
-      if (const Index column = number(p, q); column >= 0)
-        terms.emplace_back(row, column, -weight);
-      else
-        known(row) += weight * z_(p, q);
+// (1) solved for the missing points, in the order of the field.
+Eigen::VectorXd membrane(const Field& z, const Grid& grid) {
+  constexpr std::array<std::array<Index, 2>, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  const std::array<double, 2> weights{1 / (grid.dx * grid.dx), 1 / (grid.dy * grid.dy)};
+  Eigen::Array<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> number(z.rows(), z.cols());
+  Index count = 0;
+  for (Index k = 0; k < z.size(); ++k) number(k) = std::isnan(z(k)) ? count++ : -1;
+  std::vector<Eigen::Triplet<double>> terms;
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(count);
+  for (Index i = 0; i < z.rows(); ++i)
+    for (Index j = 0; j < z.cols(); ++j) {
+      const Index row = number(i, j);
+      if (row < 0) continue;
+      double sum = 0;
+      for (const auto& [di, dj] : steps) {
+        const Index p = i + di, q = j + dj;
+        if (p < 0 || q < 0 || p >= z.rows() || q >= z.cols()) continue;
+        const double weight = weights[di == 0];
+        sum += weight;
+        if (number(p, q) >= 0)
+          terms.emplace_back(row, number(p, q), -weight);
+        else
+          known(row) += weight * z(p, q);
+      }
+      terms.emplace_back(row, row, sum);
     }
-    terms.emplace_back(row, row, sum);
-  }
-
-  const Field& z_;
-  std::array<double, 2> weights_;
-  std::vector<Index> number_;
-  Index count_ = 0;
-};
+  Matrix matrix(count, count);
+  matrix.setFromTriplets(terms.begin(), terms.end());
+  return Eigen::SimplicialLDLT<Matrix>(matrix).solve(known);
+}
 
 }  // namespace
 
@@ -69,7 +52,7 @@ Field filled(Field z, const Grid& grid, Filling filling) {
   const auto points = static_cast<double>((!z.isNaN()).count());
   if (points == 0) throw DataError("heights", "every point is missing");
   if (filling == Filling::laplace) {
-    const Eigen::VectorXd values = Membrane(z, grid).solve();
+    const Eigen::VectorXd values = membrane(z, grid);
     for (Index k = 0, next = 0; k < z.size(); ++k)
       if (std::isnan(z(k))) z(k) = values(next++);
     return z;

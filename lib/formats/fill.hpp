@@ -2,10 +2,11 @@
 ///
 /// `laplace` makes each missing value the mean of its neighbours, weighted by 1/Δx² and 1/Δy²: the membrane
 ///     (z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy² = 0                           (1)
-/// spanned over each hole, with no slope across the edges of the field. It lies between the least and the largest value about
-/// the hole. What is filled in is no measurement: statistics leave missing points out and need none of this.
+/// spanned over each hole, with no slope across the edges of the field. It lies between the least and the
+/// largest value about the hole. What is filled in is no measurement.
 ///
-/// Accuracy  of (1) round-off of a sparse Cholesky factorisation, ε times the square of the widest hole in points.
+/// Accuracy  of (1) round-off of a sparse Cholesky factorisation, ε times the square of the widest hole in
+///           points.
 /// Cost      n missing points in the plane: n^1.5 operations, n log n memory.
 #pragma once
 

@@ -1,60 +1,68 @@
-#include "formats/gsf.hpp"
-
+/// GSF, the Gwyddion Simple Field 1.0.
+///
+///     Gwyddion Simple Field 1.0
+///     XRes = 5                   points along a line, x; required, as is YRes, the number of lines
+///     XReal = 6.25e-07           size of the pixels' whole area, 1 if it is not stated; so is YReal
+///     XYUnits = m                a unit of length, else the size is unknown
+///     ZUnits = m                 of the values; nothing is assumed where it is not stated
+///     Title = heights
+/// then one to four NULs up to a multiple of four bytes, and the values: 32-bit floats, least significant
+/// byte first, line by line from the top of the image, which is the least y here. NaN is a missing point.
+/// Other keys (XOffset, YOffset) are passed over. Numbers are written with 24 bits, a relative error of 6e-8;
+/// those beyond 3.4e38 are refused.
+///
+/// Gwyddion user guide, Gwyddion Simple Field file format,
+/// http://gwyddion.net/documentation/user-guide-en/gsf.html
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
+#include "formats/format.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
-#include "formats/text_numbers.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr std::string_view magic = "Gwyddion Simple Field 1.0\n";
-constexpr Raster floats{NumberType::float32, std::endian::little, Order::yx};
+constexpr Raster floats{.type = NumberType::float32};
 
-// The size is 1 where it is not stated, of no unit where that is not stated.
 double spacing_of(const Head& head, std::string_view key, Index points) {
   const double size = head.has(key) ? head.positive(key) : 1;
   const std::string_view unit = head.text("XYUnits");
-  return unit.empty() ? Map::unknown : size * metres_per(unit, "map") / static_cast<double>(points);
+  return unit.empty() ? Map::unknown : size * metres_per(unit) / static_cast<double>(points);
 }
 
-std::string head_of(const Map& map) {
-  const auto nx = static_cast<double>(map.values.rows()), ny = static_cast<double>(map.values.cols());
-  const auto entry = [](std::string_view key, auto value) { return head_line(key, " = ", value); };
-  std::string out(magic);
-  out += entry("XRes", std::to_string(map.values.rows())) + entry("YRes", std::to_string(map.values.cols()));
-  if (std::isfinite(map.spacing[0]) && std::isfinite(map.spacing[1]))
-    out += entry("XReal", map.spacing[0] * nx) + entry("YReal", map.spacing[1] * ny) + entry("XYUnits", "m");
-  if (!map.units.empty()) out += entry("ZUnits", map.units);
-  if (!map.title.empty()) out += entry("Title", map.title);
-  return out;
-}
+bool recognises(std::string_view bytes) { return bytes.starts_with(magic); }
 
-}  // namespace
-
-bool recognises_gsf(std::string_view bytes) { return bytes.starts_with(magic); }
-
-Map decode_gsf(std::string_view bytes, const Reading& reading) {
-  if (!recognises_gsf(bytes)) throw DataError("map", "it does not begin as a Gwyddion Simple Field");
+Map decode(std::string_view bytes, const Reading& reading) {
+  if (!recognises(bytes)) refuse("it does not begin as a Gwyddion Simple Field");
   const std::size_t end = bytes.find('\0');
-  if (end == bytes.npos) throw DataError("map", "its head has no end");
+  if (end == bytes.npos) refuse("its head has no end");
   const Head head(bytes.substr(magic.size(), end - magic.size()), "=");
   const Shape shape{head.count("XRes"), head.count("YRes")};
   const std::string_view numbers = bytes.substr(std::min(4 * (end / 4 + 1), bytes.size()));
-  Map map{.values = field_from(numbers, shape, floats, "map", reading.memory),
+  Map map{.values = field_from(numbers, shape, floats, reading.memory),
           .title = std::string(head.text("Title"))};
   map.spacing = {spacing_of(head, "XReal", shape.nx), spacing_of(head, "YReal", shape.ny)};
   if (const std::string_view units = head.text("ZUnits"); !units.empty()) set_units(map, units);
   return map;
 }
 
-std::string encode_gsf(const Map& map, Order) {
-  std::string out = head_of(map);
+std::string encode(const Map& map, Order) {
+  const auto [nx, ny] = shape_of(map.values);
+  const double lx = map.spacing[0] * static_cast<double>(nx), ly = map.spacing[1] * static_cast<double>(ny);
+  std::string out = fmt::format("{}XRes = {}\nYRes = {}\n", magic, nx, ny);
+  if (std::isfinite(map.spacing[0]) && std::isfinite(map.spacing[1]))
+    out += fmt::format("XReal = {}\nYReal = {}\nXYUnits = m\n", shortest(lx), shortest(ly));
+  if (!map.units.empty()) out += fmt::format("ZUnits = {}\n", one_line(map.units));
+  if (!map.title.empty()) out += fmt::format("Title = {}\n", one_line(map.title));
   out.append(4 - out.size() % 4, '\0');
   return out + bytes_of(map.values, floats);
 }
+
+}  // namespace
+
+const Format format::gsf{"gsf",  "gsf", "Gwyddion Simple Field, 32-bit floats", recognises, decode,
+                         encode, true};
 
 }  // namespace asperity

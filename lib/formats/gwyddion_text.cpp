@@ -1,35 +1,31 @@
-#include "formats/gwyddion_text.hpp"
-
+/// Gwyddion's export of a channel as text.
+///
+///     # Channel: ZSensor
+///     # Width: 10.00 µm          along a line, x; and the height along y, each with a unit of its own
+///     # Height: 10.00 µm
+///     # Value units: m
+/// and a line of values for each y, from the top of the image, which is the least y here. Its languages
+/// translate the words: the two that are followed by a number and a length are the size, whatever they are
+/// called, the first of them the width. Decimal commas and exponents of three digits are understood. The file
+/// says the size of pixels' whole area.
 #include <optional>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
-#include "dataset/rest.hpp"
-#include "formats/head.hpp"
+#include "dataset/bytes.hpp"
+#include "formats/format.hpp"
+#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 
 namespace asperity {
 namespace {
 
-// "# Key: value" → {Key, value}.
-struct Entry {
-  std::string_view key, value;
-};
-
-std::optional<Entry> entry_of(std::string_view line) {
-  const std::size_t colon = line.find(':');
-  if (!line.starts_with('#') || colon == line.npos) return std::nullopt;
-  return Entry{trimmed(line.substr(1, colon - 1)), trimmed(line.substr(colon + 1))};
-}
-
-// "10.00 µm" → {10.00, µm}; nothing where no number stands first, or no word behind it.
 struct Length {
   double number;
   std::string_view unit;
 };
 
+// "10.00 µm" → {10.00, µm}; nothing where no number stands first, or no word behind it.
 std::optional<Length> length_of(std::string_view text) {
   const std::size_t blank = text.find_first_of(" \t");
   if (blank == text.npos) return std::nullopt;
@@ -49,36 +45,34 @@ struct GwyddionHead {
 GwyddionHead take_head(std::string_view& text) {
   GwyddionHead out;
   for (; text.starts_with('#'); ++out.lines) {
-    const auto entry = entry_of(take_line(text));
-    if (!entry) continue;
-    if (const auto length = length_of(entry->value))
+    const std::string_view line = take_line(text);
+    const std::size_t colon = line.find(':');
+    if (colon == line.npos) continue;
+    const std::string_view value = trimmed(line.substr(colon + 1));
+    if (const auto length = length_of(value))
       out.lengths.push_back(*length);
-    else if (out.lengths.empty())
-      out.channel = entry->value;
     else
-      out.units = entry->value;
+      (out.lengths.empty() ? out.channel : out.units) = value;
   }
   return out;
 }
 
 double metres(const Length& length) {
-  const double size = length.number * metres_per(length.unit, "map");
-  if (!(size > 0)) throw DataError("map", "its size " + shortest(length.number) + " is not positive");
+  const double size = length.number * metres_per(length.unit);
+  if (!(size > 0)) refuse("its size {} is not positive", shortest(length.number));
   return size;
 }
 
-}  // namespace
-
-bool recognises_gwyddion_text(std::string_view bytes) {
-  std::string_view head = bytes.substr(0, 4096);
-  return take_head(head).lengths.size() >= 2;
+bool recognises(std::string_view bytes) {
+  bytes = bytes.substr(0, 4096);
+  return take_head(bytes).lengths.size() >= 2;
 }
 
-Map decode_gwyddion_text(std::string_view bytes, const Reading& reading) {
+Map decode(std::string_view bytes, const Reading& reading) {
   const GwyddionHead head = take_head(bytes);
   if (const std::size_t line = bytes.find("\n#"); line != bytes.npos)
     refuse_rest(bytes.substr(line + 1), "map");  // another head
-  if (head.lengths.size() < 2) throw DataError("map", "its head does not state a width and a height");
+  if (head.lengths.size() < 2) refuse("its head does not state a width and a height");
   Map map{.values = matrix_of(bytes, "map", head.lines + 1, reading).transpose(),
           .title = std::string(head.channel)};
   map.spacing = {metres(head.lengths[0]) / static_cast<double>(map.values.rows()),
@@ -87,14 +81,18 @@ Map decode_gwyddion_text(std::string_view bytes, const Reading& reading) {
   return map;
 }
 
-std::string encode_gwyddion_text(const Map& map, Order) {
-  const double nx = static_cast<double>(map.values.rows()), ny = static_cast<double>(map.values.cols());
-  const auto entry = [](std::string_view key, std::string_view value) { return head_line(key, ": ", value); };
-  std::string out = entry("# Channel", map.title.empty() ? "heights" : map.title);
-  out += entry("# Width", shortest(map.spacing[0] * nx) + " m") +
-         entry("# Height", shortest(map.spacing[1] * ny) + " m");
-  if (!map.units.empty()) out += entry("# Value units", map.units);
+std::string encode(const Map& map, Order) {
+  const auto nx = static_cast<double>(map.values.rows()), ny = static_cast<double>(map.values.cols());
+  std::string out = fmt::format("# Channel: {}\n# Width: {} m\n# Height: {} m\n",
+                                map.title.empty() ? "heights" : one_line(map.title),
+                                shortest(map.spacing[0] * nx), shortest(map.spacing[1] * ny));
+  if (!map.units.empty()) out += fmt::format("# Value units: {}\n", one_line(map.units));
   return out + text_of(map.values.transpose());
 }
+
+}  // namespace
+
+const Format format::gwyddion_text{"gwyddion-text", "",     "Gwyddion's text export, with its head",
+                                   recognises,      decode, encode};
 
 }  // namespace asperity

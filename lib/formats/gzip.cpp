@@ -4,8 +4,8 @@
 #include <limits>
 #include <zlib.h>
 
-#include "core/error.hpp"
-#include "dataset/rest.hpp"
+#include "dataset/bytes.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
@@ -57,25 +57,21 @@ class Inflater {
 
 }  // namespace
 
-std::string inflated(std::string_view bytes, std::size_t size, const std::string& variable) {
+std::string inflated(std::string_view bytes, std::size_t size) {
   if (size / most_inflated > bytes.size())
-    throw DataError(variable, "it is cut short: " + std::to_string(bytes.size()) + " bytes of gzip hold no " +
-                                  std::to_string(size));
+    refuse("it is cut short: {} bytes of gzip hold no {}", bytes.size(), size);
   Inflater inflater(bytes);
   std::string out;
   out.reserve(size);  // address space alone, until it is filled
   while (out.size() < size) {
     const std::size_t before = out.size();
     out.resize(std::min(size, before + piece));
-    std::size_t filled = before;
-    while (filled < out.size()) {
-      const std::size_t got = inflater.take(out.data() + filled, std::min(out.size() - filled, piece));
-      if (got == 0) throw DataError(variable, "its gzip is damaged or cut short");
-      filled += got;
-    }
+    const std::size_t got = inflater.take(out.data() + before, out.size() - before);
+    if (got == 0) refuse("its gzip is damaged or cut short");
+    out.resize(before + got);
   }
-  if (!inflater.ends()) throw DataError(variable, "its gzip is damaged, or holds more than it should");
-  refuse_rest(inflater.rest(), variable);
+  if (!inflater.ends()) refuse("its gzip is damaged, or holds more than it should");
+  refuse_rest(inflater.rest(), "map");
   return out;
 }
 

@@ -1,10 +1,9 @@
 /// Heads of files: lines of a key, a separator and a value.
 ///
-/// A head is a view of the file's text and is searched anew for each key, so that it takes no memory, however long it is.
-/// Upper and lower case are the same in a key; the first line of a key counts.
+/// A head is a view of the file's text and is searched anew for each key, so that it takes no memory, however
+/// long it is. Upper and lower case are the same in a key; the first line of a key counts.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "core/field.hpp"
@@ -16,10 +15,11 @@ class Head {
   /// `separators` are the characters of which the first one ends the key.
   Head(std::string_view lines, std::string_view separators) : lines_(lines), separators_(separators) {}
 
-  bool has(std::string_view key) const;
+  std::size_t lines() const;
+  bool has(std::string_view key) const { return text(key).data() != nullptr; }
   /// The value without blanks at its ends, "" where there is none.
   std::string_view text(std::string_view key) const;
-  /// Throw DataError("map", …) where the value is missing, or no finite number, no positive one, no whole one from 0 on.
+  /// Throw DataError("map", …) where it is no finite number, no positive or no whole one from 0 on.
   double number(std::string_view key) const;
   double positive(std::string_view key) const;
   Index count(std::string_view key) const;
@@ -28,13 +28,8 @@ class Head {
   std::string_view lines_, separators_;
 };
 
-/// The lines up to the first that ends a head, taken off the bytes and counted in `lines`. Throws DataError("map", …) where
-/// there is none, which is called `end`.
-std::string_view take_head(std::string_view& bytes, std::size_t& lines, bool (*ends)(std::string_view line),
+/// The lines up to the first that ends a head, which is called `end`, taken off the bytes.
+std::string_view take_head(std::string_view& bytes, bool (*ends)(std::string_view line),
                            std::string_view end);
-
-/// A line of a head that is written.
-std::string head_line(std::string_view key, std::string_view separator, std::string_view value);
-std::string head_line(std::string_view key, std::string_view separator, double value);
 
 }  // namespace asperity

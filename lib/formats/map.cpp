@@ -1,13 +1,12 @@
 #include "formats/map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "dataset/variable_units.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
@@ -26,14 +25,6 @@ Grid grid_of(const Map& map) {
   return {shape_of(map.values), map.spacing[0], map.spacing[1], false};
 }
 
-void set_mask(Dataset& dataset, const Field& values) {
-  std::vector<std::int8_t> missing;
-  missing.reserve(static_cast<std::size_t>(values.size()));
-  for (Index i = 0; i < values.rows(); ++i)
-    for (Index j = 0; j < values.cols(); ++j) missing.push_back(std::isnan(values(i, j)));
-  set_flags(dataset, "mask", missing, "where there is no height", "measured missing");
-}
-
 // The range is that of the points that are there.
 void set_with_missing(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
   set_field(dataset, name, values.isNaN().select(fill, values), meaning);
@@ -41,46 +32,49 @@ void set_with_missing(Dataset& dataset, std::string_view name, const Field& valu
   attributes.set("_FillValue", fill);
   const double low = values.minCoeff<Eigen::PropagateNumbers>(),
                high = values.maxCoeff<Eigen::PropagateNumbers>();
-  attributes.set_values("actual_range", Values(std::vector<double>{low, high}));
-  set_mask(dataset, values);
+  attributes.set_values("actual_range", std::vector<double>{low, high});
+  std::vector<std::int8_t> missing(static_cast<std::size_t>(values.size()));
+  std::transform(values.data(), values.data() + values.size(), missing.begin(),
+                 [](double z) { return std::isnan(z); });
+  set_flags(dataset, "mask", missing, "where there is no height", "measured missing");
 }
 
 }  // namespace
 
-double metres_per(std::string_view unit, const std::string& variable) {
+double metres_per(std::string_view unit) {
   const std::string name = one_line(unit, longest_unit);
   try {
     const double factor = unit.size() <= longest_unit ? unit_factor(name, "m") : 0;
     if (factor > 0 && std::isfinite(factor)) return factor;
   } catch (const std::invalid_argument& error) {
-    throw DataError(variable, error.what());
+    refuse("{}", error.what());
   }
-  throw DataError(variable, "'" + name + "' is no unit of length");
+  refuse("'{}' is no unit of length", name);
 }
 
 void set_units(Map& map, std::string_view unit) {
   map.units = one_line(unit, longest_unit);
   double factor = 1;
   try {
-    factor = metres_per(unit, "map");
+    factor = metres_per(unit);
   } catch (const DataError&) {
     return;
   }
   map.units = "m";
   if (factor != 1) map.values *= factor;
-  if (map.values.isInf().any()) throw DataError("map", "in metres a value is infinite");
+  if (map.values.isInf().any()) refuse("in metres a value is infinite");
 }
 
 void check_size(const Map& map, const std::string& format) {
   for (const double spacing : map.spacing)
     if (!(spacing > 0 && std::isfinite(spacing)))
-      throw DataError("map", format + " needs the map's size, which is not known");
+      refuse("{} needs the map's size, which is not known", format);
 }
 
 void check_heights(const Map& map, const std::string& format) {
   check_size(map, format);
   if (!map.units.empty() && map.units != "m")
-    throw DataError("map", format + " holds lengths in metres alone, not '" + map.units + "'");
+    refuse("{} holds lengths in metres alone, not '{}'", format, map.units);
 }
 
 Dataset dataset_of(const Map& map) {

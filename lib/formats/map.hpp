@@ -1,12 +1,11 @@
 /// A map of one quantity over a rectangle, as the files of other programs hold it.
 ///
-/// It stands between their formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp). Whatever a file's lines
-/// are, values are (x, y), x the first index. Lengths become metres and heights in a unit of length too; any
-/// other quantity keeps its unit.
+/// It stands between their formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp). Values
+/// are (x, y), x the first index. Lengths become metres, heights too; any other quantity keeps its unit.
 ///
-/// A file's lines. Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) settle what runs along a line, x in
-/// all of them, and the first line is that of the least y; ESRI's, a chart, begins with the north, the largest. A bare
-/// matrix (text, npy) does not say: Reading tells.
+/// Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) have x run along a line, and
+/// begin with the least y; ESRI's, a chart, begins with the north, the largest. A bare matrix (text, npy)
+/// does not say: Reading tells.
 #pragma once
 
 #include <array>
@@ -27,7 +26,7 @@ enum class Order { xy, yx };
 enum class Separator { any, blank, tab, comma, semicolon };
 enum class DecimalMark { any, point, comma };
 
-/// What a user knows of a file that it does not say itself, and allows it. Each format heeds what it leaves open.
+/// What a user knows of a file that it does not say itself. Each format heeds what it leaves open.
 struct Reading {
   Reading(Order order_of_matrix = Order::xy) : order(order_of_matrix) {}
 
@@ -49,11 +48,9 @@ struct Map {
   std::string title = {};  ///< the channel's name, or ""
 };
 
-/// The factor to metres of a unit of length as instruments spell it ("µm", "um", "nm", "m"). Throws DataError(variable,
-/// …) when it is none.
-double metres_per(std::string_view unit, const std::string& variable);
-/// Values and their unit: scaled to metres if it is a length, else as they are. Throws DataError("map", …) where that makes one
-/// infinite.
+/// Metres in a unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) of others.
+double metres_per(std::string_view unit);
+/// In metres if the unit is a length, else as they are. Throws DataError("map", …) where one gets infinite.
 void set_units(Map& map, std::string_view unit);
 
 /// Throws DataError("map", …) for a map of unknown size, which `format` cannot do without.
@@ -61,9 +58,9 @@ void check_size(const Map& map, const std::string& format);
 /// The same, and for a quantity that is not a length, where `format` holds no other.
 void check_heights(const Map& map, const std::string& format);
 
-/// As a dataset with x, y and `heights`, or `values` where the quantity is no length; missing points become `mask` and
-/// _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the map has no size,
-/// DataError(name, …) when a point is infinite or none is there.
+/// As a dataset with x, y and `heights`, or `values` where the quantity is no length; missing points become
+/// `mask` and _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the
+/// map has no size, DataError(name, …) when a point is infinite or none is there.
 Dataset dataset_of(const Map& map);
 /// A variable on (x, y) of a dataset.
 Map map_of(const Dataset& dataset, std::string_view variable);

@@ -1,11 +1,22 @@
-#include "formats/npy.hpp"
-
+/// NumPy's .npy, versions 1, 2 and 3.
+///
+///     \x93NUMPY, two bytes of version, the head's length (two bytes in version 1, else four, little-endian)
+///     {'descr': '<f8', 'fortran_order': False, 'shape': (5, 3), }
+///     padded with blanks and ended by a line feed, and then the numbers
+/// descr is < or > (the least or most significant byte first) or | (one byte), and f2, f4, f8, i1, i2, i4,
+/// i8, u1, u2, u4, u8 or b1 (truth, 0 or 1). Arrays of two dimensions are read; Order says which index of the
+/// array is x, whichever way the numbers lie in the file. NaN is a missing point. The file knows neither size
+/// nor units.
+///
+/// Written are doubles, '<f8', the last index fastest, in version 1, the numbers at a multiple of 64 bytes.
+///
+/// NumPy reference, numpy.lib.format, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #include <cmath>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
+#include "formats/format.hpp"
 #include "formats/raster.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
@@ -25,7 +36,7 @@ class Literals {
   }
 
   void expect(std::string_view token) {
-    if (!take(token)) refuse();
+    if (!take(token)) refuse_here();
   }
 
   std::string_view string() {
@@ -45,17 +56,25 @@ class Literals {
   Index integer() {
     skip_blanks();
     const auto out = leading_number<Index>(text_);
-    if (!out.in_range || out.number < 0) refuse();
+    if (!out.in_range || out.number < 0) refuse_here();
     text_ = out.rest;
     take("L");  // Python 2's
     return out.number;
   }
 
-  [[noreturn]] void refuse() const {
-    throw DataError("map", "its head is not understood at '" + one_line(text_, 24) + "'");
+  // Calls item() for each of those that commas separate, a last comma or none behind them, up to the end.
+  template <class Item>
+  void list(std::string_view begin, std::string_view end, Item item) {
+    expect(begin);
+    while (!take(end)) {
+      item();
+      if (take(",")) continue;
+      return expect(end);
+    }
   }
 
  private:
+  [[noreturn]] void refuse_here() const { refuse("its head is not understood at {}", quoted(text_)); }
   void skip_blanks() { text_.remove_prefix(std::min(text_.find_first_not_of(" \n"), text_.size())); }
 
   std::string_view text_;
@@ -67,25 +86,17 @@ struct Described {
   std::vector<Index> shape;
 };
 
-std::vector<Index> take_shape(Literals& text) {
-  std::vector<Index> out;
-  text.expect("(");
-  while (!text.take(")")) {
-    out.push_back(text.integer());
-    if (text.take(",")) continue;
-    text.expect(")");
-    break;
-  }
-  if (out.size() != 2)
-    throw DataError("map", "its array has " + counted(static_cast<std::int64_t>(out.size()), "dimension") +
-                               ", where a map has two");
-  return out;
+void take_shape(Literals& text, std::vector<Index>& shape) {
+  shape.clear();
+  text.list("(", ")", [&] { shape.push_back(text.integer()); });
+  if (shape.size() != 2)
+    refuse("its array has {}, where a map has two",
+           counted(static_cast<std::int64_t>(shape.size()), "dimension"));
 }
 
 Described description_of(Literals text) {
   Described out;
-  text.expect("{");
-  while (!text.take("}")) {
+  text.list("{", "}", [&] {
     const std::string_view key = text.string();
     text.expect(":");
     if (key == "descr")
@@ -93,16 +104,12 @@ Described description_of(Literals text) {
     else if (key == "fortran_order")
       out.fortran = text.truth();
     else if (key == "shape")
-      out.shape = take_shape(text);
+      take_shape(text, out.shape);
     else
-      throw DataError("map", "its head has the key '" + one_line(key, 24) + "'");
-    if (!text.take(",")) {
-      text.expect("}");
-      break;
-    }
-  }
-  if (out.descr.empty() || out.shape.empty())
-    throw DataError("map", "its head does not state " + std::string(out.descr.empty() ? "descr" : "shape"));
+      refuse("its head has the key {}", quoted(key));
+  });
+  if (out.descr.empty()) refuse("its head does not state descr");
+  if (out.shape.empty()) refuse("its head does not state shape");
   return out;
 }
 
@@ -124,7 +131,7 @@ NumberType type_of(std::string_view descr) {
     if (descr.substr(1) == kind.name && std::string_view("<>|").find(descr[0]) != descr.npos &&
         (descr[0] != '|' || size_of(kind.type) == 1))
       return kind.type;
-  throw DataError("map", "its numbers are of type '" + one_line(descr, 24) + "', which is not read");
+  refuse("its numbers are of type {}, which is not read", quoted(descr));
 }
 
 // IEEE 754's binary16: a sign, five bits of exponent, ten of fraction.
@@ -136,51 +143,50 @@ double half_of_bits(double number) {
   return bits >> 15 ? -size : size;
 }
 
-struct Parts {
-  std::string_view head, numbers;
-};
+bool recognises(std::string_view bytes) { return bytes.starts_with(magic); }
 
-Parts parts_of(std::string_view bytes) {
-  if (!recognises_npy(bytes)) throw DataError("map", "it does not begin as NumPy's .npy");
+// Taken off the bytes.
+std::string_view head_of(std::string_view& bytes) {
+  if (!recognises(bytes)) refuse("it does not begin as NumPy's .npy");
   const std::size_t width = bytes.size() > 6 && bytes[6] == 1 ? 2 : 4, begin = 8 + width;
-  if (bytes.size() < begin) throw DataError("map", "its head has no end");
+  if (bytes.size() < begin) refuse("its head has no end");
   if (bytes[6] < 1 || bytes[6] > 3)
-    throw DataError("map",
-                    "it is of version " + std::to_string(bytes[6]) + " of NumPy's .npy; 1 to 3 are read");
+    refuse("it is of version {:d} of NumPy's .npy; 1 to 3 are read", int{bytes[6]});
   const std::size_t size = width == 2 ? number_from<std::uint16_t>(bytes.data() + 8, std::endian::little)
                                       : number_from<std::uint32_t>(bytes.data() + 8, std::endian::little);
-  if (bytes.size() - begin < size) throw DataError("map", "its head has no end");
-  return {bytes.substr(begin, size), bytes.substr(begin + size)};
+  if (bytes.size() - begin < size) refuse("its head has no end");
+  const std::string_view head = bytes.substr(begin, size);
+  bytes.remove_prefix(begin + size);
+  return head;
 }
 
-}  // namespace
-
-bool recognises_npy(std::string_view bytes) { return bytes.starts_with(magic); }
-
-Map decode_npy(std::string_view bytes, const Reading& reading) {
-  const auto [head, numbers] = parts_of(bytes);
-  const Described described = description_of(Literals(head));
+Map decode(std::string_view bytes, const Reading& reading) {
+  const Described described = description_of(Literals(head_of(bytes)));
   Shape shape{described.shape[0], described.shape[1]};
   if (reading.order == Order::yx) std::swap(shape.nx, shape.ny);
   const Raster raster{type_of(described.descr),
                       described.descr[0] == '>' ? std::endian::big : std::endian::little,
                       described.fortran == (reading.order == Order::xy) ? Order::yx : Order::xy};
-  Map map{.values = field_from(numbers, shape, raster, "map", reading.memory)};
+  Map map{.values = field_from(bytes, shape, raster, reading.memory)};
   if (described.descr.substr(1) == half) map.values = map.values.unaryExpr(&half_of_bits);
   return map;
 }
 
-std::string encode_npy(const Map& map, Order order) {
-  const auto [nx, ny] = shape_of(map.values);
-  const auto [first, second] = order == Order::xy ? std::pair(nx, ny) : std::pair(ny, nx);
-  std::string head = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(first) + ", " +
-                     std::to_string(second) + "), }";
+std::string encode(const Map& map, Order order) {
+  auto [first, second] = shape_of(map.values);
+  if (order == Order::yx) std::swap(first, second);
+  std::string head =
+      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", first, second);
   const std::size_t before = magic.size() + 4;
   head.append(63 - (before + head.size()) % 64, ' ') += '\n';
   std::string out = std::string(magic) + std::string("\x01\x00", 2);
   out += static_cast<char>(head.size() % 256);
   out += static_cast<char>(head.size() / 256);
-  return out + head + bytes_of(map.values, {NumberType::float64, std::endian::little, order});
+  return out + head + bytes_of(map.values, {.order = order});
 }
+
+}  // namespace
+
+const Format format::npy{"npy", "npy", "NumPy's array", recognises, decode, encode};
 
 }  // namespace asperity

@@ -1,14 +1,33 @@
-#include "formats/nrrd.hpp"
-
+/// NRRD, nearly raw raster data, versions 1 to 5.
+///
+///     NRRD0004
+///     type: double               integers of 8 to 64 bits, float, double, by all their names
+///     dimension: 2               or more, if no more than two axes are longer than 1
+///     sizes: 5 3                 points along x, the fastest axis, and y, from the least on
+///     spacings: 1e-06 2e-06      or axis mins and maxs (with centers), or the lengths of space directions:
+///                            an axis against its space is turned around, a mirrored map refused
+///     units: "m" "m"             of each axis (space units with space directions); else the size is unknown
+///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem)
+///     content: heights           the title
+///     endian: little             or big
+///     encoding: raw              or text (ascii, txt), or gzip (gz)
+/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and fields that say
+/// something else are passed over. A header whose data stand in another file is refused, since a file that is
+/// read names no others to be opened; so are line skip and byte skip, and the encodings hex and bzip2.
+///
+/// Written are raw doubles, the least significant byte first.
+///
+/// Definition of the NRRD file format, https://teem.sourceforge.net/nrrd/format.html
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
+#include "formats/format.hpp"
 #include "formats/gzip.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
+#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 
@@ -38,10 +57,6 @@ constexpr Type types[] = {
     {NumberType::float64, "|double|"},
 };
 
-[[noreturn]] void refuse(const std::string& what) { throw DataError("map", what); }
-
-std::string quoted(std::string_view text) { return "'" + one_line(text, 24) + "'"; }
-
 // A field that has two spellings, with a blank and without.
 std::string_view field(const Head& head, std::string_view name) {
   if (head.has(name)) return head.text(name);
@@ -69,18 +84,16 @@ Words words_of(std::string_view text) {
   return out;
 }
 
-std::string_view word(const Words& words, std::size_t place) {
+// One of a field's words, "" where there is none.
+std::string_view word(const Head& head, std::string_view name, std::size_t place) {
+  const Words words = words_of(field(head, name));
   return place < words.size() ? words[place] : std::string_view();
 }
 
-std::string_view unquoted(std::string_view text) {
-  return text.starts_with('"') ? word(words_of(text), 0) : text;
-}
-
-double number_in(const Words& words, std::size_t place, std::string_view name) {
-  const auto out = number_of(word(words, place));
-  if (!out)
-    refuse("its " + std::string(name) + " have " + quoted(word(words, place)) + ", which is no number");
+double number_in(const Head& head, std::string_view name, std::size_t place) {
+  const std::string_view text = word(head, name, place);
+  const auto out = number_of(text);
+  if (!out) refuse("its {} have {}, which is no number", name, quoted(text));
   return *out;
 }
 
@@ -92,22 +105,16 @@ struct Axes {
 // The last axes of 1 are left out until there are two.
 Axes axes_of(const Head& head) {
   const Words words = words_of(head.text("sizes"));
-  const Index dimension = head.count("dimension");
-  if (static_cast<Index>(words.size()) != dimension)
-    refuse("it has " + counted(static_cast<std::int64_t>(words.size()), "size") + " for a dimension of " +
-           std::to_string(dimension));
-  std::vector<Index> sizes;
-  std::vector<std::size_t> axes;
-  for (const std::string_view size : words) {
-    axes.push_back(sizes.size());
-    sizes.push_back(whole_number_of(size).value_or(0));
-  }
-  for (std::size_t axis = sizes.size(); axis-- > 0 && axes.size() > 2;)
-    if (sizes[axis] == 1) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(axis));
+  const Index dimension = head.count("dimension"), count = static_cast<Index>(words.size());
+  if (count != dimension) refuse("it has {} for a dimension of {}", counted(count, "size"), dimension);
+  const auto size = [&](std::size_t axis) { return whole_number_of(words[axis]).value_or(0); };
+  std::vector<std::size_t> axes(words.size());
+  std::iota(axes.begin(), axes.end(), 0);
+  for (std::size_t axis = words.size(); axis-- > 0 && axes.size() > 2;)
+    if (size(axis) == 1) std::erase(axes, axis);
   if (axes.size() != 2)
-    refuse("it has " + counted(static_cast<std::int64_t>(axes.size()), "dimension") +
-           ", where a map has two");
-  return {axes[0], axes[1], {sizes[axes[0]], sizes[axes[1]]}};
+    refuse("it has {}, where a map has two", counted(static_cast<Index>(axes.size()), "dimension"));
+  return {axes[0], axes[1], {size(axes[0]), size(axes[1])}};
 }
 
 // The components of a space direction; none of "none".
@@ -116,7 +123,7 @@ std::vector<double> components_of(std::string_view direction) {
   while (!direction.empty() && direction != "none") {
     const std::size_t end = find_end(direction, ",", 0);
     const auto component = number_of(trimmed(direction.substr(0, end)));
-    if (!component) refuse("its space directions have " + quoted(direction) + ", which is no number");
+    if (!component) refuse("its space directions have {}, which is no number", quoted(direction));
     out.push_back(*component);
     direction.remove_prefix(std::min(end + 1, direction.size()));
   }
@@ -124,21 +131,20 @@ std::vector<double> components_of(std::string_view direction) {
 }
 
 // They have the space's units.
-double length_of(const std::vector<double>& direction, const Words& units) {
+double length_of(const std::vector<double>& direction, const Head& head) {
   double length = direction.empty() ? Map::unknown : 0;
   for (std::size_t i = 0; i < direction.size(); ++i) {
-    if (word(units, i).empty()) return Map::unknown;
-    length = std::hypot(length, direction[i] * metres_per(word(units, i), "map"));
+    const std::string_view unit = word(head, "space units", i);
+    if (unit.empty()) return Map::unknown;
+    length = std::hypot(length, direction[i] * metres_per(unit));
   }
   return length;
 }
 
-// An axis that runs against its space's is turned around. One may be turned within the plane, where a map has axes of its
-// own, but not mirrored.
+// An axis that runs against its space's is turned around. A map may be turned in the plane, but not mirrored.
 void orient(Field& values, const Head& head, const Axes& axes) {
-  const Words directions = words_of(field(head, "space directions"));
-  const std::vector<double> x = components_of(word(directions, axes.x)),
-                            y = components_of(word(directions, axes.y));
+  const std::vector<double> x = components_of(word(head, "space directions", axes.x)),
+                            y = components_of(word(head, "space directions", axes.y));
   const auto flat = [](const std::vector<double>& d) {
     return d.size() == 2 || (d.size() == 3 && d[2] == 0);
   };
@@ -153,22 +159,21 @@ void orient(Field& values, const Head& head, const Axes& axes) {
 
 // In the axis's own unit.
 double step_of(const Head& head, std::size_t axis, Index points) {
-  const Words spacings = words_of(field(head, "spacings"));
-  if (!spacings.empty()) return number_in(spacings, axis, "spacings");
-  const Words from = words_of(field(head, "axis mins")), to = words_of(field(head, "axis maxs"));
-  if (from.empty() || to.empty()) return Map::unknown;
-  const Words centers = words_of(head.has("centers") ? head.text("centers") : head.text("centerings"));
-  const Index steps = word(centers, axis) == "node" ? points - 1 : points;
-  return (number_in(to, axis, "axis maxs") - number_in(from, axis, "axis mins")) / static_cast<double>(steps);
+  if (!field(head, "spacings").empty()) return number_in(head, "spacings", axis);
+  if (field(head, "axis mins").empty() || field(head, "axis maxs").empty()) return Map::unknown;
+  const char* centers = head.has("centers") ? "centers" : "centerings";
+  const Index steps = word(head, centers, axis) == "node" ? points - 1 : points;
+  return (number_in(head, "axis maxs", axis) - number_in(head, "axis mins", axis)) /
+         static_cast<double>(steps);
 }
 
 double spacing_of(const Head& head, std::size_t axis, Index points) {
-  const Words directions = words_of(field(head, "space directions")), units = words_of(field(head, "units"));
+  const std::string_view unit = word(head, "units", axis);
   double out = Map::unknown;
-  if (!directions.empty())
-    out = length_of(components_of(word(directions, axis)), words_of(field(head, "space units")));
-  else if (!word(units, axis).empty())
-    out = step_of(head, axis, points) * metres_per(word(units, axis), "map");
+  if (!field(head, "space directions").empty())
+    out = length_of(components_of(word(head, "space directions", axis)), head);
+  else if (!unit.empty())
+    out = step_of(head, axis, points) * metres_per(unit);
   if (!std::isnan(out) && !(out > 0 && std::isfinite(out))) refuse("its spacing is not positive");
   return out;
 }
@@ -177,75 +182,71 @@ NumberType type_of(const Head& head) {
   const std::string name = lower(head.text("type"));
   for (const Type& type : types)
     if (name.find('|') == name.npos && type.names.find("|" + name + "|") != type.names.npos) return type.type;
-  refuse("its numbers are of type " + quoted(name) + ", which is not read");
+  refuse("its numbers are of type {}, which is not read", quoted(name));
 }
 
 std::endian endian_of(const Head& head, NumberType type) {
   const std::string name = lower(head.text("endian"));
   if (name == "big") return std::endian::big;
-  if (name != "little" && size_of(type) > 1)
-    refuse("its endian is " + quoted(name) + ", neither little nor big");
+  if (name != "little" && size_of(type) > 1) refuse("its endian is {}, neither little nor big", quoted(name));
   return std::endian::little;
 }
 
-Field values_of(const Head& head, std::string_view bytes, Shape shape, std::size_t lines,
-                const Reading& reading) {
+Field values_of(const Head& head, std::string_view bytes, Shape shape, const Reading& reading) {
   const std::string encoding = lower(head.text("encoding"));
   const NumberType type = type_of(head);
   if (encoding == "text" || encoding == "txt" || encoding == "ascii")
-    return field_of_lines(bytes, shape, "map", lines + 1, reading);
-  const Raster raster{type, endian_of(head, type), Order::yx};
-  if (encoding == "raw") return field_from(bytes, shape, raster, "map", reading.memory);
+    return field_of_lines(bytes, shape, head.lines() + 1, reading);
+  const Raster raster{type, endian_of(head, type)};
+  if (encoding == "raw") return field_from(bytes, shape, raster, reading.memory);
   if (encoding != "gzip" && encoding != "gz")
-    refuse("its encoding is " + quoted(encoding) + ", which is not read");
-  check_shape(shape, most_inflated * bytes.size() / size_of(type), "map");
+    refuse("its encoding is {}, which is not read", quoted(encoding));
+  check_shape(shape, most_inflated * bytes.size() / size_of(type));
   reading.memory.require_map(shape, "map");
   const std::size_t size = static_cast<std::size_t>(shape.cells()) * size_of(type);
-  return field_from(inflated(bytes, size, "map"), shape, raster, "map", reading.memory);
+  return field_from(inflated(bytes, size), shape, raster, reading.memory);
 }
 
 void check_attached(const Head& head) {
   if (!field(head, "data file").empty()) refuse("its data stand in another file, which is not read");
   for (const std::string_view skip : {"line skip", "byte skip"})
     if (const auto value = field(head, skip); !value.empty() && value != "0")
-      refuse("it has a " + std::string(skip) + ", which is not read");
+      refuse("it has a {}, which is not read", skip);
 }
 
-}  // namespace
-
-bool recognises_nrrd(std::string_view bytes) {
+bool recognises(std::string_view bytes) {
   return bytes.size() > 8 && bytes.starts_with("NRRD000") && bytes[7] >= '1' && bytes[7] <= '5' &&
          (bytes[8] == '\n' || bytes[8] == '\r');
 }
 
-Map decode_nrrd(std::string_view bytes, const Reading& reading) {
-  if (!recognises_nrrd(bytes)) refuse("it does not begin as NRRD0001 to NRRD0005");
-  std::size_t lines = 0;
+Map decode(std::string_view bytes, const Reading& reading) {
+  if (!recognises(bytes)) refuse("it does not begin as NRRD0001 to NRRD0005");
   const auto empty = [](std::string_view line) { return line.empty(); };
-  const Head head(take_head(bytes, lines, empty, "an empty line"), ":");
+  const Head head(take_head(bytes, empty, "an empty line"), ":");
   check_attached(head);
   const Axes axes = axes_of(head);
   const std::array spacing{spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
-  Map map{.values = values_of(head, bytes, axes.shape, lines, reading),
+  Map map{.values = values_of(head, bytes, axes.shape, reading),
           .spacing = spacing,
           .title = std::string(head.text("content"))};
   orient(map.values, head, axes);
-  if (const auto units = unquoted(field(head, "sample units")); !units.empty()) set_units(map, units);
+  const std::string_view stated = field(head, "sample units"),
+                         units = stated.starts_with('"') ? word(head, "sample units", 0) : stated;
+  if (!units.empty()) set_units(map, units);
   return map;
 }
 
-std::string encode_nrrd(const Map& map, Order) {
-  const std::string spacings = shortest(map.spacing[0]) + " " + shortest(map.spacing[1]);
-  const auto line = [](std::string_view name, std::string_view value) {
-    return head_line(name, ": ", value);
-  };
-  std::string out = "NRRD0004\n" + line("type", "double") + line("dimension", "2");
-  out += line("sizes", std::to_string(map.values.rows()) + " " + std::to_string(map.values.cols()));
-  out += line("spacings", spacings) + line("units", "\"m\" \"m\"");
-  if (!map.units.empty()) out += line("sample units", "\"" + map.units + "\"");
-  if (!map.title.empty()) out += line("content", map.title);
-  out += line("endian", "little") + line("encoding", "raw") + "\n";
-  return out + bytes_of(map.values, {NumberType::float64, std::endian::little, Order::yx});
+std::string encode(const Map& map, Order) {
+  std::string out =
+      fmt::format("NRRD0004\ntype: double\ndimension: 2\nsizes: {} {}\nspacings: {} {}\nunits: \"m\" \"m\"\n",
+                  map.values.rows(), map.values.cols(), shortest(map.spacing[0]), shortest(map.spacing[1]));
+  if (!map.units.empty()) out += fmt::format("sample units: \"{}\"\n", one_line(map.units));
+  if (!map.title.empty()) out += fmt::format("content: {}\n", one_line(map.title));
+  return out + "endian: little\nencoding: raw\n\n" + bytes_of(map.values);
 }
+
+}  // namespace
+
+const Format format::nrrd{"nrrd", "nrrd", "NRRD, nearly raw raster data", recognises, decode, encode};
 
 }  // namespace asperity

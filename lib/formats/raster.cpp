@@ -1,13 +1,11 @@
 #include "formats/raster.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
-#include "dataset/rest.hpp"
+#include "dataset/bytes.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
@@ -34,8 +32,7 @@ T whole(double value) {
   const double least = static_cast<double>(std::numeric_limits<T>::min()),
                beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);
   if (!(rounded >= least && rounded < beyond))
-    throw DataError("values",
-                    shortest(value) + " does not fit into " + std::to_string(8 * sizeof(T)) + " bits");
+    throw DataError("values", fmt::format("{} does not fit into {} bits", shortest(value), 8 * sizeof(T)));
   return static_cast<T>(rounded);
 }
 
@@ -54,19 +51,17 @@ std::size_t size_of(NumberType type) {
   return with_type(type, [](auto number) { return sizeof number; });
 }
 
-void check_shape(Shape shape, std::size_t cells, const std::string& variable) {
-  const std::string size = std::to_string(shape.nx) + " x " + std::to_string(shape.ny);
-  if (shape.nx < 1 || shape.ny < 1) throw DataError(variable, "its size " + size + " holds no point");
+void check_shape(Shape shape, std::size_t cells) {
+  const std::string size = fmt::format("{} x {}", shape.nx, shape.ny);
+  if (shape.nx < 1 || shape.ny < 1) refuse("its size {} holds no point", size);
   if (static_cast<std::size_t>(shape.nx) > cells / static_cast<std::size_t>(shape.ny))
-    throw DataError(variable, "it is cut short: " + size + " points are more than the " +
-                                  std::to_string(cells) + " that it holds");
+    refuse("it is cut short: {} points are more than the {} that it holds", size, cells);
 }
 
-Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable,
-                 const MemoryBound& memory) {
-  check_shape(shape, bytes.size() / size_of(raster.type), variable);
-  refuse_rest(bytes.substr(static_cast<std::size_t>(shape.cells()) * size_of(raster.type)), variable);
-  memory.require_map(shape, variable);
+Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const MemoryBound& memory) {
+  check_shape(shape, bytes.size() / size_of(raster.type));
+  refuse_rest(bytes.substr(static_cast<std::size_t>(shape.cells()) * size_of(raster.type)), "map");
+  memory.require_map(shape, "map");
   Field out(shape.nx, shape.ny);
   with_type(raster.type, [&](auto number) {
     using T = decltype(number);

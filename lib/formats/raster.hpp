@@ -1,5 +1,4 @@
-/// Numbers in memory as a file's bytes, and back: any of the machine's types in either byte order, a matrix in either
-/// order of its indices.
+/// Numbers as a file's bytes, and back: of any type and byte order, a matrix in either order of its indices.
 ///
 /// Accuracy  exact into double but for 64-bit integers, which are rounded to 53 bits.
 /// Cost      one pass, transposed in blocks that stay in the cache.
@@ -25,11 +24,12 @@ std::size_t size_of(NumberType type);
 /// Calls visit(T{}) with a number of the type.
 template <class Visit>
 auto with_type(NumberType type, Visit visit) {
-  using Number = std::variant<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-                              std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-  constexpr Number numbers[] = {std::int8_t{},  std::uint8_t{},  std::int16_t{}, std::uint16_t{},
-                                std::int32_t{}, std::uint32_t{}, std::int64_t{}, std::uint64_t{},
-                                float{},        double{}};
+  using std::int32_t, std::uint32_t, std::int64_t, std::uint64_t;
+  using std::int8_t, std::uint8_t, std::int16_t, std::uint16_t;
+  constexpr std::variant<int8_t, uint8_t, int16_t, uint16_t, int32_t, uint32_t, int64_t, uint64_t, float,
+                         double>
+      numbers[] = {int8_t{},   uint8_t{}, int16_t{},  uint16_t{}, int32_t{},
+                   uint32_t{}, int64_t{}, uint64_t{}, 0.f,        0.};
   return std::visit(visit, numbers[static_cast<std::size_t>(type)]);
 }
 
@@ -56,14 +56,14 @@ struct Raster {
   Order order = Order::yx;  ///< which index is the slower one
 };
 
-/// The cells that `bytes` are, as a field. Throws DataError(variable, …) before any memory is taken when there are fewer bytes
-/// than the shape needs, or more (dataset/rest.hpp), the shape is empty or impossible, or its map takes more than is allowed.
-Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const std::string& variable,
-                 const MemoryBound& memory = {});
+/// The cells that `bytes` are, as a field. Throws DataError("map", …) before any memory is taken when there
+/// are fewer bytes than the shape needs, or more (dataset/bytes.hpp), the shape is empty or impossible, or
+/// its map takes more than is allowed.
+Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const MemoryBound& memory = {});
 /// Values are rounded to whole numbers for an integer type; those that a type cannot hold throw DataError.
-std::string bytes_of(const Field& field, const Raster& raster);
+std::string bytes_of(const Field& field, const Raster& raster = {});
 
-/// Throws DataError(variable, …) unless the shape is one of at least one cell and at most `cells` of them.
-void check_shape(Shape shape, std::size_t cells, const std::string& variable);
+/// Throws DataError("map", …) unless the shape is one of at least one cell and at most `cells` of them.
+void check_shape(Shape shape, std::size_t cells);
 
 }  // namespace asperity

@@ -1,16 +1,43 @@
-#include "formats/sdf.hpp"
-
+/// SDF, the surface data file of ISO 25178-71, in text and in binary.
+///
+///     aISO-1.0                   a for text, b for binary; ISO-1.0, ISO-2.0, or BCR-1.0, the proposal
+///     ManufacID = Asperity       10 characters in binary; CreateDate and ModDate 12 (ddmmyyyyhhmm)
+///     NumPoints = 5              of a line, x; two bytes in binary, four in ISO-2.0. NumProfiles: lines, y
+///     Xscale = 1e-6              spacing [m]; a double in binary, as are Yscale, Zscale, Zresolution
+///     Zscale = 1                 metres of one unit of a number
+///     Compression = 0            one byte in binary, as DataType and CheckType; others are refused
+///     DataType = 7               0 to 2 unsigned, 4 to 6 signed, of 8, 16, 32 bits, 3 floats, 7 doubles
+///     CheckType = 0
+///     *
+/// and the numbers, line by line from the least y, which end with another * or the file; text that follows is
+/// passed over, and a second map is refused. Names stand in any order in text, and are left out in binary,
+/// where all is least significant byte first (the standard knows no other) and the numbers follow the 81
+/// bytes (85) at once; two fields of four bytes that Olympus puts between are known. Yscale means nothing,
+/// and the spacing is unknown, where there is a single line.
+///
+/// A missing point is BAD in text. In binary it is NaN or the number that is furthest from 0 of a floating
+/// type, the greatest of an unsigned one, and of a signed one the least; BCR means the greatest by it, and
+/// there both are missing.
+///
+/// Gwyddion's reader of text knows no missing points, neither the standard's BAD nor any other: it refuses
+/// `sdf-ascii` that has some. Of binary it masks them; `sdf` is for it.
+///
+/// `sdf` is written with doubles, missing points NaN, `sdf-ascii` with the shortest decimal fractions: both
+/// exact. Each holds heights in metres only, and 65535 points along each side at the most. Their dates are
+/// the first day of 2000, so that the same map makes the same bytes.
+///
+/// ISO 25178-71:2017; the types and the missing values of BCR as Gwyddion 2.61 and sdfio read them.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
-#include "core/error.hpp"
-#include "dataset/rest.hpp"
+#include "dataset/bytes.hpp"
 #include "formats/format.hpp"
 #include "formats/head.hpp"
 #include "formats/raster.hpp"
+#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 
@@ -23,6 +50,7 @@ constexpr NumberType types[] = {NumberType::uint8,   NumberType::uint16, NumberT
 constexpr std::size_t binary_head = 81;
 constexpr Index most = 65535;
 constexpr std::string_view maker = "Asperity", date = "010120000000";
+constexpr std::string_view olympus("\5\0\0\0\1\0\0\0", 8);  // between the head and the numbers
 
 // What both kinds of head say.
 struct Described {
@@ -39,14 +67,13 @@ bool recognises(std::string_view bytes, char kind) {
 }
 
 void check(const Described& d) {
-  const auto refuse = [](const std::string& what) { throw DataError("map", what); };
   if (d.compression != 0) refuse("its numbers are compressed, which is not read");
-  if (d.check != 0)
-    refuse("it has checksums of CheckType " + std::to_string(d.check) + ", which are not read");
-  if (d.type < 0 || d.type > 7) refuse("its DataType " + std::to_string(d.type) + " is none of 0 to 7");
-  if (!(d.dx > 0 && std::isfinite(d.dx))) refuse("its Xscale is not positive");
-  if (d.shape.ny > 1 && !(d.dy > 0 && std::isfinite(d.dy))) refuse("its Yscale is not positive");
-  if (!(d.unit > 0 && std::isfinite(d.unit))) refuse("its Zscale is not positive");
+  if (d.check != 0) refuse("it has checksums of CheckType {}, which are not read", d.check);
+  if (d.type < 0 || d.type > 7) refuse("its DataType {} is none of 0 to 7", d.type);
+  const auto positive = [](double scale) { return scale > 0 && std::isfinite(scale); };
+  if (!positive(d.dx)) refuse("its Xscale is not positive");
+  if (d.shape.ny > 1 && !positive(d.dy)) refuse("its Yscale is not positive");
+  if (!positive(d.unit)) refuse("its Zscale is not positive");
 }
 
 Map heights_of(Field values, const Described& d) {
@@ -67,9 +94,8 @@ void check_trailer(std::string_view rest) {
 }
 
 Map decode_text(std::string_view bytes, const Reading& reading) {
-  std::size_t lines = 0;
   const auto star = [](std::string_view line) { return line.starts_with('*'); };
-  const Head head(take_head(bytes, lines, star, "a line that begins with *"), "=");
+  const Head head(take_head(bytes, star, "a line that begins with *"), "=");
   const Described d{{head.count("NumPoints"), head.count("NumProfiles")},
                     head.number("Xscale"),
                     head.number("Yscale"),
@@ -79,7 +105,7 @@ Map decode_text(std::string_view bytes, const Reading& reading) {
                     head.count("CheckType")};
   check(d);
   const std::size_t end = std::min(bytes.find('*'), bytes.size());
-  Field values = field_of_lines(bytes.substr(0, end), d.shape, "map", lines + 1, reading);
+  Field values = field_of_lines(bytes.substr(0, end), d.shape, head.lines() + 1, reading);
   check_trailer(bytes.substr(std::min(end + 1, bytes.size())));
   return heights_of(std::move(values), d);
 }
@@ -94,7 +120,7 @@ T take(std::string_view& bytes) {
 
 template <class Count>
 Described take_binary_head(std::string_view& bytes) {
-  if (bytes.size() < binary_head + 2 * (sizeof(Count) - 2)) throw DataError("map", "its head is cut short");
+  if (bytes.size() < binary_head + 2 * (sizeof(Count) - 2)) refuse("its head is cut short");
   bytes.remove_prefix(8 + 10 + 12 + 12);
   Described d;
   d.shape.nx = take<Count>(bytes);
@@ -110,25 +136,13 @@ Described take_binary_head(std::string_view& bytes) {
   return d;
 }
 
-// Olympus has the numbers 5 and 1 between the head and the rest.
-void skip_olympus(std::string_view& bytes, const Described& d, NumberType type) {
-  constexpr std::string_view between("\5\0\0\0\1\0\0\0", 8);
-  check_shape(d.shape, bytes.size() / size_of(type), "map");
-  const std::size_t expected = static_cast<std::size_t>(d.shape.cells()) * size_of(type);
-  if (bytes.size() == expected + 8 && bytes.starts_with(between)) bytes.remove_prefix(8);
-}
-
-// The numbers that stand for none.
-struct Missing {
-  double least = Map::unknown, greatest = Map::unknown;
-};
-
-Missing missing_of(NumberType type, bool bcr) {
-  return with_type(type, [bcr]<class T>(T) {
-    using Limits = std::numeric_limits<T>;
-    const Missing both{static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())};
-    if (std::is_unsigned_v<T>) return Missing{.greatest = both.greatest};
-    return std::is_floating_point_v<T> || bcr ? both : Missing{.least = both.least};
+// The numbers that stand for none, NaN where there is but one.
+std::array<double, 2> missing_of(NumberType type, bool bcr) {
+  return with_type(type, [bcr]<class T>(T) -> std::array<double, 2> {
+    const auto least = static_cast<double>(std::numeric_limits<T>::lowest()),
+               greatest = static_cast<double>(std::numeric_limits<T>::max());
+    if (std::is_unsigned_v<T>) return {Map::unknown, greatest};
+    return {least, std::is_floating_point_v<T> || bcr ? greatest : Map::unknown};
   });
 }
 
@@ -137,21 +151,21 @@ Map decode_binary(std::string_view bytes, const Reading& reading) {
   const Described d =
       version == "ISO-2.0" ? take_binary_head<std::uint32_t>(bytes) : take_binary_head<std::uint16_t>(bytes);
   const NumberType type = types[d.type];
-  skip_olympus(bytes, d, type);
+  check_shape(d.shape, bytes.size() / size_of(type));
   const std::size_t numbers = static_cast<std::size_t>(d.shape.cells()) * size_of(type);
+  if (bytes.size() == numbers + olympus.size() && bytes.starts_with(olympus))
+    bytes.remove_prefix(olympus.size());
   check_trailer(bytes.substr(numbers));
-  Field values = field_from(bytes.substr(0, numbers), d.shape, {type, std::endian::little, Order::yx}, "map",
-                            reading.memory);
-  const Missing missing = missing_of(type, version.starts_with("BCR"));
-  values = (values == missing.least || values == missing.greatest).select(Map::unknown, values);
+  Field values = field_from(bytes.substr(0, numbers), d.shape, {type}, reading.memory);
+  const auto [least, greatest] = missing_of(type, version.starts_with("BCR"));
+  values = (values == least || values == greatest).select(Map::unknown, values);
   return heights_of(std::move(values), d);
 }
 
-// The numbers of points and what the file can say of them.
 void check_holds(const Map& map) {
   check_heights(map, "SDF");
   if (std::max(map.values.rows(), map.values.cols()) > most)
-    throw DataError("map", "SDF holds 65535 points along each side, and this map has more");
+    refuse("SDF holds 65535 points along each side, and this map has more");
 }
 
 template <class T>
@@ -160,38 +174,41 @@ void append(std::string& bytes, T number) {
   bytes.append(raw.data(), raw.size());
 }
 
-}  // namespace
+bool recognises_binary(std::string_view bytes) { return recognises(bytes, 'b'); }
+bool recognises_text(std::string_view bytes) { return recognises(bytes, 'a'); }
 
-bool recognises_sdf(std::string_view bytes) { return recognises(bytes, 'b'); }
-bool recognises_sdf_text(std::string_view bytes) { return recognises(bytes, 'a'); }
-
-Map decode_sdf(std::string_view bytes, const Reading& reading) {
-  if (recognises_sdf(bytes)) return decode_binary(bytes, reading);
-  if (recognises_sdf_text(bytes)) return decode_text(bytes, reading);
-  throw DataError("map", "it does not begin as an SDF of ISO 25178-71 or BCR");
+// Of either kind.
+Map decode(std::string_view bytes, const Reading& reading) {
+  if (recognises_binary(bytes)) return decode_binary(bytes, reading);
+  if (recognises_text(bytes)) return decode_text(bytes, reading);
+  refuse("it does not begin as an SDF of ISO 25178-71 or BCR");
 }
 
-std::string encode_sdf(const Map& map, Order) {
+std::string encode_binary(const Map& map, Order) {
   check_holds(map);
-  std::string out = "bISO-1.0" + std::string(maker) + "  " + std::string(date) + std::string(date);
+  std::string out = fmt::format("bISO-1.0{:10}{}{}", maker, date, date);
   append(out, static_cast<std::uint16_t>(map.values.rows()));
   append(out, static_cast<std::uint16_t>(map.values.cols()));
   for (const double number : {map.spacing[0], map.spacing[1], 1.0, -1.0}) append(out, number);
   out += std::string("\0\7\0", 3);
-  return out + bytes_of(map.values, {NumberType::float64, std::endian::little, Order::yx});
+  return out + bytes_of(map.values);
 }
 
-std::string encode_sdf_text(const Map& map, Order) {
+std::string encode_text(const Map& map, Order) {
   check_holds(map);
-  const auto entry = [](std::string_view key, auto value) { return head_line(key, " = ", value); };
-  std::string out =
-      "aISO-1.0\n" + entry("ManufacID", maker) + entry("CreateDate", date) + entry("ModDate", date);
-  out += entry("NumPoints", std::to_string(map.values.rows())) +
-         entry("NumProfiles", std::to_string(map.values.cols()));
-  out += entry("Xscale", map.spacing[0]) + entry("Yscale", map.spacing[1]) + entry("Zscale", 1.0) +
-         entry("Zresolution", -1.0);
-  out += "Compression = 0\nDataType = 7\nCheckType = 0\n*\n";
-  return out + text_of(map.values.transpose(), ' ', "BAD") + "*\n*\n";
+  const std::string head = fmt::format(
+      "aISO-1.0\nManufacID = {0}\nCreateDate = {1}\nModDate = {1}\nNumPoints = {2}\nNumProfiles = {3}\n"
+      "Xscale = {4}\nYscale = {5}\nZscale = 1\nZresolution = -1\nCompression = 0\nDataType = 7\n"
+      "CheckType = 0\n*\n",
+      maker, date, map.values.rows(), map.values.cols(), shortest(map.spacing[0]), shortest(map.spacing[1]));
+  return head + text_of(map.values.transpose(), ' ', "BAD") + "*\n*\n";
 }
+
+}  // namespace
+
+const Format format::sdf{"sdf",  "sdf",        "SDF, ISO 25178-71, doubles", recognises_binary,
+                         decode, encode_binary};
+const Format format::sdf_ascii{"sdf-ascii",     "",     "SDF, ISO 25178-71, in text",
+                               recognises_text, decode, encode_text};
 
 }  // namespace asperity

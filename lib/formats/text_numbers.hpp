@@ -1,10 +1,10 @@
 /// Numbers in text, in the spellings that instruments and programs have for them.
 ///
-/// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212); `nan`, `bad`, `na`, `n/a` (any case) and two hyphens or more are
-/// missing points. The process's language does not matter. What separates them is said in formats/text_table.hpp.
+/// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212); `nan`, `bad`, `na`, `n/a` (any case) and two hyphens or more
+/// are missing points. The process's language does not matter. What separates them is said in
+/// formats/text_table.hpp.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,8 +16,8 @@ namespace asperity {
 /// What a comma is in a number: nothing, the decimal mark, or one between thousands.
 enum class Comma { none, decimal, thousands };
 
-/// A whole word as a number, missing ones NaN; nothing when it is none. A decimal comma has digits on both sides, and no point
-/// beside it.
+/// A whole word as a number, missing ones NaN; nothing when it is none. A decimal comma has digits on both
+/// sides, and no point beside it.
 std::optional<double> number_of(std::string_view word, Comma comma = Comma::none);
 /// A whole word as a whole number from 0 on; nothing when it is none, or too large.
 std::optional<Index> whole_number_of(std::string_view word);

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
 #include "formats/raster.hpp"
+#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 
 namespace asperity {
@@ -68,7 +67,7 @@ std::string_view content_of(std::string_view line, Separator separator) {
 }
 
 std::string fault_of(std::string_view cell, bool first) {
-  const std::string what = "'" + one_line(cell, 24) + "', is no number";
+  const std::string what = quoted(cell) + ", is no number";
   const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
   if (cell.find(',') != cell.npos && cell.find('.') != cell.npos)
     return what + ": marks between thousands are not understood";
@@ -123,7 +122,7 @@ class TableReader {
     }
     if (!asked_.shape && count != table_.columns)
       fail(line.data(),
-           here() + " has " + counted(count, "number") + ", the first one " + std::to_string(table_.columns));
+           fmt::format("{} has {}, the first one {}", here(), counted(count, "number"), table_.columns));
   }
 
   void add_cell(std::string_view cell) {
@@ -131,7 +130,7 @@ class TableReader {
     if (!value)
       fail(cell.data(), here() + ", " + fault_of(cell, table_.values.empty()));
     else if (std::isinf(*value))
-      fail(cell.data(), here() + ", '" + one_line(cell, 24) + "', is infinite");
+      fail(cell.data(), fmt::format("{}, {}, is infinite", here(), quoted(cell)));
     else
       push(*value);
   }
@@ -147,19 +146,16 @@ class TableReader {
     const std::size_t numbers = table_.values.size();
     if (table_.lines == 0) return fail(rest_.data(), "there are no numbers in it");
     if (asked_.shape && numbers != static_cast<std::size_t>(asked_.shape->cells()))
-      return fail(rest_.data(), "it holds " + counted(static_cast<std::int64_t>(numbers), "number") +
-                                    " where its head says " + std::to_string(asked_.shape->nx) + " x " +
-                                    std::to_string(asked_.shape->ny));
+      return fail(rest_.data(), fmt::format("it holds {} where its head says {} x {}",
+                                            counted(static_cast<Index>(numbers), "number"), asked_.shape->nx,
+                                            asked_.shape->ny));
     if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
   }
 
   void remove_last_column() {
-    const Index columns = table_.columns--;
-    Index kept = 0;
-    for (Index i = 0; i < table_.lines * columns; ++i)
-      if (i % columns != columns - 1)
-        table_.values[static_cast<std::size_t>(kept++)] = table_.values[static_cast<std::size_t>(i)];
-    table_.values.resize(static_cast<std::size_t>(kept));
+    const auto columns = static_cast<std::size_t>(table_.columns--);
+    std::size_t place = 0;
+    std::erase_if(table_.values, [&](double) { return ++place % columns == 0; });
   }
 
   std::string_view rest_;
@@ -191,37 +187,30 @@ std::vector<Dialect> dialects_of(std::string_view text, const Reading& reading) 
   return out;
 }
 
+Eigen::Map<const Field> lines_of(const Table& table) {
+  return {table.values.data(), table.lines, table.columns};
+}
+
 bool same(const Table& a, const Table& b) {
   const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
   return a.columns == b.columns && std::ranges::equal(a.values, b.values, equal);
 }
 
-// In a table of lines of one length.
-bool has_empty_column(const Table& table) {
-  const auto empty = [&](Index column) {
-    for (Index i = column; i < table.lines * table.columns; i += table.columns)
-      if (!std::isnan(table.values[static_cast<std::size_t>(i)])) return false;
-    return true;
-  };
-  for (Index column = 0; column < table.columns; ++column)
-    if (empty(column)) return true;
-  return false;
-}
-
 // Tabs that only keep columns apart would leave one empty where each of them ends a cell.
 bool tabs_decide(const Table& a, const Table& b) {
-  return a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
-         a.dialect.comma == b.dialect.comma && static_cast<Index>(a.values.size()) == a.lines * a.columns &&
-         !has_empty_column(a);
+  const bool tabs = a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
+                    a.dialect.comma == b.dialect.comma;
+  if (!tabs || static_cast<Index>(a.values.size()) != a.lines * a.columns) return false;
+  return !lines_of(a).isNaN().colwise().all().any();
 }
 
 std::string words_of(const Table& table) {
   constexpr std::string_view separators[] = {"", "blanks", "tabs", "commas", "semicolons"};
   constexpr std::string_view commas[] = {"", " and decimal commas", " and commas between thousands"};
-  const std::size_t numbers = table.values.size();
-  return counted(static_cast<std::int64_t>(numbers), "number") + ", " + std::to_string(table.columns) +
-         " a line, with " + std::string(separators[static_cast<std::size_t>(table.dialect.separator)]) +
-         " between them" + std::string(commas[static_cast<std::size_t>(table.dialect.comma)]);
+  return fmt::format("{}, {} a line, with {} between them{}",
+                     counted(static_cast<Index>(table.values.size()), "number"), table.columns,
+                     separators[static_cast<std::size_t>(table.dialect.separator)],
+                     commas[static_cast<std::size_t>(table.dialect.comma)]);
 }
 
 // The fault of that way which gets furthest.
@@ -237,8 +226,8 @@ std::string_view without_mark(std::string_view text, const std::string& variable
   return text;
 }
 
-// The text with semicolons for the commas that have a blank beside them, where others have none: those may mark decimals,
-// as in "1,5, 2,5". Nothing where all are alike.
+// The text with semicolons for the commas that have a blank beside them, where others have none: those may
+// mark decimals, as in "1,5, 2,5". Nothing where all are alike.
 std::string commas_apart(std::string_view text) {
   const auto blank = [&](std::size_t i) { return i < text.size() && text[i] == ' '; };
   const auto beside = [&](std::size_t comma) { return blank(comma + 1) || (comma > 0 && blank(comma - 1)); };
@@ -264,8 +253,9 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
     } else if (!found) {
       found = std::move(table);
     } else if (!same(*found, table) && !tabs_decide(*found, table)) {
-      throw DataError(variable, "it can be read as " + words_of(*found) + "; or as " + words_of(table) +
-                                    ": tell asperity-convert the separator or the decimal mark");
+      throw DataError(variable, fmt::format("it can be read as {}; or as {}: tell asperity-convert the "
+                                            "separator or the decimal mark",
+                                            words_of(*found), words_of(table)));
     }
   }
   if (!found) throw DataError(variable, refused->fault->what);
@@ -283,15 +273,13 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
 
 Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line,
                 const Reading& reading) {
-  const Table table = table_of(text, {first_line, {}, variable, reading.memory}, reading);
-  return Eigen::Map<const Field>(table.values.data(), table.lines, table.columns);
+  return lines_of(table_of(text, {first_line, {}, variable, reading.memory}, reading));
 }
 
-Field field_of_lines(std::string_view text, Shape shape, const std::string& variable, std::size_t first_line,
-                     const Reading& reading) {
-  check_shape(shape, text.size() + 1, variable);
-  reading.memory.require_map(shape, variable);
-  const Table table = table_of(text, {first_line, shape, variable, reading.memory}, reading);
+Field field_of_lines(std::string_view text, Shape shape, std::size_t first_line, const Reading& reading) {
+  check_shape(shape, text.size() + 1);
+  reading.memory.require_map(shape, "map");
+  const Table table = table_of(text, {first_line, shape, "map", reading.memory}, reading);
   return Eigen::Map<const Field>(table.values.data(), shape.ny, shape.nx).transpose();
 }
 

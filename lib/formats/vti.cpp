@@ -1,19 +1,17 @@
 #include "formats/vti.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "formats/map.hpp"
 #include "formats/raster.hpp"
+#include "formats/refuse.hpp"
 
 namespace asperity {
 namespace {
@@ -88,142 +86,96 @@ Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
 
 // ---- the arrays, and the bytes that follow the XML ----
 
+// Its numbers are made when they are written, a layer at a time.
 struct Array {
-  const Variable* variable;
+  std::string name, unit;
   NumberType type;
   std::size_t tuples;
-
-  std::size_t bytes() const { return tuples * size_of(type); }
+  Index layers;
+  std::function<Field(Index layer)> layer;
 };
-
-// Of XML 1.0, which has no control characters, and none of ]]> but at the end of a section.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : one_line(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-// Grows the XML; knows where in the appended bytes the next array stands.
-class Document {
- public:
-  explicit Document(std::string_view kind)
-      : kind_(kind),
-        xml_("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + kind_ +
-             "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n") {}
-
-  Document& operator<<(std::string_view text) {
-    xml_ += text;
-    return *this;
-  }
-  void declare(std::string_view name, NumberType type, std::size_t tuples, std::string_view unit) {
-    xml_ += "<DataArray type=\"" + std::string(type == NumberType::int8 ? "Int8" : "Float64") + "\" Name=\"" +
-            escaped(name) + "\" NumberOfTuples=\"" + std::to_string(tuples) +
-            "\" format=\"appended\" offset=\"" + std::to_string(offset_) + "\"";
-    xml_ += unit.empty() ? "/>\n"
-                         : ">\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">" +
-                               escaped(unit) + "</InformationKey>\n</DataArray>\n";
-    offset_ += sizeof(std::uint64_t) + tuples * size_of(type);
-  }
-  void begin_data() {
-    xml_ += "</" + kind_ + ">\n<AppendedData encoding=\"raw\">\n_";
-    xml_.reserve(xml_.size() + offset_ + 64);
-  }
-  void begin_array(std::size_t bytes) {
-    const auto raw = bytes_of(std::uint64_t{bytes}, std::endian::little);
-    xml_.append(raw.data(), raw.size());
-  }
-  void append(const Field& layer, NumberType type) {
-    xml_ += bytes_of(layer, {type, std::endian::little, Order::yx});
-  }
-  std::string take() { return std::move(xml_ += "\n</AppendedData>\n</VTKFile>\n"); }
-
- private:
-  std::string kind_, xml_;
-  std::size_t offset_ = 0;
-};
+using Arrays = std::vector<Array>;
 
 struct Block {
-  const Dataset& dataset;
   Points x, y, z;
-  std::vector<Array> fields, volumes;
+  Arrays fields, volumes;
 
   explicit Block(const Dataset& data)
-      : dataset(data), x(coordinate_of(data, "x")), y(coordinate_of(data, "y")), z(heights_of_layers(data)) {
+      : x(coordinate_of(data, "x")), y(coordinate_of(data, "y")), z(heights_of_layers(data)) {
     for (const Variable& v : data.variables) {
-      const std::size_t tuples = x.size() * y.size() * (is_volume(v) ? z.size() : 1);
-      const NumberType type = is_flags(v) ? NumberType::int8 : NumberType::float64;
+      const std::size_t layers = is_volume(v) ? z.size() : 1, tuples = x.size() * y.size() * layers;
       if (std::holds_alternative<std::string>(v.values) || count(v.values) != tuples) continue;
-      if (is_field(v)) fields.push_back({&v, type, tuples});
-      if (is_volume(v)) volumes.push_back({&v, type, tuples});
+      if (!is_field(v) && !is_volume(v)) continue;
+      (is_volume(v) ? volumes : fields)
+          .push_back({v.name, unit_shown(v), is_flags(v) ? NumberType::int8 : NumberType::float64, tuples,
+                      static_cast<Index>(layers), [&](Index k) { return layer_of(data, v, k); }});
     }
     if (fields.empty() && volumes.empty())
       throw DataError("dataset", "it has no field on (x, y) and no volume on (z, x, y)");
   }
 
   std::string extent() const {
-    return "0 " + std::to_string(x.size() - 1) + " 0 " + std::to_string(y.size() - 1) + " 0 " +
-           std::to_string(z.size() - 1);
-  }
-  void declare(Document& document, const std::vector<Array>& arrays) const {
-    for (const Array& a : arrays)
-      document.declare(a.variable->name, a.type, a.tuples, unit_shown(*a.variable));
-  }
-  void append(Document& document, const std::vector<Array>& arrays) const {
-    for (const Array& a : arrays) {
-      document.begin_array(a.bytes());
-      const Index layers = is_volume(*a.variable) ? static_cast<Index>(z.size()) : 1;
-      for (Index k = layers; k-- > 0;) document.append(layer_of(dataset, *a.variable, k), a.type);
-    }
+    return fmt::format("0 {} 0 {} 0 {}", x.size() - 1, y.size() - 1, z.size() - 1);
   }
 };
 
-void declare_coordinates(Document& document, const Block& block) {
-  document << "<Coordinates>\n";
-  for (const auto& [name, points] : {std::pair{"x", &block.x}, {"y", &block.y}, {"z", &block.z}})
-    document.declare(name, NumberType::float64, points->size(), "m");
-  document << "</Coordinates>\n";
+Array coordinate(std::string name, const Points& points) {
+  const auto all = [&](Index) {
+    return Field(Eigen::Map<const Field>(points.data(), 1, static_cast<Index>(points.size())));
+  };
+  return {std::move(name), "m", NumberType::float64, points.size(), 1, all};
 }
 
-void append_coordinates(Document& document, const Block& block) {
-  for (const Points* points : {&block.x, &block.y, &block.z}) {
-    document.begin_array(points->size() * sizeof(double));
-    document.append(Eigen::Map<const Field>(points->data(), 1, static_cast<Index>(points->size())),
-                    NumberType::float64);
+// Of XML 1.0, which has no control characters, and none of ]]> but at the end of a section.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : one_line(text)) {
+    const std::size_t at = std::string_view("&<>\"").find(c);
+    constexpr std::string_view names[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+    out += at == std::string_view::npos ? std::string_view(&c, 1) : names[at];
   }
+  return out;
 }
 
-// `geometry` is what the element of the whole says of its points.
-std::string encode(const Block& block, const std::string& kind, const std::string& geometry,
-                   bool coordinates) {
-  Document document(kind);
+// An element of arrays, from this place among the bytes that follow, which is moved behind them.
+std::string declared(std::string_view element, const Arrays& arrays, std::size_t& place) {
+  std::string out = fmt::format("<{}>\n", element);
+  for (const Array& a : arrays) {
+    out += fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" offset=\"{}\"",
+        a.type == NumberType::int8 ? "Int8" : "Float64", escaped(a.name), a.tuples, place);
+    out += a.unit.empty() ? "/>\n"
+                          : fmt::format(
+                                ">\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}"
+                                "</InformationKey>\n</DataArray>\n",
+                                escaped(a.unit));
+    place += sizeof(std::uint64_t) + a.tuples * size_of(a.type);
+  }
+  return out + fmt::format("</{}>\n", element);
+}
+
+// `geometry` is what the element of the whole says of its points, unless their coordinates are listed.
+std::string encode(const Block& block, std::string_view kind, std::string_view geometry,
+                   const Arrays& coordinates) {
   const bool volumes = !block.volumes.empty();
-  document << "<" << kind << " WholeExtent=\"" << block.extent() << "\"" << geometry << ">\n";
-  if (volumes && !block.fields.empty()) {
-    document << "<FieldData>\n";
-    block.declare(document, block.fields);
-    document << "</FieldData>\n";
-  }
-  document << "<Piece Extent=\"" << block.extent() << "\">\n<PointData>\n";
-  block.declare(document, volumes ? block.volumes : block.fields);
-  document << "</PointData>\n";
-  if (coordinates) declare_coordinates(document, block);
-  document << "</Piece>\n";
-  document.begin_data();
-  block.append(document, block.fields);
-  block.append(document, block.volumes);
-  if (coordinates) append_coordinates(document, block);
-  return document.take();
+  std::size_t size = 0;
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<{0} WholeExtent=\"{1}\"{2}>\n",
+      kind, block.extent(), geometry);
+  if (volumes && !block.fields.empty()) out += declared("FieldData", block.fields, size);
+  out += fmt::format("<Piece Extent=\"{}\">\n", block.extent());
+  out += declared("PointData", volumes ? block.volumes : block.fields, size);
+  if (!coordinates.empty()) out += declared("Coordinates", coordinates, size);
+  out += fmt::format("</Piece>\n</{}>\n<AppendedData encoding=\"raw\">\n_", kind);
+  out.reserve(out.size() + size + 64);
+  for (const Arrays* arrays : {&block.fields, &block.volumes, &coordinates})
+    for (const Array& a : *arrays) {
+      const auto bytes = bytes_of(std::uint64_t{a.tuples * size_of(a.type)}, std::endian::little);
+      out.append(bytes.data(), bytes.size());
+      for (Index k = a.layers; k-- > 0;) out += bytes_of(a.layer(k), {a.type});
+    }
+  return std::move(out += "\n</AppendedData>\n</VTKFile>\n");
 }
 
 }  // namespace
@@ -234,13 +186,16 @@ std::string encode_vti(const Dataset& dataset) {
   if (!evenly_spaced(block.z))
     throw DataError("z",
                     "its depths are not evenly spaced, as image data needs: write a rectilinear grid, vtr");
-  const std::string origin =
-      shortest(block.x.front()) + " " + shortest(block.y.front()) + " " + shortest(block.z.front());
-  const std::string spacing =
-      shortest(grid.dx) + " " + shortest(grid.dy) + " " + shortest(step_of(block.z, grid.dx));
-  return encode(block, "ImageData", " Origin=\"" + origin + "\" Spacing=\"" + spacing + "\"", false);
+  const std::string geometry = fmt::format(
+      " Origin=\"{} {} {}\" Spacing=\"{} {} {}\"", shortest(block.x.front()), shortest(block.y.front()),
+      shortest(block.z.front()), shortest(grid.dx), shortest(grid.dy), shortest(step_of(block.z, grid.dx)));
+  return encode(block, "ImageData", geometry, {});
 }
 
-std::string encode_vtr(const Dataset& dataset) { return encode(Block(dataset), "RectilinearGrid", "", true); }
+std::string encode_vtr(const Dataset& dataset) {
+  const Block block(dataset);
+  return encode(block, "RectilinearGrid", "",
+                {coordinate("x", block.x), coordinate("y", block.y), coordinate("z", block.z)});
+}
 
 }  // namespace asperity

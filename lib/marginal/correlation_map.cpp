@@ -19,11 +19,6 @@ constexpr Eigen::Index intervals = 2048;
 }  // namespace
 
 CorrelationMap::CorrelationMap(const Translation& g) {
-  expand(g);
-  tabulate();
-}
-
-void CorrelationMap::expand(const Translation& g) {
   const double step = std::min(widest_step, NormalQuadrature::step_for(g));
   const NormalQuadrature law(step);
   const Eigen::ArrayXd z = law.heights(g);
@@ -40,9 +35,7 @@ void CorrelationMap::expand(const Translation& g) {
   }
   powers.push_back(std::max(left, 0.0));
   powers_ = Eigen::Map<const Eigen::ArrayXd>(powers.data(), static_cast<Eigen::Index>(powers.size()));
-}
 
-void CorrelationMap::tabulate() {
   constexpr double right = std::numbers::pi / 2;
   rhos_ = Eigen::ArrayXd::LinSpaced(intervals + 1, -right, right).sin();
   correlations_ = Eigen::ArrayXd::Zero(rhos_.size());

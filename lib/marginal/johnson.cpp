@@ -44,40 +44,21 @@ inline double expm1_of(double u) {
 
 double exponent(double y, double per_y) { return std::min(std::max(y * per_y, -largest_u), largest_u); }
 
-// q of (2) from u and a function for e^u - 1.
-struct Lognormal {
-  template <class Expm1>
-  double operator()(double u, Expm1 expm1) const {
-    return expm1(u);
-  }
-};
-
-// (e^u - 1) - d (e^-u - 1), by the larger of the two exponentials.
-struct Unbounded {
-  double d;
-  template <class Expm1>
-  double operator()(double u, Expm1 expm1) const {
-    const double large = expm1(std::abs(u)), small = large / (1 + large);
-    return u < 0 ? -(small + d * large) : large + d * small;
-  }
-};
-
-struct Bounded {
-  double c;
-  template <class Expm1>
-  double operator()(double u, Expm1 expm1) const {
-    const double m = expm1(u);
-    return m / (1 + c + c * m);
-  }
-};
-
-// use(q) with the q of the family.
+// use(q) with the q of (2) of the family, from u and a function for e^u - 1.
 template <class Use>
 auto with_quotient(const Johnson& j, Use use) {
-  const double c = std::exp(-std::abs(j.gamma) / j.delta);
-  if (j.family == Family::unbounded) return use(Unbounded{c * c});
-  if (j.family == Family::bounded) return use(Bounded{c});
-  return use(Lognormal{});
+  const double c = std::exp(-std::abs(j.gamma) / j.delta), d = c * c;
+  if (j.family == Family::unbounded)  // (e^u - 1) - d (e^-u - 1), by the larger of the two exponentials
+    return use([d](double u, auto expm1) {
+      const double large = expm1(std::abs(u)), small = large / (1 + large);
+      return u < 0 ? -(small + d * large) : large + d * small;
+    });
+  if (j.family == Family::bounded)
+    return use([c](double u, auto expm1) {
+      const double m = expm1(u);
+      return m / (1 + c + c * m);
+    });
+  return use([](double u, auto expm1) { return expm1(u); });
 }
 
 // Whole blocks only, so that a value does not depend on its neighbours.
@@ -93,6 +74,23 @@ void apply_by_blocks(const Johnson& j, std::span<double> values, Quotient q) {
   std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(whole), rest, last.begin());
   block(last.data());
   std::copy_n(last.begin(), rest, values.begin() + static_cast<std::ptrdiff_t>(whole));
+}
+
+// ---- bounds and peaks ----
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The y of (5) for the upper sign: of S_B where the left side crosses the right one from below.
+std::vector<double> scores_of_peaks(const Johnson& j) {
+  if (j.family == Family::lognormal) return {-1 / j.delta};
+  const double centre = std::abs(j.gamma), d = j.delta;
+  auto rise = [&](double y) { return std::tanh((y - centre) / (2 * d)) - d * y; };
+  auto root = [&](double a, double b) { return bracketed_root(rise, {a, rise(a)}, {b, rise(b)}, 1e-13); };
+  // Where the right side's slope is that of the left, on both sides of the centre.
+  const double steep = d * d < 0.5 ? 2 * d * std::acosh(1 / (std::sqrt(2.0) * d)) : 0;
+  std::vector<double> out{root(-1 / d, centre - steep)};
+  if (rise(centre + steep) > 0) out.push_back(root(centre + steep, 1 / d));
+  return out;
 }
 
 }  // namespace
@@ -122,27 +120,6 @@ Translation Johnson::translation() const {
 Translation johnson_translation(double skewness, double kurtosis) {
   return fit_johnson(skewness, kurtosis).translation();
 }
-
-// ---- bounds and peaks ----
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// The y of (5) for the upper sign: of S_B where the left side crosses the right one from below.
-std::vector<double> scores_of_peaks(const Johnson& j) {
-  if (j.family == Family::lognormal) return {-1 / j.delta};
-  const double centre = std::abs(j.gamma), d = j.delta;
-  auto rise = [&](double y) { return std::tanh((y - centre) / (2 * d)) - d * y; };
-  auto root = [&](double a, double b) { return bracketed_root(rise, {a, rise(a)}, {b, rise(b)}, 1e-13); };
-  // Where the right side's slope is that of the left, on both sides of the centre.
-  const double steep = d * d < 0.5 ? 2 * d * std::acosh(1 / (std::sqrt(2.0) * d)) : 0;
-  std::vector<double> out{root(-1 / d, centre - steep)};
-  if (rise(centre + steep) > 0) out.push_back(root(centre + steep, 1 / d));
-  return out;
-}
-
-}  // namespace
 
 DensityShape density_shape(const Johnson& j) {
   const bool bounded = j.family == Family::bounded;

@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include <Eigen/Core>
-#include <fmt/format.h>
 
 #include "core/field.hpp"
+#include "core/words.hpp"
 #include "marginal/johnson.hpp"
 #include "math/bracketed_root.hpp"
 
@@ -26,15 +25,6 @@ constexpr double farthest_centre = 5;
 constexpr double reach = 22;
 
 using Nodes = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_nodes, 1>;  // on the stack
-
-struct Substitution {
-  Nodes sinh, cosh;
-  Substitution() {
-    const Nodes s = Nodes::LinSpaced(most_nodes, (1 - most_nodes) / 2.0, (most_nodes - 1) / 2.0) * step;
-    sinh = s.sinh();
-    cosh = s.cosh();
-  }
-};
 
 double expectation(const Nodes& weight, const Nodes& values) { return (weight * values).sum(); }
 
@@ -55,32 +45,7 @@ HeightMoments lognormal_moments(double v) {
   return {std::expm1(v / 2), w * W, std::sqrt(W) * (w + 2), 3 + W * (((w + 3) * w + 6) * w + 6)};
 }
 
-}  // namespace
-
-// (4).
-HeightMoments johnson_moments(const Johnson& j) {
-  static const Substitution s;
-  const bool steep = j.family == Family::bounded && j.delta < 1;
-  const double centre = steep ? std::clamp(j.gamma, -farthest_centre, farthest_centre) : 0;
-  const double width = steep ? j.delta : 1;
-  const Index nodes =
-      2 * static_cast<Index>(std::min(std::ceil(std::asinh(reach / width) / step), most_nodes / 2.0));
-  const Index first = (most_nodes - nodes) / 2;
-  Nodes z = centre + width * s.sinh.segment(first, nodes);
-  Nodes weight = s.cosh.segment(first, nodes) * (-z.square() / 2).exp();
-  weight /= weight.sum();
-  j.apply({z.data(), static_cast<std::size_t>(nodes)});
-
-  const double unit = z.abs().maxCoeff(), mean = expectation(weight, z / unit);
-  const Nodes d = z / unit - mean, d2 = d.square();
-  const double variance = expectation(weight, d2);
-  return {mean * unit, variance * unit * unit, expectation(weight, d2 * d) / (variance * std::sqrt(variance)),
-          expectation(weight, d2.square()) / (variance * variance)};
-}
-
 // ---- the fit ----
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_delta = 1.0 / 64;
@@ -173,12 +138,12 @@ Johnson mirrored(Johnson j) {
   return j;
 }
 
-std::string text(double value) { return fmt::format("{:.7g}", value); }
+std::string text(double value) { return in_digits(value, 7); }
 
 void check_skewness(double skewness) {
-  if (!(std::abs(skewness) <= largest_skewness))
-    throw ParameterError("skewness", text(skewness) + ": must lie in " + text(-largest_skewness) + " ... " +
-                                         text(largest_skewness));
+  check_parameter(
+      std::abs(skewness) <= largest_skewness, "skewness",
+      text(skewness) + ": must lie in " + text(-largest_skewness) + " ... " + text(largest_skewness));
 }
 
 void check_kurtosis(double skewness, double kurtosis) {
@@ -193,6 +158,28 @@ void check_kurtosis(double skewness, double kurtosis) {
 }
 
 }  // namespace
+
+// (4).
+HeightMoments johnson_moments(const Johnson& j) {
+  static const Nodes s = Nodes::LinSpaced(most_nodes, (1 - most_nodes) / 2.0, (most_nodes - 1) / 2.0) * step,
+                     sinh = s.sinh(), cosh = s.cosh();
+  const bool steep = j.family == Family::bounded && j.delta < 1;
+  const double centre = steep ? std::clamp(j.gamma, -farthest_centre, farthest_centre) : 0;
+  const double width = steep ? j.delta : 1;
+  const Index nodes =
+      2 * static_cast<Index>(std::min(std::ceil(std::asinh(reach / width) / step), most_nodes / 2.0));
+  const Index first = (most_nodes - nodes) / 2;
+  Nodes z = centre + width * sinh.segment(first, nodes);
+  Nodes weight = cosh.segment(first, nodes) * (-z.square() / 2).exp();
+  weight /= weight.sum();
+  j.apply({z.data(), static_cast<std::size_t>(nodes)});
+
+  const double unit = z.abs().maxCoeff(), mean = expectation(weight, z / unit);
+  const Nodes d = z / unit - mean, d2 = d.square();
+  const double variance = expectation(weight, d2);
+  return {mean * unit, variance * unit * unit, expectation(weight, d2 * d) / (variance * std::sqrt(variance)),
+          expectation(weight, d2.square()) / (variance * variance)};
+}
 
 double least_kurtosis(double skewness) {
   check_skewness(skewness);

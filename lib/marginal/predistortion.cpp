@@ -1,11 +1,10 @@
 #include "marginal/predistortion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "acf/kernel_evaluation.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -40,7 +39,7 @@ double Predistortion::change(const Target& heights) const {
   if (lowest <= -1 + 1e-12 || (!heights.known && !heights.reach)) return 0;
   Shape lags = heights.known ? *heights.known : heights.reach(-lowest);
   lags = {std::min(lags.nx, farthest), std::min(lags.ny, farthest)};
-  std::vector<double> row(static_cast<std::size_t>(2 * lags.ny - 1));
+  std::vector<double> row(size(2 * lags.ny - 1));
   double least = lowest;
   for (Index p = 0; p < lags.nx; ++p) {
     heights.row(static_cast<double>(p), static_cast<double>(1 - lags.ny), row);

@@ -1,13 +1,14 @@
 /// The autocorrelation that a Gaussian field needs for its translation z = g(y) to have the one asked for.
 ///
 ///     ρ(p,q) = R_z⁻¹(R(p,q)),    R_z of marginal/correlation_map.hpp,                                    (1)
-/// is a target like any other: acf/kernel.hpp finds a kernel for it, and the surface z = σ g(y) drawn with that kernel
-/// has R_z of what the kernel achieves.
+/// is a target like any other: a surface z = σ g(y) drawn with its kernel has R_z of what the kernel
+/// achieves.
 ///
-/// Correlations below R_z(-1) are met by none; the target then asks for R_z(-1), and `change` tells how far that is. Of
-/// a smooth target the spectrum of ρ turns a little negative, for which acf/kernel_solver.hpp has its answers.
+/// Correlations below R_z(-1) are met by none; the target then asks for R_z(-1). Of a smooth target the
+/// spectrum of ρ turns a little negative, for which acf/attempts.hpp has its answers.
 ///
-/// M. Grigoriu, Simulation of stationary non-Gaussian translation processes, J. Eng. Mech. 124 (1998) 121-126.
+/// M. Grigoriu, Simulation of stationary non-Gaussian translation processes, J. Eng. Mech. 124 (1998)
+/// 121-126.
 #pragma once
 
 #include <memory>
@@ -28,10 +29,10 @@ class Predistortion {
   /// By how much the autocorrelation of the heights falls below R_z(-1) at the most [σ²].
   double change(const Target& heights) const;
 
-  /// The kernel of the heights that the request asks for: its coefficients are those of y, of unit variance, its
-  /// tables and errors those of the heights, `residual` alone is that of the equations of y. Throws as solve_kernel
-  /// does, and ParameterError("marginal"), or DataError("acf") for a table, where a change by more than
-  /// `infeasible` allows would be made.
+  /// The kernel that the request asks for: its coefficients are those of y, of unit variance, its tables and
+  /// errors those of the heights, but `residual` that of y. Throws as solve_kernel does, and
+  /// ParameterError("marginal"), or DataError("acf") for a table, where the change is more than `infeasible`
+  /// allows.
   Kernel solve(const KernelRequest& heights) const;
 
  private:

@@ -1,24 +1,23 @@
 /// From a prescribed skewness and kurtosis to what a surface is drawn with.
 ///
-/// Translation   the heights are z = σ g(y) of a Gaussian field y (marginal/translation.hpp): any pair that there is, and
-///               the autocorrelation of y is predistorted (marginal/predistortion.hpp).
+/// Translation   the heights are z = σ g(y) of a Gaussian field y (marginal/translation.hpp): any pair that there
+///               is, and the autocorrelation of y is predistorted (marginal/predistortion.hpp).
 /// Filter        the white noise is η = g(y) and the kernel a is that of a Gaussian surface. Sums of independent
 ///               values add their cumulants, so that z = Σ a η has
 ///                   Sk = Sk_η f₃,  f₃ = Σa³/(Σa²)^(3/2),        K - 3 = (K_η - 3) f₄,  f₄ = Σa⁴/(Σa²)²,    (1)
-///               and the autocorrelation of the kernel, exactly. The wider the kernel is the nearer to zero f₃ and
-///               f₄ are and the more extreme the noise must be: often there is none.
+///               and the autocorrelation of the kernel. Of wide kernels there is often no such noise.
 ///
 /// Where a skewness alone is given, the kurtosis follows it as in the gamma family,
 ///     K = 3 + 1.5 Sk²,                                                                                  (2)
-/// that of sums of skewed heights of one sign, and 3 of a Gaussian. Johnson's distribution of these moments is S_B, for (2)
-/// lies below S_L, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2. A kurtosis of 3 at
-/// |Sk| = 1 would be J-shaped, cut at 1.1 Sq.
+/// that of sums of skewed heights of one sign, 3 of a Gaussian. Johnson's distribution of these moments is
+/// S_B, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2; of a kurtosis of
+/// 3 at |Sk| = 1 it would be J-shaped, cut at 1.1 Sq.
 ///
-/// Every distribution has K ≥ Sk² + 1. Where a kurtosis is too low, for the heights or for the noise, the least one of
-/// the same skewness takes its place if that is allowed.
+/// Every distribution has K ≥ Sk² + 1. Where a kurtosis is too low, for the heights or for the noise, the
+/// least one of the same skewness takes its place if that is allowed.
 ///
-/// Y. Z. Hu, K. Tonder, Simulation of 3-D random rough surface by 2-D digital filter and Fourier analysis, Int. J. Mach.
-/// Tools Manuf. 32 (1992) 83-90; V. Bakolas, Wear 254 (2003) 546-554.
+/// Y. Z. Hu, K. Tonder, Simulation of 3-D random rough surface by 2-D digital filter and Fourier analysis,
+/// Int. J. Mach. Tools Manuf. 32 (1992) 83-90; V. Bakolas, Wear 254 (2003) 546-554.
 #pragma once
 
 #include "acf/kernel.hpp"

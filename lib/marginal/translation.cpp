@@ -1,6 +1,5 @@
 #include "marginal/translation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +8,8 @@
 namespace asperity {
 namespace {
 
-// A pole is about π details away: h = 0.4 details leaves exp(-2π²/0.4) = 4e-22; the normal law asks for h ≤ 0.5.
+// A pole is about π details away: h = 0.4 details leaves exp(-2π²/0.4) = 4e-22; the normal law asks for h ≤
+// 0.5.
 constexpr double steps_a_detail = 2.5;
 
 }  // namespace
@@ -25,7 +25,7 @@ double NormalQuadrature::step_for(const Translation& g) { return g.detail / step
 
 Eigen::ArrayXd NormalQuadrature::heights(const Translation& g) const {
   Eigen::ArrayXd z = nodes;
-  g.apply({z.data(), static_cast<std::size_t>(z.size())});
+  g.apply({z.data(), size(z.size())});
   return z;
 }
 

@@ -2,8 +2,8 @@
 ///
 ///     z = σ g(y),    g = F⁻¹ ∘ Φ,    E[g(y)] = 0,    E[g(y)²] = 1,                                       (1)
 ///
-/// of a Gaussian field y of unit variance has heights z/σ of the distribution F. g is increasing, so that peaks stay
-/// peaks and valleys valleys. What it does to the autocorrelation is in marginal/correlation_map.hpp.
+/// of a Gaussian field y of unit variance has heights z/σ of the distribution F; g is increasing. What it
+/// does to the autocorrelation is in marginal/correlation_map.hpp.
 ///
 /// M. Grigoriu, Crossings of non-Gaussian translation processes, J. Eng. Mech. 110 (1984) 610-620.
 #pragma once
@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "core/pointwise.hpp"
+#include "math/noise.hpp"
 
 namespace asperity {
 

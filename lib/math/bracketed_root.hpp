@@ -1,10 +1,8 @@
 /// Root of a continuous function between two points where its signs differ.
 ///
 /// Bisection, or inverse quadratic interpolation wherever the three last points let it be trusted: Brent's
-/// idea with Chandrupatla's criterion. It takes the values at the ends, which are known, and ends when the
-/// function is within `tolerance` of zero or the bracket has shrunk to rounding.
-///
-/// Cost      6 to 12 values of a smooth function.
+/// idea with Chandrupatla's criterion. It ends when the function is within `tolerance` of zero or the bracket
+/// has shrunk to rounding, after 6 to 12 values of a smooth function.
 ///
 /// T. R. Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear
 /// function without using derivatives, Adv. Eng. Softw. 28 (1997) 145-149.

@@ -1,8 +1,8 @@
 /// Hermite functions, one order a call: f_k = He_k(x) w/√k!, k = 0, 1, …, from f_0 = w by
 ///     f_{k+1} = (x f_k - √k f_{k-1})/√(k+1).
 ///
-/// With the Gaussian density w = φ(x) they stay below 1; with w = 1 they are the orthonormal polynomials. At one point,
-/// or at the points of an Eigen array together.
+/// With the Gaussian density w = φ(x) they stay below 1; with w = 1 they are the orthonormal polynomials. At
+/// one point, or at the points of an Eigen array together.
 #pragma once
 
 #include <cmath>

@@ -16,8 +16,8 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 /// L with L Lᵀ = C, a covariance; eigenvalues that round-off made negative are zero.
 Eigen::MatrixXd covariance_root(const Eigen::MatrixXd& covariance);
 
-/// A x = b of a positive definite A, of which the lower triangle is read; nothing where a pivot of LDLᵀ is not above
-/// `least_pivot` of the largest.
+/// A x = b of a positive definite A, of which the lower triangle is read; nothing where a pivot of LDLᵀ is
+/// not above `least_pivot` of the largest.
 std::optional<Eigen::VectorXd> solve_positive(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
                                               double least_pivot);
 

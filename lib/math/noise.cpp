@@ -42,36 +42,30 @@ Taus2 state_from(std::uint64_t h) {
   return {std::max(word(1), 2ul), std::max(word(2), 8ul), std::max(word(3), 16ul)};
 }
 
+std::shared_ptr<void> taus2() {
+  gsl_rng* const rng = gsl_rng_alloc(gsl_rng_taus2);
+  if (rng == nullptr) throw std::bad_alloc();
+  if (gsl_rng_size(rng) != sizeof(Taus2))
+    throw std::runtime_error("this GSL keeps another state in its taus2");
+  return {rng, gsl_rng_free};
+}
+
 }  // namespace
-
-struct WhiteNoise::Generator {
-  gsl_rng* rng = gsl_rng_alloc(gsl_rng_taus2);
-
-  Generator() {
-    if (rng == nullptr) throw std::bad_alloc();
-    if (gsl_rng_size(rng) != sizeof(Taus2))
-      throw std::runtime_error("this GSL keeps another state in its taus2");
-  }
-  ~Generator() { gsl_rng_free(rng); }
-  Generator(const Generator&) = delete;
-  Generator& operator=(const Generator&) = delete;
-
-  void start(std::uint64_t h) { *static_cast<Taus2*>(gsl_rng_state(rng)) = state_from(h); }
-};
 
 WhiteNoise::WhiteNoise(std::uint64_t seed, std::uint64_t surface, std::uint64_t stream, Pointwise translation)
     : seed_(seed),
       surface_(below_2_32("first", surface)),
       stream_(below_2_32("stream", stream)),
       translation_(std::move(translation)),
-      generator_(std::make_unique<Generator>()) {}
-WhiteNoise::~WhiteNoise() = default;
+      taus2_(taus2()) {}
 WhiteNoise::WhiteNoise(const WhiteNoise& other)
     : WhiteNoise(other.seed_, other.surface_, other.stream_, other.translation_) {}
 
 void WhiteNoise::row(std::int64_t index, std::span<double> out) {
-  generator_->start(hash(seed_, (stream_ << 32) + surface_, static_cast<std::uint64_t>(index)));
-  for (double& eta : out) eta = gsl_ran_gaussian_ziggurat(generator_->rng, 1);
+  auto* const rng = static_cast<gsl_rng*>(taus2_.get());
+  const std::uint64_t start = hash(seed_, (stream_ << 32) + surface_, static_cast<std::uint64_t>(index));
+  *static_cast<Taus2*>(gsl_rng_state(rng)) = state_from(start);
+  for (double& eta : out) eta = gsl_ran_gaussian_ziggurat(rng, 1);
   if (translation_) translation_(out);
 }
 

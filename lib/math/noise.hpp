@@ -1,18 +1,18 @@
 /// Unit white noise, row by row.
 ///
-/// η(i,j), independent with mean 0 and variance 1, for any row i (negative ones too) and j = 0, 1, …; normal, or of
-/// another distribution by a translation of the normal values. Every row has a generator of its own, started from
+/// η(i,j), independent with mean 0 and variance 1, for any row i (negative ones too) and j = 0, 1, …; normal,
+/// or of another distribution by a translation of the normal values. Every row has a generator of its own,
+/// started from
 ///     h(seed, c, row) = mix(mix(mix(seed + g) + c + g) + row + g),   c = 2³² stream + surface,              (1)
-/// with g = 2⁶⁴/φ and mix one-to-one on 64 bits: a row is the same whoever draws it, in whatever order, and on however
-/// many threads, and a longer row begins as a shorter one does. Of one seed, no two (stream, surface) have the same hash,
-/// nor have two rows of a surface.
+/// with g = 2⁶⁴/φ and mix one-to-one on 64 bits: a row is the same whoever draws it, in whatever order and on
+/// however many threads, and a longer row begins as a shorter one. Of one seed, no two (stream, surface) have
+/// the same hash, nor two rows of a surface.
 ///
-/// The generator is GSL's taus2 (period 2⁸⁸), the normals come from its ziggurat. GSL's seeds have 32 bits,
-/// so that among the 10⁵ rows of an ensemble two would probably be the same; here all 88 bits of the state are
-/// set from the hash, through gsl_rng_state.
+/// The generator is GSL's taus2 (period 2⁸⁸), the normals come from its ziggurat. Among 10⁵ rows two would
+/// probably have the same seed of GSL's 32 bits; here all 88 bits of the state are set from the hash.
 ///
-/// Accuracy  Any two of n rows of L numbers, of whatever seeds, overlap with a chance of n²/2⁶⁵ + n²L/2⁸⁸: 3e-6 for ten
-///           thousand surfaces of a thousand rows.
+/// Accuracy  Any two of n rows of L numbers, of whatever seeds, overlap with a chance of n²/2⁶⁵ + n²L/2⁸⁸:
+///           3e-6 for ten thousand surfaces of a thousand rows.
 /// Cost      about 8 ns a number.
 ///
 /// P. L'Ecuyer, Tables of maximally equidistributed combined LFSR generators, Math. Comput. 68 (1999)
@@ -22,28 +22,30 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 
 #include "core/field.hpp"
-#include "core/pointwise.hpp"
 
 namespace asperity {
 
+/// A function of one number, applied to many in place by several threads at once: what a value becomes does
+/// not depend on its neighbours.
+using Pointwise = std::function<void(std::span<double>)>;
+
 class WhiteNoise {
  public:
-  /// `surface` counts the independent noises of an ensemble, `stream` the ensembles of one seed. `translation`, of mean 0
-  /// and variance 1, if there is one, makes each value from a normal one. Throws ParameterError("first") and ("stream")
-  /// from 2³² on.
+  /// `surface` counts the independent noises of an ensemble, `stream` the ensembles of one seed.
+  /// `translation`, of mean 0 and variance 1, if there is one, makes each value from a normal one. Throws
+  /// ParameterError("first") and ("stream") from 2³² on.
   explicit WhiteNoise(std::uint64_t seed, std::uint64_t surface = 0, std::uint64_t stream = 0,
                       Pointwise translation = {});
-  ~WhiteNoise();
   WhiteNoise(const WhiteNoise&);
   WhiteNoise& operator=(const WhiteNoise&) = delete;
 
-  /// η(index, 0), η(index, 1), … into all of `out`. Not for two threads at once on one object; copies are
-  /// cheap.
+  /// η(index, 0), η(index, 1), … into all of `out`. Not for two threads at once; copies are cheap.
   void row(std::int64_t index, std::span<double> out);
 
   std::uint64_t seed() const { return seed_; }
@@ -53,10 +55,9 @@ class WhiteNoise {
   static std::string generator();
 
  private:
-  struct Generator;
   std::uint64_t seed_, surface_, stream_;
   Pointwise translation_;
-  std::unique_ptr<Generator> generator_;
+  std::shared_ptr<void> taus2_;  ///< GSL's
 };
 
 }  // namespace asperity

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "stress/calibration.hpp"
+#include "core/calibration.hpp"
 #include "stress/influence.hpp"
 
 namespace asperity {
@@ -17,7 +17,7 @@ double norm(const stress::Tensor& s) {
 
 // The largest norm at depth 1 under a unit force.
 double largest_norm(double poisson, stress::Traction load) {
-  using namespace calibration;
+  using namespace calibration::stress;
   double top = 0;
   for (int i = 0; i <= bound_steps; ++i)
     for (int j = 0; j <= bound_steps; ++j)
@@ -28,16 +28,12 @@ double largest_norm(double poisson, stress::Traction load) {
 
 }  // namespace
 
-StressBound::StressBound(const LoadedBody& body) : force_(std::numeric_limits<double>::infinity()) {
-  if (body.grid.periodic) return;
+double stress_bound(const LoadedBody& body) {
+  if (body.grid.periodic) return std::numeric_limits<double>::infinity();
   const double friction = body.friction.coefficient,
                sliding = friction > 0 ? friction * largest_norm(body.poisson, stress::shear_x) : 0;
-  force_ = std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) *
-           body.pressure.abs().sum() * body.grid.cell_area();
-}
-
-double StressBound::at(double z) const {
-  return z > 0 ? force_ / (z * z) : std::numeric_limits<double>::infinity();
+  return std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) * body.pressure.abs().sum() *
+         body.grid.cell_area();
 }
 
 }  // namespace asperity

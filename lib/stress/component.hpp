@@ -14,9 +14,7 @@ namespace asperity {
 /// Stresses along a row of points: for each component that was asked its values, else nothing.
 using StressRow = std::array<std::span<const double>, 6>;
 
-}  // namespace asperity
-
-namespace asperity::stress {
+namespace stress {
 
 enum Component : std::size_t { xx, yy, zz, xy, xz, yz };
 
@@ -55,4 +53,5 @@ inline Tensor exchanged(const Tensor& s) {
   return out;
 }
 
-}  // namespace asperity::stress
+}  // namespace stress
+}  // namespace asperity

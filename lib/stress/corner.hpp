@@ -32,8 +32,6 @@ static inline double zz(double X, double Y, double z, double r, double T) {
 static inline double xy(double z, double r, double nu) {
   return -quotient(z, r) - (1 - 2 * nu) * std::log(r + z);
 }
-static inline double xz(double X, double Y, double z, double r) { return G(X, Y, z, r); }
-static inline double yz(double X, double Y, double z, double r) { return G(Y, X, z, r); }
 
 }  // namespace normal
 
@@ -51,7 +49,6 @@ static inline double xx(double X, double Y, double z, double r, double L, double
 static inline double yy(double Y, double z, double r, double L, double nu) {
   return 2 * nu * L - W(Y, z, r, nu);
 }
-static inline double zz(double X, double Y, double z, double r) { return G(X, Y, z, r); }
 static inline double xy(double X, double z, double r, double L, double nu) { return L - W(X, z, r, nu); }
 static inline double xz(double X, double Y, double z, double r, double T) { return F(X, Y, z, r) - T; }
 static inline double yz(double z, double r) { return -quotient(z, r); }

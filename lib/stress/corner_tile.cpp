@@ -1,5 +1,4 @@
-// Compiled with finite-math-only arithmetic where that gives vectors: keep shared inline code out of this
-// file.
+// Compiled with finite-math-only arithmetic where that gives vectors: shared inline code stays out.
 #include "stress/corner_tile.hpp"
 
 #include <cmath>
@@ -44,8 +43,8 @@ struct Corners {
     each_lane(out[yy], [&](int l) { return normal::yy(X[l], Y, z, r[l], T[l], A[l], nu); });
     each_lane(out[zz], [&](int l) { return normal::zz(X[l], Y, z, r[l], T[l]); });
     each_lane(out[xy], [&](int l) { return normal::xy(z, r[l], nu); });
-    each_lane(out[xz], [&](int l) { return normal::xz(X[l], Y, z, r[l]); });
-    each_lane(out[yz], [&](int l) { return normal::yz(X[l], Y, z, r[l]); });
+    each_lane(out[xz], [&](int l) { return G(X[l], Y, z, r[l]); });
+    each_lane(out[yz], [&](int l) { return G(Y, X[l], z, r[l]); });
   }
 
   void logarithms(bool straight, bool turned) {
@@ -60,7 +59,7 @@ struct Corners {
     using namespace corner;
     each_lane(out[xx], [&](int l) { return shear::xx(X[l], Y, z, r[l], L[l], nu); });
     each_lane(out[yy], [&](int l) { return shear::yy(Y, z, r[l], L[l], nu); });
-    each_lane(out[zz], [&](int l) { return shear::zz(X[l], Y, z, r[l]); });
+    each_lane(out[zz], [&](int l) { return G(X[l], Y, z, r[l]); });
     each_lane(out[xy], [&](int l) { return shear::xy(X[l], z, r[l], L_turned[l], nu); });
     each_lane(out[xz], [&](int l) { return shear::xz(X[l], Y, z, r[l], T[l]); });
     each_lane(out[yz], [&](int l) { return shear::yz(z, r[l]); });
@@ -71,7 +70,7 @@ struct Corners {
     using namespace corner;
     each_lane(out[xx], [&](int l) { return shear::yy(X[l], z, r[l], L_turned[l], nu); });
     each_lane(out[yy], [&](int l) { return shear::xx(Y, X[l], z, r[l], L_turned[l], nu); });
-    each_lane(out[zz], [&](int l) { return shear::zz(Y, X[l], z, r[l]); });
+    each_lane(out[zz], [&](int l) { return G(Y, X[l], z, r[l]); });
     each_lane(out[xy], [&](int l) { return shear::xy(Y, z, r[l], L[l], nu); });
     each_lane(out[xz], [&](int l) { return shear::yz(z, r[l]); });
     each_lane(out[yz], [&](int l) { return shear::xz(Y, X[l], z, r[l], T[l]); });

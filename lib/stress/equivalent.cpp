@@ -1,8 +1,6 @@
 #include "stress/equivalent.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace asperity {
 namespace {

@@ -1,13 +1,13 @@
 /// What yield and fatigue are judged by: equivalent stresses, principal stresses and their directions.
 ///
-/// The von Mises stress [1], √3 times the root of the second invariant of the deviator, reaches the yield stress where a
-/// ductile material begins to flow; Tresca's largest shear stress [2] then reaches half of it; the octahedral shear
-/// stress [3], on the planes equally inclined to the principal stresses, is what fatigue criteria are written in:
+/// A ductile material flows where the von Mises stress [1] reaches the yield stress, or Tresca's largest
+/// shear stress [2] half of it; fatigue criteria are written in the octahedral shear stress [3], on the
+/// planes equally inclined to the principal stresses:
 ///     σ_vM² = ½ [(σxx-σyy)² + (σyy-σzz)² + (σzz-σxx)²] + 3 (σxy² + σxz² + σyz²),                        (1)
 ///     τ_max = (σ1 - σ3) / 2,   τ_oct = ⅓ √[(σ1-σ2)² + (σ2-σ3)² + (σ3-σ1)²] = (√2/3) σ_vM.               (2)
 ///
-/// Principal stresses are the eigenvalues of the tensor. With its mean m, the deviator s = σ - m and its size ρ,
-/// ρ² = s:s/6, they are m + ρx for the three roots of
+/// Principal stresses are the eigenvalues of the tensor. With its mean m, the deviator s = σ - m and its size
+/// ρ, ρ² = s:s/6, they are m + ρx for the three roots of
 ///     x³ - 3x = 2h,   h = det(s/ρ)/2,   -1 ≤ h ≤ 1.                                                   (3)
 /// For h ≥ 0 the largest, otherwise the smallest root stands alone, at least √3 from the others, and is well
 /// conditioned even where those coincide. Hence the order of the work [4]:
@@ -16,14 +16,14 @@
 ///     the other two from the 2 × 2 tensor that is left in the plane across v, by a rotation.
 /// No digits are lost at double roots, as they are when (3) is solved for all three.
 ///
-/// A direction is an axis and has no sign: it is given the one with which the first of its components in z, x, y that
-/// exceeds 1e-8 is positive, so that it points into the body. Where principal stresses coincide, to rounding, their
-/// directions are any that are normal to each other and to the third.
+/// A direction is an axis: it is given the sign with which the first of its components in z, x, y that
+/// exceeds 1e-8 is positive, into the body. Where principal stresses coincide their directions are any that
+/// are normal to each other and to the third.
 ///
-/// Accuracy  principal stresses to 8 ε, the residual σv - λv to 16 ε of the largest component; a direction to that
-///           over the distance to the next principal stress; directions normal to each other to 8 ε.
-/// Cost      principal stresses some 60 ns a point of a row, less without the directions, all in vector arithmetic; an
-///           iterative solver takes seven times as long, the closed form of all three roots, with its 1e-8, twice.
+/// Accuracy  principal stresses to 8 ε, the residual σv - λv to 16 ε of the largest component; a direction to
+///           that over the distance to the next principal stress; directions normal to each other to 8 ε.
+/// Cost      some 60 ns a point of a row, in vector arithmetic; an iterative solver takes seven times as
+///           long, the closed form of all three roots, with its 1e-8, twice.
 ///
 /// [1] R. von Mises, Nachr. Ges. Wiss. Göttingen, Math.-Phys. Kl. (1913) 582-592.
 /// [2] H. Tresca, C. R. Acad. Sci. Paris 59 (1864) 754-758.
@@ -58,8 +58,6 @@ inline double max_shear_stress(const stress::Tensor& s) {
 }
 
 inline constexpr double octahedral_over_von_mises = std::numbers::sqrt2 / 3;
-
-inline double octahedral_shear(const stress::Tensor& s) { return octahedral_over_von_mises * von_mises(s); }
 
 /// Along a row of which all components are known, to as many values.
 void von_mises(const StressRow& s, std::span<double> out);

@@ -1,14 +1,12 @@
 #include "stress/influence.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
+#include "core/calibration.hpp"
 #include "math/asinh_difference.hpp"
 #include "math/gauss_legendre.hpp"
-#include "stress/calibration.hpp"
 #include "stress/corner.hpp"
 
 namespace asperity {
@@ -26,19 +24,16 @@ Tensor pressed_corner(double X, double Y, double z, double nu, double distance) 
   const double r = std::sqrt(X * X + Y * Y + z * z), XY = X * Y, T = arc(X, Y, z, r);
   const double A = XY == 0 ? 0 : std::atan2(XY * (X * X + Y * Y) / (r + z), X * X * r + z * Y * Y);
   return {xx(X, Y, z, r, T, A, nu),        yy(X, Y, z, r, T, A, nu), zz(X, Y, z, r, T),
-          xy(z, r > 0 ? r : distance, nu), xz(X, Y, z, r),           yz(X, Y, z, r)};
+          xy(z, r > 0 ? r : distance, nu), corner::G(X, Y, z, r),    corner::G(Y, X, z, r)};
 }
 
 // All but L, whose difference between two corners is taken at once.
 Tensor sheared_corner(double X, double Y, double z, double nu) {
   using namespace corner::shear;
   const double r = std::sqrt(X * X + Y * Y + z * z);
-  return {xx(X, Y, z, r, 0, nu),
-          yy(Y, z, r, 0, nu),
-          zz(X, Y, z, r),
-          xy(X, z, r, 0, nu),
-          xz(X, Y, z, r, arc(X, Y, z, r)),
-          yz(z, r)};
+  return {xx(X, Y, z, r, 0, nu),           yy(Y, z, r, 0, nu),
+          corner::G(X, Y, z, r),           xy(X, z, r, 0, nu),
+          xz(X, Y, z, r, arc(X, Y, z, r)), yz(z, r)};
 }
 
 // Along an edge |y| ≤ b seen from (h, y); `distance` stands for h = 0 on the edge itself.
@@ -128,7 +123,8 @@ Tensor point_load_stress(double x, double y, double z, double nu, stress::Tracti
 
 Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                            stress::Traction load) {
-  constexpr double far = calibration::integrate_by_8, farther = calibration::integrate_by_4;  // half sides
+  constexpr double far = calibration::stress::integrate_by_8,
+                   farther = calibration::stress::integrate_by_4;  // half sides
   const double distance = std::hypot(x, y, z) / std::max(a, b);
   if (distance < far) return rectangle_stress(x, y, z, a, b, poisson, load);
   return distance < farther ? integrated(gauss8, x, y, z, a, b, poisson, load)

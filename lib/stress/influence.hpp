@@ -1,7 +1,6 @@
 /// Stress below a uniformly loaded rectangle on the surface of an elastic half-space.
 ///
-/// Under the pressure p = 1 or the traction q_x = 1 on |x| ≤ a, |y| ≤ b the stress at (x, y, z) is a sum over four
-/// corners [1, 2],
+/// Under p = 1 or the traction q_x = 1 on |x| ≤ a, |y| ≤ b the stress is a sum over four corners [1, 2],
 ///     2π σ = S[f] = f(x+a, y+b) - f(x-a, y+b) - f(x+a, y-b) + f(x-a, y-b),                        (1)
 /// of the corner functions f(X, Y), with r² = X² + Y² + z²,
 ///          pressure                              traction along x
@@ -14,14 +13,14 @@
 ///     T = atan2(XY, zr)                          F(X,Y) = zXY / (r(X²+z²))
 ///     A = atan2(XY(X²+Y²)/(r+z), X²r + zY²)      G(X,Y) = z²Y / (r(X²+z²))                          (3)
 ///     L(X,Y) = asinh(Y/√(X²+z²))                 W(Y) = Y (2νr + z) / (r(r+z)).
-/// A traction along y is that along x with x and y exchanged. Written so, nothing cancels inside a corner: r-z
-/// never occurs, and T, A stay within their branches. At the surface F = G = z/r = 0 and T = ±π/2, its mean 0 on
-/// an edge: σzz of a pressure is -1 inside, -½ on an edge, -¼ at a corner, and so is σxz of a traction.
+/// A traction along y is that along x with x and y exchanged. Written so, nothing cancels inside a corner:
+/// r-z never occurs, and T, A stay within their branches. At the surface F = G = z/r = 0 and T = ±π/2, its
+/// mean 0 on an edge: σzz of a pressure, and σxz of a traction, is -1 inside, -½ on an edge, -¼ at a corner.
 ///
-/// At the surface the step of the load makes some components grow as the logarithm of the distance to it: σxx and
-/// σyy of a traction at the edges across it, σxy at those along it, σxy of a pressure at a corner. On the line
-/// itself half a side over π stands for the distance 0: neighbouring rectangles of one load and size still cancel
-/// there, and the stress of a smooth load cut into cells stays finite and right to order 2.
+/// At the surface the step of the load makes some components grow as the logarithm of the distance to it: σxx
+/// and σyy of a traction at the edges across it, σxy at those along it, σxy of a pressure at a corner. On the
+/// line itself half a side over π stands for the distance 0: neighbouring rectangles of one load and size
+/// still cancel there, and the stress of a smooth load cut into cells stays finite and right to order 2.
 ///
 /// Symbols   a, b  half sides [m]     z  depth, ≥ 0 [m]     ν  Poisson's number     σ  stress over pressure
 /// Accuracy  |error| ≤ 2e-15; relative to the largest component 1e-13 near the rectangle, growing as its
@@ -41,8 +40,8 @@ namespace asperity {
 stress::Tensor rectangle_stress(double x, double y, double z, double a, double b, double poisson,
                                 stress::Traction load = stress::normal);
 
-/// The stress at (x, y, z) ≠ 0 under a unit force at the origin, with ρ² = x² + y² + z². Along +z (Boussinesq),
-/// with V = 1/ρ, χ = ln(ρ+z):
+/// The stress at (x, y, z) ≠ 0 under a unit force at the origin, with ρ² = x² + y² + z². Along +z
+/// (Boussinesq), with V = 1/ρ, χ = ln(ρ+z):
 ///     2π σxx = 2ν V_z - z V_xx - (1-2ν) χ_xx,   2π σxy = -z V_xy - (1-2ν) χ_xy,
 ///     2π σzz = V_z - z V_zz,                    2π σxz = -z V_xz;   yy and yz likewise.
 /// Along +x (Cerruti), with C = 1/(ρ(ρ+z)²), B = (3ρ+z)/(ρ³(ρ+z)³):
@@ -51,9 +50,9 @@ stress::Tensor rectangle_stress(double x, double y, double z, double a, double b
 stress::Tensor point_load_stress(double x, double y, double z, double poisson,
                                  stress::Traction load = stress::normal);
 
-/// The same at any distance without loss of digits: from five half sides on, where (1) begins to cancel, the point
-/// load is integrated over the rectangle by Gauss's rule of 8 × 8 points, of 4 × 4 from fifty on. Relative error of
-/// the largest component 4e-13.
+/// The same at any distance without loss of digits: from five half sides on, where (1) begins to cancel, the
+/// point load is integrated over the rectangle by Gauss's rule of 8 × 8 points, of 4 × 4 from fifty on.
+/// Relative error of the largest component 4e-13.
 stress::Tensor uniform_load_stress(double x, double y, double z, double a, double b, double poisson,
                                    stress::Traction load = stress::normal);
 

@@ -1,12 +1,10 @@
 #include "stress/layer_influence.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "stress/corner_tile.hpp"
 #include "stress/wave.hpp"
-#include "transform/columns.hpp"
 #include "transform/mirrored.hpp"
 
 namespace asperity {
@@ -19,11 +17,10 @@ constexpr Index width = LayerInfluence::width;
 constexpr double scale = 0.5 / std::numbers::pi;  // of the corner sum
 static_assert(width == corner_lanes && width == MirroredTransform::width);
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
-// x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for an
-// even one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
+// x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for
+// an even one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
 void difference(Parity kernel, double* x, const std::vector<double>& taper, Index period) {
   const auto rows = static_cast<Index>(taper.size());
   for (Index i = rows - 1; i > 0; --i)
@@ -34,18 +31,17 @@ void difference(Parity kernel, double* x, const std::vector<double>& taper, Inde
   if (kernel == Parity::odd && 2 * (rows - 1) == period) std::fill_n(x + (rows - 1) * width, width, 0.0);
 }
 
-// First along y, eight rows i at a time, as the corners are evaluated; along x when a block of columns is
-// asked for.
+// First along y, eight rows i at a time, as the corners come; along x when a block is asked for.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
   HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting)
-      : grid_(r.cells()),
-        taper_(r.taper()),
+      : grid_(r.cells),
+        taper_(r.taper),
         poisson_(poisson),
         acting_(acting),
-        along_x_(r.transform().torus().nx),
-        along_y_(r.transform().torus().ny),
-        blocks_(r.transform().blocks()),
+        along_x_(r.transform.torus().nx),
+        along_y_(r.transform.torus().ny),
+        blocks_(r.transform.blocks()),
         rows_(size(grid_.shape.nx * width)),
         work_(size(std::max(along_x_.size(), along_y_.size()))),
         along_y_pairs_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
@@ -56,9 +52,9 @@ class HalfSpaceInfluence : public LayerInfluence {
   void set_depth(double z, stress::Set asked, Index lags) override {
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
-        const bool needed = acting_[t] && asked[c];
-        kernels_[t][c].tile.resize(needed ? size(grid_.shape.ny * width) : 0);
-        kernels_[t][c].columns.resize(needed ? size(blocks_ * grid_.shape.nx * width) : 0);
+        const Index needed = acting_[t] && asked[c] ? width : 0;
+        kernels_[t][c].tile.resize(size(needed * grid_.shape.ny));
+        kernels_[t][c].columns.resize(size(needed * blocks_ * grid_.shape.nx));
       }
     const Index rows = lags == all_lags ? grid_.shape.nx : lags;
     for (Index i = 0; i < rows; i += width) {
@@ -178,8 +174,8 @@ class PeriodicInfluence : public LayerInfluence {
 
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
                                                      stress::Tractions acting) {
-  if (resolution.cells().periodic)
-    return std::make_unique<PeriodicInfluence>(resolution.cells(), poisson, acting);
+  if (resolution.cells.periodic)
+    return std::make_unique<PeriodicInfluence>(resolution.cells, poisson, acting);
   return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting);
 }
 

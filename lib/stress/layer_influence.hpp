@@ -1,7 +1,7 @@
 /// How a layer at depth z answers to a load on the surface, mode by mode.
 ///
-/// In a layer every stress component is a convolution of the pressure, or of a traction, with a kernel that is
-/// even or odd in each direction, so its spectrum is a real transfer function S times a power of -i:
+/// In a layer every stress component is a convolution of the pressure, or of a traction, with a kernel that
+/// is even or odd in each direction, so its spectrum is a real transfer function S times a power of -i:
 ///     σ^(kx,ky) = (-i)^m S(kx,ky) p^(kx,ky),   m = [odd in x] + [odd in y]  (stress/component.hpp).      (1)
 ///
 /// Free half-space, loaded on a bounded domain: the kernel is the stress below a loaded cell,
@@ -14,8 +14,8 @@
 /// by a traction along x, with k = z + 2ν/q, w = e/q,
 ///     xx  -qx (2 + 2ν - k qx²/q) w   zz  -qx q z w            xz  -(q - z qx²) w
 ///     yy  -qx (2ν - k qy²/q) w       xy  -qy (1 - k qx²/q) w  yz  -qx qy z w;                           (4)
-/// along y, x and y are exchanged. Exact for a trigonometric polynomial. A mean pressure p̄ acts on a body held
-/// laterally, σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄; a mean traction is met by itself, σxz = -q̄.
+/// along y, x and y are exchanged. Exact for a trigonometric polynomial. A mean pressure p̄ acts on a body
+/// held laterally, σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄; a mean traction is met by itself, σxz = -q̄.
 ///
 /// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of p
 /// Cost      (2): nx ny corners and, per component and traction, half the complex transforms of the kernel;
@@ -50,12 +50,12 @@ class LayerInfluence {
   virtual void set_depth(double z, stress::Set asked, Index lags = all_lags) = 0;
   /// S of component c under traction t for the columns 8b … 8b+7; good until the next of the same traction.
   virtual TransferFunction transfer_function(stress::Traction t, stress::Component c, Index b) = 0;
-  /// What the load seen from a plane x = const is multiplied with (stress/section.cpp), [m][8]: of (2), for the lag
-  /// m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S of kx = m.
+  /// What the load seen from a plane x = const is multiplied with (stress/section.cpp), [m][8]: of (2), for
+  /// the lag m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S at m
   virtual std::span<const double> by_lags(stress::Traction t, stress::Component c, Index b) = 0;
 };
 
-/// (3), (4) of the wide cells of a resolution when they are periodic, else (2), tapered, for the tractions that act.
+/// Of the cells of a resolution and the tractions that act: (3), (4) when periodic, else (2), tapered.
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
                                                      stress::Tractions acting);
 

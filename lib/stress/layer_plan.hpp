@@ -27,7 +27,8 @@ class LayerWork {
 /// The load as cells s times as wide see it (stress/resolution.hpp).
 struct LayerPlan {
   LayerPlan(const LoadedBody& body, Index s, int threads)
-      : resolution(body.grid, body.pressure, s, threads),
+      : shape(body.grid.shape),
+        resolution(body.grid, body.pressure, s, threads),
         poisson(body.poisson),
         weights(body.friction.weights()) {}
   virtual ~LayerPlan() = default;
@@ -37,6 +38,7 @@ struct LayerPlan {
     return make_layer_influence(resolution, poisson, acting(weights));
   }
 
+  const Shape shape;  ///< of a layer
   const Resolution resolution;
   const double poisson;
   const LoadWeights weights;

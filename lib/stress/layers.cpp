@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
-#include "stress/calibration.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
-
-StressSolver::StressSolver(LoadedBody body, int threads, DepthResolution resolution)
-    : StressSolver(std::move(body), std::nullopt, threads, resolution) {}
-
-StressSolver::StressSolver(LoadedBody body, const Plane& section, int threads, DepthResolution resolution)
-    : StressSolver(std::move(body), std::optional(section), threads, resolution) {}
 
 StressSolver::StressSolver(LoadedBody body, std::optional<Plane> section, int threads,
                            DepthResolution resolution)
@@ -62,11 +56,12 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, 
 
 double accurate_depth(const Grid& grid) {
   auto step = [&](Index cells, double spacing) { return grid.periodic && cells == 1 ? 0 : spacing; };
-  return calibration::accurate_cells * std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
+  return calibration::stress::accurate_cells *
+         std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
 }
 
 double shallow_error(double poisson, const Friction& friction) {
-  using namespace calibration;
+  using namespace calibration::stress;
   return std::max(edge_error, edge_error_compliant * (1 - 2 * poisson)) +
          edge_error_friction * friction.coefficient;
 }

@@ -2,30 +2,29 @@
 ///
 /// In the layer at depth z each component is a convolution of the surface pressure with its influence,
 ///     σ_c(x_i, y_j, z) = Σ_{i',j'} K_c(i-i', j-j'; z) p(i',j'),                                       (1)
-/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). Friction (stress/load.hpp) adds its
-/// own influence to K_c; in proportion to the pressure, it needs no transform of its own. The pressure is transformed
-/// once. Then, for a layer:
+/// evaluated at the cell centres by Fourier transform (stress/layer_influence.hpp). Friction
+/// (stress/load.hpp) adds its own influence to K_c; being in proportion to the pressure, it needs no
+/// transform of its own. The pressure is transformed once. Then, for a layer:
 ///     influence → per block of eight columns: transfer function, product with p^, transform back in x
 ///               → per row: transform back in y; six components of one row are handed over while hot.
-/// Only the components asked for are computed, and only rows leave a layer: the von Mises stress of a volume needs the
-/// memory of a layer. Deep layers are computed from wider cells (stress/resolution.hpp) where that is allowed.
+/// Only the components asked for are computed, and only rows leave a layer: the von Mises stress of a volume
+/// needs the memory of a layer. Deep layers may be computed from wider cells (stress/resolution.hpp).
 ///
-/// A section, the vertical plane x = x_i or y = y_j through cell centres, needs one row of each layer: it is computed from
-/// the influence transformed along the plane alone, and nothing is transformed across it (stress/section.cpp).
+/// A section, the vertical plane x = x_i or y = y_j through cell centres, needs one row of each layer: it
+/// comes from the influence transformed along the plane alone (stress/section.cpp).
 ///
 /// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
 /// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.
-/// Accuracy  of (1): round-off, below 16 ε Σ|p|. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p in
-///           effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the surface
-///           the steps of the pressure show below its edges: see accurate_depth.
-///           At depths of wider cells nothing is interpolated across a section, as it is in a volume: they differ by
-///           1e-7 of the largest pressure.
+/// Accuracy  of (1): round-off, below 16 ε Σ|p|. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p
+///           in effect, order 2 in h at depth, 1.2e-4 max p for a Hertz contact 85 cells wide. Near the
+///           surface the steps of the pressure show below its edges: see accurate_depth. Where cells are
+///           wider, sections and volumes differ by 1e-7 max p.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
 ///           128 × 128 cells take 8-10 padded real transforms, 3 ms; with friction along an axis 1.5 times as
 ///           long, in another direction twice. Two threads 1.75 times as fast. Memory: 4 N doubles for the
 ///           pressure and less for each coarse level, and per thread 3 N for each component asked, N = nx ny.
-///           A section costs a seventh of the volume, with wider cells a fifth, and less the more the load is gathered
-///           about it; its memory is below that of a layer.
+///           A section costs a seventh of the volume, with wider cells a fifth, less the more the load is
+///           gathered about it; its memory is below that of a layer.
 ///
 /// S. Liu, Q. Wang, J. Tribology 124 (2002) 36-45; pruning: transform/pruned.hpp.
 #pragma once
@@ -41,9 +40,7 @@
 
 namespace asperity {
 
-/// Rows of a layer: row(i, values).
 using StressRowSink = std::function<void(Index i, const StressRow& values)>;
-/// Rows of many layers: row(layer, i, values).
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
 enum class DepthResolution {
@@ -54,9 +51,10 @@ enum class DepthResolution {
 class StressSolver {
  public:
   /// Of whole layers, or of the row of each in a section alone. Throws as LoadedBody::check does.
-  explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full);
-  StressSolver(LoadedBody body, const Plane& section, int threads = 1,
+  StressSolver(LoadedBody body, std::optional<Plane> section, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
+  explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full)
+      : StressSolver(std::move(body), std::nullopt, threads, resolution) {}
 
   const LoadedBody& body() const { return body_; }
   int threads() const { return threads_; }
@@ -72,9 +70,9 @@ class StressSolver {
   /// The layer at depth z, row after row. Throws as check_depth does.
   void layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row) const;
 
-  /// Many layers on all threads, at most as many at a time as there are threads: row(layer, i, values) is called
-  /// from several threads at once, for one layer from one thread and in order; finished(begin, end) from the calling
-  /// thread when the layers before `end` are complete. The values do not depend on the number of threads.
+  /// Many layers on all threads, at most as many at a time as there are threads: row(layer, i, values) is
+  /// called from several threads at once, for one layer from one thread and in order; finished(begin, end)
+  /// from the calling thread when the layers before `end` are complete.
   void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
               const LayersFinished& finished = {}) const;
 
@@ -86,7 +84,6 @@ class StressSolver {
     std::unique_ptr<const LayerPlan> plan;
   };
 
-  StressSolver(LoadedBody body, std::optional<Plane> section, int threads, DepthResolution resolution);
   /// The widest cells that will do at depth z.
   std::size_t level_at(double z) const;
   const LayerPlan& plan(Level& level) const;
@@ -97,12 +94,12 @@ class StressSolver {
   mutable std::deque<Level> levels_;
 };
 
-/// Two cells, of their longer side; a period of one cell has no steps along it. From there on every value is within 1 %
-/// of the largest pressure even below the edge of a Hertz contact (of ten cells' radius: components 6e-3, von Mises 8e-3,
-/// falling as the root of the cell; with friction μ = 0.5 components 7e-3, von Mises 1.0e-2), of any ν. Above it, cells
-/// nearer than this to an edge of the pressure may be off by shallow_error; others by 1.2 %, at z = 0 by 5.5 μ % more: a
-/// tangential stress has the logarithm of the distance from each step of its traction q, which halfway between the steps
-/// leaves at order 1
+/// Two cells, of their longer side; a period of one cell has no steps along it. From there on every value is
+/// within 1 % of the largest pressure even below the edge of a Hertz contact (of ten cells' radius:
+/// components 6e-3, von Mises 8e-3, falling as the root of the cell; with friction μ = 0.5 components 7e-3,
+/// von Mises 1.0e-2), of any ν. Above it, cells nearer than this to an edge of the pressure may be off by
+/// shallow_error; others by 1.2 %, at z = 0 by 5.5 μ % more: a tangential stress has the logarithm of the
+/// distance from each step of its traction q, which halfway between the steps leaves at order 1
 ///     Δσxx = -(2 ln 2/π) Δx ∂qx/∂x,   Δσyy = ν Δσxx,   Δσxy = -(ln 2/π) Δy ∂qx/∂y   of qx, of qy likewise,
 /// and fades as exp(-2πz/Δx).
 double accurate_depth(const Grid& grid);

@@ -2,8 +2,8 @@
 ///
 /// Where one body slides over the other everywhere, Coulomb's law gives the traction on the loaded surface
 ///     q = μ p (cos α, sin α),                                                                          (1)
-/// α being the direction, from x towards y, in which the other body slides over this one. The traction is taken
-/// not to alter the pressure, which is exact for bodies of the same material and small otherwise [1].
+/// α being the direction, from x towards y, in which the other body slides over this one. The traction is
+/// taken not to alter the pressure, which is exact for bodies of the same material and small otherwise [1].
 ///
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, section 7.2.
 #pragma once
@@ -24,11 +24,10 @@ struct Friction {
 
   /// Throws ParameterError("friction") or ("friction-angle").
   void check() const;
-  /// 1, μ cos α, μ sin α. An angle within 1e-12 of a multiple of 90° is taken as that, and then only one traction acts.
+  /// 1, μ cos α, μ sin α. Within 1e-12 of a multiple of 90° only one traction acts.
   LoadWeights weights() const;
 };
 
-/// The tractions whose weights are not zero.
 stress::Tractions acting(const LoadWeights& weights);
 
 struct LoadedBody {
@@ -37,9 +36,9 @@ struct LoadedBody {
   double poisson = 0;
   Friction friction = {};
 
-  /// Throws ParameterError("poisson") unless -1 < ν ≤ ½ (core/poisson.hpp), ("friction") or ("friction-angle") unless
-  /// they are such and the traction at most 1e100 Pa, DataError("pressure") unless the pressure fits a grid of cells, is
-  /// finite and its largest value 0 or 1e-100 … 1e100 Pa.
+  /// Throws ParameterError("poisson") unless -1 < ν ≤ ½ (core/poisson.hpp), ("friction") or
+  /// ("friction-angle") unless they are such and the traction at most 1e100 Pa, DataError("pressure") unless
+  /// the pressure fits a grid of cells, is finite and its largest value 0 or 1e-100 … 1e100 Pa.
   void check() const;
 };
 

@@ -6,14 +6,15 @@
 #include <mutex>
 #include <vector>
 
+#include "core/calibration.hpp"
+#include "core/extent.hpp"
 #include "core/parallel.hpp"
-#include "stress/calibration.hpp"
 #include "stress/equivalent.hpp"
 
 namespace asperity {
 namespace {
 
-using namespace calibration;
+using namespace calibration::stress;
 
 struct Parabola {
   double vertex = 0, value = 0;
@@ -32,8 +33,7 @@ struct Peak {
   double value = 0, x = 0, y = 0;
 };
 
-// About the k-th value, the largest of `line`. Its neighbours beyond an end are those of the next period; without one
-// the end itself stands.
+// About the k-th value, the largest of `line`. Beyond an end are those of the next period, if there is one.
 template <class Line>
 Parabola peak_along(const Line& line, Index k, bool periodic) {
   const Index n = line.size();
@@ -55,26 +55,12 @@ struct Sample {
   Peak peak;
 };
 
-// From the first loaded line to the last; of a period, the fewest lines that hold all of them.
-template <class Lines>
-double extent(const Lines& loaded, bool periodic) {
-  Index first = -1, last = -1, gap = 0;
-  for (Index k = 0; k < loaded.size(); ++k) {
-    if (!loaded(k)) continue;
-    if (first < 0) first = k;
-    if (last >= 0) gap = std::max(gap, k - last - 1);
-    last = k;
-  }
-  const Index span = last - first + 1;
-  return static_cast<double>(periodic ? std::min(span, loaded.size() - gap) : span);
-}
-
 // Half the longer side of the rectangle around the loaded cells.
 double loaded_radius(const LoadedBody& body) {
-  const auto& [grid, pressure, poisson, friction] = body;
-  const Eigen::Array<bool, Eigen::Dynamic, 1> in_x = (pressure != 0).rowwise().any(),
-                                              in_y = (pressure != 0).colwise().any().transpose();
-  return 0.5 * std::max(extent(in_x, grid.periodic) * grid.dx, extent(in_y, grid.periodic) * grid.dy);
+  const auto [x, y] = extents(
+      body.pressure, [](double p) { return p != 0; }, body.grid.periodic);
+  return 0.5 *
+         std::max(static_cast<double>(x.count) * body.grid.dx, static_cast<double>(y.count) * body.grid.dy);
 }
 
 std::vector<double> scan_depths(const LoadedBody& body) {
@@ -89,8 +75,7 @@ Parabola through(const Sample& a, const Sample& b, const Sample& c) {
   return parabola(a.log_depth, a.peak.value, b.log_depth, b.peak.value, c.log_depth, c.peak.value);
 }
 
-// Where to look next in a bracket whose highest point is b: at the parabola's vertex, or beside b on the
-// longer side when that is b itself.
+// Where to look next in a bracket about b: at the vertex, or where that is b, beside b on the longer side.
 double next_depth(const Sample& a, const Sample& b, const Sample& c, double vertex) {
   if (std::abs(vertex - b.log_depth) >= close) return vertex;
   return c.log_depth - b.log_depth > b.log_depth - a.log_depth ? b.log_depth + beside : b.log_depth - beside;
@@ -136,7 +121,7 @@ class Search {
   }
 
   // The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
-  // unprobed. A parabola's vertex is off by the product of the bracket's sides times m'''/6m'': hence the test.
+  // unprobed. A vertex is off by the product of the sides times m'''/6m'': hence the test.
   Sample refine(Sample a, Sample b, Sample c, Buffers& buffers) {
     Parabola top = through(a, b, c);
     for (int step = 0; step < most_steps; ++step) {

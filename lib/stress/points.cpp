@@ -20,8 +20,6 @@ using stress::Traction;
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double faded = 40;  // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
 std::vector<Complex> waves(Index n, double share) {
   std::vector<Complex> out(size(n / 2 + 1));
@@ -31,7 +29,7 @@ std::vector<Complex> waves(Index n, double share) {
   return out;
 }
 
-// Of the modes (kx, ky) and (-kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
+// Of the modes (±kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
 struct Pair {
   Complex even, odd;
 };
@@ -82,7 +80,7 @@ Tensor StressPoints::below_waves(double x, double y, double z) const {
   const auto [nx, ny] = grid.shape;
   const std::vector<Complex> along_x = waves(nx, (x - grid.x(0)) / grid.size_x()),
                              along_y = waves(ny, (y - grid.y(0)) / grid.size_y());
-  const Index width = PrunedTransform::width, stride = modes_->transform().stride();
+  const Index width = PrunedTransform::width, stride = modes_->transform.stride();
   Tensor sum{};
   for (Index ky = 0; ky <= ny / 2; ++ky) {
     const Complex* p = modes_->pressure(ky / width) + ky % width * stride;

@@ -1,20 +1,19 @@
-/// The stress at points anywhere below a loaded surface, in the field that stress/layers.hpp has at its cell centres.
+/// The stress at points anywhere below a loaded surface, in the same field as stress/layers.hpp.
 ///
 /// Free half-space: the load is constant in each cell, and the stress the sum over the loaded cells,
 ///     σ(x, y, z) = Σ_{i,j} p(i,j) s(x - x_i, y - y_j, z),                                              (1)
 /// s being that below a unit load on a cell, with its friction (stress/influence.hpp).
 ///
-/// Periodic half-space: the load is the trigonometric polynomial through the pressures of the cells, and the stress the
-/// sum over its modes, of which each answers with its symbol (stress/layer_influence.hpp),
+/// Periodic half-space: the load is the trigonometric polynomial through the pressures of the cells, and the
+/// stress the sum over its modes, each with its symbol (stress/layer_influence.hpp),
 ///     σ(x, y, z) = Σ_{kx,ky} (-i)^m S(qx,qy,z) p^(kx,ky) exp(i (qx (x-x_0) + qy (y-y_0))).              (2)
-/// A mode of half the cells stands for both its directions, half of it for each. The mean pressure p̄ acts on a body held
-/// at its sides, at every depth: σzz = -p̄, σxx = σyy = -ν/(1-ν) p̄, and a mean traction q̄ gives σxz = -q̄. Positions a
-/// period apart are the same. At the surface the polynomial swings between the centres, by 14 % of a step of the
-/// pressure, half a cell below it by 3 %, a cell below it by 0.6 %.
+/// A mode of half the cells stands for both its directions, half of it for each. Positions a period apart are
+/// the same. At the surface the polynomial swings between the centres, by 14 % of a step of the pressure,
+/// half a cell below it by 3 %, a cell below it by 0.6 %.
 ///
 /// Accuracy  (1) 4e-13 of the stress, however far; (2) ε n max p on n × n cells, as the layers.
-/// Cost      (1) some 1 µs a loaded cell; (2) a transform once, then some 0.04 µs for each pair of modes ±kx that is
-///           felt: nx ny / 4 at the surface, at most 32 Lx Ly / z² at depth z.
+/// Cost      (1) some 1 µs a loaded cell; (2) a transform once, then some 0.04 µs for each pair of modes ±kx
+///           that is felt: nx ny / 4 at the surface, at most 32 Lx Ly / z² at depth z.
 #pragma once
 
 #include <optional>

@@ -4,17 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/calibration.hpp"
 #include "core/parallel.hpp"
-#include "stress/calibration.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr Index width = PrunedTransform::width, around = Interpolation::taps / 2;
-using calibration::least_taper;
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
+using namespace calibration::stress;
 
 Index points(Index cells, Index s) { return (cells + s - 1) / s; }
 
@@ -62,63 +60,63 @@ std::vector<double> factors(Index s, Index period, bool periodic) {
   return out;
 }
 
-}  // namespace
-
-double Resolution::least_depth(const Grid& grid, Index s) {
-  return s == 1 ? 0 : calibration::depth_of_wide_cells * static_cast<double>(s) * std::max(grid.dx, grid.dy);
-}
-
-bool Resolution::possible(const Grid& grid, Index s) {
-  const auto [nx, ny] = grid.shape;
-  return std::min(nx, ny) >= calibration::least_wide_cells * s &&
-         (!grid.periodic || (nx % s == 0 && ny % s == 0));
-}
-
-Resolution::Resolution(const Grid& grid, const Field& pressure, Index s, int threads)
-    : s_(s),
-      periodic_(grid.periodic),
-      transform_(s == 1 ? grid.shape : torus_of(grid, s), torus_of(grid, s)),
-      cells_(grid),
-      interpolation_(s),
-      spectrum_(size(transform_.blocks() * transform_.block_size())) {
-  const auto [px, py] = transform_.torus();
-  const double f = static_cast<double>(s);
-  cells_.dx *= f, cells_.dy *= f;
-  if (grid.periodic)
-    cells_.shape = {px, py};
-  else if (s > 1)
-    cells_.shape = {px / 2, py / 2};
-  taper_ = {tapered(whole_lags(grid.shape.nx, s), cells_.shape.nx),
-            tapered(whole_lags(grid.shape.ny, s), cells_.shape.ny)};
-  transform_pressure(pressure, threads);
-}
-
-void Resolution::wrap(std::span<double> row) const {
-  const std::size_t period = size(transform_.torus().ny), before = size(Interpolation::before);
-  std::copy_n(row.data() + period, before, row.data());
-  for (std::size_t j = period + before; j < row.size(); ++j) row[j] = row[j - period];
-}
-
-// On a torus of s px × s py narrow cells, of whose modes the lower ones are taken.
-void Resolution::transform_pressure(const Field& pressure, int threads) {
-  const auto [px, py] = transform_.torus();
-  const PrunedTransform fine(shape_of(pressure), {s_ * px, s_ * py}, ColumnTransform::Ways::forward_only);
+// The modes of the pressure that `transform` has: the lower ones of a torus of s px × s py narrow cells.
+AlignedVector<Complex> transformed(const Grid& grid, const Field& pressure, Index s,
+                                   const PrunedTransform& transform, int threads) {
+  const auto [px, py] = transform.torus();
+  const PrunedTransform fine(grid.shape, {s * px, s * py}, ColumnTransform::Ways::forward_only);
   HalfSpectrum half = fine.half_spectrum();
   fine.forward_rows(pressure / static_cast<double>(fine.torus().cells()), half, threads);
-  const std::vector<double> along_x = factors(s_, px, periodic_), along_y = factors(s_, py, periodic_);
-  parallel_ranges(transform_.blocks(), threads, [&, px = px](Index begin, Index end, int) {
+  const std::vector<double> along_x = factors(s, px, grid.periodic), along_y = factors(s, py, grid.periodic);
+  AlignedVector<Complex> spectrum(size(transform.blocks() * transform.block_size()));
+  parallel_ranges(transform.blocks(), threads, [&, px = px](Index begin, Index end, int) {
     AlignedVector<Complex> block(size(fine.block_size())), work(block.size());
     for (Index b = begin; b < end; ++b) {
       fine.forward_block(half, b, block.data(), work.data());
-      for (Index q = 0; q < width && b * width + q < transform_.columns(); ++q) {
+      for (Index q = 0; q < width && b * width + q < transform.columns(); ++q) {
         const Complex* p = block.data() + q * fine.stride();
-        Complex* out = spectrum_.data() + b * transform_.block_size() + q * transform_.stride();
+        Complex* out = spectrum.data() + b * transform.block_size() + q * transform.stride();
         for (Index k = 0; k < px; ++k)
-          out[k] = p[2 * k < px ? k : k + (s_ - 1) * px] *
+          out[k] = p[2 * k < px ? k : k + (s - 1) * px] *
                    (along_x[size(std::min(k, px - k))] * along_y[size(b * width + q)]);
       }
     }
   });
+  return spectrum;
+}
+
+}  // namespace
+
+double Resolution::least_depth(const Grid& grid, Index s) {
+  return s == 1 ? 0 : depth_of_wide_cells * static_cast<double>(s) * std::max(grid.dx, grid.dy);
+}
+
+bool Resolution::possible(const Grid& grid, Index s) {
+  const auto [nx, ny] = grid.shape;
+  return std::min(nx, ny) >= least_wide_cells * s && (!grid.periodic || (nx % s == 0 && ny % s == 0));
+}
+
+Resolution::Resolution(const Grid& grid, const Field& pressure, Index wide, int threads)
+    : s(wide),
+      transform(s == 1 ? grid.shape : torus_of(grid, s), torus_of(grid, s)),
+      cells(grid),
+      interpolation(s),
+      spectrum(transformed(grid, pressure, s, transform, threads)) {
+  const auto [px, py] = transform.torus();
+  const double f = static_cast<double>(s);
+  cells.dx *= f, cells.dy *= f;
+  if (grid.periodic)
+    cells.shape = {px, py};
+  else if (s > 1)
+    cells.shape = {px / 2, py / 2};
+  taper = {tapered(whole_lags(grid.shape.nx, s), cells.shape.nx),
+           tapered(whole_lags(grid.shape.ny, s), cells.shape.ny)};
+}
+
+void Resolution::wrap(std::span<double> row) const {
+  const std::size_t period = size(transform.torus().ny), before = size(Interpolation::before);
+  std::copy_n(row.data() + period, before, row.data());
+  for (std::size_t j = period + before; j < row.size(); ++j) row[j] = row[j - period];
 }
 
 }  // namespace asperity

@@ -3,18 +3,19 @@
 // Transformed along y, and only along y, a component's row in the plane is a sum over the lags m in x,
 //     σ^(ky) = Σ_t w_t (-i)^[K_t odd in y] Σ_{m≥0} K_t(m, ky) P±(m, ky),                                  (1)
 //     P±(m) = p^(x_i - mΔx) ± p^(x_i + mΔx),   P+(0) = p^(x_i),  P-(0) = 0,                               (2)
-// + for a kernel even in x, - for one odd in x. A kernel is the difference of the corner functions on both sides of a
-// cell, K(m) = t(m) (f(m) - f(m-1)) with the taper t; that too is taken over to the pressure, once for all layers:
-//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),   D±(m) = t(m) P±(m) - t(m+1) P±(m+1),   D+(0) = 2 P+(0) - t(1) P+(1).  (3)
-// No layer is transformed in x, and of the lags there are only as many as the plane is away from the farthest load.
+// + for a kernel even in x, - for one odd in x. A kernel is the difference of the corner functions on both
+// sides of a cell, K(m) = t(m) (f(m) - f(m-1)) with the taper t; that passes to the pressure, once for all:
+//     Σ_m K(m) P±(m) = Σ_m f(m) D±(m),
+//     D±(m) = t(m) P±(m) - t(m+1) P±(m+1),   D+(0) = 2 P+(0) - t(1) P+(1).                           (3)
+// No layer is transformed in x, and there are only as many lags as the plane is away from the farthest load.
 //
 // In a periodic half-space the sum is over the modes kx ≥ 0, with Q(kx) = p^(kx, ky) exp(i kx x_i) for p^(x),
 // D+(k) = Q(k) + Q(-k), D-(k) = -i (Q(k) - Q(-k)).
 //
-// A plane y = y_j is the plane x = x_j of the problem with x and y exchanged, σxx ↔ σyy, σxz ↔ σyz, α → π/2 - α.
+// A plane y = y_j is the plane x = x_j of the problem with x and y exchanged, σxx ↔ σyy, α → π/2 - α.
 //
-// Symbols   p^  pressure of a row, transformed along y     w_t, K_t  weight of a traction, its kernel     f  corner
-//           function (stress/layer_influence.hpp), transformed along y
+// Symbols   p^  pressure of a row, transformed along y     w_t, K_t  weight of a traction, its kernel
+//           f  corner function (stress/layer_influence.hpp), transformed along y
 // Cost      to prepare, that of one layer of one component. Memory: 4 (lags) Py doubles.
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,6 @@ namespace {
 using stress::Component;
 
 constexpr Index width = LayerInfluence::width;
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 LoadedBody exchanged(const LoadedBody& body) {
   const Grid& g = body.grid;
@@ -49,42 +48,40 @@ Index farthest_lag(const Field& pressure, Index i) {
   return lags;
 }
 
-// exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the row
-// between the points is computed itself.
+// exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the
+// row between the points is computed itself.
 AlignedVector<Complex> phases(const Resolution& r, Index i) {
-  const Index n = r.transform().torus().nx, period = n * r.s();
+  const Index n = r.transform.torus().nx, period = n * r.s;
   const double angle = 2 * std::numbers::pi / static_cast<double>(period);
   AlignedVector<Complex> out(size(n));
   for (Index k = 0; k < n; ++k) {
     const Index mode = 2 * k < n ? k : k - n;
-    const double prepared =
-        r.s() == 1 || 2 * k == n
-            ? 1
-            : Interpolation::prepared(angle * static_cast<double>(r.s() * std::abs(mode)));
+    const double prepared = r.s == 1 || 2 * k == n
+                                ? 1
+                                : Interpolation::prepared(angle * static_cast<double>(r.s * std::abs(mode)));
     out[size(k)] = std::polar(1 / prepared, angle * static_cast<double>(mode * i % period));
   }
   return out;
 }
 
 // The pressure as it is seen from the plane: D± of (3).
-class SectionPlan : public LayerPlan {
- public:
-  // Of the plane x = x_i, whose row is handed over with x and y exchanged, or not.
+struct SectionPlan : LayerPlan {
+  const bool exchanges;  // x and y, of the rows that are handed over
+  Index lag_count = 0;
+
+  // Of the plane x = x_i.
   SectionPlan(const LoadedBody& body, Index i, bool exchange, Index s, int threads)
-      : LayerPlan(body, s, threads), points_(body.grid.shape.ny), exchange_(exchange) {
-    const PrunedTransform& t = resolution.transform();
+      : LayerPlan(body, s, threads), exchanges(exchange) {
+    const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx;
-    lags_ = body.grid.periodic ? px / 2 + 1
-            : s > 1            ? resolution.cells().shape.nx
-                               : farthest_lag(body.pressure, i);
-    for (Folded& folded : folded_) folded.resize(size(t.blocks() * lags_ * 2 * width));
+    lag_count = body.grid.periodic ? px / 2 + 1
+                : s > 1            ? resolution.cells.shape.nx
+                                   : farthest_lag(body.pressure, i);
+    for (Folded& folded : folded_) folded.resize(size(t.blocks() * lag_count * 2 * width));
     fold(phases(resolution, i), threads);
   }
 
   std::unique_ptr<LayerWork> work() const override;
-  Index lags() const { return lags_; }
-  Index points() const { return points_; }
-  bool exchange() const { return exchange_; }
 
   // sum[0 … 7] += Re, sum[8 … 15] += Im of Σ_m f(m, ky) D±(m, ky) for the columns 8b … 8b+7, f as [m][8].
   void add(std::span<const double> f, bool odd, Index b, std::span<double, 2 * width> sum) const {
@@ -92,8 +89,8 @@ class SectionPlan : public LayerPlan {
     using Given = Eigen::Map<const Lanes>;
     Eigen::Map<Lanes> to_re(sum.data()), to_im(sum.data() + width);
     Lanes re = to_re, im = to_im;
-    const double *value_at = f.data(), *d = folded_[odd].data() + b * lags_ * 2 * width;
-    for (Index m = 0; m < lags_; ++m, value_at += width, d += 2 * width) {
+    const double *value_at = f.data(), *d = folded_[odd].data() + b * lag_count * 2 * width;
+    for (Index m = 0; m < lag_count; ++m, value_at += width, d += 2 * width) {
       const Lanes value = Given(value_at);
       re += value * Given(d), im += value * Given(d + width);
     }
@@ -105,7 +102,7 @@ class SectionPlan : public LayerPlan {
 
   // From the modes kx of p^ times exp(i kx x_i), a block of 8 columns after the other.
   void fold(const AlignedVector<Complex>& phases, int threads) {
-    const PrunedTransform& t = resolution.transform();
+    const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx, stride = t.stride();
     const ColumnTransform columns(px, width, ColumnTransform::Ways::forward_only);
     parallel_ranges(t.blocks(), threads, [&](Index begin, Index end, int) {
@@ -114,7 +111,7 @@ class SectionPlan : public LayerPlan {
         for (Index q = 0; q < width; ++q)
           for (Index k = 0; k < px; ++k)
             modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
-        if (resolution.cells().periodic) {
+        if (resolution.cells.periodic) {
           fold_modes(modes, b);
         } else {
           columns.forward(modes.data(), lags.data());
@@ -125,10 +122,10 @@ class SectionPlan : public LayerPlan {
   }
 
   void fold_modes(std::span<const Complex> block, Index b) {
-    const Index n = resolution.transform().torus().nx;
+    const Index n = resolution.transform.torus().nx;
     for (Index q = 0; q < width; ++q) {
-      const auto modes = block.subspan(size(q * resolution.transform().stride()));
-      for (Index k = 0; k < lags_; ++k) {
+      const auto modes = block.subspan(size(q * resolution.transform.stride()));
+      for (Index k = 0; k < lag_count; ++k) {
         const bool alone = k == 0 || 2 * k == n;
         const Complex ahead = modes[size(k)], back = alone ? Complex{} : modes[size(n - k)],
                       difference = ahead - back;
@@ -139,27 +136,25 @@ class SectionPlan : public LayerPlan {
   }
 
   void fold_lags(std::span<const Complex> block, Index b) {
-    const Index n = resolution.transform().torus().nx;
-    const std::vector<double>& taper = resolution.taper()[0];
+    const Index n = resolution.transform.torus().nx;
+    const std::vector<double>& taper = resolution.taper[0];
     for (Index q = 0; q < width; ++q) {
-      const auto lags = block.subspan(size(q * resolution.transform().stride()));
+      const auto lags = block.subspan(size(q * resolution.transform.stride()));
       for (double sign : {1.0, -1.0}) {
         auto seen = [&](Index m) {
-          return m < lags_ ? taper[size(m)] * (lags[size(m)] + sign * lags[size(n - m)]) : Complex{};
+          return m < lag_count ? taper[size(m)] * (lags[size(m)] + sign * lags[size(n - m)]) : Complex{};
         };
-        for (Index m = 0; m < lags_; ++m)
+        for (Index m = 0; m < lag_count; ++m)
           set(sign < 0, b, m, q, (m > 0 ? seen(m) : (1 + sign) * lags[0]) - seen(m + 1));
       }
     }
   }
 
   void set(bool odd, Index b, Index m, Index q, Complex value) {
-    double* to = folded_[odd].data() + (b * lags_ + m) * 2 * width + q;
+    double* to = folded_[odd].data() + (b * lag_count + m) * 2 * width + q;
     to[0] = value.real(), to[width] = value.imag();
   }
 
-  Index points_, lags_;
-  bool exchange_;
   std::array<Folded, 2> folded_;  // even, odd
 };
 
@@ -168,7 +163,7 @@ class SectionWork : public LayerWork {
   explicit SectionWork(const SectionPlan& plan)
       : plan_(plan),
         influence_(plan.influence()),
-        transform_(plan.resolution.transform().torus().ny),
+        transform_(plan.resolution.transform.torus().ny),
         row_work_(transform_.work()),
         modes_(size(transform_.blocks() * 6 * width)),
         samples_(size(6 * plan.resolution.row_length())) {}
@@ -176,7 +171,7 @@ class SectionWork : public LayerWork {
   void set_depth(double z, stress::Set asked) override {
     asked_ = {};
     for (Component c : stress::components) asked_[c] = asked[own(c)];
-    influence_->set_depth(z, asked_, plan_.lags());
+    influence_->set_depth(z, asked_, plan_.lag_count);
     Index count = 0;
     for (Component c : stress::components)
       if (asked_[c]) compute_modes(c, count++);
@@ -188,21 +183,21 @@ class SectionWork : public LayerWork {
     StressRow out{};
     Index count = 0;
     for (Component c : stress::components)
-      if (asked_[c]) out[own(c)] = {row_of(c, count++), size(plan_.points())};
+      if (asked_[c]) out[own(c)] = {row_of(c, count++), size(plan_.shape.ny)};
     return out;
   }
 
  private:
   // The component that c of the exchanged problem is in the one asked for, and the other way round.
-  Component own(Component c) const { return plan_.exchange() ? stress::exchanged(c) : c; }
+  Component own(Component c) const { return plan_.exchanges ? stress::exchanged(c) : c; }
 
   const double* row_of(Component c, Index r) {
     const Resolution& resolution = plan_.resolution;
     double* row = samples_.data() + r * resolution.row_length();
-    if (resolution.s() == 1) return row + Interpolation::before;
+    if (resolution.s == 1) return row + Interpolation::before;
     resolution.wrap({row, size(resolution.row_length())});
-    refined_[c].resize(size(resolution.interpolation().padded(plan_.points())));
-    resolution.interpolation().refine(row, plan_.points(), refined_[c].data());
+    refined_[c].resize(size(resolution.interpolation.padded(plan_.shape.ny)));
+    resolution.interpolation.refine(row, plan_.shape.ny, refined_[c].data());
     return refined_[c].data();
   }
 

@@ -12,9 +12,7 @@ using Transfer = std::array<LayerInfluence::TransferFunction, 3>;
 constexpr Index width = PrunedTransform::width, before = Interpolation::before;
 static_assert(width == LayerInfluence::width);
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
-// From one of eight rows to the next.
+// Between rows of eight.
 Index apart(Index ny) { return (ny + width - 1) / width * width; }
 
 // -i a z.
@@ -69,16 +67,16 @@ void respond(Index nx, Component c, const Column& column, const Complex* p, Comp
     });
 }
 
-// What the modes of the pressure answer in a layer: the product of (1) in stress/layer_influence.hpp for block b.
+// The product of (1) in stress/layer_influence.hpp for block b.
 //
 // A traction μx p along x and μy p along y has the modes of the pressure itself, so that of each mode
 //     σ^ = (-i)^m (S + iT) p^,   T = ±μx X ± μy Y,
-// where X and Y, the transfer functions of the tractions, stand a factor i from S for the one parity in which they differ.
+// X and Y the transfer functions of the tractions, a factor i from S for the one parity in which they differ.
 void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Index b, Complex* product) {
   Transfer transfer{};
   for (stress::Traction t : stress::tractions)
     if (plan.weights[t] != 0) transfer[t] = influence.transfer_function(t, c, b);
-  const PrunedTransform& transform = plan.resolution.transform();
+  const PrunedTransform& transform = plan.resolution.transform;
   for (Index q = 0; q < width; ++q)
     respond(transform.torus().nx, c, Column(transfer, plan.weights, c, q),
             plan.resolution.pressure(b) + q * transform.stride(), product + q * transform.stride());
@@ -86,11 +84,11 @@ void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Inde
 
 class VolumeWork : public LayerWork {
  public:
-  VolumeWork(const LayerPlan& plan, Shape shape)
+  explicit VolumeWork(const LayerPlan& plan)
       : plan_(plan),
         resolution_(plan.resolution),
-        transform_(resolution_.transform()),
-        shape_(shape),
+        transform_(resolution_.transform),
+        shape_(plan.shape),
         influence_(plan.influence()),
         block_(size(transform_.block_size())),
         work_(block_.size()),
@@ -119,11 +117,11 @@ class VolumeWork : public LayerWork {
   }
 
  private:
-  bool wide() const { return resolution_.s() > 1; }
+  bool wide() const { return resolution_.s > 1; }
 
   void allocate() {
     const Index rows =
-        wide() ? resolution_.interpolation().padded(shape_.ny) : RowTransform::rows * apart(shape_.ny);
+        wide() ? resolution_.interpolation.padded(shape_.ny) : RowTransform::rows * apart(shape_.ny);
     for (Component c : stress::components) {
       if (!asked_[c] || !half_[c].empty()) continue;
       half_[c] = transform_.half_spectrum();
@@ -145,7 +143,7 @@ class VolumeWork : public LayerWork {
   // The rows of a wide layer around the cells, from `before` ahead of the first.
   void invert_points(Component c) {
     const auto [px, py] = transform_.torus();
-    const Index end = std::min((shape_.nx - 1) / resolution_.s() + Interpolation::taps, px) - before;
+    const Index end = std::min((shape_.nx - 1) / resolution_.s + Interpolation::taps, px) - before;
     const Index stride = resolution_.row_length();
     auto invert = [&, py = py](Index first, Index count, double* to) {
       transform_.inverse_group(half_[c], first, count, py, to + before, stride, row_work_);
@@ -157,16 +155,16 @@ class VolumeWork : public LayerWork {
   }
 
   const double* interpolated(Component c, Index i) {
-    const double* weights = resolution_.interpolation().weights(i % resolution_.s());
-    const Index px = transform_.torus().nx, m = i / resolution_.s(), stride = resolution_.row_length();
-    const Index samples = std::min((shape_.ny - 1) / resolution_.s() + 2 * Interpolation::taps, stride);
+    const double* weights = resolution_.interpolation.weights(i % resolution_.s);
+    const Index px = transform_.torus().nx, m = i / resolution_.s, stride = resolution_.row_length();
+    const Index samples = std::min((shape_.ny - 1) / resolution_.s + 2 * Interpolation::taps, stride);
     using Points = Eigen::Map<const Eigen::ArrayXd>;
     auto row_at = [&](Index t) { return Points(points_[c].data() + (m + t) % px * stride, samples); };
     static_assert(Interpolation::taps == 8);
     Eigen::Map<Eigen::ArrayXd>(across_.data(), samples) =
         weights[0] * row_at(0) + weights[1] * row_at(1) + weights[2] * row_at(2) + weights[3] * row_at(3) +
         weights[4] * row_at(4) + weights[5] * row_at(5) + weights[6] * row_at(6) + weights[7] * row_at(7);
-    resolution_.interpolation().refine(across_.data(), shape_.ny, rows_[c].data());
+    resolution_.interpolation.refine(across_.data(), shape_.ny, rows_[c].data());
     return rows_[c].data();
   }
 
@@ -185,11 +183,8 @@ class VolumeWork : public LayerWork {
 };
 
 struct VolumePlan : LayerPlan {
-  VolumePlan(const LoadedBody& body, Index s, int threads)
-      : LayerPlan(body, s, threads), shape(body.grid.shape) {}
-  std::unique_ptr<LayerWork> work() const override { return std::make_unique<VolumeWork>(*this, shape); }
-
-  Shape shape;
+  using LayerPlan::LayerPlan;
+  std::unique_ptr<LayerWork> work() const override { return std::make_unique<VolumeWork>(*this); }
 };
 
 }  // namespace

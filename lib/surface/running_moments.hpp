@@ -2,8 +2,8 @@
 ///
 /// The moments of rows are combined by
 ///     S ← S + S_row + (z̄_row - z̄)² n m/(n + m),    z̄ ← z̄ + (z̄_row - z̄) m/(n + m),                    (1)
-/// S the sum of squares about the mean z̄ of n heights, m those of the row: without cancellation however large
-/// the mean is, and the same however many rows come at a time.
+/// S the sum of squares about the mean z̄ of n heights, m those of the row: without cancellation, and the
+/// same however many rows come at a time.
 ///
 /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for computing the sample variance, Am. Stat. 37 (1983)
 /// 242-247.
@@ -39,8 +39,8 @@ class RunningMoments {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
 };
 
-/// To mean zero and the root mean square `rms`. Throws ParameterError("exact-rq") when all heights are equal, or
-/// so small or large that their squares are no numbers.
+/// To mean zero and the root mean square `rms`. Throws ParameterError("exact-rq") when all heights are equal,
+/// or so small or large that their squares are no numbers.
 Rescaling exact_rms(const RunningMoments& moments, double rms);
 
 }  // namespace asperity

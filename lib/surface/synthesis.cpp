@@ -8,11 +8,9 @@
 namespace asperity {
 namespace {
 
-// Tiles in a band: enough that threads which share them unevenly lose little, and heights enough that starting
-// the threads costs nothing against them.
+// Tiles in a band: enough that threads which share them unevenly lose little, and heights enough that
+// starting the threads costs nothing against them.
 constexpr Index tiles_a_thread = 4, heights_worth_a_band = 1 << 18;
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 Index ceiling(Index a, Index b) { return (a + b - 1) / b; }
 
@@ -37,10 +35,10 @@ Synthesis::Synthesis(Field kernel, Shape surface, Options options)
 }
 
 std::size_t Synthesis::bytes(Index strips, int threads) const {
-  const Index rows = strips * filter_->tile().nx;
+  const Index rows = strips * filter_.tile.nx;
   const Index values = (rows + kernel_.rows() - 1) * noise_columns() + rows * surface_.ny;
-  return options_.beside + size(values) * sizeof(double) + filter_->shared_bytes() +
-         size(threads) * filter_->worker_bytes();
+  return options_.beside + size(values) * sizeof(double) + filter_.shared_bytes +
+         size(threads) * filter_.worker_bytes;
 }
 
 void Synthesis::choose_band() {
@@ -49,53 +47,51 @@ void Synthesis::choose_band() {
     throw ParameterError("memory", shown(options_.memory) +
                                        " does not hold one strip of this surface: " + shown(least) + " do");
   while (bytes(1, options_.threads) > options_.memory) options_.threads -= 1;
-  const Shape tile = filter_->tile();
+  const Shape tile = filter_.tile;
   const Index busy = ceiling(tiles_a_thread * options_.threads, ceiling(surface_.ny, tile.ny)),
               worthwhile = ceiling(heights_worth_a_band, tile.nx * surface_.ny);
   strips_ = std::min(std::max(busy, worthwhile), ceiling(surface_.nx, tile.nx));
   while (strips_ > 1 && bytes(strips_, options_.threads) > options_.memory) strips_ -= 1;
 }
 
-void Synthesis::noise_row(WhiteNoise& noise, Index i, std::span<double> out) const {
-  if (!options_.periodic) return noise.row(i, out);
-  const std::size_t period = size(surface_.ny), drawn = std::min(period, out.size());
-  noise.row(i % surface_.nx, out.first(drawn));
-  for (std::size_t j = drawn; j < out.size(); ++j) out[j] = out[j - period];
-}
-
-// Rows first, first + 1, … of the noise.
+// Rows first, first + 1, … of the noise, which repeats itself below and beside a periodic surface.
 void Synthesis::draw(const WhiteNoise& noise, Index first, Eigen::Ref<Field> rows) const {
+  const Index drawn = options_.periodic ? std::min(surface_.ny, rows.cols()) : rows.cols();
   parallel_ranges(rows.rows(), options_.threads, [&](Index begin, Index end, int) {
     WhiteNoise source(noise);
-    for (Index i = begin; i < end; ++i) noise_row(source, first + i, {&rows(i, 0), size(rows.cols())});
+    for (Index i = begin; i < end; ++i) {
+      source.row(options_.periodic ? (first + i) % surface_.nx : first + i, {&rows(i, 0), size(drawn)});
+      for (Index j = drawn; j < rows.cols(); ++j) rows(i, j) = rows(i, j - drawn);
+    }
   });
 }
 
 // A band of noise into the heights above it, tile by tile.
 void Synthesis::filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) const {
-  const Shape tile = filter_->tile();
+  const Shape tile = filter_.tile;
   const Index across = ceiling(out.cols(), tile.ny), tiles = across * ceiling(out.rows(), tile.nx);
   parallel_ranges(tiles, options_.threads, [&](Index begin, Index end, int) {
-    const auto worker = filter_->worker();
+    const TileWorker worker = filter_.worker();
     for (Index t = begin; t < end; ++t) {
       const Index i = t / across * tile.nx, j = t % across * tile.ny;
       const Index rows = std::min(tile.nx, out.rows() - i), columns = std::min(tile.ny, out.cols() - j);
       Eigen::Ref<Field> heights = out.block(i, j, rows, columns);
-      worker->filter(noise.block(i, j, rows + kernel_.rows() - 1, columns + kernel_.cols() - 1), heights);
+      worker(noise.block(i, j, rows + kernel_.rows() - 1, columns + kernel_.cols() - 1), heights);
       if (options_.translation)
         for (Index row = 0; row < rows; ++row) options_.translation({&heights(row, 0), size(columns)});
     }
   });
 }
 
-void Synthesis::bands(const WhiteNoise& noise, const Place& place, const RowSink& sink) const {
+// Into `room` for a band, or for the whole surface.
+void Synthesis::bands(const WhiteNoise& noise, Eigen::Ref<Field> room, const RowSink& sink) const {
   const Index overlap = kernel_.rows() - 1, most = std::min(band_rows(), surface_.nx);
   Field rows(most + overlap, noise_columns());
   draw(noise, 0, rows.topRows(overlap));
   for (Index first = 0; first < surface_.nx; first += most) {
     const Index count = std::min(most, surface_.nx - first);
     draw(noise, first + overlap, rows.middleRows(overlap, count));
-    Eigen::Ref<Field> heights = place(first, count);
+    Eigen::Ref<Field> heights = room.middleRows(first % room.rows(), count);
     filter(rows.topRows(count + overlap), heights);
     if (sink) sink(first, heights);
     for (Index i = 0; i < overlap; ++i) rows.row(i) = rows.row(i + count);
@@ -103,14 +99,13 @@ void Synthesis::bands(const WhiteNoise& noise, const Place& place, const RowSink
 }
 
 void Synthesis::surface(const WhiteNoise& noise, const RowSink& sink) const {
-  Field heights(std::min(band_rows(), surface_.nx), surface_.ny);
-  bands(
-      noise, [&](Index, Index count) { return heights.topRows(count); }, sink);
+  Field band(std::min(band_rows(), surface_.nx), surface_.ny);
+  bands(noise, band, sink);
 }
 
 Field Synthesis::surface(const WhiteNoise& noise) const {
   Field out(surface_.nx, surface_.ny);
-  bands(noise, [&](Index first, Index count) { return out.middleRows(first, count); }, {});
+  bands(noise, out, {});
   return out;
 }
 
@@ -123,12 +118,6 @@ void Synthesis::noise_below(const WhiteNoise& noise, const RowSink& sink) const 
     draw(noise, first + middle_x, rows.topRows(count));
     sink(first, rows.block(0, middle_y, count, surface_.ny));
   }
-}
-
-Field Synthesis::noise_below(const WhiteNoise& noise) const {
-  Field out(surface_.nx, surface_.ny);
-  noise_below(noise, [&](Index first, Eigen::Ref<Field> rows) { out.middleRows(first, rows.rows()) = rows; });
-  return out;
 }
 
 }  // namespace asperity

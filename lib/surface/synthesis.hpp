@@ -3,23 +3,21 @@
 ///     z(i,j) = Σ_{k<K} Σ_{l<L} kernel(k,l) η(i+k, j+l),    0 ≤ i < N, 0 ≤ j < M                         (1)
 ///
 /// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves,
-/// however large the kernel. The autocorrelation of z is that of the kernel, or its periodic sum.
+/// however large the kernel. The autocorrelation of z is that of the kernel, or its periodic sum, of another
+/// variance where it reaches around (acf/periodic.hpp has the kernel for that).
 ///
 /// The surface is drawn from its first row to its last in bands of whole tiles (surface/tile_filter.hpp). A
 /// band's noise is drawn row by row, the last K-1 rows are kept for the next band, and threads share the rows
-/// and the tiles of a band. The finished rows go to a sink in their order: a field in memory is one, a file
-/// another, so that no more than a band is ever held for a surface of any length.
+/// and the tiles. The finished rows go to a sink in their order, a field in memory or a file, so that no more
+/// than a band is held.
 ///
 /// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band.
-/// The surface therefore depends neither on the number of threads nor on the memory, to the last bit.
-///
-/// On a periodic surface a kernel whose autocorrelation reaches around it draws heights of another variance than a free
-/// one's: acf/periodic.hpp has the kernel for it.
+/// So the surface depends neither on the number of threads nor on the memory, to the last bit.
 ///
 /// Symbols   N × M  points of the surface   K × L  of the kernel   A × B  of a tile   P × Q  of its torus
 /// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
-/// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a tile. The cheaper
-///           one is taken. The noise costs 8 ns a value, and each value is drawn once.
+/// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a tile. The
+///           cheaper one is taken. The noise costs 8 ns a value, and each value is drawn once.
 /// Memory    (A + K - 1)(M + L - 1) + A M doubles for the lowest band, P Q shared and 2 P Q a thread.
 #pragma once
 
@@ -35,8 +33,8 @@ namespace asperity {
 
 enum class Summation { cheapest, direct, transform };
 
-/// Takes rows first, first + 1, … of a surface, which it may alter, for they are not used again; called from the
-/// first row to the last, by one thread.
+/// Takes rows first, first + 1, … of a surface, which it may alter, from the first to the last, on one
+/// thread.
 using RowSink = std::function<void(Index first, Eigen::Ref<Field> rows)>;
 
 class Synthesis {
@@ -45,50 +43,41 @@ class Synthesis {
     bool periodic = false;
     Summation summation = Summation::cheapest;
     int threads = 1;
-    /// Bound of working_set() [byte]; fewer rows and threads are at work at a time to keep below it.
+    /// Bound of working_set() [byte], kept by fewer rows and threads at a time.
     std::size_t memory = std::numeric_limits<std::size_t>::max();
     Pointwise translation = {};  ///< what a height of (1) becomes, if there is one
     std::size_t beside = 0;      ///< bytes that stand in memory meanwhile, and count as of the working set
   };
 
-  /// Throws ParameterError("shape") when the surface has no points, ParameterError("memory") when the lowest band
-  /// on one thread needs more than `memory`.
+  /// Throws ParameterError("shape") of a surface without points, ("memory") when one strip needs more.
   Synthesis(Field kernel, Shape surface, Options options);
 
-  /// The surface of this noise, row by row. An exception of the sink ends it and passes on. May be called by
-  /// several threads at once.
+  /// The surface of this noise, row by row. Exceptions of the sink pass on. For several threads at once.
   void surface(const WhiteNoise& noise, const RowSink& sink) const;
   Field surface(const WhiteNoise& noise) const;
 
-  /// The noise under the surface: η(i + (K-1)/2, j + (L-1)/2), the value that the middle of the kernel
-  /// multiplies.
+  /// The noise under the surface: η(i + (K-1)/2, j + (L-1)/2), which the middle of the kernel multiplies.
   void noise_below(const WhiteNoise& noise, const RowSink& sink) const;
-  Field noise_below(const WhiteNoise& noise) const;
 
   Shape shape() const { return surface_; }
   Summation summation() const { return options_.summation; }  ///< the one taken
-  Index band_rows() const {
-    return strips_ * filter_->tile().nx;
-  }  ///< rows that a sink gets at a time, at most
+  /// Rows that a sink gets at a time, at most.
+  Index band_rows() const { return strips_ * filter_.tile.nx; }
   /// Bytes that drawing takes, the result apart.
   std::size_t working_set() const { return bytes(strips_, options_.threads); }
 
  private:
-  /// Where `count` rows from `first` on shall lie.
-  using Place = std::function<Eigen::Ref<Field>(Index first, Index count)>;
-
   void choose_band();
   std::size_t bytes(Index strips, int threads) const;
   Index noise_columns() const { return surface_.ny + kernel_.cols() - 1; }
-  void noise_row(WhiteNoise& noise, Index i, std::span<double> out) const;
   void draw(const WhiteNoise& noise, Index first, Eigen::Ref<Field> rows) const;
-  void bands(const WhiteNoise& noise, const Place& place, const RowSink& sink) const;
+  void bands(const WhiteNoise& noise, Eigen::Ref<Field> room, const RowSink& sink) const;
   void filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) const;
 
   Field kernel_;
   Shape surface_;
   Options options_;
-  std::unique_ptr<const TileFilter> filter_;
+  TileFilter filter_;
   Index strips_ = 1;  ///< rows of tiles in a band
 };
 

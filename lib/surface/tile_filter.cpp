@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "transform/plan.hpp"
@@ -20,8 +21,6 @@ constexpr Index kernels_in_a_torus = 8, points_in_a_torus = 512;
 
 // Columns whose noise and heights stay in the first-level cache during a direct sum.
 constexpr Index direct_columns = 512, direct_rows = 64;
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 // A fast length for a side of a torus. FFTW is slower by half where it finds too few factors of two.
 Index torus_length(Index least) { return fast_length(least, least < 64 ? 2 : 8); }
@@ -65,92 +64,80 @@ Tiling cheapest_tiling(Shape kernel, Shape surface) {
   return best;
 }
 
-class DirectFilter : public TileFilter {
- public:
-  DirectFilter(const Field& kernel, Shape surface)
-      : TileFilter({std::min(surface.nx, direct_rows), std::min(surface.ny, direct_columns)}),
-        kernel_(kernel) {}
-
-  std::unique_ptr<Worker> worker() const override { return std::make_unique<Sum>(kernel_); }
-  std::size_t shared_bytes() const override { return size(kernel_.size()) * sizeof(double); }
-  std::size_t worker_bytes() const override { return 0; }
-
- private:
-  struct Sum : Worker {
-    explicit Sum(const Field& k) : kernel(k) {}
-    void filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) override {
-      out.setZero();
-      for (Index i = 0; i < out.rows(); ++i)
-        for (Index k = 0; k < kernel.rows(); ++k)
-          for (Index l = 0; l < kernel.cols(); ++l)
-            out.row(i) += kernel(k, l) * noise.row(i + k).segment(l, out.cols());
-    }
-    const Field& kernel;
-  };
-
-  Field kernel_;
-};
-
-class TransformFilter : public TileFilter {
- public:
-  TransformFilter(const Field& kernel, Shape torus)
-      : TileFilter({torus.nx - kernel.rows() + 1, torus.ny - kernel.cols() + 1}),
-        transform_(torus),
-        symbol_(size(transform_.spectrum_size())) {
+// The kernel's conjugate spectrum on a torus.
+struct Symbol {
+  Symbol(const Field& kernel, Shape torus) : transform(torus), values(size(transform.spectrum_size())) {
     AlignedVector<double> padded(size(torus.cells()), 0.0);
     for (Index k = 0; k < kernel.rows(); ++k)
       std::copy_n(kernel.data() + k * kernel.cols(), kernel.cols(), padded.data() + k * torus.ny);
-    transform_.forward(padded.data(), symbol_.data());
+    transform.forward(padded.data(), values.data());
     const double scale = 1.0 / static_cast<double>(torus.cells());
-    for (Complex& s : symbol_) s = scale * std::conj(s);
+    for (Complex& s : values) s = scale * std::conj(s);
   }
 
-  std::unique_ptr<Worker> worker() const override { return std::make_unique<OverlapSave>(*this); }
-  std::size_t shared_bytes() const override { return symbol_.size() * sizeof(Complex); }
-  std::size_t worker_bytes() const override {
-    return size(transform_.shape().cells()) * sizeof(double) + symbol_.size() * sizeof(Complex);
-  }
-
- private:
-  struct OverlapSave : Worker {
-    explicit OverlapSave(const TransformFilter& f)
-        : filter_(f), torus(size(f.transform_.shape().cells())), spectrum(f.symbol_.size()) {}
-
-    void filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) override {
-      const auto [rows, columns] = filter_.transform_.shape();
-      Eigen::Map<Field> field(torus.data(), rows, columns);
-      field.topLeftCorner(noise.rows(), noise.cols()) = noise;
-      field.rightCols(columns - noise.cols()).setZero();
-      field.bottomRows(rows - noise.rows()).setZero();
-      filter_.transform_.forward(torus.data(), spectrum.data());
-      filter_.multiply(spectrum);
-      filter_.transform_.inverse(spectrum.data(), torus.data());
-      out = field.topLeftCorner(out.rows(), out.cols());
-    }
-
-    const TransformFilter& filter_;
-    AlignedVector<double> torus;
-    AlignedVector<Complex> spectrum;
-  };
-
-  // By Eigen, for the library's product of complex numbers takes care of infinities, which forbids vector instructions.
+  // By Eigen, for the library's product of complex numbers takes care of infinities, which forbids vector
+  // instructions.
   void multiply(AlignedVector<Complex>& spectrum) const {
-    const Index n = transform_.spectrum_size();
-    Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), n) *= Eigen::Map<const Eigen::ArrayXcd>(symbol_.data(), n);
+    const Index n = transform.spectrum_size();
+    Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), n) *= Eigen::Map<const Eigen::ArrayXcd>(values.data(), n);
   }
 
-  RealTransform2D transform_;
-  AlignedVector<Complex> symbol_;
+  RealTransform2D transform;
+  AlignedVector<Complex> values;
 };
+
+struct OverlapSave {
+  explicit OverlapSave(std::shared_ptr<const Symbol> s)
+      : symbol(std::move(s)),
+        torus(size(symbol->transform.shape().cells())),
+        spectrum(symbol->values.size()) {}
+
+  void operator()(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) {
+    const auto [rows, columns] = symbol->transform.shape();
+    Eigen::Map<Field> field(torus.data(), rows, columns);
+    field.topLeftCorner(noise.rows(), noise.cols()) = noise;
+    field.rightCols(columns - noise.cols()).setZero();
+    field.bottomRows(rows - noise.rows()).setZero();
+    symbol->transform.forward(torus.data(), spectrum.data());
+    symbol->multiply(spectrum);
+    symbol->transform.inverse(spectrum.data(), torus.data());
+    out = field.topLeftCorner(out.rows(), out.cols());
+  }
+
+  std::shared_ptr<const Symbol> symbol;
+  AlignedVector<double> torus;
+  AlignedVector<Complex> spectrum;
+};
+
+void direct_sum(const Field& kernel, const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) {
+  out.setZero();
+  for (Index i = 0; i < out.rows(); ++i)
+    for (Index k = 0; k < kernel.rows(); ++k)
+      for (Index l = 0; l < kernel.cols(); ++l)
+        out.row(i) += kernel(k, l) * noise.row(i + k).segment(l, out.cols());
+}
 
 }  // namespace
 
-std::unique_ptr<const TileFilter> direct_filter(const Field& kernel, Shape surface) {
-  return std::make_unique<DirectFilter>(kernel, surface);
+TileFilter direct_filter(const Field& kernel, Shape surface) {
+  const TileWorker sum = [kernel = std::make_shared<const Field>(kernel)](
+                             const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) {
+    direct_sum(*kernel, noise, out);
+  };
+  return {{std::min(surface.nx, direct_rows), std::min(surface.ny, direct_columns)},
+          size(kernel.size()) * sizeof(double),
+          0,
+          [sum] { return sum; }};
 }
 
-std::unique_ptr<const TileFilter> transform_filter(const Field& kernel, Shape surface) {
-  return std::make_unique<TransformFilter>(kernel, cheapest_tiling(shape_of(kernel), surface).torus);
+TileFilter transform_filter(const Field& kernel, Shape surface) {
+  const Shape torus = cheapest_tiling(shape_of(kernel), surface).torus;
+  const auto symbol = std::make_shared<const Symbol>(kernel, torus);
+  const std::size_t shared = symbol->values.size() * sizeof(Complex);
+  return {{torus.nx - kernel.rows() + 1, torus.ny - kernel.cols() + 1},
+          shared,
+          size(torus.cells()) * sizeof(double) + shared,
+          [symbol] { return OverlapSave(symbol); }};
 }
 
 SynthesisCost synthesis_cost(Shape kernel, Shape surface) {

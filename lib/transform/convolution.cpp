@@ -21,9 +21,9 @@ void transform_even(Index period, Index count, int threads, Read read, Write wri
   const MirroredTransform transform(period);
   constexpr Index pairs = MirroredTransform::pairs, eight = MirroredTransform::width;
   parallel_ranges((count + eight - 1) / eight, threads, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> x(static_cast<std::size_t>(transform.size())), spectrum(x.size());
+    AlignedVector<Complex> x(size(transform.size())), spectrum(x.size());
     auto at = [&](AlignedVector<Complex>& v, Index pair, Index j) -> Complex& {
-      return v[static_cast<std::size_t>(pair * transform.stride() + j)];
+      return v[size(pair * transform.stride() + j)];
     };
     for (Index first = begin * eight; first < std::min(end * eight, count); first += eight) {
       auto of_pair = [&](Index pair) { return std::min(first + 2 * pair, count - 1); };
@@ -61,13 +61,13 @@ EvenConvolution::EvenConvolution(Shape field, Shape torus, const Field& symbol, 
     : transform_(field, torus),
       half_(work ? std::move(work) : std::make_shared<HalfSpectrum>()),
       threads_(useful_threads(field, threads)) {
-  const auto room = static_cast<std::size_t>(transform_.blocks() * field.nx * width);
+  const std::size_t room = size(transform_.blocks() * field.nx * width);
   if (half_->size() < room) *half_ = HalfSpectrum(room);
   const Index rows = torus.nx / 2 + 1;
-  symbol_.resize(static_cast<std::size_t>(transform_.blocks() * rows * width));
+  symbol_.resize(size(transform_.blocks() * rows * width));
   const double scale = 1.0 / static_cast<double>(torus.cells());
   for (Index k = 0; k < transform_.columns(); ++k)
-    for (Index i = 0; i < rows; ++i) symbol_[static_cast<std::size_t>(k * rows + i)] = scale * symbol(i, k);
+    for (Index i = 0; i < rows; ++i) symbol_[size(k * rows + i)] = scale * symbol(i, k);
 }
 
 void EvenConvolution::multiply(Index b, Complex* block) const {

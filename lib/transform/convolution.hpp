@@ -6,8 +6,7 @@
 /// torus is the field itself. K's spectrum, the symbol, is real and even: a quarter of it is stored.
 ///
 /// Accuracy  ε log2(Px Py) of max|K| Σ|in|, round-off only.
-/// Cost      one pruned transform there and back (transform/pruned.hpp); the plans and the symbol are made
-/// once.
+/// Cost      one pruned transform there and back (transform/pruned.hpp).
 #pragma once
 
 #include <functional>
@@ -27,8 +26,8 @@ Field even_transfer_function(Shape torus, const std::function<double(Index, Inde
 
 class EvenConvolution {
  public:
-  /// `symbol` as even_transfer_function returns it, for this torus. Convolutions that never work at the same time may share
-  /// a work space, which is grown to what the largest needs.
+  /// `symbol` as even_transfer_function returns it, for this torus. Convolutions that never work at the same
+  /// time may share a work space, which is grown to what the largest needs.
   EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1,
                   std::shared_ptr<HalfSpectrum> work = nullptr);
 

@@ -15,8 +15,6 @@ double bell(double x) {
   return std::abs(u) < 1 ? std::cyl_bessel_i(0.0, beta * std::sqrt(1 - u * u)) : 0;
 }
 
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
 }  // namespace
 
 double Interpolation::prepared(double k) {

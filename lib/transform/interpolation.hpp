@@ -1,7 +1,7 @@
 /// Values between the samples of a sequence that has few high modes.
 ///
-/// f is known by its spectrum f^(k), k in radians a sample, and small near the highest mode π. From samples c of a
-/// spectrum that is divided by that of the bell φ,
+/// f is known by its spectrum f^(k), k in radians a sample, and small near the highest mode π. From samples c
+/// of a spectrum that is divided by that of the bell φ,
 ///     f(x) = Σ_m c(m) φ(x - m),   c^(k) = f^(k) / φ^(k),                                                (1)
 ///     φ(x) = I0(β √(1 - (2x/w)²)),   φ^(k) = w sinh(g) / g,   g² = β² - (kw/2)²,   |x| < w/2,           (2)
 /// follows f anywhere from the w = 8 samples around x (Kaiser and Bessel's bell). s values a sample are

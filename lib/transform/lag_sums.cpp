@@ -12,19 +12,16 @@ Shape torus_for(const Grid& grid, Shape max_lag) {
   return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
 }
 
-// The half spectrum, in y, of C(p, ·) for every row p.
-HalfSpectrum correlate(const PrunedTransform& transform, const Field& f, int threads) {
+}  // namespace
+
+Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
+  constexpr Index group = RowTransform::rows;
+  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
   HalfSpectrum half = transform.half_spectrum();
   transform.forward_rows(f, half, threads);
   transform.filter(half, threads, [&](Index, Complex* block) {
     for (Index k = 0; k < transform.block_size(); ++k) block[k] = std::norm(block[k]);
   });
-  return half;
-}
-
-// (1) times the torus' cells. Negative lags stand at the end of a row.
-Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Shape max_lag, int threads) {
-  constexpr Index group = RowTransform::rows;
   const Index period = transform.torus().ny, rows = max_lag.nx + 1;
   Field sums(rows, 2 * max_lag.ny + 1);
   parallel_ranges((rows + group - 1) / group, threads, [&](Index begin, Index end, int) {
@@ -33,18 +30,11 @@ Field half_plane(const PrunedTransform& transform, const HalfSpectrum& half, Sha
     for (Index first = begin * group; first < std::min(end * group, rows); first += group) {
       const Index count = std::min(group, rows - first);
       transform.inverse_group(half, first, count, period, lags.data(), period, work);
+      // Negative lags stand at the end of a row.
       sums.block(first, max_lag.ny, count, max_lag.ny + 1) = lags.topLeftCorner(count, max_lag.ny + 1);
       sums.block(first, 0, count, max_lag.ny) = lags.topRightCorner(count, max_lag.ny);
     }
   });
-  return sums;
-}
-
-}  // namespace
-
-Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
-  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
-  Field sums = half_plane(transform, correlate(transform, f, threads), max_lag, threads);
   sums /= static_cast<double>(transform.torus().cells());
   return sums;
 }

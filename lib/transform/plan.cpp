@@ -5,7 +5,6 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 
 #include <fftw3.h>
@@ -16,9 +15,8 @@ namespace asperity {
 namespace {
 
 fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
-fftw_plan get(const detail::PlanPointer& p) { return reinterpret_cast<fftw_plan>(p.get()); }
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
+fftw_complex* raw(double* p) { return reinterpret_cast<fftw_complex*>(p); }
+fftw_plan get(const Plan& p) { return static_cast<fftw_plan>(p.get()); }
 
 // The next multiple of eight doubles, so that a second array behind the first is aligned too.
 std::size_t aligned(Index n) { return (size(n) + 7) / 8 * 8; }
@@ -26,13 +24,13 @@ std::size_t aligned(Index n) { return (size(n) + 7) / 8 * 8; }
 // FFTW's planner keeps global state; executing a plan does not.
 std::mutex planner;
 
-enum Kind { real_forward, real_inverse, columns_forward, columns_inverse, plane_forward, plane_inverse };
+enum Kind { columns_forward, columns_inverse, plane_forward, plane_inverse };
 
 // What distinguishes a plan: the kind and its two lengths.
 using Key = std::tuple<Kind, Index, Index>;
 
 // The plans of late, shared by all transforms of the same size.
-std::map<Key, detail::PlanPointer> recent;
+std::map<Key, Plan> recent;
 constexpr std::size_t most_recent = 64;
 
 // FFTW counts by int: a longer side would become another one.
@@ -43,8 +41,8 @@ int counted(Index n) {
   return static_cast<int>(n);
 }
 
-// FFTW aborts where it finds no memory: to make a plan, for its solvers, the first time, and twiddle factors; to execute
-// one, for buffers of a few rows.
+// FFTW aborts where it finds no memory: to make a plan, for its solvers, the first time, and twiddle factors;
+// to execute one, for buffers of a few rows.
 void require_room_for(Index nx, Index ny) { require_room((std::size_t{1} << 20) + 128 * size(nx + ny)); }
 
 // Executions that look first: those that take 100 µs and more, of which the look is a few per cent.
@@ -54,11 +52,11 @@ void require_buffers(Shape shape) {
   if (shape.cells() >= worth_a_look) require_room_for(shape.nx, shape.ny);
 }
 
-// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory, and an
-// aligned one may be executed on any other aligned array.
+// FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory,
+// and an aligned one may be executed on any other aligned array.
 template <class Make>
-detail::PlanPointer plan(const Key& key, std::size_t doubles, Make make) {
-  std::map<Key, detail::PlanPointer> forgotten;  // destroyed after the lock is released
+Plan plan(const Key& key, std::size_t doubles, Make make) {
+  std::map<Key, Plan> forgotten;  // destroyed after the lock is released
   const std::lock_guard lock(planner);
   if (const auto known = recent.find(key); known != recent.end()) return known->second;
   const std::unique_ptr<double, decltype(&fftw_free)> scratch(fftw_alloc_real(doubles), &fftw_free);
@@ -67,15 +65,13 @@ detail::PlanPointer plan(const Key& key, std::size_t doubles, Make make) {
   const fftw_plan made = make(scratch.get());
   if (made == nullptr) throw std::runtime_error("FFTW could not make a plan");
   if (recent.size() == most_recent) recent.swap(forgotten);
-  return recent[key] = detail::PlanPointer(reinterpret_cast<detail::FftwPlan*>(made), detail::DestroyPlan());
+  return recent[key] = Plan(made, [](fftw_plan p) {
+           const std::lock_guard alone(planner);
+           fftw_destroy_plan(p);
+         });
 }
 
 }  // namespace
-
-void detail::DestroyPlan::operator()(FftwPlan* plan) const {
-  const std::lock_guard lock(planner);
-  fftw_destroy_plan(reinterpret_cast<fftw_plan>(plan));
-}
 
 Index fast_length(Index n, Index multiple) {
   auto fast = [](Index length) {
@@ -97,33 +93,13 @@ std::string transform_version() {
   return "FFTW " + version.substr(begin, version.find('-', begin) - begin);
 }
 
-RealTransform::RealTransform(Index n) : n_(n) {
-  const int points = counted(n);
-  const std::size_t doubles = aligned(n + 2);
-  forward_ = plan({real_forward, n, 1}, 2 * doubles, [&](double* a) {
-    return fftw_plan_dft_r2c_1d(points, a, reinterpret_cast<fftw_complex*>(a + doubles), FFTW_ESTIMATE);
-  });
-  inverse_ = plan({real_inverse, n, 1}, 2 * doubles, [&](double* a) {
-    return fftw_plan_dft_c2r_1d(points, reinterpret_cast<fftw_complex*>(a + doubles), a, FFTW_ESTIMATE);
-  });
-}
-
-void RealTransform::forward(const double* in, Complex* out) const {
-  fftw_execute_dft_r2c(get(forward_), const_cast<double*>(in), raw(out));
-}
-
-void RealTransform::inverse(Complex* in, double* out) const {
-  fftw_execute_dft_c2r(get(inverse_), raw(in), out);
-}
-
 ColumnTransform::ColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
   const int points = counted(n), columns = counted(width), apart = counted(stride());
   auto one_way = [&](Kind kind, int sign) {
     const std::size_t doubles = aligned(2 * size());
     return plan({kind, n, width}, 2 * doubles, [&](double* a) {
-      auto *in = reinterpret_cast<fftw_complex*>(a), *out = reinterpret_cast<fftw_complex*>(a + doubles);
-      return fftw_plan_many_dft(1, &points, columns, in, nullptr, 1, apart, out, nullptr, 1, apart, sign,
-                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+      return fftw_plan_many_dft(1, &points, columns, raw(a), nullptr, 1, apart, raw(a + doubles), nullptr, 1,
+                                apart, sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
     });
   };
   forward_ = one_way(columns_forward, FFTW_FORWARD);
@@ -138,15 +114,14 @@ void ColumnTransform::inverse(const Complex* in, Complex* out) const {
 }
 
 RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
-  const int nx = counted(shape.nx), ny = counted(shape.ny);
+  const std::array sides{counted(shape.nx), counted(shape.ny)};
+  const int rank = shape.nx == 1 ? 1 : 2, *n = sides.data() + 2 - rank;
   const std::size_t offset = aligned(shape.cells()), doubles = offset + 2 * size(spectrum_size());
   forward_ = plan({plane_forward, shape.nx, shape.ny}, doubles, [&](double* a) {
-    return fftw_plan_dft_r2c_2d(nx, ny, a, reinterpret_cast<fftw_complex*>(a + offset),
-                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+    return fftw_plan_dft_r2c(rank, n, a, raw(a + offset), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   });
-  inverse_ = plan({plane_inverse, shape.nx, shape.ny}, doubles, [&](double* a) {
-    return fftw_plan_dft_c2r_2d(nx, ny, reinterpret_cast<fftw_complex*>(a + offset), a, FFTW_ESTIMATE);
-  });
+  inverse_ = plan({plane_inverse, shape.nx, shape.ny}, doubles,
+                  [&](double* a) { return fftw_plan_dft_c2r(rank, n, raw(a + offset), a, FFTW_ESTIMATE); });
 }
 
 void RealTransform2D::forward(const double* in, Complex* out) const {

@@ -1,15 +1,13 @@
 /// Discrete Fourier transforms: the plans, made once, and their execution.
 ///
-/// The forward transform is X_k = Σ_j x_j exp(-2πi jk/n); no transform here is normalised, so forward then
-/// inverse multiplies by the number of points. All plans are estimated, never measured: their results do not
-/// depend on the machine's load, and a one-dimensional plan gains nothing from measuring.
+/// The forward transform is X_k = Σ_j x_j exp(-2πi jk/n); no transform here is normalised: forward then
+/// inverse multiplies by the number of points. All plans are estimated, so that results do not depend on the
+/// load.
 ///
-/// A plan is immutable and may be executed by several threads at once on different data; transforms of the same
-/// size share theirs, and the last few dozen are kept for the next. Data must be aligned as AlignedVector aligns
-/// it, unless said otherwise.
+/// A plan may be executed by several threads at once on different data; transforms of the same size share
+/// theirs, and the last few dozen are kept. Data must be aligned as AlignedVector aligns it.
 ///
-/// Cost: about 5/2 N log2 N operations for N real points; making a plan takes microseconds to a few
-/// milliseconds, the second time nothing.
+/// Cost: about 5/2 N log2 N operations for N real points; a plan takes microseconds to a few milliseconds.
 ///
 /// M. Frigo, S. G. Johnson, The design and implementation of FFTW3, Proc. IEEE 93 (2005) 216-231.
 #pragma once
@@ -44,38 +42,17 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
-/// The least length ≥ n, a multiple of `multiple`, whose estimated plan is a good one: 2ᵃ 5ᵇ, b ≤ 2, from 768 on
-/// 3·2ᵃ 5ᵇ too. Other lengths without a prime factor above 5 take 1.5 to 3 times as long a point.
+/// The least length ≥ n, a multiple of `multiple`, whose estimated plan is a good one: 2ᵃ 5ᵇ, b ≤ 2, from 768
+/// on 3·2ᵃ 5ᵇ too. Other lengths without a prime factor above 5 take 1.5 to 3 times as long a point.
 Index fast_length(Index n, Index multiple = 1);
 
 /// The library behind the transforms and its version.
 std::string transform_version();
 
-namespace detail {
-struct FftwPlan;
-struct DestroyPlan {
-  void operator()(FftwPlan*) const;
-};
-using PlanPointer = std::shared_ptr<FftwPlan>;
-}  // namespace detail
+using Plan = std::shared_ptr<void>;  ///< FFTW's
 
-/// n real points ↔ n/2+1 complex ones.
-class RealTransform {
- public:
-  explicit RealTransform(Index n);
-  Index points() const { return n_; }
-  /// Leaves `in` unchanged.
-  void forward(const double* in, Complex* out) const;
-  /// Destroys `in`.
-  void inverse(Complex* in, double* out) const;
-
- private:
-  Index n_;
-  detail::PlanPointer forward_, inverse_;
-};
-
-/// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved, or in
-/// place, they would take twice as long; transform/columns.hpp has the way from rows and back.
+/// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved,
+/// or in place, they would take twice as long; columns_from_rows is the way to them.
 class ColumnTransform {
  public:
   enum class Ways { both, forward_only };
@@ -90,10 +67,24 @@ class ColumnTransform {
 
  private:
   Index n_, width_;
-  detail::PlanPointer forward_, inverse_;
+  Plan forward_, inverse_;
 };
 
-/// An nx × ny real field ↔ its nx × (ny/2+1) half spectrum.
+/// `count` rows of `width` values to columns, `stride` apart, and back: what lies side by side in memory, one
+/// after the other. Costs a tenth to a fifth of the columns' transform.
+template <Index width>
+void columns_from_rows(const Complex* rows, Index count, Complex* columns, Index stride) {
+  for (Index i = 0; i < count; ++i)
+    for (Index c = 0; c < width; ++c) columns[c * stride + i] = rows[i * width + c];
+}
+
+template <Index width>
+void rows_from_columns(const Complex* columns, Index stride, Index count, Complex* rows) {
+  for (Index i = 0; i < count; ++i)
+    for (Index c = 0; c < width; ++c) rows[i * width + c] = columns[c * stride + i];
+}
+
+/// An nx × ny real field ↔ its nx × (ny/2+1) half spectrum; of 1 × n points the transform in one dimension.
 class RealTransform2D {
  public:
   explicit RealTransform2D(Shape shape);
@@ -107,7 +98,7 @@ class RealTransform2D {
 
  private:
   Shape shape_;
-  detail::PlanPointer forward_, inverse_;
+  Plan forward_, inverse_;
 };
 
 }  // namespace asperity

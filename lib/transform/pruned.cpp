@@ -2,15 +2,7 @@
 
 #include <algorithm>
 
-#include "core/parallel.hpp"
-#include "transform/columns.hpp"
-
 namespace asperity {
-namespace {
-
-std::size_t size(Index n) { return static_cast<std::size_t>(n); }
-
-}  // namespace
 
 PrunedTransform::PrunedTransform(Shape field, Shape torus, ColumnTransform::Ways ways)
     : field_(field), torus_(torus), rows_(torus.ny, ways), columns_(torus.nx, width, ways) {

@@ -1,15 +1,15 @@
 /// The transform of a field padded with zeros, without touching the zeros.
 ///
-/// A linear convolution of an nx × ny field pads it to Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1. Three quarters of
-/// the padded field are zeros, and three quarters of the result are thrown away. Here the rows that hold data
-/// are transformed in y, alone; the columns of the half spectrum follow in blocks of eight, one column after the
-/// other, that stay in the cache while they are transformed in x, multiplied and transformed back; only nx rows are
-/// kept and return from y. Rows go to and from the half spectrum eight at a time, a kilobyte of every block.
+/// A linear convolution of an nx × ny field pads it to Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1: three quarters
+/// are zeros, and three quarters of the result are thrown away. Here only the rows that hold data are
+/// transformed in y; the columns of the half spectrum follow in blocks of eight that stay in the cache while
+/// they are transformed in x, multiplied and transformed back; only nx rows are kept and return from y. Rows
+/// go to and from the half spectrum eight at a time, a kilobyte of every block.
 ///
 ///     rows → half spectrum → (per block: load, forward, multiply, inverse, store) → half spectrum → rows
 ///
-/// Cost: there and back 0.4 of one padded real-to-complex transform from 1024² on, where the plain way takes 2; below,
-/// where everything fits the cache, 1.0 to 1.2 (validation/contact_error_time.cpp).
+/// Cost: there and back 0.4 of one padded real-to-complex transform from 1024² on, where the plain way takes
+/// 2; below, in the cache, 1.0 to 1.2 (validation/contact_error_time.cpp).
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 #pragma once
 
@@ -64,8 +64,8 @@ class PrunedTransform {
     });
   }
 
-  /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points, as
-  /// `work` has.
+  /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points,
+  /// as `work` has.
   void forward_block(const HalfSpectrum& half, Index b, Complex* block, Complex* work) const;
   /// Back again: transforms `block` and keeps the first nx rows.
   void inverse_block(const Complex* block, Index b, HalfSpectrum& half, Complex* work) const;
@@ -76,7 +76,7 @@ class PrunedTransform {
   template <class Work>
   void pass(const HalfSpectrum& half, int threads, Work work) const {
     parallel_ranges(blocks(), threads, [&](Index begin, Index end, int) {
-      AlignedVector<Complex> block(static_cast<std::size_t>(block_size())), scratch(block.size());
+      AlignedVector<Complex> block(size(block_size())), scratch(block.size());
       for (Index b = begin; b < end; ++b) {
         forward_block(half, b, block.data(), scratch.data());
         work(b, block.data(), scratch.data());

@@ -31,8 +31,8 @@ void join(const Complex* block, Index first, Index n, Complex* z, bool second) {
 }  // namespace
 
 RowTransform::Work RowTransform::work() const {
-  const auto size = static_cast<std::size_t>(columns_.size());
-  return {AlignedVector<Complex>(size), AlignedVector<Complex>(size)};
+  const AlignedVector<Complex> columns(size(columns_.size()));
+  return {columns, columns};
 }
 
 void RowTransform::forward(const double* in, Index apart, Index given, Index count, Complex* blocks,

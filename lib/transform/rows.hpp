@@ -2,14 +2,13 @@
 ///
 /// For z = a + ib, of real rows a and b,
 ///     a^(k) = (z^(k) + conj z^(-k)) / 2,   b^(k) = (z^(k) - conj z^(-k)) / 2i,                           (1)
-/// and back z^ = a^ + i b^ at k and conj a^ + i conj b^ at -k. The four complex rows are one vectorised transform.
+/// and back z^ = a^ + i b^ at k and conj a^ + i conj b^ at -k. The four complex rows are one vectorised
+/// transform.
 ///
-/// The half spectrum of n points, 0 ≤ k ≤ n/2, comes in blocks of eight k, [k/8][row][k%8], which is how
-/// transform/pruned.hpp keeps it; what stands behind k = n/2 in the last block is zero on the way there and not read on
-/// the way back.
+/// The half spectrum of n points, 0 ≤ k ≤ n/2, comes in blocks of eight k, [k/8][row][k%8], as
+/// transform/pruned.hpp keeps it; behind k = n/2 the last block is zero there, and not read back.
 ///
-/// Cost: half of eight real transforms, and a tenth of the planning, of which FFTW needs up to 4 ms for n real points.
-/// Accuracy: ε log2 n of the larger row of a pair.
+/// Cost: half of eight real transforms, and a tenth of the planning. Accuracy: ε log2 n of the larger row.
 #pragma once
 
 #include "transform/plan.hpp"
@@ -32,7 +31,8 @@ class RowTransform {
   };
   Work work() const;
 
-  /// Rows r < count of `given` points, zeros behind them, in + r·apart: to blocks that lie block_stride apart.
+  /// Rows r < count of `given` points, zeros behind them, in + r·apart: to blocks that lie block_stride
+  /// apart.
   void forward(const double* in, Index apart, Index given, Index count, Complex* blocks, Index block_stride,
                Work& work) const;
   /// Back, times n: the first `wanted` points of the rows r < count, to out + r·apart.

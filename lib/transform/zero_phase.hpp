@@ -2,20 +2,18 @@
 ///
 /// Such a field has a real spectrum; a kernel of this kind shifts no phase. Two kinds are given by a part of
 /// them and live on a torus of Px × Py points, zero beyond |k| < n, |l| < m:
-///     QuarterTransform    even in both indices: n × m values, k, l ≥ 0,
-///     HalfPlaneTransform  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of
-///                         the rows 1 … n-1.
+///     a quarter     even in both indices: n × m values, k, l ≥ 0,
+///     a half plane  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the others.
 /// Rows that hold data are transformed in y; then columns in x, in blocks of eight that stay in the cache
-/// while they are transformed, worked on and transformed back; of the way back only the n × m part is done.
-/// Two real (or Hermitian) sequences are one complex one, and come apart without arithmetic, or with one addition.
+/// while they are transformed, worked on and transformed back to the n × m part. Two real (or Hermitian)
+/// sequences are one complex one, and come apart without arithmetic, or with one addition.
 ///
 /// A spectrum is [block][pair][kx][2] doubles: column 8·block + 2·pair + 0 or 1, kx = 0 … Px/2 of a quarter,
-/// 0 … Px-1 of a half plane. Columns beyond the last, Py/2, repeat values of others, so that minima and maxima may
-/// be taken over all of it.
+/// 0 … Px-1 of a half plane. Columns beyond the last, Py/2, repeat others: minima and maxima are over all of
+/// it.
 ///
-/// Cost      there and back of a quarter: 0.11 to 0.2, of a half plane 0.12 to 0.33, of a real transform of the torus
-///           there and back, for 31 to 255 lags. Memory: n Py doubles between rows and columns, 16 Px for
-///           a block.
+/// Cost      there and back 0.11 to 0.2 (a quarter), 0.12 to 0.33 (a half plane) of a real transform of the
+///           torus, for 31 to 255 lags. Memory: n Py doubles between rows and columns, 16 Px for a block.
 /// Accuracy  ε log2(Px Py) Σ|a|.
 #pragma once
 
@@ -61,11 +59,12 @@ class ZeroPhaseTransform {
   void forward(std::span<const double> part, std::span<double> spectrum);
   /// The part of the inverse transform; `spectrum` is left alone.
   void inverse(std::span<const double> spectrum, std::span<double> part);
-  /// part → spectrum → work(offset, values) on each pair of columns, where values[i] is the spectrum's value at
-  /// offset + i → `out`, by one pass over the columns. `out` may be `part`.
+  /// part → spectrum → work(offset, values) on each pair of columns, values[i] being the spectrum's at
+  /// offset + i → `out`, which may be `part`.
   template <class Work>
   void filter(std::span<const double> part, std::span<double> out, Work work);
-  /// The autocorrelation of a part, on the torus: that whose spectrum is the square of the part's. `out` may be `part`.
+  /// The autocorrelation of a part on the torus, whose spectrum is the square of the part's. `out` may be
+  /// `part`.
   void autocorrelate(std::span<const double> part, std::span<double> out);
 
  protected:
@@ -84,53 +83,15 @@ class ZeroPhaseTransform {
   Index first(Index k) const { return half_plane_ && k > 0 ? 1 - lags_.ny : 0; }  ///< the least l of row k
 
   std::span<double> pair(Index c) {
-    return {reinterpret_cast<double*>(block_.data() + c * stride_), static_cast<std::size_t>(pair_size())};
+    return {reinterpret_cast<double*>(block_.data() + c * stride_), size(pair_size())};
   }
 
   bool half_plane_;
   Index column_;  ///< points of a column that make the spectrum
 };
 
-class QuarterTransform : public ZeroPhaseTransform {
- public:
-  /// The torus has even sides, at least 8 and 2n, 2m.
-  QuarterTransform(Shape lags, Shape torus);
-
- private:
-  void load(const double* part) override;
-  void forward_block(Index b) override;
-  void inverse_block(Index b) override;
-  void store(double* part) override;
-
-  /// Where pair c of block b begins in between_.
-  Complex* between(Index b, Index c) { return between_.data() + (b * pairs + c) * between_stride_; }
-
-  MirroredTransform rows_, columns_;
-  Index row_blocks_, between_stride_;
-  AlignedVector<Complex> between_;             ///< [block][pair][k < n], transformed in y only
-  AlignedVector<Complex> row_, row_spectrum_;  ///< eight rows: four pairs
-};
-
-class HalfPlaneTransform : public ZeroPhaseTransform {
- public:
-  /// The torus has even sides, at least 8 and 2n, 2m.
-  HalfPlaneTransform(Shape lags, Shape torus);
-
- private:
-  void load(const double* part) override;
-  void forward_block(Index b) override;
-  void inverse_block(Index b) override;
-  void store(double* part) override;
-
-  RealTransform rows_;
-  ColumnTransform columns_;
-  AlignedVector<Complex> between_;  ///< [block][k < n][8]
-  AlignedVector<double> row_;
-  AlignedVector<Complex> row_spectrum_;
-};
-
-/// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field and has at
-/// least so many points.
+/// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field
+/// and has at least so many points.
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented);
 
 inline Index ZeroPhaseTransform::place(Index k, Index l) const {
@@ -142,10 +103,10 @@ inline Index ZeroPhaseTransform::place(Index k, Index l) const {
 
 template <class Row>
 std::vector<double> ZeroPhaseTransform::rows_of_part(Row row) const {
-  std::vector<double> out(static_cast<std::size_t>(place(lags_.nx - 1, lags_.ny - 1) + 1));
+  std::vector<double> out(size(place(lags_.nx - 1, lags_.ny - 1) + 1));
   for (Index k = 0; k < lags_.nx; ++k) {
-    const auto from = static_cast<std::size_t>(place(k, first(k)));
-    row(k, first(k), std::span(out).subspan(from, static_cast<std::size_t>(lags_.ny - first(k))));
+    const auto from = size(place(k, first(k)));
+    row(k, first(k), std::span(out).subspan(from, size(lags_.ny - first(k))));
   }
   return out;
 }

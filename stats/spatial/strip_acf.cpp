@@ -34,10 +34,8 @@ void StripAutocorrelation::add(const Field& strip) {
   const Field complete = complete_pairs(open, lags);
   sums_.topRows(lags.nx + 1) += lag_sums(missing ? zero_filled(strip) : strip, open, lags, threads_);
   complete_.topRows(lags.nx + 1) += complete;
-  if (missing)
-    counts_.topRows(lags.nx + 1) += lag_sums(validity(strip), open, lags, threads_).round();
-  else
-    counts_.topRows(lags.nx + 1) += complete;
+  counts_.topRows(lags.nx + 1) +=
+      missing ? Field(lag_sums(validity(strip), open, lags, threads_).round()) : complete;
   missing_ = missing_ || missing;
 }
 

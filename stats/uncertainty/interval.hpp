@@ -20,11 +20,10 @@ class Interval {
   std::string why;  ///< there is none; "" where no error is known
 
   Interval() = default;
-  static Interval none(std::string why) { return {NAN, NAN, std::move(why)}; }
   static Interval of(double estimate, double low, double high) {
     if (std::isnan(estimate) || std::isnan(low) || std::isnan(high)) return {};
     if (low <= estimate && estimate <= high) return {low, high, ""};
-    return none("the correction of its bias exceeds its error");
+    return {NAN, NAN, "the correction of its bias exceeds its error"};
   }
   static Interval about(double estimate, double half_width) {
     return of(estimate, estimate - half_width, estimate + half_width);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "acf/target.hpp"
+#include "reference/exponential_target.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -1,5 +1,6 @@
 // What is answered where there is no kernel of the size asked for, and by every method.
 #include "acf/kernel.hpp"
+#include "reference/exponential_target.hpp"
 #include "requests.hpp"
 
 using namespace asperity;
@@ -71,7 +72,7 @@ TEST_CASE("a target that no number of lags gives a kernel is clipped at once, as
   request.infeasible = InfeasiblePolicy::nearest;
   const Kernel kernel = solve_kernel(request);
   CHECK(kernel.report.answer == Answer::nearest);
-  CHECK(kernel.report.newton_steps <= 20);  // of the one trial that asks
+  CHECK(kernel.report.steps <= 20);  // of the one trial that asks
   CHECK(kernel.lags == request.target.reach(1e-3));
   CHECK(kernel.report.change > 1e-5);
   CHECK_FALSE(kernel.report.converged);
@@ -115,25 +116,23 @@ TEST_CASE("targets at the limits end in a kernel with its error, or in a refusal
 
 TEST_CASE("every method that arrives finds the same kernel, and each says how far it came", "[kernel][law]") {
   const Kernel newton = solve_kernel(cut(13, 13, 4.6));
-  for (Method method : {Method::fixed_point, Method::conjugate_gradient}) {
-    KernelRequest request = cut(13, 13, 4.6);
-    request.method = method;
-    const Kernel k = solve_kernel(request);
-    CAPTURE(name_of(method), k.report.reason);
-    CHECK(k.report.converged);
-    CHECK((k.values - newton.values).abs().maxCoeff() <= coefficient_error);
-  }
-  KernelRequest request = cut(63, 63, 4.6);
-  request.method = Method::fixed_point;  // diverges
+  KernelRequest request = cut(13, 13, 4.6);
+  request.method = Method::conjugate_gradient;
+  const Kernel k = solve_kernel(request);
+  CAPTURE(k.report.reason);
+  CHECK(k.report.converged);
+  CHECK((k.values - newton.values).abs().maxCoeff() <= coefficient_error);
+  request.target = cut(13, 13, 0.7).target;  // half of it is left at the cut: there is no such kernel
   const Kernel lost = solve_kernel(request);
   CHECK_FALSE(lost.report.converged);
   CHECK(lost.report.answer == Answer::best);
   CHECK(lost.report.change == lost.report.residual);
   CHECK(lost.values.isFinite().all());
+  request = cut(63, 63, 4.6);
   request.method = Method::spectral;
   const Kernel root = solve_kernel(request);
   CHECK(root.report.answer == Answer::spectral);
-  CHECK(root.report.newton_steps == 0);
+  CHECK(root.report.steps == 0);
   CHECK(root.report.error <=
         2e-4);  // e^-18.4 at the edge of its torus is far below; the root's own tail is cut
 }

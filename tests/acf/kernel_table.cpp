@@ -6,6 +6,7 @@
 #include "acf/projections.hpp"
 #include "acf/table.hpp"
 #include "math/noise.hpp"
+#include "reference/exponential_target.hpp"
 #include "support.hpp"
 
 using namespace asperity;

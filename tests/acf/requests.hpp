@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "acf/kernel.hpp"
+#include "reference/exponential_target.hpp"
 #include "support.hpp"
 
 namespace asperity::test {

@@ -4,6 +4,7 @@
 #include "acf/matern.hpp"
 #include "acf/self_affine.hpp"
 #include "acf/target.hpp"
+#include "reference/exponential_target.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -32,9 +33,9 @@ bool within_one(const Target& target, double p, double q) { return std::abs(targ
 }  // namespace
 
 TEST_CASE("a model is named as on the command line and an unknown name is refused", "[target][contract]") {
-  for (Model model : every_model) CHECK(model_named(name_of(model)) == model);
+  for (Model model : every_model) CHECK(enum_named<Model>(name_of(model), "target") == model);
   CHECK(name_of(Model::stretched_exponential) == "stretched-exponential");
-  CHECK_THROWS_MATCHES(model_named("fractal"), ParameterError,
+  CHECK_THROWS_MATCHES(enum_named<Model>("fractal", "target"), ParameterError,
                        Message("'fractal' is none of exponential, gaussian, matern, stretched-exponential, "
                                "self-affine and exponential-cosine"));
 }

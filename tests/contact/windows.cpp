@@ -1,5 +1,5 @@
 #include "contact/sweep.hpp"
-#include "contact/window.hpp"
+#include "contact/windowed.hpp"
 #include "scenes.hpp"
 
 using namespace asperity;

@@ -38,7 +38,7 @@ TEST_CASE("a result that is not finite does not get into a dataset, unless it st
     CHECK(refused([&] { set_volume(data, "gap", {1, bad}, {"m", "gap"}); }) == "gap");
     CHECK(refused([&] { set_depths(data, {0, bad}); }) == "z");
     CHECK(refused([&] { set_scalar(data, "place", bad, {"m", "place"}); }) == "place");
-    CHECK(refused([&] { defer_field(data, "gap", {1, bad}, {"m", "gap"}); }) == "gap");
+    CHECK(refused([&] { defer_values(data, "gap", {"x", "y"}, {1, bad}, {"m", "gap"}); }) == "gap");
     CHECK(refused([&] { data.attributes.set("contact_load", bad); }) == "contact_load");
     CHECK(refused([&] { data.attributes.set("contact_stiffness", bad); }).empty());
     CHECK(refused([&] {
@@ -54,7 +54,7 @@ TEST_CASE("the head of a dataset beyond memory is read back with its sizes", "[d
   data.dimensions = {{"n", 5}, {"z", 600'000'000}};
   data.put({"bytes", {"n"}, std::vector<std::int8_t>{1, 2, 3, 4, 5}, {}});
   data.put({"volume", {"z", "n"}, std::vector<double>{}, {}});
-  const std::string head = encode_netcdf_head(data, 1);
+  const std::string head = encode_netcdf(data, 1);
   auto number = [&](std::size_t at, std::size_t width) {
     std::uint64_t out = 0;
     for (std::size_t i = 0; i < width; ++i) out = out << 8 | static_cast<unsigned char>(head[at + i]);

@@ -1,5 +1,4 @@
 // The size of a grid, where lengths and points say different things.
-#include "dataset/grid.hpp"
 
 #include "dataset/layout.hpp"
 #include "support.hpp"

@@ -119,7 +119,7 @@ TEST_CASE("a head and the values behind it are the bytes of the whole", "[netcdf
         v->values = std::vector<double>();
       }
       CAPTURE(wide, deferred);
-      CHECK(encode_netcdf_head(head, deferred) + values == encode_netcdf(whole));
+      CHECK(encode_netcdf(head, deferred) + values == encode_netcdf(whole));
     }
 }
 
@@ -138,11 +138,11 @@ TEST_CASE("the bytes between variables are zero", "[netcdf][contract]") {
 
 TEST_CASE("a head with other numbers in its attributes has the same length", "[netcdf][contract]") {
   Dataset data = with_large_variables(5, 3, false);
-  const std::string before = encode_netcdf_head(data, 2);
+  const std::string before = encode_netcdf(data, 2);
   data.find("heights")->attributes.set_values("actual_range",
                                               Values(std::vector<double>{-1e-300, 12345.678}));
-  CHECK(encode_netcdf_head(data, 2).size() == before.size());
-  CHECK(encode_netcdf_head(data, 2) != before);
+  CHECK(encode_netcdf(data, 2).size() == before.size());
+  CHECK(encode_netcdf(data, 2) != before);
 }
 
 // 16 GiB a variable. CDF-2 holds one such, as the last.
@@ -150,11 +150,11 @@ TEST_CASE(
     "a head of what no memory holds is as short as any, CDF-2 with one large variable and CDF-5 with two",
     "[netcdf][contract]") {
   Dataset data = with_large_variables(1 << 16, 1 << 15, false);
-  const std::string two = encode_netcdf_head(data, 2);
+  const std::string two = encode_netcdf(data, 2);
   CHECK(two.starts_with("CDF\005"));
   CHECK(two.size() < 4000);
   data.variables.pop_back();
-  const std::string one = encode_netcdf_head(data, 1);
+  const std::string one = encode_netcdf(data, 1);
   CHECK(one.starts_with("CDF\002"));
   CHECK(one.size() < 4000);
 }
@@ -234,7 +234,7 @@ TEST_CASE("a file on disk whose head claims more than it holds is refused, by pa
   const auto refused = [&](const std::string& content) {
     std::ofstream(path, std::ios::binary) << content;
     try {
-      NetcdfFile(path.string(), {"n"});
+      NetcdfFile file(path.string());
       return false;
     } catch (const DataError&) {
       return true;
@@ -254,13 +254,13 @@ TEST_CASE("a NetCDF-4 file holds what the classic one does that it was made from
           "[netcdf][exact]") {
   const Dataset classic = decode_netcdf(content(corpus("netcdf/cdf2")));
   CHECK(same(decode_netcdf(content(corpus("netcdf4/whole"))), classic));
-  const NetcdfFile parts(corpus("netcdf4/whole"), {"x", "y"});
-  CHECK(parts.rows("heights", 0, classic.length("x")) == classic.at("heights").values);
+  const NetcdfFile parts(corpus("netcdf4/whole"));
+  CHECK(parts.part("heights", "x", 0, classic.length("x")) == classic.at("heights").values);
 }
 
 TEST_CASE("a NetCDF-4 file without its values is refused, by parts too", "[netcdf][contract]") {
   CHECK_THROWS_AS(decode_netcdf(content(corpus("netcdf4/never-written"))), DataError);
-  CHECK_THROWS_AS(NetcdfFile(corpus("netcdf4/never-written"), {"x", "y"}), DataError);
+  CHECK_THROWS_AS(NetcdfFile(corpus("netcdf4/never-written")), DataError);
 }
 
 // The library once forked to read NetCDF-4, and set how the end of children is heard meanwhile: of whatever program used it.
@@ -268,7 +268,7 @@ TEST_CASE("the library starts no process to read NetCDF-4", "[netcdf][contract]"
   static int forks = 0;
   REQUIRE(::pthread_atfork([] { ++forks; }, nullptr, nullptr) == 0);
   decode_netcdf(content(corpus("netcdf4/whole")));
-  NetcdfFile(corpus("netcdf4/whole"), {"x", "y"});
+  NetcdfFile file(corpus("netcdf4/whole"));
   CHECK(forks == 0);
 }
 

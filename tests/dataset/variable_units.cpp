@@ -1,9 +1,8 @@
 // In what unit a variable is read, and which are refused.
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/units.hpp"
 #include "support.hpp"
 
 using namespace asperity;

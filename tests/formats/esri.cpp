@@ -1,6 +1,5 @@
-#include "formats/esri.hpp"
-
 #include "core/error.hpp"
+#include "formats/format.hpp"
 #include "maps.hpp"
 
 using namespace asperity;
@@ -17,11 +16,11 @@ TEST_CASE("an ESRI grid begins with the largest y, in words of any case and numb
           "[formats][exact]") {
   Field z(3, 2);
   z << 4, 1, 5, std::nan(""), 6, 3;
-  const Map map = decode_esri(head + "NODATA_value -9999\n1 -9999 3\n4 5 6\n", Order::xy);
+  const Map map = format::esri.decode(head + "NODATA_value -9999\n1 -9999 3\n4 5 6\n", Order::xy);
   CHECK(same(map.values, z));
   CHECK(map.spacing == std::array{0.5, 0.5});
   CHECK(map.units.empty());
-  const Map other = decode_esri(
+  const Map other = format::esri.decode(
       "NCOLS\t3\r\nNROWS 2\r\nXLLCENTER 7\r\nDY 3\r\nDX 2e-6\r\nNODATA_VALUE NaN\r\n1\r\nnan 3 4\r\n 5 6",
       Order::xy);
   CHECK(same(other.values, z));
@@ -30,12 +29,13 @@ TEST_CASE("an ESRI grid begins with the largest y, in words of any case and numb
 
 // -3.4028235e+38 is how nine digits have the float of -3.4028234663852886e+38.
 TEST_CASE("a point of an ESRI grid is missing when it is NODATA to single precision", "[formats][exact]") {
-  const Map map =
-      decode_esri(head + "NODATA_value -3.4028234663852886e+38\n-3.4028235e+38 2 3\n4 5 6\n", Order::xy);
+  const Map map = format::esri.decode(
+      head + "NODATA_value -3.4028234663852886e+38\n-3.4028235e+38 2 3\n4 5 6\n", Order::xy);
   CHECK(std::isnan(map.values(0, 1)));
   CHECK(map.values.isNaN().count() == 1);
-  CHECK(decode_esri(head + "1 -9999 3\n4 5 6\n", Order::xy).values(1, 1) == -9999);
-  CHECK(decode_esri(head + "NODATA_value -9999\n1 -9998 3\n4 5 6\n", Order::xy).values(1, 1) == -9998);
+  CHECK(format::esri.decode(head + "1 -9999 3\n4 5 6\n", Order::xy).values(1, 1) == -9999);
+  CHECK(format::esri.decode(head + "NODATA_value -9999\n1 -9998 3\n4 5 6\n", Order::xy).values(1, 1) ==
+        -9998);
 }
 
 TEST_CASE(
@@ -44,21 +44,21 @@ TEST_CASE(
   for (const double low : {-0.5, -9999.0, -1e5, -1e200}) {
     Map map = map_with_holes();
     map.values(2, 2) = low;
-    const std::string bytes = encode_esri(map, Order::xy);
+    const std::string bytes = format::esri.encode(map, Order::xy);
     CAPTURE(low);
-    REQUIRE(recognises_esri(bytes));
-    const Map again = decode_esri(bytes, Order::xy);
+    REQUIRE(format::esri.recognises(bytes));
+    const Map again = format::esri.decode(bytes, Order::xy);
     CHECK(same(again.values, map.values));
     CHECK(again.spacing == map.spacing);
   }
   Map square = small_map();
   square.spacing = {2.5, 2.5};
-  CHECK_THAT(encode_esri(square, Order::xy), ContainsSubstring("cellsize 2.5\nNODATA_value -9999\n"));
+  CHECK_THAT(format::esri.encode(square, Order::xy), ContainsSubstring("cellsize 2.5\nNODATA_value -9999\n"));
 }
 
 TEST_CASE("an ESRI grid that lies about itself is refused with what is wrong", "[formats][contract]") {
   const auto refused = [](const std::string& bytes, const std::string& with) {
-    CHECK_THROWS_WITH(decode_esri(bytes, Order::xy), ContainsSubstring(with));
+    CHECK_THROWS_WITH(format::esri.decode(bytes, Order::xy), ContainsSubstring(with));
   };
   refused("ncols 3\n", "does not state nrows");
   refused(head + "1 2 3 4 5\n", "holds 5 numbers where its head says 3 x 2");
@@ -71,10 +71,11 @@ TEST_CASE("an ESRI grid that lies about itself is refused with what is wrong", "
   refused(head + "NODATA_value x\n1 2 3 4 5 6\n", "NODATA_value, 'x', is no number");
   Map map = small_map();
   map.spacing[0] = Map::unknown;
-  CHECK_THROWS_WITH(encode_esri(map, Order::xy), "an ESRI grid needs the map's size, which is not known");
+  CHECK_THROWS_WITH(format::esri.encode(map, Order::xy),
+                    "an ESRI grid needs the map's size, which is not known");
   map = small_map();
   map.values(0, 0) = -1e308;
-  CHECK_THROWS_WITH(encode_esri(map, Order::xy), ContainsSubstring("no number for missing points"));
+  CHECK_THROWS_WITH(format::esri.encode(map, Order::xy), ContainsSubstring("no number for missing points"));
 }
 
 TEST_CASE("a name that ends in asc is an ESRI grid to write, and one to read if it begins as such",

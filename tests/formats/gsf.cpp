@@ -1,6 +1,5 @@
-#include "formats/gsf.hpp"
-
 #include "core/error.hpp"
+#include "formats/format.hpp"
 #include "maps.hpp"
 
 using namespace asperity;
@@ -21,7 +20,7 @@ std::string file(const std::string& lines) {
 TEST_CASE("a GSF is read with its size, unit and title, whatever the length of its head",
           "[formats][exact]") {
   for (const std::string title : {"a", "ab", "abc", "abcd"}) {
-    const Map map = decode_gsf(
+    const Map map = format::gsf.decode(
         file("XRes=2\nYRes = 1\nXReal=4\nYReal=3\nXYUnits=µm\nZUnits=nm\nXOffset=7\nTitle = " + title + "\n"),
         Order::xy);
     CAPTURE(title);
@@ -34,9 +33,9 @@ TEST_CASE("a GSF is read with its size, unit and title, whatever the length of i
 }
 
 TEST_CASE("a GSF without units has no size, one without a size is one unit long", "[formats][exact]") {
-  CHECK(std::isnan(decode_gsf(file("XRes=2\nYRes=1\nXReal=4\n"), Order::xy).spacing[0]));
-  CHECK(decode_gsf(file("XRes=2\nYRes=1\n"), Order::xy).units.empty());
-  CHECK(decode_gsf(file("XRes=2\nYRes=1\nXYUnits=m\n"), Order::xy).spacing[0] == 0.5);
+  CHECK(std::isnan(format::gsf.decode(file("XRes=2\nYRes=1\nXReal=4\n"), Order::xy).spacing[0]));
+  CHECK(format::gsf.decode(file("XRes=2\nYRes=1\n"), Order::xy).units.empty());
+  CHECK(format::gsf.decode(file("XRes=2\nYRes=1\nXYUnits=m\n"), Order::xy).spacing[0] == 0.5);
 }
 
 // Values are powers of two or NaN: 24 bits hold them. Sizes are written as products and divided again.
@@ -44,17 +43,17 @@ TEST_CASE("what is written as GSF is read again the same, missing points too", "
   Map map = map_with_holes();
   map.values = map.values.isNaN().select(map.values, 0.25);
   map.title = "two\nlines";
-  const Map again = decode_gsf(encode_gsf(map, Order::xy), Order::xy);
+  const Map again = format::gsf.decode(format::gsf.encode(map, Order::xy), Order::xy);
   CHECK(same(again.values, map.values));
   CHECK(relative_error(again.spacing[1], map.spacing[1]) <= 2 * epsilon);
   CHECK(again.title == "two lines");
   map.values(1, 1) = 1e39;
-  CHECK_THROWS_WITH(encode_gsf(map, Order::xy), ContainsSubstring("single precision"));
+  CHECK_THROWS_WITH(format::gsf.encode(map, Order::xy), ContainsSubstring("single precision"));
 }
 
 TEST_CASE("a GSF that lies about itself is refused with what is wrong", "[formats][contract]") {
   const auto refused = [](const std::string& bytes, const std::string& with) {
-    CHECK_THROWS_WITH(decode_gsf(bytes, Order::xy), ContainsSubstring(with));
+    CHECK_THROWS_WITH(format::gsf.decode(bytes, Order::xy), ContainsSubstring(with));
   };
   refused("Gwyddion", "does not begin");
   refused("Gwyddion Simple Field 1.0\nXRes=1\n", "no end");

@@ -93,15 +93,16 @@ TEST_CASE("a file of checksums is read if it is no larger than such a file is",
     for (std::size_t i = 0; i < lines; ++i) sums += line;
     return deflated({{"bindata/data.bin", data}, {"main.xml", main}, {"md5checksum.hex", sums}});
   };
-  CHECK(same(decode_x3p(with(1000), {}).values, small_map().values));
-  CHECK_THROWS_WITH(decode_x3p(with(2000), {}), ContainsSubstring("md5checksum.hex claims 86000 bytes"));
+  CHECK(same(format::x3p.decode(with(1000), {}).values, small_map().values));
+  CHECK_THROWS_WITH(format::x3p.decode(with(2000), {}),
+                    ContainsSubstring("md5checksum.hex claims 86000 bytes"));
 }
 
 // Each < would be looked behind to the end: a second for 100 kB, minutes for 1 MB.
 TEST_CASE("a main.xml of beginnings alone is refused in a time of its size", "[formats][contract]") {
   for (const std::string& main :
        {std::string(1'000'000, '<'), "<DataList>" + std::string(1'000'000, '<') + "</DataList>"})
-    CHECK_THROWS_AS(decode_x3p(deflated({{"main.xml", main}}), {}), DataError);
+    CHECK_THROWS_AS(format::x3p.decode(deflated({{"main.xml", main}}), {}), DataError);
 }
 
 // 150 × 90 numbers in 500 kB are parsed in eight pieces; the lists beside them are none.
@@ -117,10 +118,10 @@ TEST_CASE("a list of numbers that is parsed by pieces holds what it does as a wh
       CAPTURE(prefix, before);
       const std::string main = main_xml(listed(z, before + list));
       REQUIRE(main.size() > 400'000);
-      CHECK(same(decode_x3p(deflated({{"main.xml", main}}), {}).values, z));
+      CHECK(same(format::x3p.decode(deflated({{"main.xml", main}}), {}).values, z));
     }
   }
   CHECK_THROWS_WITH(
-      decode_x3p(deflated({{"main.xml", main_xml(listed(z, "<DataList>" + list_of(z, "")))}}), {}),
+      format::x3p.decode(deflated({{"main.xml", main_xml(listed(z, "<DataList>" + list_of(z, "")))}}), {}),
       ContainsSubstring("is no XML"));
 }

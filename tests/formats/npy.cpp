@@ -1,6 +1,5 @@
-#include "formats/npy.hpp"
-
 #include "core/error.hpp"
+#include "formats/format.hpp"
 #include "formats/raster.hpp"
 #include "maps.hpp"
 
@@ -26,7 +25,7 @@ std::string dictionary(const std::string& descr, const std::string& shape = "(1,
 
 TEST_CASE("a .npy is read in every type of number and order of its bytes", "[formats][exact]") {
   const auto pair = [](const std::string& descr, const std::string& numbers) {
-    const Map map = decode_npy(npy(dictionary(descr), numbers), Order::xy);
+    const Map map = format::npy.decode(npy(dictionary(descr), numbers), Order::xy);
     return std::array{map.values(0, 0), map.values(0, 1)};
   };
   CHECK(pair("|b1", std::string("\0\1", 2)) == std::array{0.0, 1.0});
@@ -48,7 +47,7 @@ TEST_CASE("a .npy is read in every type of number and order of its bytes", "[for
 
 // 0x3c00 = 1, 0xc100 = -2.5, 0x0001 = 2⁻²⁴, 0x7bff = 65504, 0x7e00 no number.
 TEST_CASE("halves are read, the subnormal, the largest and the missing too", "[formats][exact]") {
-  const Map map = decode_npy(
+  const Map map = format::npy.decode(
       npy(dictionary(">f2", "(5, 1)"), std::string("\x3c\0\xc1\0\0\1\x7b\xff\x7e\0", 10)), Order::xy);
   CHECK(map.values(0, 0) == 1);
   CHECK(map.values(1, 0) == -2.5);
@@ -65,9 +64,9 @@ TEST_CASE("the indices of a .npy mean what Order says, however the numbers lie i
   const std::string rows = npy(dictionary("|u1", "(2, 3)"), std::string("\0\1\2\3\4\5", 6)),
                     columns = npy(dictionary("|u1", "(2L, 3L)", "True"), std::string("\0\3\1\4\2\5", 6), 2);
   for (const std::string& bytes : {rows, columns}) {
-    CHECK(same(decode_npy(bytes, Order::xy).values, z));
-    CHECK(same(decode_npy(bytes, Order::yx).values, z.transpose()));
-    CHECK(std::isnan(decode_npy(bytes, Order::xy).spacing[0]));
+    CHECK(same(format::npy.decode(bytes, Order::xy).values, z));
+    CHECK(same(format::npy.decode(bytes, Order::yx).values, z.transpose()));
+    CHECK(std::isnan(format::npy.decode(bytes, Order::xy).spacing[0]));
   }
 }
 
@@ -78,15 +77,15 @@ TEST_CASE("what is written as .npy is read again the same, its numbers at a mult
       Map map = map_with_holes();
       map.values = random_field({3, ny}, 1);
       map.values(2, 0) = std::nan("");
-      const std::string bytes = encode_npy(map, order);
+      const std::string bytes = format::npy.encode(map, order);
       CHECK((bytes.size() - 24 * static_cast<std::size_t>(ny)) % 64 == 0);
-      CHECK(same(decode_npy(bytes, order).values, map.values));
+      CHECK(same(format::npy.decode(bytes, order).values, map.values));
     }
 }
 
 TEST_CASE("a .npy that lies about itself is refused with what is wrong", "[formats][contract]") {
   const auto refused = [](const std::string& bytes, const std::string& with) {
-    CHECK_THROWS_WITH(decode_npy(bytes, Order::xy), ContainsSubstring(with));
+    CHECK_THROWS_WITH(format::npy.decode(bytes, Order::xy), ContainsSubstring(with));
   };
   refused("NUMPY", "does not begin");
   refused("\x93NUMPY", "no end");

@@ -4,9 +4,6 @@
 
 #include "core/error.hpp"
 #include "formats/format.hpp"
-#include "formats/nrrd.hpp"
-#include "formats/sdf.hpp"
-#include "formats/text_matrix.hpp"
 #include "maps.hpp"
 
 using namespace asperity;
@@ -75,7 +72,7 @@ TEST_CASE("an NRRD whose axes run against those of its space is turned around, a
   const std::string values = format_named("nrrd", "format").encode({.values = z}, Order::xy);
   const std::string numbers = values.substr(values.find("\n\n") + 2);
   auto read = [&](const std::string& directions) {
-    return decode_nrrd(
+    return format::nrrd.decode(
         "NRRD0004\ntype: double\ndimension: 2\nsizes: 5 4\nspace units: \"um\" \"um\"\n"
         "space directions: " +
             directions + "\nendian: little\nencoding: raw\n\n" + numbers,

@@ -1,8 +1,7 @@
-#include "formats/sdf.hpp"
-
 #include <bit>
 
 #include "core/error.hpp"
+#include "formats/format.hpp"
 #include "formats/raster.hpp"
 #include "maps.hpp"
 
@@ -22,7 +21,7 @@ std::string binary(const std::string& version, int points, int type, const std::
 }
 
 std::vector<double> numbers_of(const std::string& version, int points, int type, const std::string& numbers) {
-  const Map map = decode_sdf(binary(version, points, type, numbers), Order::xy);
+  const Map map = format::sdf.decode(binary(version, points, type, numbers), Order::xy);
   REQUIRE(shape_of(map.values) == Shape{points, 1});
   std::vector<double> out;
   for (Index i = 0; i < points; ++i)
@@ -46,7 +45,7 @@ const std::string head =
 TEST_CASE("the 7 x 4 heights of a standard's own SDF are read in micrometres", "[formats][exact]") {
   const std::string bytes = data_file("iso-7x4.sdf");
   REQUIRE(format_of(bytes, "-").name == "sdf-ascii");
-  const Map map = decode_sdf(bytes, Order::xy);
+  const Map map = format::sdf.decode(bytes, Order::xy);
   REQUIRE(shape_of(map.values) == Shape{7, 4});
   CHECK(map.spacing == std::array{1e-6, 1e-6});
   CHECK(map.units == "m");
@@ -86,7 +85,7 @@ TEST_CASE("a binary SDF has four bytes for each size in ISO-2.0, and Olympus eig
 }
 
 TEST_CASE("an SDF of a single line has no spacing along y", "[formats][exact]") {
-  const Map map = decode_sdf(binary("ISO-1.0", 2, 4, "\3\4"), Order::xy);
+  const Map map = format::sdf.decode(binary("ISO-1.0", 2, 4, "\3\4"), Order::xy);
   CHECK(map.spacing[0] == 0.5);
   CHECK(std::isnan(map.spacing[1]));
 }
@@ -97,37 +96,38 @@ TEST_CASE("an SDF in text is read with its scale, BAD points, comments, and name
   z << 0.5, 1.5, std::nan(""), -2;
   for (const std::string& bytes :
        {text(head, "1 BAD\n3 -4\n*\nmore * 7"), text("; words\nnumdataset=1\n" + head, "1 BAD 3\r\n-4\n")})
-    CHECK(same(decode_sdf(bytes, Order::xy).values, z));
-  CHECK(decode_sdf(text(head, "1 2 3 4"), Order::xy).spacing == std::array{1e-6, 2e-6});
+    CHECK(same(format::sdf.decode(bytes, Order::xy).values, z));
+  CHECK(format::sdf.decode(text(head, "1 2 3 4"), Order::xy).spacing == std::array{1e-6, 2e-6});
 }
 
 TEST_CASE("what is written as SDF is read again the same, missing points too", "[formats][exact]") {
   const Map map = map_with_holes();
-  for (const std::string& bytes : {encode_sdf(map, Order::xy), encode_sdf_text(map, Order::xy)}) {
-    const Map again = decode_sdf(bytes, Order::xy);
+  for (const std::string& bytes :
+       {format::sdf.encode(map, Order::xy), format::sdf_ascii.encode(map, Order::xy)}) {
+    const Map again = format::sdf.decode(bytes, Order::xy);
     CHECK(same(again.values, map.values));
     CHECK(again.spacing == map.spacing);
     CHECK(again.units == "m");
   }
-  CHECK(encode_sdf(map, Order::xy).size() == 81 + 15 * 8);
-  CHECK_THAT(encode_sdf_text(map, Order::xy), ContainsSubstring("*\nBAD 0.1 "));
+  CHECK(format::sdf.encode(map, Order::xy).size() == 81 + 15 * 8);
+  CHECK_THAT(format::sdf_ascii.encode(map, Order::xy), ContainsSubstring("*\nBAD 0.1 "));
 }
 
 TEST_CASE("a map that SDF cannot hold is not written as one", "[formats][contract]") {
   Map map = small_map();
   map.units = "V";
-  CHECK_THROWS_WITH(encode_sdf(map, Order::xy), "SDF holds lengths in metres alone, not 'V'");
+  CHECK_THROWS_WITH(format::sdf.encode(map, Order::xy), "SDF holds lengths in metres alone, not 'V'");
   map = small_map();
   map.spacing[1] = Map::unknown;
-  CHECK_THROWS_WITH(encode_sdf_text(map, Order::xy), "SDF needs the map's size, which is not known");
+  CHECK_THROWS_WITH(format::sdf_ascii.encode(map, Order::xy), "SDF needs the map's size, which is not known");
   map = small_map();
   map.values = Field::Zero(65536, 1);
-  CHECK_THROWS_WITH(encode_sdf(map, Order::xy), ContainsSubstring("65535 points"));
+  CHECK_THROWS_WITH(format::sdf.encode(map, Order::xy), ContainsSubstring("65535 points"));
 }
 
 TEST_CASE("an SDF that lies about itself is refused with what is wrong", "[formats][contract]") {
   const auto refused = [](std::string bytes, const std::string& with) {
-    CHECK_THROWS_WITH(decode_sdf(bytes, Order::xy), ContainsSubstring(with));
+    CHECK_THROWS_WITH(format::sdf.decode(bytes, Order::xy), ContainsSubstring(with));
   };
   const auto with = [](std::string bytes, std::size_t at, const std::string& part) {
     return bytes.replace(at, part.size(), part);

@@ -1,7 +1,5 @@
 #include "core/error.hpp"
 #include "formats/format.hpp"
-#include "formats/gwyddion_text.hpp"
-#include "formats/text_matrix.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
 #include "maps.hpp"
@@ -32,7 +30,7 @@ Reading reading(Separator separator, DecimalMark decimal = DecimalMark::any) {
 
 std::string refusal(const std::string& text, const Reading& told = {}) {
   try {
-    decode_text_matrix(text, told);
+    format::text.decode(text, told);
     return "read";
   } catch (const DataError& error) {
     return error.what();
@@ -163,12 +161,12 @@ TEST_CASE(
                          "0.00 0 1\n1.01 0 3\n2 0 5\n0 3 2\n2 3 6\n1 3 nan\n"};
   for (const char* text : texts) {
     CAPTURE(text);
-    const Map map = decode_text_matrix(text, points(1e-6));
+    const Map map = format::text.decode(text, points(1e-6));
     CHECK(same(map.values, expected));
     CHECK(relative_error(map.spacing[0], 1e-6) <= 2 * epsilon);
     CHECK(relative_error(map.spacing[1], 3e-6) <= 2 * epsilon);
   }
-  const Map profile = decode_text_matrix("2 5\n1 7\n0 9\n", points(1e-3));
+  const Map profile = format::text.decode("2 5\n1 7\n0 9\n", points(1e-3));
   CHECK(same(profile.values, field({{9}, {7}, {5}})));
   CHECK(profile.spacing == std::array{1e-3, 1e-3});
 }
@@ -186,16 +184,16 @@ TEST_CASE("points that are no grid are refused", "[formats][contract]") {
 
 TEST_CASE("a text matrix has a line for each x, or as asked for each y, and may state its unit",
           "[formats][exact]") {
-  const Map xy = decode_text_matrix("# a comment 1 2\n# units: nm\n1 2 3\n4 5 6\n", Order::xy);
+  const Map xy = format::text.decode("# a comment 1 2\n# units: nm\n1 2 3\n4 5 6\n", Order::xy);
   CHECK(shape_of(xy.values) == Shape{2, 3});
   CHECK(xy.values(1, 0) == 4e-9);
   CHECK(xy.units == "m");
-  const Map yx = decode_text_matrix("1 2 3\n4 5 6\n", Order::yx);
+  const Map yx = format::text.decode("1 2 3\n4 5 6\n", Order::yx);
   CHECK(shape_of(yx.values) == Shape{3, 2});
   CHECK(yx.values(2, 1) == 6);
   CHECK(yx.units.empty());
   for (const Order order : {Order::xy, Order::yx})
-    CHECK(same(decode_text_matrix(encode_text_matrix(map_with_holes(), order), order).values,
+    CHECK(same(format::text.decode(format::text.encode(map_with_holes(), order), order).values,
                map_with_holes().values));
 }
 
@@ -203,8 +201,8 @@ TEST_CASE("a text matrix has a line for each x, or as asked for each y, and may 
 TEST_CASE("Gwyddion's text export is read with the units of its width, height and values",
           "[formats][exact]") {
   const std::string bytes = data_file("gwyddion-head.txt");
-  REQUIRE(recognises_gwyddion_text(bytes));
-  const Map map = decode_gwyddion_text(bytes, Order::xy);
+  REQUIRE(format::gwyddion_text.recognises(bytes));
+  const Map map = format::gwyddion_text.decode(bytes, Order::xy);
   Field lines(4, 3);
   lines << 1, 1.5, 3, -2, -3, -6, 0, 0, 0, 9, 9, 9;
   CHECK(same(map.values.transpose(), lines));
@@ -215,7 +213,7 @@ TEST_CASE("Gwyddion's text export is read with the units of its width, height an
 }
 
 TEST_CASE("Gwyddion's text export is read in German, with decimal commas", "[formats][exact]") {
-  const Map map = decode_gwyddion_text(
+  const Map map = format::gwyddion_text.decode(
       "# Kanal: Höhe\r\n# Breite: 1,50 nm\r\n# Höhe: 3,0 µm\r\n# Werteinheiten: nm\r\n1,5\t-2,5e-001\t4\r\n",
       Order::xy);
   CHECK(relative_error(map.spacing[0], 0.5e-9) <= 4 * epsilon);
@@ -228,7 +226,7 @@ TEST_CASE("Gwyddion's text export is read in German, with decimal commas", "[for
 TEST_CASE("what is written as Gwyddion's text is read again the same, missing points too",
           "[formats][exact]") {
   const Map map = map_with_holes();
-  const Map again = decode_gwyddion_text(encode_gwyddion_text(map, Order::xy), Order::xy);
+  const Map again = format::gwyddion_text.decode(format::gwyddion_text.encode(map, Order::xy), Order::xy);
   CHECK(same(again.values, map.values));
   CHECK(relative_error(again.spacing[0], map.spacing[0]) <= 2 * epsilon);
   CHECK(relative_error(again.spacing[1], map.spacing[1]) <= 2 * epsilon);
@@ -238,9 +236,9 @@ TEST_CASE("what is written as Gwyddion's text is read again the same, missing po
 TEST_CASE("formats of text with a head have missing points and refuse what is ragged as a bare matrix does",
           "[formats][contract]") {
   const std::string gwyddion = "# Width: 3 um\n# Height: 2 um\n", esri = "ncols 3\nnrows 2\ncellsize 1\n";
-  CHECK(same(decode_gwyddion_text(gwyddion + "1\t\t3\n4\t5\t---\n", {}).values,
+  CHECK(same(format::gwyddion_text.decode(gwyddion + "1\t\t3\n4\t5\t---\n", {}).values,
              field({{1, gap, 3}, {4, 5, gap}}).transpose()));
-  CHECK_THROWS_WITH(decode_gwyddion_text(gwyddion + "1\t2\t3\n4\t5\n", {}),
+  CHECK_THROWS_WITH(format::gwyddion_text.decode(gwyddion + "1\t2\t3\n4\t5\n", {}),
                     "line 4 has 2 numbers, the first one 3");
   const Format& grid = format_named("esri", "format");
   CHECK(same(grid.decode(esri + "1,,3\n4,5,\n6", {}).values, field({{4, 1}, {5, gap}, {6, 3}})));

@@ -1,7 +1,6 @@
-#include "formats/x3p.hpp"
-
 #include "core/error.hpp"
 #include "formats/archive.hpp"
+#include "formats/format.hpp"
 #include "maps.hpp"
 #include "x3p_archives.hpp"
 
@@ -21,7 +20,7 @@ std::string numbers_of_type(NumberType type) {
   return bytes_of(whole_heights(), {type, std::endian::little, Order::yx});
 }
 
-Map decode(const std::string& bytes) { return decode_x3p(bytes, Order::xy); }
+Map decode(const std::string& bytes) { return format::x3p.decode(bytes, Order::xy); }
 
 // Bytes with a number of `width` of them, little-endian, at a place.
 std::string with_number(std::string bytes, std::size_t at, std::size_t width, std::size_t value) {
@@ -43,14 +42,14 @@ TEST_CASE("an MD5 is that of RFC 1321's own examples", "[formats][exact]") {
 
 TEST_CASE("a map is the same after X3P, to the last bit, its missing points and unequal spacings too",
           "[formats][exact]") {
-  const Map map = map_with_holes(), again = decode(encode_x3p(map, Order::xy));
+  const Map map = map_with_holes(), again = decode(format::x3p.encode(map, Order::xy));
   CHECK(same(again.values, map.values));
   CHECK(again.spacing == map.spacing);
   CHECK(again.units == "m");
 }
 
 TEST_CASE("the same map makes the same X3P bytes", "[formats][exact]") {
-  CHECK(encode_x3p(map_with_holes(), Order::xy) == encode_x3p(map_with_holes(), Order::yx));
+  CHECK(format::x3p.encode(map_with_holes(), Order::xy) == format::x3p.encode(map_with_holes(), Order::yx));
 }
 
 TEST_CASE("an X3P of every number type is read, x fastest, times its increment and shifted by its offset",
@@ -182,8 +181,8 @@ TEST_CASE(
 TEST_CASE("a map without a size or of volts is not written as X3P", "[formats][contract]") {
   Map map = small_map();
   map.spacing[0] = Map::unknown;
-  CHECK_THROWS_AS(encode_x3p(map, Order::xy), DataError);
+  CHECK_THROWS_AS(format::x3p.encode(map, Order::xy), DataError);
   map = small_map();
   map.units = "V";
-  CHECK_THROWS_AS(encode_x3p(map, Order::xy), DataError);
+  CHECK_THROWS_AS(format::x3p.encode(map, Order::xy), DataError);
 }

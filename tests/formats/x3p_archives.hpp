@@ -7,8 +7,9 @@
 
 #include <zip.h>
 
+#include "formats/format.hpp"
 #include "formats/raster.hpp"
-#include "formats/x3p.hpp"
+#include "formats/x3p_parts.hpp"
 
 namespace asperity::test {
 

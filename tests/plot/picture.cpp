@@ -1,14 +1,7 @@
 // Runs asperity-plot as a user does and looks at what it wrote.
-#include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
-#include "dataset/layout.hpp"
-#include "support.hpp"
-#include "tools/files.hpp"
-#include "tools/shell.hpp"
+#include "plot/pictures.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -16,46 +9,6 @@ using namespace asperity::test;
 namespace {
 
 constexpr const char* kinds[] = {"map", "surface", "profile", "acf", "pdf", "contact", "von-mises"};
-
-// Every variable that a figure draws, on 24 × 20 cells of 25 µm.
-const std::string& scene() {
-  static const std::string name = [] {
-    const Grid grid{{24, 20}, 25e-6, 25e-6};
-    Dataset data;
-    set_grid(data, grid);
-    set_field(data, "heights", 0.4e-6 * random_field(grid.shape, 1), {"m", "height"});
-    set_field(data, "pressure", 2e9 * random_field(grid.shape, 2).abs(), {"Pa", "pressure"});
-    std::vector<std::int8_t> states;
-    for (int k = 0; k < 480; ++k) states.push_back(static_cast<std::int8_t>(k % 3));
-    set_flags(data, "contact", states, "contact state", "open elastic limit");
-    set_depths(data, {0, 1e-5, 3e-5, 8e-5});
-    std::vector<double> stress;
-    for (int k = 0; k < 4 * 480; ++k) stress.push_back(1e6 * k);
-    set_volume(data, "von_mises", stress, {"Pa", "von Mises stress"});
-    data.attributes.set("contact_hertz_pressure", 2e9);
-    write_dataset(data, "scene.nc");
-    return std::string("scene.nc");
-  }();
-  return name;
-}
-
-std::string bytes_of(const std::string& name) {
-  std::ifstream in(scratch(name), std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// The words of an SVG, a line each.
-std::string words_of(const std::string& name) {
-  const std::string svg = bytes_of(name), open = "<text>", close = "</text>";
-  std::string out;
-  for (auto at = svg.find(open); at != svg.npos; at = svg.find(open, at)) {
-    at += open.size();
-    out += svg.substr(at, svg.find(close, at) - at) + '\n';
-  }
-  return out;
-}
-
-Outcome plot(const std::string& arguments) { return shell("asperity-plot " + scene() + " " + arguments); }
 
 unsigned big_endian(const std::string& bytes, std::size_t at) {
   unsigned out = 0;
@@ -241,75 +194,5 @@ TEST_CASE("panels stand in so many columns, and share their axes", "[plot][law][
       CHECK(occurrences(words, "x [") == bottoms);
       CHECK(occurrences(words, "y [") == lefts);
     }
-  }
-}
-
-TEST_CASE("a picture goes to standard output when it is told its format", "[plot][contract]") {
-  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format png").out.substr(1, 3) == "PNG");
-  CHECK(plot("--kind map -o -").exit == 2);
-}
-
-TEST_CASE("a wrong request gets one line and its exit code", "[plot][contract]") {
-  const struct {
-    const char* arguments;
-    int exit;
-    const char* word;
-  } wrong[] = {{"--kind pie -o w.png", 2, "--kind"},
-               {"--kind profile --columns 2 -o w.png", 2, "--columns"},
-               {"--kind map --columns 0 -o w.png", 2, "--columns"},
-               {"--kind map -o w.eps", 2, "--output"},
-               {"--kind map", 2, "--output"},
-               {"--kind map --variable depth -o w.png", 4, "depth"},
-               {"--kind map --variable von_mises -o w.png", 4, "von_mises"},
-               {"--kind map --x-range 5mm,6mm -o w.png", 2, "--x-range"},
-               {"--kind map --range 1,2 -o w.png", 2, "--range"},
-               {"--kind von-mises --section z=0 -o w.png", 2, "--section"},
-               {"--kind von-mises --section y=1m -o w.png", 2, "--section"},
-               {"--kind von-mises --above 2 -o w.png", 2, "--above"},
-               {"--kind map --labels a,b -o w.png", 2, "--labels"},
-               {"--kind map --title $'\\xff' -o w.png", 2, "--title"},
-               {"--kind map -o nowhere/w.png", 1, "nowhere"}};
-  for (const auto& [arguments, exit, word] : wrong) {
-    const Outcome run = plot(arguments);
-    CAPTURE(arguments, run.error);
-    CHECK(run.exit == exit);
-    CHECK(lines(run.error) == 1);
-    CHECK_THAT(run.error, ContainsSubstring(word));
-    CHECK_FALSE(std::filesystem::exists(scratch("w.png")));
-  }
-}
-
-TEST_CASE("without gnuplot the tool says what to install and exits with 1", "[plot][contract]") {
-  const Outcome run =
-      shell("tool=$(command -v asperity-plot); PATH=/nowhere $tool " + scene() + " --kind map -o w.png");
-  CHECK(run.exit == 1);
-  CHECK(lines(run.error) == 1);
-  CHECK_THAT(run.error, ContainsSubstring("gnuplot-nox"));
-}
-
-// gnuplot has no empty range of heights.
-TEST_CASE("a field of one value is a plane in perspective, with a scale beside it", "[plot][contract]") {
-  for (const double value : {0.0, -1.5e-6}) {
-    Dataset flat;
-    set_grid(flat, {{16, 12}, 1e-6, 1e-6});
-    set_field(flat, "heights", Field::Constant(16, 12, value), {"m", "height"});
-    write_dataset(flat, "flat.nc");
-    const Outcome run = shell("asperity-plot flat.nc --kind surface -o flat.svg");
-    CHECK(run.exit == 0);
-    CHECK(run.error.empty());
-    CHECK_THAT(words_of("flat.svg"), ContainsSubstring("height ["));
-  }
-}
-
-TEST_CASE("missing points stay empty and do not spoil the scale", "[plot][contract]") {
-  scene();
-  Dataset data = read_dataset("scene.nc");
-  std::get<std::vector<double>>(data.find("heights")->values)[7] = std::nan("");
-  write_dataset(data, "hole.nc");
-  for (const std::string kind : {"map", "acf", "pdf"}) {
-    const Outcome run = shell("asperity-plot hole.nc --kind " + kind + " -o hole.svg");
-    INFO(kind << run.error);
-    REQUIRE(run.exit == 0);
-    CHECK_THAT(words_of("hole.svg"), !ContainsSubstring("nan"));
   }
 }

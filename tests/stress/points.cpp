@@ -115,7 +115,7 @@ TEST_CASE("a periodic load tiled 2 x 2 or 3 x 1 leaves the stress at points, in 
         const TensorField whole = layer(StressSolver({wide, q, nu, friction}), z);
         const Index i = wide.shape.nx - 1, j = wide.shape.ny - 1;
         CHECK(difference(points.at(wide.x(i) - dx, wide.y(j) - dy, z), tensor_at(whole, i, j)) <= bound);
-        StressSolver({wide, q, nu, friction}, {true, j})
+        StressSolver({wide, q, nu, friction}, Plane{true, j})
             .layers({z}, stress::all, [&](Index, Index, const StressRow& row) {
               for (Index k = 0; k < wide.shape.nx; ++k)
                 for (auto c : stress::components)

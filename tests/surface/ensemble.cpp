@@ -1,4 +1,5 @@
 #include "acf/kernel.hpp"
+#include "reference/exponential_target.hpp"
 #include "support.hpp"
 #include "surface/synthesis.hpp"
 

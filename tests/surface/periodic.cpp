@@ -2,6 +2,7 @@
 #include "acf/periodic.hpp"
 
 #include "acf/target.hpp"
+#include "reference/exponential_target.hpp"
 #include "support.hpp"
 #include "surface/synthesis.hpp"
 

@@ -55,6 +55,13 @@ struct Case {
 const std::vector<Case> cases{{{1, 1}, {6, 5}},  {{3, 5}, {100, 17}}, {{4, 2}, {33, 64}}, {{9, 7}, {5, 3}},
                               {{1, 6}, {40, 1}}, {{5, 1}, {1, 40}},   {{2, 3}, {97, 8}}};
 
+Field noise_below(const Synthesis& synthesis, const WhiteNoise& noise) {
+  Field out(synthesis.shape().nx, synthesis.shape().ny);
+  synthesis.noise_below(
+      noise, [&](Index first, const Eigen::Ref<Field>& rows) { out.middleRows(first, rows.rows()) = rows; });
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("both summations equal the definition for every shape, periodic or not", "[synthesis][exact]") {
@@ -115,7 +122,7 @@ TEST_CASE("the noise below a surface is what the middle of its kernel multiplies
       Field delta = Field::Zero(shape.nx, shape.ny);
       delta((shape.nx - 1) / 2, (shape.ny - 1) / 2) = 1;
       const Synthesis synthesis(delta, {30, 4}, {periodic, Summation::direct});
-      CHECK((synthesis.surface(WhiteNoise(9)) == synthesis.noise_below(WhiteNoise(9))).all());
+      CHECK((synthesis.surface(WhiteNoise(9)) == noise_below(synthesis, WhiteNoise(9))).all());
     }
 }
 
@@ -132,11 +139,11 @@ TEST_CASE("a surface depends neither on the memory nor on the threads that draw 
   for (bool periodic : {false, true})
     for (Summation summation : {Summation::direct, Summation::transform}) {
       const Synthesis whole(kernel, shape, {periodic, summation, 1});
-      const Field exact = whole.surface(WhiteNoise(5)), below = whole.noise_below(WhiteNoise(5));
+      const Field exact = whole.surface(WhiteNoise(5)), below = noise_below(whole, WhiteNoise(5));
       CHECK(whole.band_rows() >= shape.nx);
       const Index least = lowest_band(kernel, shape, {periodic, summation, 3}, [&](const Synthesis& bounded) {
         CHECK((bounded.surface(WhiteNoise(5)) == exact).all());
-        CHECK((bounded.noise_below(WhiteNoise(5)) == below).all());
+        CHECK((noise_below(bounded, WhiteNoise(5)) == below).all());
       });
       CHECK(least <= 508);
     }

@@ -85,15 +85,16 @@ TEST_CASE("no name belongs to two results, and each rests on results", "[lineage
     std::istringstream bases{std::string(r.rests_on)};
     for (std::string base; bases >> base;) CHECK(results.contains(base));
     once(results, r.name);
-  }
-  for (const KnownVariable& v : known_variables()) {
-    once(variables, v.name);
-    CHECK(result_of(v)->name == v.result);
+    std::istringstream own{std::string(r.variables)};
+    for (std::string name; own >> name;) {
+      once(variables, name);
+      CHECK(result_of_variable(name) == &r);
+    }
   }
   for (const KnownAttribute& a : known_attributes()) {
     once(attributes, a.name);
     CHECK(!variables.contains(std::string(a.name)));
-    CHECK(a.name.starts_with(result_of(a)->prefix));
+    CHECK(a.name.starts_with(result_of_attribute(a.name)->prefix));
   }
 }
 

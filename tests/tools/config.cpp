@@ -6,12 +6,6 @@ using namespace asperity::test;
 
 namespace {
 
-void require(const std::string& line) {
-  const Outcome run = shell(line);
-  INFO(line << "\n" << run.error);
-  REQUIRE(run.exit == 0);
-}
-
 const std::string draw = "asperity-generate --shape 16x12 --size 3um,2um --rq 0.4nm --length 4px --seed 3";
 
 std::string refused(const std::string& file) {
@@ -83,6 +77,12 @@ TEST_CASE("a file of options that cannot be meant is refused in a line that name
   const Outcome absent = shell(draw + " --config absent.toml -o bad.nc");
   CHECK(absent.exit == 2);
   CHECK_THAT(absent.error, ContainsSubstring("--config: 'absent.toml' cannot be read"));
+}
+
+// The regular expression that told a number recursed once a character.
+TEST_CASE("a number of a hundred thousand digits is dumped and read back", "[config][contract]") {
+  require(draw + " --level 0.$(printf '1%.0s' $(seq 100000)) --dump-config > c.toml");
+  CHECK(shell("asperity-generate --config c.toml --dump-config | cmp - c.toml").exit == 0);
 }
 
 TEST_CASE("a wrong value of the environment is named by its variable", "[config][contract]") {

@@ -13,13 +13,6 @@ inline const std::string elastic = " --young 208GPa --poisson 0.3 ";
 inline const std::string smooth = "asperity-contact --smooth --shape 64x64 --size 3mm" + elastic;
 inline const std::string surface = "asperity-generate --shape 64x64 --size 3mm --rq 0.4um --length 8px";
 
-inline Outcome require(const std::string& line) {
-  Outcome run = shell(line);
-  CAPTURE(line, run.error);
-  REQUIRE(run.exit == 0);
-  return run;
-}
-
 inline Attributes attributes(const std::string& line) {
   require(line + " -o attributes.nc");
   return read_dataset("attributes.nc").attributes;

@@ -1,6 +1,6 @@
 // Manual pages and completions, which tools print of themselves.
 #include "support.hpp"
-#include "tools/cli/man.hpp"
+#include "tools/cli/documents.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dataset/netcdf.hpp"
+#include "support.hpp"
 #include "tools/shell.hpp"
 
 namespace asperity::test {
@@ -19,6 +20,14 @@ inline Dataset read_dataset(const std::string& name) {
 
 inline void write_dataset(const Dataset& data, const std::string& name) {
   std::ofstream(scratch(name), std::ios::binary) << encode_netcdf(data);
+}
+
+/// The outcome of a line that must succeed.
+inline Outcome require(const std::string& line) {
+  Outcome run = shell(line);
+  CAPTURE(line, run.error);
+  REQUIRE(run.exit == 0);
+  return run;
 }
 
 /// Whether the line of shell has said "SKIPPED: " and why, which is passed on to ctest.

@@ -22,12 +22,6 @@ std::string bytes_of(const std::string& name) {
   return encode_netcdf(data);
 }
 
-void require(const std::string& line) {
-  const Outcome run = shell(line);
-  CAPTURE(line, run.error);
-  REQUIRE(run.exit == 0);
-}
-
 }  // namespace
 
 TEST_CASE(

@@ -18,7 +18,7 @@ inline Attributes solved(const std::string& options) {
 
 inline Field target_of(const std::string& options) {
   solved(options);
-  return known_lags(table_of(read_dataset("solved.nc"), "acf_target", Missing::not_a_number));
+  return known_lags(table_of(read_dataset("solved.nc"), "acf_target", "", Missing::not_a_number));
 }
 
 inline void refused(const std::string& line, int code, const std::string& words) {

@@ -19,7 +19,7 @@ TEST_CASE("a table of columns has its units, any order of columns and other colu
   CHECK(data.at("acf_target").attributes.text("units") == "m2");
   CHECK(numbers(data.at("p").values)[1] == Approx(5e-6).epsilon(1e-14));
   CHECK(numbers(data.at("q").values).back() / 7 == Approx(2e-6).epsilon(1e-14));  // of a kernel of 7 columns
-  const Field target = known_lags(table_of(data, "acf_target", Missing::not_a_number));
+  const Field target = known_lags(table_of(data, "acf_target", "", Missing::not_a_number));
   CHECK(target(1, 0) == Approx(0.5e-12).epsilon(1e-14));
   CHECK(solved("--acf columns.txt --rq 1um").number("kernel_rms", 0) == Approx(1e-6).epsilon(1e-14));
 }
@@ -140,7 +140,7 @@ TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at ev
     CHECK(twin.attributes.number("kernel_converged", 0) == 1);
     // As far as the kernel reaches, and no farther than it is known what was asked for.
     const Field achieved = table_of(twin, "acf_achieved"),
-                target = table_of(twin, "acf_target", Missing::not_a_number);
+                target = table_of(twin, "acf_target", "", Missing::not_a_number);
     CHECK(achieved.rows() == kernel.rows() + 1);
     CHECK(shape_of(known_lags(target)) == shape_of(asked));
     // A twin's own target is a table again.

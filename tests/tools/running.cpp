@@ -19,12 +19,6 @@ const std::string smooth =
     "5kN ";
 const std::string wiped = "\r\033[K";
 
-void require(const std::string& line) {
-  const Outcome run = shell(line);
-  INFO(line << "\n" << run.error);
-  REQUIRE(run.exit == 0);
-}
-
 // Of 1.52 s, CPU 2.9 s (2.7 s user, 0.2 s system), peak memory 61 MB the number of MB.
 double peak_of(const std::string& told) {
   const std::regex form(
@@ -118,7 +112,6 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
   const auto [command, told] = GENERATE(table<std::string, std::string>(
       {{draw + "-o a.nc", ", Newton-Krylov"},
        {draw + "--count 30 -o a_%d.nc", " of 30 surfaces"},
-       {"asperity-kernel --length 6px --lags 9x9 --method fixed-point -o a.nc", ", fixed point"},
        {"asperity-kernel --length 6px --lags 9x9 --method conjugate-gradient -o a.nc",
         ", conjugate gradients"},
        {press + "s.nc -o a.nc", "64x48"},
@@ -148,8 +141,7 @@ TEST_CASE("every iteration that a kernel takes has its progress, its name and it
   const auto [options, names] = GENERATE(table<std::string, std::vector<std::string>>(
       {{"", {"Newton-Krylov", "projections", "least change"}},
        {"--infeasible least-squares", {"Newton-Krylov", "least squares"}},
-       {"--method conjugate-gradient", {"conjugate gradients"}},
-       {"--method fixed-point", {"fixed point"}}}));
+       {"--method conjugate-gradient", {"conjugate gradients"}}}));
   const std::string line = shell(cut + options + " --progress always").error;
   const std::string steps = shell(cut + options + " -v").error;
   for (const std::string& name : names) {

@@ -41,8 +41,8 @@ TEST_CASE("a table as JSON keeps values, units and order", "[table][exact]") {
 }
 
 TEST_CASE("what is not finite is null in JSON, for JSON has no word for it", "[table][contract]") {
-  const Quantities q{{{"Rq", std::nan(""), "m", std::nan(""), "rms height"}}};
-  const auto json = nlohmann::json::parse(q.json());
+  const asperity::Parameters q{{"Rq", std::nan(""), "m", std::nan(""), "rms height"}};
+  const auto json = nlohmann::json::parse(json_of(q));
   CHECK(json["Rq"]["value"].is_null());
   CHECK_FALSE(json["Rq"].contains("standard_error"));
 }

@@ -22,7 +22,7 @@ double bound(Index n) { return epsilon * 4 * static_cast<double>(n); }
 
 TEST_CASE("a real transform is the defining sum, and its inverse undoes it n times", "[transform][exact]") {
   for (Index n : {1, 2, 3, 8, 15, 30}) {
-    const RealTransform transform(n);
+    const RealTransform2D transform({1, n});
     const Field random = random_field({1, n}, 1);
     AlignedVector<double> x(random.data(), random.data() + n), back(x.size());
     AlignedVector<Complex> spectrum(static_cast<std::size_t>(n / 2 + 1));

@@ -1,14 +1,14 @@
 #include "tools/cli/config.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 #include <toml++/toml.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "tools/cli/table.hpp"
+#include "core/words.hpp"
+#include "tools/cli/documents.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -26,7 +26,7 @@ std::string text_in(std::istream& in) {
   return out;
 }
 
-// Behind the quoted text that begins at a place; of three quotes it has several lines, and ends with up to two more.
+// Behind the quoted text that begins there; of three quotes it has lines, and ends with up to two more.
 std::size_t behind_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string three(3, quote);
@@ -89,16 +89,17 @@ std::string key_at(const std::string& text, std::size_t line) {
   return end == 0 || out.empty() ? "line " + std::to_string(line) : out.substr(0, end);
 }
 
-bool is_number(const std::string& word) {
-  static const std::regex number(R"([+-]?(inf|nan|(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?))");
-  return std::regex_match(word, number);
-}
-
 // ---- writing ----
 
+bool is_number(const std::string& word) try {
+  return toml::parse("x = " + word)["x"].is_number();
+} catch (const toml::parse_error&) {
+  return false;
+}
+
 // A text that looks like a number is none: a file "1.50" would come back as "1.5".
-std::string toml(const Option& option, const std::string& value) {
-  const bool number = option.kind() == "N" || option.kind() == "NUMBER";
+std::string toml(const CLI::Option& option, const std::string& value) {
+  const bool number = option.get_type_name() == "N" || option.get_type_name() == "NUMBER";
   if (number && is_number(value)) return value;
   std::string out = "\"";
   for (const char c : value) {
@@ -111,21 +112,21 @@ std::string toml(const Option& option, const std::string& value) {
   return out + "\"";
 }
 
-std::string toml(const Option& option, const std::vector<std::string>& values) {
-  if (!option.is_list()) return toml(option, values.front());
+std::string toml(const CLI::Option& option, const std::vector<std::string>& values) {
+  if (option.get_items_expected_max() <= 1) return toml(option, values.front());
   std::string out;
   for (const std::string& value : values) out += (out.empty() ? "" : ", ") + toml(option, value);
   return "[" + out + "]";
 }
 
 // "key = value", a comment when it is the default, or nothing where there is none.
-std::string line_of(const Option& option) {
-  const std::string key = option.key();
-  if (option.is_flag())
-    return option.given() ? key + (option.flag_value() ? " = true\n" : " = false\n")
-                          : "# " + key + " = false\n";
-  if (option.given()) return key + " = " + toml(option, option.values()) + "\n";
-  const std::string usual = option.shown_default();
+std::string line_of(const CLI::Option& option) {
+  const std::string key = option.get_single_name();
+  const bool given = option.count() > 0;
+  if (is_flag(option))
+    return (given ? "" : "# ") + key + (given && option.as<bool>() ? " = true\n" : " = false\n");
+  if (given) return key + " = " + toml(option, option.results()) + "\n";
+  const std::string usual = option.get_default_str();
   return usual.empty() ? "" : "# " + key + " = " + toml(option, usual) + "\n";
 }
 
@@ -163,13 +164,13 @@ std::string ConfigReader::to_flag(const CLI::ConfigItem& item) const {
 
 std::shared_ptr<CLI::Config> config_reader() { return std::make_shared<ConfigReader>(); }
 
-std::string config_text(const std::string& tool, const std::vector<Option>& options) {
-  std::string out = "# Options of " + tool + ", for --config; behind # what is so by default.\n";
-  for (const OptionGroup& group : by_group(options)) {
+std::string config_text(const CLI::App& app) {
+  std::string out = "# Options of " + app.get_name() + ", for --config; behind # what is so by default.\n";
+  for (const std::string& group : app.get_groups()) {
     std::string lines;
-    for (const Option& option : group.options)
-      if (option.in_config()) lines += line_of(option);
-    if (!lines.empty()) out += "\n# " + group.heading + "\n" + lines;
+    for (const CLI::Option* option : app.get_options())
+      if (option->get_group() == group && option->get_configurable()) lines += line_of(*option);
+    if (!lines.empty()) out += "\n# " + group + "\n" + lines;
   }
   return out;
 }

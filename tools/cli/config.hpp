@@ -6,17 +6,15 @@
 ///     periodic = true         a flag
 ///     SURFACES = ["a.nc", "b.nc"]
 ///
-/// Tables and dates, which no option is, and what is no TOML are errors that name the key or the line. Read by toml++,
-/// which calls itself for each part of a dotted key: no key has more than 8 of them, and a file at most 1 MiB.
+/// Tables, dates and what is no TOML are errors that name the key or the line. toml++, which reads it, calls
+/// itself for each part of a dotted key: no key has more than 8, and a file at most 1 MiB.
 #pragma once
 
 #include <memory>
 #include <string>
-#include <vector>
-
-#include "tools/cli/option.hpp"
 
 namespace CLI {
+class App;
 class Config;
 class ConfigError;
 }  // namespace CLI
@@ -25,9 +23,8 @@ namespace asperity::cli {
 
 /// Reads such a file.
 std::shared_ptr<CLI::Config> config_reader();
-/// The options that have been given, group by group as in --help, and as comments those that have defaults: read back, they
-/// give the same run.
-std::string config_text(const std::string& tool, const std::vector<Option>& options);
+/// The options that were given, and as comments the defaults of others: read back, they give the same run.
+std::string config_text(const CLI::App& app);
 
 /// The message of an error in a file.
 std::string in_words(const CLI::ConfigError& error);

@@ -1,4 +1,4 @@
-/// A dataset from whatever file a user has: NetCDF, or a map in a format of another program (formats/format.hpp).
+/// A dataset from whatever file a user has: NetCDF, or a map of another program (formats/format.hpp).
 #pragma once
 
 #include <string>

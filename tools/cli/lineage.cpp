@@ -2,23 +2,15 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "dataset/catalogue.hpp"
+#include "tools/cli/plain_text.hpp"
 
 namespace asperity::cli {
 namespace {
 
 using Names = std::vector<std::string>;
-
-// The words of a list.
-std::vector<std::string_view> words_of(std::string_view list) {
-  std::vector<std::string_view> out;
-  while (!list.empty()) {
-    const std::size_t end = std::min(list.find(' '), list.size());
-    if (end > 0) out.push_back(list.substr(0, end));
-    list.remove_prefix(std::min(end + 1, list.size()));
-  }
-  return out;
-}
 
 using Gone = std::vector<const KnownResult*>;
 
@@ -70,20 +62,14 @@ std::string in_short(const Names& names) {
   constexpr std::ptrdiff_t few = 2;
   std::string line;
   Gone told;
-  const auto of_same = [&](const KnownResult* result) {
-    return std::ranges::count_if(names, [&](const std::string& n) { return result_of(n) == result; });
-  };
   for (const std::string& name : names) {
     const KnownResult* const result = result_of(name);
-    if (result && has(told, result)) continue;
-    const auto all = result ? of_same(result) : 1;
+    if (has(told, result)) continue;
+    const auto all = std::ranges::count(names, result, [](const std::string& n) { return result_of(n); });
+    const bool many = result && all > few;
+    if (many) told.push_back(result);
     line += line.empty() ? "" : ", ";
-    if (all <= few) {
-      line += name;
-      continue;
-    }
-    told.push_back(result);
-    line += std::string(result->name) + " (" + name + " and " + std::to_string(all - 1) + " more)";
+    line += many ? fmt::format("{} ({} and {} more)", result->name, name, all - 1) : name;
   }
   return line;
 }
@@ -92,15 +78,10 @@ std::string in_short(const Names& names) {
 
 void drop_results(Dataset& data, std::string_view result, std::string_view input) {
   const Gone gone = stale(data, result, input);
-  erase_variables(data, [&](const Variable& v) {
-    const KnownVariable* known = known_variable(v.name);
-    return v.name != input && known && has(gone, result_of(*known));
-  });
-  Names attributes;
-  for (const Attribute& a : data.attributes)
-    if (const KnownAttribute* known = known_attribute(a.name); known && has(gone, result_of(*known)))
-      attributes.push_back(a.name);
-  for (const std::string& name : attributes) data.attributes.erase(name);
+  erase_variables(
+      data, [&](const Variable& v) { return v.name != input && has(gone, result_of_variable(v.name)); });
+  for (const Attribute& a : Attributes(data.attributes))
+    if (has(gone, result_of_attribute(a.name))) data.attributes.erase(a.name);
 }
 
 void drop_surface(Dataset& data, std::string_view result) {

@@ -1,20 +1,17 @@
 // What a tool can be told, and how --help tells it.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
-#include <sstream>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "tools/cli/completion.hpp"
 #include "tools/cli/config.hpp"
-#include "tools/cli/man.hpp"
+#include "tools/cli/documents.hpp"
 #include "tools/cli/record.hpp"
-#include "tools/cli/resources.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -23,21 +20,7 @@ namespace {
 constexpr const char* common = "Common";
 constexpr std::size_t option_width = 34;
 
-// The words of a text in lines of at most `width`, each line after the first behind `indent`.
-std::string wrapped(const std::string& text, std::size_t width, const std::string& indent) {
-  std::istringstream words(text);
-  std::string out, line;
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > width) {
-      out += line + '\n' + indent;
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return out + line;
-}
-
-// CLI11 would also print which options exclude or need each other, which the texts say better, and would not wrap them.
+// CLI11 would also print which options exclude or need each other, and would not wrap texts.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -49,14 +32,26 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_option_desc(const CLI::Option* option) const override {
-    return wrapped(option->get_description(), 110 - option_width, "");
+    return flowing(option->get_description(), 110 - option_width);
   }
 };
 
-// What is given for an option, parsed, as the value of a variable.
-template <class T, class Parse>
-auto into(T& value, Parse parse) {
-  return [&value, parse](const std::string& key, const std::string& given) { value = parse(key, given); };
+// In place of running.
+[[noreturn]] void tell(const std::string& text) { throw CLI::Success(text, CLI::ExitCodes::Success); }
+
+// The default of --memory [byte]: half of the machine's; 1 GiB where the system does not tell.
+std::size_t half_of_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  if (pages < 1 || page < 1) return std::size_t{1} << 30;
+  return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page);
+}
+
+// What is given for an option as the value of a variable; `parse` may want more than the option and its text.
+template <class T, class Parse, class... More>
+auto into(T& value, Parse parse, More... more) {
+  return [&value, parse, more...](const std::string& key, const std::string& given) {
+    value = static_cast<T>(parse(key, given, more...));
+  };
 }
 
 }  // namespace
@@ -72,6 +67,11 @@ Tool::Tool(std::string name, std::string description)
   app_->allow_config_extras(CLI::config_extras_mode::error);
 }
 
+Option Option::required() const { return {of->required()}; }
+Option Option::needs(Option other) const { return {of->needs(other.of)}; }
+Option Option::excludes(Option other) const { return {of->excludes(other.of)}; }
+Option Option::without_default() const { return {of->default_str("")}; }
+
 Option Tool::parsed(const std::string& name, const std::string& kind, const std::string& text,
                     const std::string& group, const std::string& shown, const Read& read) {
   const std::string key = name.substr(name.find_first_not_of('-'));
@@ -79,34 +79,25 @@ Option Tool::parsed(const std::string& name, const std::string& kind, const std:
       name, [key, read](const std::string& given) { read(key, given); }, text);
   option->group(group)->type_name(kind);
   if (!shown.empty()) option->default_str(shown);
-  return Option(option);
+  return {option};
 }
 
 Option Tool::flag(const std::string& name, bool& value, const std::string& text, const std::string& group) {
-  return Option(app_->add_flag(name, value, text)->group(group));
+  return {app_->add_flag(name, value, text)->group(group)};
 }
 
 Option Tool::integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                      const std::string& group) {
-  const auto read = [bounds](const std::string& key, const std::string& given) {
-    return static_cast<int>(parse_count(key, given, bounds));
-  };
-  return parsed(name, "N", text, group, std::to_string(value), into(value, read));
+  return parsed(name, "N", text, group, std::to_string(value), into(value, parse_count, bounds));
 }
 
 Option Tool::number(const std::string& name, double& value, const std::string& text,
                     const std::string& group) {
   const auto read = [](const std::string& key, const std::string& given) {
-    if (given.find(',') != given.npos) throw ParameterError(key, "'" + given + "' is more than one number");
-    return parse_numbers(key, given)[0];
+    if (given.find(',') != given.npos) refuse(key, given, "is more than one number");
+    return parse_quantities(key, given, "1")[0];
   };
   return parsed(name, "NUMBER", text, group, std::isnan(value) ? "" : shortest(value), into(value, read));
-}
-
-Option Tool::numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
-                          const std::string& group) {
-  const std::string shown = shortest(values[0]) + "," + shortest(values[1]);
-  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown, into(values, parse_numbers));
 }
 
 Option Tool::text(const std::string& name, std::string& value, const std::string& what,
@@ -119,8 +110,7 @@ Option Tool::choice(const std::string& name, std::string& value, const std::vect
                     const std::string& text, const std::string& group) {
   const std::string list = fmt::format("{}", fmt::join(among, "|"));
   const auto read = [list, among](const std::string& key, const std::string& given) {
-    if (std::ranges::find(among, given) == among.end())
-      throw ParameterError(key, "'" + given + "' is none of " + list);
+    if (std::ranges::find(among, given) == among.end()) refuse(key, given, "is none of " + list);
     return given;
   };
   return parsed(name, list, text, group, value, into(value, read));
@@ -128,20 +118,15 @@ Option Tool::choice(const std::string& name, std::string& value, const std::vect
 
 Option Tool::quantity(const std::string& name, double& value, const std::string& unit,
                       const std::string& text, const std::string& group) {
-  const auto read = [unit](const std::string& key, const std::string& given) {
-    return parse_quantity(key, given, unit);
-  };
   return parsed(name, "QUANTITY", text, group, std::isnan(value) ? "" : format_quantity(value, unit),
-                into(value, read));
+                into(value, parse_quantity, unit));
 }
 
 Option Tool::quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
                         const std::string& text, const std::string& group) {
   const std::string shown = format_quantity(values[0], unit) + "," + format_quantity(values[1], unit);
-  const auto read = [unit](const std::string& key, const std::string& given) {
-    return parse_quantities(key, given, unit);
-  };
-  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown, into(values, read));
+  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown,
+                into(values, parse_quantities, unit));
 }
 
 Option Tool::lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
@@ -151,11 +136,8 @@ Option Tool::lengths(const std::string& name, std::array<SampledLength, 2>& valu
 
 Option Tool::counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
                     const std::string& group) {
-  const auto read = [bounds](const std::string& key, const std::string& given) {
-    return parse_counts(key, given, bounds);
-  };
   const std::string shown = value.nx > 0 ? std::to_string(value.nx) + "x" + std::to_string(value.ny) : "";
-  return parsed(name, "AxB", text, group, shown, into(value, read));
+  return parsed(name, "AxB", text, group, shown, into(value, parse_counts, bounds));
 }
 
 Option Tool::bytes(const std::string& name, std::size_t& value, const std::string& text,
@@ -165,13 +147,13 @@ Option Tool::bytes(const std::string& name, std::size_t& value, const std::strin
 
 Option Tool::argument(const std::string& name, std::string& value, const std::string& kind,
                       const std::string& text) {
-  return Option(app_->add_option(name, value, text)->type_name(kind)->capture_default_str());
+  return {app_->add_option(name, value, text)->type_name(kind)->capture_default_str()};
 }
 
 Option Tool::arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
                        const std::string& text) {
   CLI::Option* option = app_->add_option(name, values, text)->type_name(kind);
-  return Option(values.empty() ? option : option->capture_default_str());
+  return {values.empty() ? option : option->capture_default_str()};
 }
 
 void Tool::input() {
@@ -197,7 +179,7 @@ void Tool::input_format(const std::string& name) {
 
 // The options that all or several tools have stand last in --help, in one order.
 void Tool::add_common() {
-  if (reads_ && !find("--memory"))
+  if (reads_ && !app_->get_option_no_throw("--memory"))
     memory("Largest memory that reading may take: an input's bytes and three times its map");
   if (writes_dataset_ || writes_table_)
     text("-o,--output", output_, "FILE",
@@ -231,28 +213,25 @@ void Tool::add_running() {
   flag("--time", time_, "Tell in the end the time and the peak memory of the run on standard error", common);
 }
 
-// What a tool tells about itself, in place of running.
 void Tool::add_documents() {
   flag("--dump-config", dump_config_,
        "Print the options given here, in the environment and in --config as a file for --config, the "
-       "defaults as "
-       "comments, and exit",
+       "defaults as comments, and exit",
        common)
-      .only_on_demand();
-  Option(app_->add_flag_callback(
-                 "--man", [this] { throw Answer{man_page(*this)}; },
-                 "Print the manual page, for man -l, and exit")
-             ->group(common))
-      .only_on_demand();
-  parsed(
-      "--completion", "bash|zsh", "Print the completion of this command for a shell and exit", common, "",
-      [this](const std::string& key, const std::string& shell) {
-        if (shell != "bash" && shell != "zsh")
-          throw ParameterError(key, "'" + shell + "' is none of bash|zsh");
-        throw Answer{shell == "bash" ? bash_completion(name_, options()) : zsh_completion(name_, options())};
-      })
-      .only_on_demand();
-  app_->set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")",
+      .of->configurable(false);
+  app_->add_flag_callback(
+          "--man", [this] { tell(man_page(*app_, example_, accuracy_)); },
+          "Print the manual page, for man -l, and exit")
+      ->group(common)
+      ->configurable(false);
+  parsed("--completion", "bash|zsh", "Print the completion of this command for a shell and exit", common, "",
+         [this](const std::string& key, const std::string& shell) {
+           if (shell != "bash" && shell != "zsh")
+             throw ParameterError(key, "'" + shell + "' is none of bash|zsh");
+           tell(shell == "bash" ? bash_completion(*app_) : zsh_completion(*app_));
+         })
+      .of->configurable(false);
+  app_->set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")\n",
                          "Print the versions of the tool and its libraries and exit")
       ->group(common)
       ->configurable(false);
@@ -260,15 +239,13 @@ void Tool::add_documents() {
 }
 
 void Tool::add_seed() {
-  parsed(
-      "--seed", "N", "Seed of the random numbers, 0 to 2^53; absent: from entropy. Always recorded", common,
-      "", [this](const std::string& key, const std::string& given) {
-        std::uint64_t value = 0;
-        const auto [rest, error] = std::from_chars(given.data(), given.data() + given.size(), value);
-        if (error != std::errc() || rest != given.data() + given.size() || value > (std::uint64_t{1} << 53))
-          throw ParameterError(key, "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
-        seed_ = value;
-      });
+  parsed("--seed", "N", "Seed of the random numbers, 0 to 2^53; absent: from entropy. Always recorded",
+         common, "", [this](const std::string& key, const std::string& given) {
+           seed_ = to_number<std::uint64_t>(given);
+           if (!seed_ || *seed_ > std::uint64_t{1} << 53)
+             throw ParameterError(key,
+                                  "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
+         });
   integer(
       "--stream", stream_, 0,
       "Number of the ensemble: of one seed, those of different streams have no surface in common, so that "
@@ -279,7 +256,7 @@ void Tool::add_seed() {
 std::string Tool::footer() const {
   std::string out = "\n";
   if (!example_.empty()) out += "Example:\n  " + example_ + "\n\n";
-  if (!accuracy_.empty()) out += "Accuracy:\n  " + wrapped(accuracy_, 108, "  ") + "\n\n";
+  if (!accuracy_.empty()) out += "Accuracy:\n  " + flowing(accuracy_, 108, "  ") + "\n\n";
   out +=
       "Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts samples. Any option may also be "
       "given\n"

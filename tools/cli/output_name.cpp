@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "formats/format.hpp"
+#include "tools/cli/quantity.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -23,8 +23,7 @@ bool among(const List& list, const std::string& word) {
 }
 
 bool looks_like_extension(const std::string& word) {
-  const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
-  return !word.empty() && word.size() <= 8 && letter(static_cast<unsigned char>(word[0])) &&
+  return !word.empty() && word.size() <= 8 && std::isalpha(static_cast<unsigned char>(word[0])) != 0 &&
          std::ranges::all_of(word, [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
@@ -32,10 +31,6 @@ bool is_text_name(const std::string& extension) {
   const Format* format = format_by_extension("." + extension);
   return !names_dataset(extension) && !among(not_text, extension) &&
          (format == nullptr || format->name == "text" || format->name == "esri");
-}
-
-[[noreturn]] void refuse(const std::string& option, const std::string& name, const std::string& why) {
-  throw ParameterError(option, "'" + name + "' " + why);
 }
 
 }  // namespace
@@ -62,8 +57,7 @@ void check_dataset_name(const std::string& name, const std::string& option) {
   if (!names_dataset(extension_of(name)))
     refuse(option, name,
            "names another format, and a dataset is written as NetCDF: end it in .nc, and make other formats "
-           "of it "
-           "with asperity-convert");
+           "of it with asperity-convert");
 }
 
 void check_table_name(const std::string& name, bool json, const std::string& option) {

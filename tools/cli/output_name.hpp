@@ -1,16 +1,15 @@
-/// What the name of an output says of its format, so that no file holds another format than its name promises.
+/// What the name of an output says of its format, so that no file holds another one.
 ///
-/// A dataset goes into names without an extension and into .nc, .cdf, .nc3 and .netcdf; a table, which is text, into
-/// whatever is not known as another format. Everything else is a ParameterError(option, …) that says what to do.
+/// A dataset goes into names without an extension, .nc, .cdf, .nc3 and .netcdf; a table into whatever is not
+/// known as another format than text. Else a ParameterError(option, …) says what to do.
 #pragma once
 
 #include <string>
 
 namespace asperity::cli {
 
-/// What follows the last dot, in lower case: a letter and up to seven letters and digits. Otherwise, and for devices,
-/// pipes and other names that are no regular file, there is none: "-", "/dev/fd/63", "tmp.W2kXh0pQzR", "run_0.4um". The
-/// extension of "a.nc.part" and "a.nc.tmp" is nc.
+/// What follows the last dot, in lower case: a letter and up to seven letters and digits; of "a.nc.part" nc.
+/// Otherwise, and of what is no regular file, there is none: "-", "tmp.W2kXh0pQzR", "run_0.4um".
 std::string extension_of(const std::string& name);
 
 bool names_dataset(const std::string& extension);

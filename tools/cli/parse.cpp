@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/documents.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/tool.hpp"
 
@@ -20,8 +21,8 @@ std::string environment_name(const std::string& option) {
 }
 
 // Whether the arguments name the option, as "--size 3mm", "--size=3mm", "-o x" or "-ox".
-bool have(const std::vector<std::string>& arguments, const Option& option) {
-  const std::vector<std::string> names = option.names();
+bool have(const std::vector<std::string>& arguments, const CLI::Option& option) {
+  const std::vector<std::string> names = names_of(option);
   return std::ranges::any_of(arguments, [&](const std::string& a) {
     return std::ranges::any_of(names, [&](const std::string& name) {
       return name.starts_with("--") ? a == name || a.starts_with(name + "=") : a.starts_with(name);
@@ -29,31 +30,32 @@ bool have(const std::vector<std::string>& arguments, const Option& option) {
   });
 }
 
+[[noreturn]] void refuse_empty(const std::string& key) {
+  throw ParameterError(key, "is empty: give it a value or leave it out");
+}
+
 }  // namespace
 
-std::vector<Option> Tool::options() const {
-  std::vector<Option> out;
-  for (CLI::Option* option : app_->get_options({})) out.emplace_back(option);
-  return out;
-}
-
-std::optional<Option> Tool::find(const std::string& name) const {
-  CLI::Option* option = app_->get_option_no_throw(name);
-  return option == nullptr ? std::nullopt : std::optional(Option(option));
-}
-
 bool Tool::given(const std::string& name) const {
-  const std::optional<Option> option = find(name);
-  return option && option->given();
+  const CLI::Option* option = app_->get_option_no_throw(name);
+  return option && option->count() > 0;
+}
+
+std::vector<std::string> Tool::given_under(const std::vector<std::string>& headings) const {
+  std::vector<std::string> out;
+  for (const CLI::Option* option : app_->get_options({}))
+    if (option->count() > 0 && std::ranges::find(headings, option->get_group()) != headings.end())
+      out.push_back(option->get_single_name());
+  return out;
 }
 
 // The arguments that variables stand for, where none on the command line is for the same option.
 std::vector<std::string> Tool::environment() const {
   std::vector<std::string> out;
-  for (const Option& option : options()) {
-    const std::string key = option.key();
-    const bool settable = !option.is_positional() && (option.in_config() || key == "config");
-    if (!settable || have(arguments_, option)) continue;
+  for (const CLI::Option* option : app_->get_options({})) {
+    const std::string key = option->get_single_name();
+    const bool settable = !option->get_positional() && (option->get_configurable() || key == "config");
+    if (!settable || have(arguments_, *option)) continue;
     if (const char* value = std::getenv(environment_name(key).c_str()))
       out.push_back("--" + key + "=" + value);
   }
@@ -67,23 +69,27 @@ void Tool::parse(int argc, char** argv) {
   command_line_ = name_;
   for (const std::string& a : arguments_) command_line_ += " " + shell_word(a);
   environment_ = environment();
-  for (const Option& option : options())
-    if (!option.is_flag() && option != may_be_empty_) option.refusing_empty();
+  for (CLI::Option* option : app_->get_options({}))
+    if (!is_flag(*option) && option != may_be_empty_)
+      option->check([key = option->get_single_name()](const std::string& value) {
+        if (value.empty()) refuse_empty(key);
+        return std::string();
+      });
   std::vector<std::string> all = with_empty_values(environment_);
   std::ranges::copy(with_empty_values(arguments_), std::back_inserter(all));
   std::ranges::reverse(all);
   app_->parse(std::move(all));
 }
 
-// "--counter=" as two arguments, for CLI11 would take the next one for its value. What follows "--" are no options.
+// "--counter=" as two arguments: CLI11 would take the next for its value. Behind "--" are no options.
 std::vector<std::string> Tool::with_empty_values(const std::vector<std::string>& arguments) const {
   std::vector<std::string> out;
   const auto end = std::ranges::find(arguments, "--");
   for (auto a = arguments.begin(); a != end; ++a) {
     const bool empty = a->starts_with("--") && a->find('=') == a->size() - 1;
     const std::string name = a->substr(0, a->size() - empty);
-    const std::optional<Option> option = empty ? find(name) : std::nullopt;
-    if (option && option->is_flag()) refuse_empty(name.substr(2));
+    const CLI::Option* option = empty ? app_->get_option_no_throw(name) : nullptr;
+    if (option && is_flag(*option)) refuse_empty(name.substr(2));
     out.push_back(option ? name : *a);
     if (option) out.emplace_back();
   }
@@ -98,12 +104,12 @@ std::string Tool::config_file() const {
 
 // Where the value of an option came from, as its user would look for it.
 std::string Tool::origin(const std::string& key) const {
-  const std::optional<Option> option = find("--" + key);
+  const CLI::Option* option = app_->get_option_no_throw("--" + key);
   if (!option && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
-  if (!option) return (find(key) ? "" : "--") + key;
+  if (!option) return (app_->get_option_no_throw(key) ? "" : "--") + key;
   if (have(arguments_, *option)) return "--" + key;
   if (have(environment_, *option)) return environment_name(key);
-  return config_file().empty() || !option->given() ? "--" + key : config_file() + ": " + key;
+  return config_file().empty() || option->count() == 0 ? "--" + key : config_file() + ": " + key;
 }
 
 }  // namespace asperity::cli

@@ -1,11 +1,10 @@
 /// What the name of a file leads to, by what is there and not by how it is spelt.
 ///
-/// Symbolic links are followed to their end, but for those of /proc: each stands for an open file, such as /dev/stdout,
-/// /dev/fd/63 of a process substitution or /proc/self/fd/3 do, and what they say of its name may be no name at all.
+/// Symbolic links are followed to their end, but for those of /proc: each stands for an open file, as
+/// /dev/stdout and /dev/fd/63 of a process substitution do, and what they say of its name may be none.
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace asperity::cli {
 
@@ -23,8 +22,7 @@ struct Place {
 /// Of an output: "-" is standard output.
 Place place_of(const std::string& name);
 
-/// Which regular file or pipe a name leads to, the same for all its names; empty for devices, and for an input that is
-/// not there.
+/// Of a regular file or a pipe, the same for all its names; empty for devices and an input that is not there.
 using Identity = std::string;
 Identity identity_of_output(const Place& place);
 Identity identity_of_input(const std::string& name);  ///< "-" is standard input

@@ -1,6 +1,7 @@
-/// Words in plain text, separated by blanks, tabs, commas or semicolons; tables of numbers are read by formats/text_table.hpp.
+/// Words in plain text, separated by blanks, tabs, commas or semicolons (tables: formats/text_table.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>

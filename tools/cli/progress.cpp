@@ -5,6 +5,7 @@
 #include <iostream>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,16 +79,14 @@ double decades_done(double residual, double tolerance) {
 
 void StepTable::row(const std::vector<std::string>& cells) {
   if (!tool_.verbose()) return;
-  if (!headed_) print(headings_);
-  headed_ = true;
+  const auto print = [&](const std::vector<std::string>& words) {
+    std::string line;
+    for (std::size_t c = 0; c < words.size(); ++c)
+      line += fmt::format("{}{:>{}}", c == 0 ? "" : "  ", words[c], std::max(column, headings_[c].size()));
+    tool_.detail(line);
+  };
+  if (!std::exchange(headed_, true)) print(headings_);
   print(cells);
-}
-
-void StepTable::print(const std::vector<std::string>& cells) const {
-  std::string line;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    line += fmt::format("{}{:>{}}", c == 0 ? "" : "  ", cells[c], std::max(column, headings_[c].size()));
-  tool_.detail(line);
 }
 
 }  // namespace asperity::cli

@@ -1,4 +1,4 @@
-/// How far a long computation is: one line on standard error that is redrawn a few times a second and wiped before
+/// How far a long computation is: a line on standard error, redrawn a few times a second and wiped before
 /// anything else is said there, or with --verbose a table of its steps.
 #pragma once
 
@@ -29,9 +29,9 @@ class Progress {
 
   /// Of work that goes on steadily: "7 s left, 17 of 40 surfaces, 3.1/s".
   void count(double done, double of, const std::string& units);
-  /// "7 s left, residual 1.3e-04, 64x64, 85 products/s": if the decades still to go take as long as those behind.
+  /// "7 s left, residual 1.3e-04, 64x64, 85 products/s": if each decade takes as long.
   void iterate(const IterationStatus& now);
-  /// The line of whichever progress it is. Everything else that is said on standard error, or to a terminal, begins so.
+  /// The line of whichever progress it is, before anything else is said there.
   static void wipe();
 
  private:
@@ -60,8 +60,6 @@ class StepTable {
   void row(const std::vector<std::string>& cells);
 
  private:
-  void print(const std::vector<std::string>& cells) const;
-
   const Tool& tool_;
   std::vector<std::string> headings_;
   bool headed_ = false;

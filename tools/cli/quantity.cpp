@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
 
+#include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/units.hpp"
 
@@ -18,19 +18,12 @@ struct NumberAndUnit {
   std::string unit;
 };
 
-struct ByteUnit {
-  std::string_view name;
-  double bytes;
-};
+using ByteUnit = std::pair<std::string_view, double>;
 constexpr ByteUnit byte_units[] = {{"B", 1},        {"kB", 1e3},     {"MB", 1e6},
                                    {"GB", 1e9},     {"TB", 1e12},    {"KiB", 0x1p10},
                                    {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& why) {
-  throw ParameterError(option, "'" + text + "' " + why);
-}
-
-NumberAndUnit split(const std::string& option, const std::string& text) {
+NumberAndUnit number_and_unit(const std::string& option, const std::string& text) {
   const auto [number, unit, found, in_range] = leading_number<double>(text);
   if (found && !in_range) refuse(option, text, "is beyond the range of a double");
   if (!found || std::isnan(number)) refuse(option, text, "does not begin with a number");
@@ -47,19 +40,34 @@ std::string examples(const std::string& unit) {
 
 template <class T, class Parse>
 std::array<T, 2> pair_of(const std::string& option, const std::string& text, Parse parse) {
-  const auto comma = text.find(',');
-  if (comma == std::string::npos) {
-    const T both = parse(text);
-    return {both, both};
+  const std::vector<std::string> words = split(text, ',');
+  if (words.size() > 2) refuse(option, text, "has more than two values");
+  const T first = parse(words.front());
+  return {first, words.size() == 1 ? first : parse(words.back())};
+}
+
+std::vector<double> spaced(const std::string& option, double from, double to, const std::string& number,
+                           Steps steps) {
+  const Bounds bounds(std::numeric_limits<Index>::min(), most_values, "as many as a series may have");
+  const Index count = parse_count(option, number, bounds);
+  if (count < 2) refuse(option, number, "is no number of values from 2 on");
+  std::vector<double> out;
+  for (Index i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
+    out.push_back(steps == Steps::geometric ? from * std::pow(to / from, t) : from + (to - from) * t);
   }
-  if (text.find(',', comma + 1) != std::string::npos) refuse(option, text, "has more than two values");
-  return {parse(text.substr(0, comma)), parse(text.substr(comma + 1))};
+  out.back() = to;
+  return out;
 }
 
 }  // namespace
 
+void refuse(const std::string& option, const std::string& text, const std::string& why) {
+  throw ParameterError(option, "'" + text + "' " + why);
+}
+
 double parse_quantity(const std::string& option, const std::string& text, const std::string& unit) {
-  const auto [number, given] = split(option, text);
+  const auto [number, given] = number_and_unit(option, text);
   if (std::isinf(number) && given.empty()) return number;
   if (given.empty()) refuse(option, text, "has no unit: append one, such as " + examples(unit));
   try {
@@ -70,7 +78,7 @@ double parse_quantity(const std::string& option, const std::string& text, const 
 }
 
 SampledLength parse_length(const std::string& option, const std::string& text) {
-  const auto [number, given] = split(option, text);
+  const auto [number, given] = number_and_unit(option, text);
   if (given == "px") return {number, true};
   if (given.empty()) refuse(option, text, "has no unit: append px for samples, or mm, um, ...");
   return {parse_quantity(option, text, "m"), false};
@@ -78,6 +86,12 @@ SampledLength parse_length(const std::string& option, const std::string& text) {
 
 std::array<double, 2> parse_quantities(const std::string& option, const std::string& text,
                                        const std::string& unit) {
+  if (unit.empty() || unit == "1")
+    return pair_of<double>(option, text, [&](const std::string& t) {
+      const auto [number, given] = number_and_unit(option, t);
+      if (!given.empty()) refuse(option, text, "is a pure number and takes no unit");
+      return number;
+    });
   return pair_of<double>(option, text, [&](const std::string& t) { return parse_quantity(option, t, unit); });
 }
 
@@ -85,17 +99,9 @@ std::array<SampledLength, 2> parse_lengths(const std::string& option, const std:
   return pair_of<SampledLength>(option, text, [&](const std::string& t) { return parse_length(option, t); });
 }
 
-std::array<double, 2> parse_numbers(const std::string& option, const std::string& text) {
-  return pair_of<double>(option, text, [&](const std::string& t) {
-    const auto [number, unit] = split(option, t);
-    if (!unit.empty()) refuse(option, text, "is a pure number and takes no unit");
-    return number;
-  });
-}
-
 Index parse_count(const std::string& option, const std::string& text, const Bounds& bounds) {
   const auto [value, rest, found, in_range] = leading_number<Index>(text);
-  if (!found || !rest.empty()) throw ParameterError(option, "'" + text + "' is no whole number");
+  if (!found || !rest.empty()) refuse(option, text, "is no whole number");
   if (value < bounds.least) throw ParameterError(option, text + " is below " + std::to_string(bounds.least));
   if (value > bounds.greatest)
     throw ParameterError(option, text + " is above " + std::to_string(bounds.greatest) +
@@ -122,7 +128,7 @@ Shape parse_counts(const std::string& option, const std::string& text, const Bou
 }
 
 double parse_angle(const std::string& option, const std::string& text) {
-  const auto [number, given] = split(option, text);
+  const auto [number, given] = number_and_unit(option, text);
   // UDUNITS has no "deg".
   const double angle =
       given.empty() || given == "deg" ? number * std::numbers::pi / 180 : parse_quantity(option, text, "rad");
@@ -131,13 +137,45 @@ double parse_angle(const std::string& option, const std::string& text) {
   return angle;
 }
 
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
+    end = text.find(separator, begin);
+    out.push_back(text.substr(begin, end - begin));
+  }
+  return out;
+}
+
+std::vector<double> parse_series(const std::string& option, const std::string& text, Steps steps,
+                                 const std::function<double(const std::string&)>& value) {
+  std::vector<double> values;
+  const std::vector<std::string> range = split(text, ':');
+  if (range.size() == 1) {
+    for (const std::string& word : split(text, ',')) values.push_back(value(word));
+  } else {
+    if (range.size() != 3 && range.size() != 4) refuse(option, text, "is not of the form FROM:TO:COUNT");
+    if (range.size() == 4) {
+      if (range[3] != "uniform" && range[3] != "geometric")
+        refuse(option, range[3], "is none of uniform, geometric");
+      steps = range[3] == "uniform" ? Steps::uniform : Steps::geometric;
+    }
+    const double from = value(range[0]);
+    if (steps == Steps::geometric && !(from > 0))
+      throw ParameterError(option, "equal ratios cannot start from '" + range[0] + "'");
+    values = spaced(option, from, value(range[1]), range[2], steps);
+  }
+  if (std::ranges::adjacent_find(values, std::not_fn(std::less<>())) != values.end())
+    refuse(option, text, "does not increase");
+  return values;
+}
+
 std::size_t parse_bytes(const std::string& option, const std::string& text) {
-  const auto [number, given] = split(option, text);
+  const auto [number, given] = number_and_unit(option, text);
   if (given.empty()) refuse(option, text, "has no unit: append MB or GiB");
-  const auto* unit = std::ranges::find(byte_units, given, &ByteUnit::name);
+  const auto* unit = std::ranges::find(byte_units, given, &ByteUnit::first);
   if (unit == std::end(byte_units))
     refuse(option, text, "is no size in B, kB, MB, GB, TB, KiB, MiB, GiB or TiB");
-  const double bytes = number * unit->bytes;
+  const double bytes = number * unit->second;
   if (!(bytes >= 1 && bytes < 0x1p63)) refuse(option, text, "must lie between 1B and 8388607TiB");
   return static_cast<std::size_t>(bytes);
 }

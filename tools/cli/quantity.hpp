@@ -1,4 +1,4 @@
-/// Quantities as they are typed: a number and a unit, "0.4um", "208GPa", "5000N", "17px".
+/// Values as they are typed: a number and a unit, "0.4um", "208GPa", "5000N", "17px", and several of them.
 ///
 /// UDUNITS-2 knows the units (dataset/units.hpp). A bare number is refused where a dimension is needed; `px`
 /// counts samples.
@@ -6,11 +6,12 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "core/error.hpp"
 #include "core/field.hpp"
 
 namespace asperity::cli {
@@ -20,23 +21,21 @@ struct SampledLength {
   double value = 0;
   bool samples = false;
 
-  /// In metres on a grid of this spacing.
   double metres(double spacing) const { return samples ? value * spacing : value; }
-  /// In samples of this spacing.
-  double in_samples(double spacing) const { return samples ? value : value / spacing; }
 };
 
+/// Throws ParameterError(option, "'text' why").
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& why);
+
 /// The value in the SI unit `unit` of a text such as "0.4um"; throws ParameterError(option, …) with a hint
-/// when the unit is missing, unknown or of another dimension, or the number cannot be read or is not finite.
-/// "inf" needs no unit.
+/// where a unit is missing or wrong, or the number cannot be read. "inf" needs no unit.
 double parse_quantity(const std::string& option, const std::string& text, const std::string& unit);
 SampledLength parse_length(const std::string& option, const std::string& text);
-/// "A,B" or "A".
+/// "A,B" or "A"; pure numbers, without a unit, of "1" and "".
 std::array<double, 2> parse_quantities(const std::string& option, const std::string& text,
                                        const std::string& unit);
 std::array<SampledLength, 2> parse_lengths(const std::string& option, const std::string& text);
-/// Two pure numbers.
-std::array<double, 2> parse_numbers(const std::string& option, const std::string& text);
+
 /// What a number of things may be, so that none takes memory or time without end.
 struct Bounds {
   Bounds(Index least_, Index greatest_ = std::numeric_limits<int>::max(), std::string reason_ = {})
@@ -50,8 +49,20 @@ Index parse_count(const std::string& option, const std::string& text, const Boun
 /// "AxB", each at most 2^20.
 Shape parse_counts(const std::string& option, const std::string& text, const Bounds& bounds);
 
-/// An angle in radians: a bare number and "30deg" count degrees, "0.5rad" carries its unit. No more than a turn.
+/// An angle in radians, at most a turn: a bare number and "30deg" count degrees, "0.5rad" does not.
 double parse_angle(const std::string& option, const std::string& text);
+
+/// "a,b,,c" at ',' is a, b, an empty word and c; an empty text is one empty word.
+std::vector<std::string> split(const std::string& text, char separator);
+
+enum class Steps { uniform, geometric };
+/// The most values of a range: a layer or a contact each.
+inline constexpr int most_values = 100'000;
+/// The values of a list "A,B,C", or of a range "FROM:TO:COUNT", COUNT ≥ 2 values in `steps`, unless a fourth
+/// word tells these, "FROM:TO:COUNT:geometric". `value` reads one of them. Throws ParameterError(option, …)
+/// unless they increase.
+std::vector<double> parse_series(const std::string& option, const std::string& text, Steps steps,
+                                 const std::function<double(const std::string&)>& value);
 
 /// Bytes: "512MB", "2GiB".
 std::size_t parse_bytes(const std::string& option, const std::string& text);

@@ -1,9 +1,13 @@
 #include "tools/cli/record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <string_view>
+#include <sys/resource.h>
 
+#include <fmt/format.h>
 #include <gsl/gsl_version.h>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/netcdf.hpp"
+#include "tools/cli/quantity.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity::cli {
@@ -28,6 +33,18 @@ Json json_of(const Values& values) {
         return out.size() == 1 ? out[0] : out;
       },
       values);
+}
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+// The system's own count begins with the peak of the process that started this one, perhaps some GB.
+long peak_kibibytes(const rusage& own) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (long peak = 0; word == "VmHWM:" && status >> peak) return peak;
+  return own.ru_maxrss;
 }
 
 }  // namespace
@@ -73,6 +90,17 @@ std::string timestamp() {
 }
 
 double on_record(double seconds) { return std::getenv("SOURCE_DATE_EPOCH") ? 0 : seconds; }
+
+std::string usage_of_run(double wall_seconds) {
+  rusage own{}, children{};
+  getrusage(RUSAGE_SELF, &own);
+  getrusage(RUSAGE_CHILDREN, &children);
+  const double user = seconds(own.ru_utime) + seconds(children.ru_utime);
+  const double system = seconds(own.ru_stime) + seconds(children.ru_stime);
+  const auto kibibytes = static_cast<std::size_t>(std::max(peak_kibibytes(own), children.ru_maxrss));
+  return fmt::format("{:.3g} s, CPU {:.3g} s ({:.3g} s user, {:.3g} s system), peak memory {}", wall_seconds,
+                     user + system, user, system, format_bytes(1024 * kibibytes));
+}
 
 std::string report_of(const Dataset& dataset, const std::string& prefix) {
   Json object = Json::object();

@@ -2,11 +2,9 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
-#include <exception>
 #include <fcntl.h>
+#include <fstream>
 #include <new>
-#include <string>
 #include <string_view>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -39,13 +38,11 @@ class EndOfChildren {
   struct sigaction former_ {};
 };
 
-// Bytes of address space. The address sanitizer's count too, of which it has taken more than it needs: it has no limit.
+// Bytes of address space; 0 where the system does not tell. The address sanitizer takes more than it needs.
 std::size_t address_space() {
-  const int fd = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
-  char text[64] = {};
-  const bool read = fd >= 0 && ::read(fd, text, sizeof text - 1) > 0;
-  if (fd >= 0) ::close(fd);
-  return read ? std::strtoull(text, nullptr, 10) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
 void lower(int resource, rlim_t bound) {
@@ -56,13 +53,13 @@ void lower(int resource, rlim_t bound) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-void confine(WorkLimits limits, pid_t parent) {
+void confine(WorkLimits limits, pid_t parent, std::size_t present) {
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(failed);
   lower(RLIMIT_CORE, 0);
   lower(RLIMIT_CPU, limits.seconds);
-  if (const std::size_t present = address_space(); present > 0) lower(RLIMIT_AS, present + limits.memory);
+  if (present > 0) lower(RLIMIT_AS, present + limits.memory);
   if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
@@ -70,8 +67,7 @@ void confine(WorkLimits limits, pid_t parent) {
 class Pipe {
  public:
   Pipe() {
-    if (::pipe2(ends_, O_CLOEXEC) != 0) fail();
-    ::fcntl(ends_[1], F_SETPIPE_SZ, static_cast<int>(chunk));
+    if (::pipe2(ends_, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), name);
   }
   ~Pipe() {
     close(0);
@@ -82,28 +78,15 @@ class Pipe {
 
   /// Of the child: once nobody reads any more, writing ends it.
   void only_write() { close(0); }
-  void write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t put = ::write(ends_[1], bytes.data(), bytes.size());
-      if (put <= 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-  }
+  void write(std::string_view bytes) const { write_to(ends_[1], bytes, name); }
   /// Until nobody can write any more; this process no longer can.
   Bytes read() {
     close(1);
-    for (Bytes bytes;;) {
-      const ssize_t got = ::read(ends_[0], bytes.room(chunk), chunk);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) fail();
-      if (got == 0) return bytes;
-      bytes.add(static_cast<std::size_t>(got));
-    }
+    return read_to_end(ends_[0], name, {});
   }
 
  private:
-  static constexpr std::size_t chunk = 1 << 20;
-  [[noreturn]] static void fail() { throw std::system_error(errno, std::generic_category(), "a pipe"); }
+  static constexpr const char* name = "a pipe";
   void close(int end) {
     if (const int fd = std::exchange(ends_[end], -1); fd >= 0) ::close(fd);
   }
@@ -111,7 +94,7 @@ class Pipe {
 };
 
 // Bytes of the work, or, behind what there is of them and a NUL, the words with which it refuses.
-Ending work_into(const Pipe& out, const WorkOfBytes& work) {
+Ending work_into(const Pipe& out, const WorkOfBytes& work) noexcept try {
   try {
     work([&](std::string_view bytes) { out.write(bytes); });
     return done;
@@ -119,17 +102,11 @@ Ending work_into(const Pipe& out, const WorkOfBytes& work) {
     out.write(std::string_view("", 1));
     out.write(error.what());
     return refused;
-  } catch (const std::bad_alloc&) {
-    return out_of_memory;
   }
-}
-
-Ending ending_of(const Pipe& out, const WorkOfBytes& work) noexcept {
-  try {
-    return work_into(out, work);
-  } catch (...) {
-    return failed;
-  }
+} catch (const std::bad_alloc&) {
+  return out_of_memory;
+} catch (...) {
+  return failed;
 }
 
 int status_of(pid_t child) {
@@ -157,12 +134,13 @@ int status_of(pid_t child) {
 Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
   Pipe pipe;
   const EndOfChildren heard;
+  const std::size_t present = address_space();
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "a process of its own");
   if (child == 0) {
-    confine(limits, parent);
+    confine(limits, parent, present);
     pipe.only_write();
-    ::_exit(ending_of(pipe, work));
+    ::_exit(work_into(pipe, work));
   }
   Bytes out = pipe.read();
   const int status = status_of(child);

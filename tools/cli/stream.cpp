@@ -24,25 +24,6 @@ constexpr const char* own_descriptors = "/proc/self/fd";
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
-  constexpr std::size_t chunk = 1 << 20;
-  struct stat status {};
-  const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
-  if (!regular) ::fcntl(fd, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
-  const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
-  memory.require(static_cast<double>(regular ? status.st_size : 0), name);
-  for (Bytes bytes;;) {
-    memory.require(static_cast<double>(bytes.size()), name);
-    const std::size_t step =
-        regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
-    const ssize_t n = ::read(fd, bytes.room(step), step);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(name);
-    if (n == 0) return bytes;
-    bytes.add(static_cast<std::size_t>(n));
-  }
-}
-
 // Closes a file that was opened here, no standard stream.
 struct Closing {
   int fd;
@@ -62,8 +43,8 @@ void put_all(std::string_view bytes, const std::string& name, const Put& put) {
   }
 }
 
-// What a new file gets of the one that it replaces: its mode, and its owner and group as far as this process may give
-// them. What a group was allowed is not passed on to another one.
+// What a new file gets of the one that it replaces: its mode, and its owner and group as far as possible.
+// What a group was allowed is not passed on to another one.
 void keep_access(int fd, const struct stat& former) {
   mode_t mode = former.st_mode & 0777;
   if (::fchown(fd, former.st_uid, former.st_gid) != 0 &&
@@ -79,6 +60,29 @@ std::string random_word() {
 }
 
 }  // namespace
+
+Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
+  constexpr std::size_t chunk = 1 << 20;
+  struct stat status {};
+  const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+  if (!regular) ::fcntl(fd, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
+  const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
+  memory.require(static_cast<double>(regular ? status.st_size : 0), name);
+  for (Bytes bytes;;) {
+    memory.require(static_cast<double>(bytes.size()), name);
+    const std::size_t step =
+        regular ? std::max<std::size_t>(whole - std::min(whole, bytes.size()), 1) : chunk;
+    const ssize_t n = ::read(fd, bytes.room(step), step);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(name);
+    if (n == 0) return bytes;
+    bytes.add(static_cast<std::size_t>(n));
+  }
+}
+
+void write_to(int fd, std::string_view bytes, const std::string& name) {
+  put_all(bytes, name, [&](std::string_view rest) { return ::write(fd, rest.data(), rest.size()); });
+}
 
 Bytes read_all(const std::string& name, const MemoryBound& memory) {
   const bool piped = name == "-";
@@ -124,8 +128,7 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
                 (::fcntl(fd_, F_GETFL) & O_APPEND) == 0;
 }
 
-// A file that its user may not write is not replaced either. Until the new one has the former one's mode, it is for its
-// owner alone.
+// What its user may not write is not replaced. Until it has the former's mode, a file is its owner's alone.
 void OutputFile::open_replacement() {
   struct stat former {};
   const bool present = ::stat(target_.c_str(), &former) == 0;
@@ -142,7 +145,7 @@ void OutputFile::open_replacement() {
   if (fd_ >= 0 && present) keep_access(fd_, former);
 }
 
-// Under a name that nobody else has and nobody can foresee; `make` fails with EEXIST where it is taken all the same.
+// Under a name that nobody can foresee; `make` fails with EEXIST where it is taken all the same.
 template <class Make>
 bool OutputFile::make_temporary(const Make& make) {
   for (int tries = 0; tries < 100; ++tries) {
@@ -158,9 +161,7 @@ OutputFile::~OutputFile() {
   if (fd_ > STDERR_FILENO) ::close(fd_);
 }
 
-void OutputFile::write(std::string_view bytes) {
-  put_all(bytes, name_, [&](std::string_view rest) { return ::write(fd_, rest.data(), rest.size()); });
-}
+void OutputFile::write(std::string_view bytes) { write_to(fd_, bytes, name_); }
 
 void OutputFile::rewrite(std::string_view bytes) {
   const off_t end = ::lseek(fd_, 0, SEEK_CUR);

@@ -1,11 +1,11 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
-/// A named file comes into being when it is whole: until then it has no name, or, where the file system or the system
-/// knows no files without one, a temporary name beside its own (cli/temporary.hpp), which no other file has. Nobody ever
-/// sees half of it, and a program that is interrupted leaves nothing behind. It takes the place of a former file with
-/// its mode, and its owner and group where that is permitted; one that is write-protected stays, as of cp. What is
-/// no file (cli/place.hpp), a device, a pipe or what is open already, is written as it is, from where it stands. Every
-/// write is checked, the last flush too; failures are std::system_error with the file's name.
+/// A named file comes into being when it is whole: until then it has no name, or, where the system has no
+/// such files, a temporary one beside its own. Nobody sees half of it, and who is
+/// interrupted leaves nothing behind. It takes the place of a former file with its mode, and its owner and
+/// group where that is permitted; one that is write-protected stays, as of cp. What is no file
+/// (cli/place.hpp), a device, a pipe or what is open already, is written from where it stands. Every write is
+/// checked, the last flush too; failures are std::system_error with the name.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,42 @@
 
 #include "dataset/bytes.hpp"
 #include "dataset/memory_bound.hpp"
-#include "tools/cli/temporary.hpp"
 
 namespace asperity::cli {
 
 using asperity::Bytes;
 
-/// All of a file, or of standard input, "-". Throws DataError where there is nothing, and where it is larger than what is left
+/// All of a file, or of standard input, "-". Throws DataError where it is empty or larger than what is left
 /// of `memory`, before that is taken.
 Bytes read_all(const std::string& name, const MemoryBound& memory);
-/// Throws as OutputFile would where it cannot take this name, but opens nothing: to know it before the work is done.
+/// The same of an open file, which may be empty.
+Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory);
+void write_to(int fd, std::string_view bytes, const std::string& name);
+/// Throws as OutputFile would where it cannot take this name, but opens nothing: before the work.
 void require_writable(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
+
+/// The temporary name of a file that is to replace another: it does not outlive the process. The signals that
+/// end one (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ) remove it first, unless they are ignored or handled
+/// already. Only SIGKILL and a crash leave it.
+class TemporaryName {
+ public:
+  /// The name is free to be given to a file from now on.
+  explicit TemporaryName(std::string path);
+  ~TemporaryName();  ///< removes the file, if it still has the name
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+
+  const char* path() const { return path_.c_str(); }
+  /// The file takes the place of `target`; false, with errno, where it cannot.
+  bool replace(const std::string& target);
+  /// The name is somebody else's: it is left alone.
+  void forget();
+
+ private:
+  std::string path_;
+  bool known_ = true;
+};
 
 /// A file that is written piece by piece.
 class OutputFile {
@@ -58,8 +82,8 @@ class OutputFile {
   bool rewritable_ = false;
 };
 
-/// One of several files: "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) when the
-/// pattern has no place for the number.
+/// One of several files: "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) where
+/// the number has no place.
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
 /// Throws ParameterError("output", …) where `what`, which is binary, would go to a terminal.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <ranges>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -45,6 +47,11 @@ Json json_of(const Cell& cell) {
                             ": what is asked for leaves the range of doubles");
 }
 
+void put(const Tool& tool, const std::string& json, const Table& table) {
+  check_table_name(tool.output_name(), tool.json());
+  tool.write_text(tool.json() ? json : tool.output_is_terminal() ? table.aligned() : table.tsv());
+}
+
 // Columns on a terminal, where a µ takes one place and two bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
@@ -54,13 +61,9 @@ std::size_t width(const std::string& text) {
 }  // namespace
 
 std::string Table::tsv() const {
-  std::string out = "# ";
-  for (std::size_t c = 0; c < columns.size(); ++c) out += (c ? "\t" : "") + heading(columns[c]);
-  out += '\n';
-  for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) out += (c ? "\t" : "") + text_of(row[c]);
-    out += '\n';
-  }
+  std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
+  for (const auto& row : rows)
+    out += fmt::format("{}\n", fmt::join(row | std::views::transform(text_of), "\t"));
   return out;
 }
 
@@ -96,7 +99,7 @@ std::string Table::json() const {
   return object.dump(2) + "\n";
 }
 
-Table Quantities::table() const {
+Table table_of(const Parameters& parameters) {
   Table out{{{"quantity", ""},
              {"value", "SI", Holds::unknown},
              {"standard_error", "SI", Holds::unknown},
@@ -105,7 +108,7 @@ Table Quantities::table() const {
              {"unit", ""},
              {"meaning", ""}},
             {}};
-  for (const Row& row : rows) {
+  for (const Parameter& row : parameters) {
     const Interval ends = row.interval_95();
     const double error = std::isfinite(row.standard_error) ? row.standard_error : NAN;
     const std::string note = row.note(), meaning = note.empty() ? row.meaning : row.meaning + "; " + note;
@@ -114,9 +117,9 @@ Table Quantities::table() const {
   return out;
 }
 
-std::string Quantities::json() const {
+std::string json_of(const Parameters& parameters) {
   Json object = Json::object();
-  for (const Row& row : rows) {
+  for (const Parameter& row : parameters) {
     Json entry{{"value", json_of(row.value)}, {"unit", utf8_of(row.unit)}};
     const Interval ends = row.interval_95();
     if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
@@ -128,12 +131,9 @@ std::string Quantities::json() const {
   return object.dump(2) + "\n";
 }
 
-std::string render(const Table& table, bool json, bool terminal) {
-  return json ? table.json() : terminal ? table.aligned() : table.tsv();
-}
-
-std::string render(const Quantities& quantities, bool json, bool terminal) {
-  return json ? quantities.json() : render(quantities.table(), false, terminal);
+void check_finite(const Parameters& parameters) {
+  for (const Parameter& row : parameters)
+    if (std::isinf(row.value)) refuse(row.name, row.value);
 }
 
 void check_finite(const Table& table) {
@@ -146,21 +146,14 @@ void check_finite(const Table& table) {
     }
 }
 
-void check_finite(const Quantities& quantities) {
-  for (const Quantities::Row& row : quantities.rows)
-    if (std::isinf(row.value)) refuse(row.name, row.value);
-}
-
 void print(const Tool& tool, const Table& table) {
   check_finite(table);
-  check_table_name(tool.output_name(), tool.json());
-  tool.write_text(render(table, tool.json(), tool.output_is_terminal()));
+  put(tool, tool.json() ? table.json() : "", table);
 }
 
-void print(const Tool& tool, const Quantities& quantities) {
-  check_finite(quantities);
-  check_table_name(tool.output_name(), tool.json());
-  tool.write_text(render(quantities, tool.json(), tool.output_is_terminal()));
+void print(const Tool& tool, const Parameters& parameters) {
+  check_finite(parameters);
+  put(tool, tool.json() ? json_of(parameters) : "", table_of(parameters));
 }
 
 }  // namespace asperity::cli

@@ -1,8 +1,8 @@
 /// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
 ///
-/// Numbers are printed in the shortest form that reads back to the same double, in the C locale; nan is what is not known,
-/// and an infinite end of an interval is open. Words from files are fit for a line (grid/words.hpp); in JSON they are whole,
-/// escaped, and UTF-8.
+/// Numbers have the shortest form that reads back to the same double; nan is what is not known, and an
+/// infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they
+/// are whole.
 #pragma once
 
 #include <string>
@@ -20,8 +20,7 @@ using asperity::shortest;
 
 using Cell = std::variant<std::string, double>;
 
-/// What numbers a column may hold beside finite ones: none, NaN for what is not known, or infinities too, as open
-/// intervals have.
+/// What else than finite numbers a column may hold: nothing, NaN for what is not known, or infinities too.
 enum class Holds { known, unknown, open };
 
 struct Column {
@@ -41,26 +40,17 @@ struct Table {
   std::string json() const;
 };
 
-/// A table of named quantities, one a row, which as JSON is {"name": {"value": …, "unit": …, "standard_error": …,
-/// "interval_95": [low, high], "note": …}}.
-struct Quantities {
-  using Row = Parameter;
-  std::vector<Row> rows;
+/// Parameters, one a row; as JSON {"name": {"value": …, "unit": …, "standard_error": …, "interval_95": [low,
+/// high], "note": …}}.
+Table table_of(const Parameters& parameters);
+std::string json_of(const Parameters& parameters);
 
-  Table table() const;
-  std::string json() const;
-};
-
-/// How a table goes out: one JSON object as asked, else aligned on a terminal, else TSV.
-std::string render(const Table& table, bool json, bool terminal);
-std::string render(const Quantities& quantities, bool json, bool terminal);
-
-/// Throws DataError(name, …) for a number that its column does not hold, and for a quantity that is infinite.
+/// Throws DataError(name, …) for what a column does not hold, and for a parameter that is infinite.
 void check_finite(const Table& table);
-void check_finite(const Quantities& quantities);
+void check_finite(const Parameters& parameters);
 
-/// To --output, as --json and a terminal ask for it, after check_finite().
+/// To --output after check_finite(): one JSON object as asked, else aligned on a terminal, else TSV.
 void print(const Tool& tool, const Table& table);
-void print(const Tool& tool, const Quantities& quantities);
+void print(const Tool& tool, const Parameters& parameters);
 
 }  // namespace asperity::cli

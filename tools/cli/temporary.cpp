@@ -1,5 +1,3 @@
-#include "tools/cli/temporary.hpp"
-
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -7,6 +5,8 @@
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
+
+#include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <iostream>
 #include <random>
-#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -22,7 +21,6 @@
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
-#include "tools/cli/resources.hpp"
 #include "tools/cli/sandbox.hpp"
 #include "tools/cli/stream.hpp"
 
@@ -46,9 +44,11 @@ void check_output_name(const std::string& name, bool dataset, bool table, bool j
 
 Tool::~Tool() = default;
 
-std::string Tool::description() const { return app_->get_description(); }
-
-MemoryBound Tool::memory_bound(std::size_t held) const { return {std::max(memory_, always_read), held}; }
+MemoryBound Tool::memory_bound(std::size_t held) const {
+  constexpr std::size_t always_read = std::size_t{16}
+                                      << 20;  // whatever --memory says: little beside the program's own
+  return {std::max(memory_, always_read), held};
+}
 
 int Tool::thread_count() const { return resolve_threads(threads_); }
 
@@ -79,7 +79,7 @@ int Tool::fail(Exit code, const std::string& message) const {
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
   source_date();  // refused before the work, not after
-  if (dump_config_) throw Answer{config_text(name_, options())};
+  if (dump_config_) throw CLI::Success(config_text(*app_), CLI::ExitCodes::Success);
   if (writes_dataset_ && !writes_any_ && !writes_table_) refuse_terminal(output_);
   if ((writes_dataset_ || writes_table_) && !writes_any_)
     check_output_name(output_, writes_dataset_, writes_table_, json_);
@@ -94,11 +94,8 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::CallForHelp&) {
   write_all("-", app_->help());
   return done;
-} catch (const CLI::CallForVersion& version) {
-  write_all("-", std::string(version.what()) + "\n");
-  return done;
-} catch (const Answer& given) {
-  write_all("-", given.text);
+} catch (const CLI::Success& told) {  // by an option that asks for a text and no run
+  write_all("-", told.what());
   return done;
 }
 
@@ -119,16 +116,13 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
   return fail(bad_data, e.name + ": " + e.what());
 } catch (const std::bad_alloc&) {
   return fail(runtime_error, "out of memory");
-} catch (const std::system_error& e) {
-  return fail(runtime_error, e.what());
 } catch (const std::exception& e) {
   return fail(runtime_error, e.what());
 }
 
 int Tool::run(int argc, char** argv, const std::function<int()>& body) {
   keep_standard_streams();
-  // A write that is too large then fails, and says so; programs that are started do not inherit it, as they would if the
-  // signal were ignored.
+  // A write that is too large then fails and says so. An ignored signal would be inherited by other programs.
   std::signal(SIGXFSZ, [](int) {});
   const int code = guarded(argc, argv, body);
   if (time_) say(name_ + ": " + usage_of_run(clock_.seconds()));
@@ -169,8 +163,7 @@ void Tool::writes(const std::string& option, const std::string& name) {
   if (own.empty() && name == "-") own = name;
   const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
   if (!alone && !own.empty())
-    throw UsageError(option,
-                     "'" + name + "' is where --" + other->second.option + " goes too: give it another name");
+    refuse(option, name, "is where --" + other->second.option + " goes too: give it another name");
   require_writable(name);
 }
 
@@ -181,7 +174,7 @@ void Tool::reads(const std::string& name, bool passed_on) const {
   const auto& [option, output] = same->second;
   const bool replaced = place_of(output).kind == Place::Kind::file;
   if (passed_on && replaced && option == "output") return;
-  throw UsageError(option, "'" + output + "' is read by this run, and would be lost: give it another name");
+  refuse(option, output, "is read by this run, and would be lost: give it another name");
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

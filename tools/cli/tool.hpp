@@ -1,23 +1,21 @@
 /// A tool of the chain: a filter that reads a dataset, works, and writes a dataset or a table.
 ///
-///     int main(int argc, char** argv) {
-///       cli::Tool tool("asperity-flatten", "Subtracts the mean plane");
-///       tool.input();
-///       tool.output();
-///       double level = 0;
-///       tool.quantity("--level", level, "m", "Height of the plane left behind", "Plane");
-///       return tool.run(argc, argv, [&] {
-///         Dataset data = tool.read();
-///         ...
-///         tool.write(data);
-///         return cli::done;
-///       });
-///     }
+///     cli::Tool tool("asperity-flatten", "Subtracts the mean plane");
+///     tool.input();
+///     tool.output();
+///     double level = 0;
+///     tool.quantity("--level", level, "m", "Height of the plane left behind", "Plane");
+///     return tool.run(argc, argv, [&] {
+///       Dataset data = tool.read();
+///       ...
+///       tool.write(data);
+///       return cli::done;
+///     });
 ///
-/// Exit codes, the messages of errors, --help, --version, --config, --quiet, --verbose, --time, the environment and
-/// history are the same for every tool and live here. An option's value comes from the command line, else the
-/// environment variable ASPERITY_<OPTION> (upper case, hyphens as underscores), else the --config file
-/// (cli/config.hpp), else its default; a value that is wrong is named by where it came from.
+/// Exit codes, messages of errors, common options, the environment and history are the same for all and live
+/// here. A value comes from the command line, else the environment variable ASPERITY_<OPTION> (upper case,
+/// hyphens as underscores), else the --config file (cli/config.hpp), else its default; a wrong one is named
+/// by where it came from.
 #pragma once
 
 #include <array>
@@ -27,23 +25,36 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "dataset/dataset.hpp"
 #include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
-#include "tools/cli/option.hpp"
 #include "tools/cli/quantity.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace asperity::cli {
 
 /// Exit codes.
 enum Exit : int { done = 0, runtime_error = 1, usage_error = 2, not_converged = 3, bad_data = 4 };
 
-/// A wrong command line that only the whole of it shows; prints "TOOL: --OPTION: message" and exits with 2.
-/// (ParameterError of the library is answered the same way, DataError with exit code 4.)
+/// An option, to which its declaration may add; each function returns the option itself.
+struct Option {
+  CLI::Option* of;
+
+  Option required() const;
+  Option needs(Option other) const;
+  Option excludes(Option other) const;
+  Option without_default() const;  ///< its text tells the default
+};
+
+/// A wrong command line that only the whole of it shows: "TOOL: --OPTION: message", exit 2.
 using UsageError = ParameterError;
 
 class Tool {
@@ -58,18 +69,12 @@ class Tool {
   void accuracy(std::string text) { accuracy_ = std::move(text); }
 
   const std::string& name() const { return name_; }
-  std::string description() const;
-  const std::string& example() const { return example_; }
-  const std::string& accuracy() const { return accuracy_; }
 
-  // Options. `group` is the heading in --help. The present value of the variable is the default and is shown in --help.
+  // Options. `group` is the heading in --help; the variable's present value is the default shown there.
   Option flag(const std::string& name, bool& value, const std::string& text, const std::string& group);
   Option integer(const std::string& name, int& value, const Bounds& bounds, const std::string& text,
                  const std::string& group);
   Option number(const std::string& name, double& value, const std::string& text, const std::string& group);
-  /// "A,B", or one value for both: pure numbers.
-  Option numbers_pair(const std::string& name, std::array<double, 2>& values, const std::string& text,
-                      const std::string& group);
   Option text(const std::string& name, std::string& value, const std::string& what, const std::string& text,
               const std::string& group);
   Option choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
@@ -77,7 +82,7 @@ class Tool {
   /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
   Option quantity(const std::string& name, double& value, const std::string& unit, const std::string& text,
                   const std::string& group);
-  /// "A,B", or one value for both.
+  /// "A,B", or one value for both; pure numbers of unit "1".
   Option quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
                     const std::string& text, const std::string& group);
   /// "17px,4px", "0.4mm", or one value for both: lengths that may count samples.
@@ -92,8 +97,8 @@ class Tool {
   Option arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
                    const std::string& text);
 
-  /// An empty value is a usage error, wherever it comes from, but of this option, to which it means something.
-  void may_be_empty(const Option& option) { may_be_empty_ = option; }
+  /// An empty value is a usage error but of this option.
+  void may_be_empty(Option option) { may_be_empty_ = option.of; }
 
   /// A size of memory: "512MB", "2GiB".
   Option bytes(const std::string& name, std::size_t& value, const std::string& text,
@@ -112,8 +117,8 @@ class Tool {
   void memory(const std::string& text);
   void seed() { seeded_ = true; }  ///< --seed N and --stream K
 
-  std::vector<Option> options() const;          ///< in the order of --help
   bool given(const std::string& option) const;  ///< false of one that the tool does not have
+  std::vector<std::string> given_under(const std::vector<std::string>& headings) const;  ///< their names
   const std::string& input_name() const { return input_; }
   const std::string& output_name() const { return output_; }
   int thread_count() const;                       ///< resolved: at least 1
@@ -123,22 +128,19 @@ class Tool {
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
   std::uint64_t stream_value() const { return static_cast<std::uint64_t>(stream_); }
   bool json() const { return json_; }
-  bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
   bool shows_progress() const;  ///< a line of progress on standard error is wanted
 
   // What this run reads and writes, so that it does not take a file of its own for another.
   /// Of a tool that writes a dataset or a table: which of them this run writes to --output.
   void writes_dataset(bool dataset) { result_is_dataset_ = dataset; }
-  /// Of an output with an option of its own, not --output or --report of this class; throws UsageError(option, …) where it
-  /// is another output's file.
+  /// Of an output that the tool has besides; throws UsageError(option, …) where it is another output's file.
   void writes(const std::string& option, const std::string& name);
-  /// Throws UsageError where an output would take the place of this file, which is read. `passed_on`: --output may,
-  /// for all that the file holds goes there.
+  /// Throws UsageError where an output would replace this file, which is read. `passed_on`: --output may, for
+  /// all that the file holds goes there.
   void reads(const std::string& name, bool passed_on = false) const;
 
-  /// Parses and runs `body`, which returns an exit code; turns every exception into one line on stderr and a
-  /// code.
+  /// Parses and runs `body`, which returns an exit code; an exception becomes one line on stderr and a code.
   int run(int argc, char** argv, const std::function<int()>& body);
 
   // Inside the body.
@@ -146,12 +148,11 @@ class Tool {
   /// Of any name; "-" is stdin. What is `held` of others counts as taken.
   Dataset read(const std::string& name, std::size_t held = 0) const;
   const InputFormat& format() const { return format_; }
-  /// Settles lengths (dataset/layout.hpp) and says that, and what else was settled when the dataset was read; `name` is the
-  /// file's, where it stands among others.
+  /// Settles lengths (dataset/layout.hpp) and says what was settled; `name` is the file's among others.
   void settle(Dataset& dataset, const std::string& name = "-") const;
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
-  /// Throws UsageError(option, …) for `what`, "a contact of 4096x4096 cells", that takes more than --memory allows.
+  /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", takes more than --memory allows.
   void require_memory(double bytes, const std::string& option, const std::string& what) const;
   // The parts of write(), for a tool that writes its dataset piece by piece.
   void sign(Dataset& dataset) const;                ///< Conventions, source and history
@@ -162,11 +163,6 @@ class Tool {
   void warn(const std::string& text) const;
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
-
-  /// Ends parsing; the text goes to standard output and the exit code is `done`.
-  struct Answer {
-    std::string text;
-  };
 
  private:
   using Read = std::function<void(const std::string& key, const std::string& given)>;
@@ -183,7 +179,6 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string config_file() const;
   std::string footer() const;
-  std::optional<Option> find(const std::string& name) const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
   static void say(const std::string& line);
   int fail(Exit code, const std::string& message) const;
@@ -196,7 +191,7 @@ class Tool {
     std::string option, name;
   };
   std::map<std::string, Output> outputs_;  ///< by what they are (cli/place.hpp)
-  std::optional<Option> may_be_empty_;
+  const CLI::Option* may_be_empty_ = nullptr;
   InputFormat format_;
   std::size_t memory_;
   Stopwatch clock_;

@@ -6,7 +6,6 @@
 
 #include "contact/flattening.hpp"
 #include "tools/cli/output_name.hpp"
-#include "tools/cli/series.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
@@ -19,10 +18,6 @@ double parse_load(const std::string& text) {
 }
 
 }  // namespace
-
-std::vector<double> parse_loads(const std::string& text) {
-  return parse_series("loads", text, Steps::geometric, parse_load);
-}
 
 // ---- declaration ----
 
@@ -70,7 +65,7 @@ void ContactOptions::declare_bodies(Tool& tool) {
   tool.quantities("--radius-y", radius_y_, "m", "Radius of the section along y" + more, group).excludes(both);
   tool.quantities("--young", bodies.young, "Pa", "Young's modulus of each body; inf is rigid", group)
       .required();
-  tool.numbers_pair("--poisson", bodies.poisson, "Poisson's ratio of each body", group).required();
+  tool.quantities("--poisson", bodies.poisson, "1", "Poisson's ratio of each body", group).required();
 }
 
 void ContactOptions::declare_load(Tool& tool) {
@@ -125,7 +120,8 @@ void ContactOptions::check_load(const Tool& tool) {
                                         : "only one of --load, --approach and --loads can be given");
   if (tool.given("--load")) contact.load = load_;
   if (tool.given("--approach")) contact.approach = approach_;
-  if (tool.given("--loads")) contact.load = (loads = parse_loads(loads_)).front();
+  if (tool.given("--loads"))
+    contact.load = (loads = parse_series("loads", loads_, Steps::geometric, parse_load)).front();
   if (sweeps()) contact.stiffness = true;
   if (tool.given("--yield")) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("{} Pa is not above 0", yield_));

@@ -45,7 +45,4 @@ struct ContactOptions {
   std::string loads_;
 };
 
-/// "10N:5kN:20", twenty loads from the one to the other at equal ratios, or "10N,20N,50N".
-std::vector<double> parse_loads(const std::string& text);
-
 }  // namespace asperity::cli

@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "contact/flattening.hpp"
+#include "contact/hertz.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/grid_words.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/cli/record.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -19,7 +23,7 @@ Grid smooth_grid(const ContactOptions& o) {
           o.boundary == "periodic"};
 }
 
-// A periodic surface may be pressed as a single patch; one that is not does not become periodic by being told so.
+// A periodic surface may be pressed as a single patch; no other becomes periodic by being told so.
 bool periodic(const ContactOptions& o, const Grid& grid) {
   if (o.boundary == "periodic" && !grid.periodic)
     throw UsageError("boundary",
@@ -39,9 +43,77 @@ Field counter_heights(const Tool& tool, const std::string& name, const Grid& gri
   if (!same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
                                            described(grid)));
-  return heights_of(data, "heights");
+  return field_of(data, "heights", "m");
 } catch (const DataError& e) {
   throw DataError(e.name, fmt::format("in {}: {}", name, e.what()));
+}
+
+void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
+  auto set_pair = [&a](const char* name, double first, double second) {
+    a.set_values(name, std::vector<double>{first, second});
+  };
+  const Bodies& b = o.bodies;
+  set_pair("contact_radius_x", b.radius[0].x, b.radius[1].x);
+  set_pair("contact_radius_y", b.radius[0].y, b.radius[1].y);
+  set_pair("contact_young", b.young[0], b.young[1]);
+  set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
+  a.set("contact_composite_modulus", b.composite_modulus());
+  a.set("contact_boundary", grid.periodic ? "periodic" : "free");
+  if (!o.counter.empty()) a.set("contact_counter", o.counter);
+  a.set("contact_limit_pressure", o.contact.limit_pressure);
+  a.set("contact_tolerance", o.contact.tolerance);
+}
+
+// What the bodies would do were they smooth, where that has a closed form.
+void record_hertz(Attributes& a, const Bodies& bodies, double load) {
+  if (!has_point_contact(bodies)) return;
+  const Hertz smooth = hertz(bodies, load);
+  a.set("contact_hertz_pressure", smooth.pressure);
+  a.set("contact_hertz_radius", smooth.radius);
+  a.set("contact_hertz_radius_x", smooth.radius_x);
+  a.set("contact_hertz_radius_y", smooth.radius_y);
+  a.set("contact_hertz_approach", smooth.approach);
+}
+
+void record_result(Attributes& a, const Contact& c) {
+  a.set("contact_load", c.load);
+  a.set("contact_approach", c.approach);
+  a.set("contact_max_pressure", c.max_pressure);
+  a.set("contact_area", c.area);
+  a.set("contact_plastic_area", c.plastic_area);
+  a.set("contact_mean_gap", c.mean_gap);
+  a.set("contact_residual", c.residual);
+  a.set("contact_load_error", c.load_error);
+  a.set("contact_converged", c.converged ? 1 : 0);
+  a.set("contact_convolutions", c.convolutions);
+  a.set("contact_preconditionings", c.preconditionings);
+  a.set("contact_levels", c.levels);
+  a.set("contact_setup_seconds", on_record(c.setup_seconds));
+  a.set("contact_seconds", on_record(c.seconds));
+}
+
+// Not that of a former run.
+void record_stiffness(Attributes& a, const ContactOptions& o, const Contact& c) {
+  if (!o.contact.stiffness) return;
+  a.set("contact_stiffness", c.stiffness);
+  a.set("contact_stiffness_residual", c.stiffness_residual);
+  a.set("contact_stiffness_converged", std::isnan(c.stiffness) ? 0 : 1);
+}
+
+void record_fields(Dataset& data, const Contact& c) {
+  set_field(data, "pressure", c.pressure, {"Pa", "contact pressure"});
+  set_field(data, "gap", c.gap, {"m", "gap between the pressed bodies, negative where flattened"});
+  set_field(data, "displacement", c.displacement, {"m", "elastic displacement of both bodies together"});
+  set_flags(data, "contact", c.state, "state of contact", "open elastic at_limit_pressure");
+}
+
+void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c, const Field& pressed) {
+  if (std::isinf(o.contact.limit_pressure)) return;
+  const Field flattened = plastic_flattening(c);
+  set_field(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
+  if (!o.unload) return;
+  const Field left = o.smooth ? Field(-flattened) : Field(pressed - flattened);
+  set_field(data, "heights_residual", left, {"m", "heights after the load is removed"});
 }
 
 }  // namespace
@@ -60,9 +132,43 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
     scene.data.find(axis)->attributes.set("periodic", scene.grid.periodic ? 1 : 0);
 
   scene.gap = undeformed_gap(scene.grid, o.bodies);
-  if (!o.smooth) scene.gap -= heights_of(scene.data, o.variable);
+  if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m");
   if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
   return scene;
+}
+
+void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
+  const bool keeps = options.unload && !options.smooth;
+  const Field pressed = keeps ? field_of(scene.data, options.variable, "m") : Field();
+  const bool overwrites = options.unload && options.variable == "heights_residual";
+  drop_results(scene.data, "contact", overwrites ? "" : options.variable);
+  Attributes& a = scene.data.attributes;
+  if (!options.smooth) a.set("contact_variable", options.variable);
+  record_bodies(a, options, scene.grid);
+  record_hertz(a, options.bodies, contact.load);
+  record_result(a, contact);
+  record_stiffness(a, options, contact);
+  record_fields(scene.data, contact);
+  record_flattening(scene.data, options, contact, pressed);
+}
+
+Table load_table() {
+  return {{{"load", "N"},
+           {"approach", "m"},
+           {"area", "m2"},
+           {"plastic_area", "m2"},
+           {"mean_gap", "m"},
+           {"stiffness", "N/m", Holds::open},
+           {"max_pressure", "Pa"},
+           {"residual", "1"},
+           {"convolutions", "1"},
+           {"converged", "1"}},
+          {}};
+}
+
+std::vector<Cell> load_row(const Contact& c) {
+  return {c.load,      c.approach,     c.area,     c.plastic_area, c.mean_gap,
+          c.stiffness, c.max_pressure, c.residual, c.convolutions, c.converged ? 1.0 : 0.0};
 }
 
 }  // namespace asperity::cli

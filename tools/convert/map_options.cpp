@@ -8,35 +8,29 @@
 #include "dataset/units.hpp"
 #include "formats/fill.hpp"
 #include "formats/format.hpp"
-#include "tools/cli/series.hpp"
 
 namespace asperity::cli {
 namespace {
 
-struct Range {
-  Index begin, end;
-};
-
-Index index_of(std::string_view word, Index otherwise) {
-  return word.empty() ? otherwise : to_number<Index>(word).value_or(-1);
-}
-
 // "A:B" of n points, either end may be left out.
-Range range_of(const std::string& word, Index n) {
+auto range_of(const std::string& word, Index n) {
+  const auto index = [](std::string_view end, Index otherwise) {
+    return end.empty() ? otherwise : to_number<Index>(end).value_or(-1);
+  };
   const std::size_t colon = word.find(':');
-  const Range out{index_of(word.substr(0, colon), 0),
-                  colon == word.npos ? -1 : index_of(word.substr(colon + 1), n)};
-  if (!(out.begin >= 0 && out.begin < out.end && out.end <= n))
+  const Index a = index(word.substr(0, colon), 0),
+              b = colon == word.npos ? -1 : index(word.substr(colon + 1), n);
+  if (!(a >= 0 && a < b && b <= n))
     throw UsageError("crop", "'" + word + "' is no range A:B with 0 <= A < B <= " + std::to_string(n));
-  return out;
+  return Eigen::seqN(a, b - a);
 }
 
 // The size of what is left stays that of its points.
 Map cropped(Map map, const std::string& crop) {
   const std::vector<std::string> words = split(crop, ',');
   if (words.size() != 2) throw UsageError("crop", "'" + crop + "' is not of the form A:B,C:D");
-  const Range x = range_of(words[0], map.values.rows()), y = range_of(words[1], map.values.cols());
-  map.values = map.values.block(x.begin, y.begin, x.end - x.begin, y.end - y.begin).eval();
+  const auto x = range_of(words[0], map.values.rows()), y = range_of(words[1], map.values.cols());
+  map.values = map.values(x, y).eval();
   return map;
 }
 
@@ -45,13 +39,9 @@ Map decimated(Map map, Shape step) {
   const Index nx = (map.values.rows() + step.nx - 1) / step.nx,
               ny = (map.values.cols() + step.ny - 1) / step.ny;
   map.values = map.values(Eigen::seqN(0, nx, step.nx), Eigen::seqN(0, ny, step.ny)).eval();
-  map.spacing = {map.spacing[0] * static_cast<double>(step.nx),
-                 map.spacing[1] * static_cast<double>(step.ny)};
+  map.spacing[0] *= static_cast<double>(step.nx);
+  map.spacing[1] *= static_cast<double>(step.ny);
   return map;
-}
-
-Filling filling_of(const std::string& name) {
-  return name == "laplace" ? Filling::laplace : name == "mean" ? Filling::mean : Filling::least;
 }
 
 // A unit of length, in metres.
@@ -68,8 +58,9 @@ double coordinate_of(const std::string& unit) {
 
 using Words = std::vector<std::string>;
 
-// In the order of Separator, and of DecimalMark.
-const Words separators{"auto", "blank", "tab", "comma", "semicolon"}, decimals{"auto", "point", "comma"};
+// In the order of Separator, of DecimalMark and of Filling.
+const Words separators{"auto", "blank", "tab", "comma", "semicolon"}, decimals{"auto", "point", "comma"},
+    fillings{"laplace", "mean", "least"};
 
 template <class Enum>
 Enum chosen(const Words& words, const std::string& word) {
@@ -147,7 +138,8 @@ Map MapOptions::applied(Map map) const {
   if (fill_ != "none") {
     const double dx = std::isnan(map.spacing[0]) ? 1 : map.spacing[0],
                  dy = std::isnan(map.spacing[1]) ? 1 : map.spacing[1];
-    map.values = filled(std::move(map.values), {shape_of(map.values), dx, dy, false}, filling_of(fill_));
+    map.values = filled(std::move(map.values), {shape_of(map.values), dx, dy, false},
+                        chosen<Filling>(fillings, fill_));
   }
   return map;
 }

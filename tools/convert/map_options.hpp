@@ -1,5 +1,5 @@
-/// What is told of a map and done to it on its way from one format to another: how its text is to be understood, its size and
-/// unit; cut, thinned, filled.
+/// What is told of a map and done to it on its way from one format to another: how its text is to be
+/// understood, its size and unit; cut, thinned, filled.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace asperity::cli {
 class MapOptions {
  public:
   void declare(Tool& tool);
-  /// What the options tell of a text; throws UsageError where the bytes are none, or in a format that tells by itself.
+  /// What the options tell of a text; throws UsageError for other bytes, or a format that tells by itself.
   Reading reading(std::string_view bytes, std::string_view format) const;
   /// Whether anything is asked for.
   bool changes() const;

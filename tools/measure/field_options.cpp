@@ -8,7 +8,8 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
+#include "tools/cli/output_name.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 
 namespace asperity::cli {
@@ -100,11 +101,20 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
     return !lags || lags->size() < 2 || std::abs((*lags)[1] - (*lags)[0] - spacing) <= 1e-6 * spacing;
   };
   if (!fits("p", grid.dx) || !fits("q", grid.dy)) return std::nullopt;
-  return LagField(known_lags(table_of(data, name, Missing::not_a_number))).normalised();
+  return LagField(known_lags(table_of(data, name, "", Missing::not_a_number))).normalised();
 }
 
 std::string unit_to(const std::string& unit, int power) {
   return unit == "1" ? unit : unit + std::to_string(power);
+}
+
+bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables) {
+  if (dataset && tool.json())
+    throw UsageError("json", "prints " + tables + ", and does not go together with --dataset");
+  const bool out = dataset || !(prints || tool.json() || tool.output_is_terminal());
+  tool.writes_dataset(out);
+  if (out) check_dataset_name(tool.output_name());
+  return out;
 }
 
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {

@@ -35,6 +35,10 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
 /// A unit to a power, in UDUNITS' notation: "m2", "Pa-1", and "1" for pure numbers.
 std::string unit_to(const std::string& unit, int power);
 
+/// Whether a dataset goes out, and not the `tables` that stand for it as JSON and on a terminal. Throws
+/// UsageError for JSON of the dataset.
+bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables);
+
 /// Of fields of which errors are rough or cannot be told.
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size);
 /// Warns of a length below a sample, or beyond half the field; whether it is neither.

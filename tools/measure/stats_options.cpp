@@ -4,7 +4,6 @@
 
 #include "core/words.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/series.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -48,9 +47,8 @@ void StatsOptions::declare(Tool& tool) {
       "Parameters");
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
-  tool.numbers_pair("--material-ratio", measured.material_ratios,
-                    "Shares p,q that bound the core in Vmp, Vmc, Vvc, Vvv, and of Smc_p, Smc_q",
-                    "Parameters");
+  tool.quantities("--material-ratio", measured.material_ratios, "1",
+                  "Shares p,q that bound the core in Vmp, Vmc, Vvc, Vvv, and of Smc_p, Smc_q", "Parameters");
   tool.number("--acf-level", measured.acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
               "Parameters");
   tool.memory(

@@ -6,11 +6,10 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "tools/plot/kinds.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -51,7 +50,7 @@ Index zero_of(const std::vector<double>& lags, const char* name) {
 
 // The profiles of a function over the half-plane of lags, divided by its value at lag zero.
 void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bool& in_metres) {
-  const Field table = table_of(data, name, Missing::not_a_number);
+  const Field table = table_of(data, name, "", Missing::not_a_number);
   const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
   const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
   auto add = [&](Curve& curve, double lag, double value) {
@@ -98,28 +97,32 @@ Profiles profiles_of(const Case& c) {
   return out;
 }
 
+// Lag and ρ, or lag and both ends of the band of two standard errors.
+Field rows_of(const Curve& curve, double factor, bool band = false) {
+  Field out(static_cast<Index>(curve.size()), band ? 3 : 2);
+  for (Index k = 0; const Point& p : curve)
+    if (band)
+      out.row(k++) << p.lag / factor, p.rho - 2 * p.error, p.rho + 2 * p.error;
+    else
+      out.row(k++) << p.lag / factor, p.rho;
+  return out;
+}
+
 // Bands first, then what was found, the target on top.
 std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
-  std::vector<Layer> bands, curves, targets;
-  for (std::size_t d = 0; d < 2; ++d) {
-    std::vector<double> band, curve, target;
-    for (const Point& p : profiles.found[d]) {
-      band.insert(band.end(), {p.lag / factor, p.rho - 2 * p.error, p.rho + 2 * p.error});
-      curve.insert(curve.end(), {p.lag / factor, p.rho});
-    }
-    for (const Point& p : profiles.target[d]) target.insert(target.end(), {p.lag / factor, p.rho});
-    const char* colour = line_colour(d);
-    if (profiles.with_errors)
-      bands.push_back(points(
-          band, 3,
-          fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18", colour)));
-    curves.push_back(points(curve, 2, fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", colour)));
+  std::vector<Layer> out;
+  for (std::size_t d = 0; d < 2 && profiles.with_errors; ++d)
+    out.push_back(points(rows_of(profiles.found[d], factor, true),
+                         fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18",
+                                     line_colour(d))));
+  for (std::size_t d = 0; d < 2; ++d)
+    out.push_back(points(rows_of(profiles.found[d], factor),
+                         fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", line_colour(d))));
+  for (const Curve& target : profiles.target)
     if (!target.empty())
-      targets.push_back(points(target, 2, "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
-  }
-  bands.insert(bands.end(), curves.begin(), curves.end());
-  bands.insert(bands.end(), targets.begin(), targets.end());
-  return bands;
+      out.push_back(
+          points(rows_of(target, factor), "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
+  return out;
 }
 
 std::vector<LegendEntry> legend(const Profiles& profiles) {

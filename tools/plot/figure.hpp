@@ -1,19 +1,49 @@
-/// A figure as it is described: panels of one size in rows and columns, each with axes and series, under one title, with one
-/// legend and one colour bar.
+/// A figure as it is described: panels of one size in rows and columns under one title, with one legend and
+/// one colour bar.
 ///
-/// Everything is placed in units of the em, the height of the letters: no label depends on what gnuplot makes room for
-/// (plot/layout.hpp).
+/// Everything is placed in units of the em, the height of the letters (plot/layout.hpp).
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dataset/dataset.hpp"
 #include "tools/plot/gnuplot.hpp"
-#include "tools/plot/request.hpp"
 #include "tools/plot/scale.hpp"
 
 namespace asperity::plot {
+
+// ---- what is asked of a figure, and what it is drawn from ----
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+struct Request {
+  std::string kind;
+  std::string variable;                                        ///< empty: what the kind draws of itself
+  std::string section;                                         ///< "y=0", "x=0.1mm"; empty: the kind's own
+  Range x{-unlimited, unlimited}, y = x, depth{0, unlimited};  ///< what is shown [m]
+  std::string range;                                           ///< of values, as typed; empty: of the data
+  bool scale_by_hertz = false;                                 ///< stresses in units of p0
+  double above = std::numeric_limits<double>::quiet_NaN();     ///< least value shown, share of p0 or maximum
+  bool titled = false;                                         ///< `title` was given
+  std::string title;
+  int columns = 0;     ///< of panels, where there are several; 0: as many as panels
+  Shape pixels;        ///< 0 × 0: what suits the figure
+  std::string format;  ///< "png", "svg" or "pdf"
+
+  std::string variable_or(const char* own) const { return variable.empty() ? own : variable; }
+};
+
+/// A dataset and its name in a comparison.
+struct Case {
+  Dataset data;
+  std::string label;
+};
+using Cases = std::vector<Case>;
+
+// ---- what it is made of ----
 
 struct Axis {
   Range range;
@@ -69,5 +99,22 @@ Script script_of(const Figure& figure, const Request& request);
 
 /// Colours of lines, apart in hue and lightness for every kind of eyes; the k-th of a comparison.
 const char* line_colour(std::size_t k);
+
+// ---- the kinds of figures ----
+
+/// A field in false colours, scales equal along x and y; several cases share their colours.
+Figure map(const Cases& cases, const Request& request);
+/// The contact state: open, elastic, at the limit pressure.
+Figure contact(const Cases& cases, const Request& request);
+/// A field in perspective, the heights enlarged by a round factor that is stated.
+Figure surface(const Cases& cases, const Request& request);
+/// A field along x and along y; several cases share the axes.
+Figure profile(const Cases& cases, const Request& request);
+/// Both profile autocorrelations: the target, the kernel's, the surface's with two standard errors.
+Figure acf(const Cases& cases, const Request& request);
+/// The histogram of the heights with standard errors, and the Gaussian of the same mean and rms.
+Figure pdf(const Cases& cases, const Request& request);
+/// A volume's field in a vertical section, depth downwards.
+Figure section(const Cases& cases, const Request& request);
 
 }  // namespace asperity::plot

@@ -9,7 +9,6 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
 
 #include "core/words.hpp"
 
@@ -38,8 +37,8 @@ std::string content_of(const File& file) {
   return out;
 }
 
-// With these files as its standard input, output and error.
-pid_t spawn(const File& input, const File& output, const File& error) {
+// With these files as its standard input, output and error; whether it succeeds.
+bool gnuplot(const File& input, const File& output, const File& error) {
   char program[] = "gnuplot", defaults[] = "--default-settings", standard_input[] = "-";
   char* const arguments[] = {program, defaults, standard_input, nullptr};
   posix_spawn_file_actions_t streams{};
@@ -53,10 +52,6 @@ pid_t spawn(const File& input, const File& output, const File& error) {
   if (failure == ENOENT)
     throw std::runtime_error("the program gnuplot is not on the PATH: install gnuplot (Debian: gnuplot-nox)");
   if (failure != 0) throw std::system_error(failure, std::generic_category(), "gnuplot");
-  return child;
-}
-
-bool succeeded(pid_t child) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "gnuplot");
@@ -97,15 +92,14 @@ void halve(Field& values, double& first, double& step, bool rows) {
 
 }  // namespace
 
-Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style) {
+Layer points(const Field& table, std::string_view style) {
   std::string format, use;
-  for (std::size_t c = 1; c <= columns; ++c) {
+  for (Index c = 1; c <= table.cols(); ++c) {
     format += "%float64";
     use += (c == 1 ? "" : ":") + std::to_string(c);
   }
-  return {
-      fmt::format("binary record=({}) format='{}' using {} {}", numbers.size() / columns, format, use, style),
-      std::move(numbers)};
+  return {fmt::format("binary record=({}) format='{}' using {} {}", table.rows(), format, use, style),
+          {table.data(), table.data() + table.size()}};
 }
 
 Layer raster(const Field& cells, Lattice at, std::string_view style) {
@@ -141,7 +135,7 @@ std::string gnuplot_string(std::string_view text) {
 
 Picture run_gnuplot(const Script& script) {
   const File input = nameless(script.text()), output = nameless(), error = nameless();
-  const bool well = succeeded(spawn(input, output, error));
+  const bool well = gnuplot(input, output, error);
   Picture picture{content_of(output), content_of(error)};
   blank_date(picture.bytes);
   escape_ends_of_sections(picture.bytes);

@@ -1,8 +1,8 @@
 /// Pictures through gnuplot, the only door to that program.
 ///
 /// A script is text with the numbers of each plot inline, as doubles in binary: nothing is rounded, nothing
-/// passes through a shell or a named file. User's text enters only through gnuplot_string(), whose digits leave gnuplot nothing to
-/// read a command, a macro or the end of a string from, and without enhanced text.
+/// passes through a shell or a named file. User's text enters only through gnuplot_string(), which leaves no
+/// command, macro or end of a string to read.
 ///
 /// T. Williams, C. Kelley et al., gnuplot 5.4: an interactive plotting program (2020).
 #pragma once
@@ -23,8 +23,8 @@ struct Layer {
   std::vector<double> numbers;
 };
 
-/// Rows of so many numbers each, drawn as `style` says: "with lines lw 2".
-Layer points(std::vector<double> numbers, std::size_t columns, std::string_view style);
+/// The rows of a table, drawn as `style` says: "with lines lw 2".
+Layer points(const Field& table, std::string_view style);
 
 /// A field of cells of dx × dy whose first centre is (x, y), on paper ("plot") or in space ("splot"); a cell
 /// that is not a number stays empty.
@@ -49,8 +49,8 @@ class Script {
   std::string text_;
 };
 
-/// Text as a gnuplot string in double quotes, one line of UTF-8 (grid/words.hpp): of ASCII all but letters, blanks and most digits by
-/// their octal numbers. (In single quotes gnuplot 5.4 misreads a pair of them at either end.)
+/// Text as a gnuplot string in double quotes, one line of UTF-8: of ASCII all but letters, blanks and most
+/// digits by octal numbers. (In single quotes gnuplot 5.4 misreads a pair of them at either end.)
 std::string gnuplot_string(std::string_view text);
 
 struct Picture {
@@ -58,7 +58,8 @@ struct Picture {
   std::string remarks;  ///< what gnuplot wrote to standard error
 };
 
-/// Runs the gnuplot found on PATH; the same script gives the same bytes, a PDF without its date. Throws std::runtime_error when there is none or it fails.
+/// Runs the gnuplot found on PATH; the same script gives the same bytes, a PDF without its date. Throws
+/// std::runtime_error where there is none or it fails.
 Picture run_gnuplot(const Script& script);
 
 }  // namespace asperity::plot

@@ -1,7 +1,7 @@
 /// Where the parts of a figure stand on its sheet [pixel].
 ///
-/// The em is the width over 32, 46, 60 for one, two, three columns of panels, and 0.25 cm of a PDF: letters of 7 pt where the
-/// figure is printed 8, 11.5, 15 cm wide.
+/// The em is the width over 32, 46, 60 for one, two, three columns of panels, and 0.25 cm of a PDF: letters
+/// of 7 pt in print 8, 11.5, 15 cm wide.
 #pragma once
 
 #include "tools/plot/figure.hpp"

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "tools/plot/kinds.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {

@@ -5,7 +5,6 @@
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/spatial/acf.hpp"
-#include "tools/plot/kinds.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -56,24 +55,24 @@ Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity)
 
 std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
   const double f = scales.height.factor, per = scales.per.factor;
-  std::vector<double> boxes, normal, errors;
-  for (const Bin& b : d.bins) {
-    const double centre = b.centre() / f;
-    boxes.insert(boxes.end(), {centre, d.density(b.count, b) * per, b.width() / f});
-    errors.insert(errors.end(), {centre, d.density(b.count - 2 * b.count_error, b) * per, 0,
-                                 4 * d.density(b.count_error, b) * per});
-  }
+  const auto bins = static_cast<Index>(d.bins.size());
   constexpr int samples = 400;
+  Field boxes(bins, 3), errors(bins, 4), normal(samples + 1, 2);
+  for (Index k = 0; const Bin& b : d.bins) {
+    const double centre = b.centre() / f;
+    boxes.row(k) << centre, d.density(b.count, b) * per, b.width() / f;
+    errors.row(k++) << centre, d.density(b.count - 2 * b.count_error, b) * per, 0,
+        4 * d.density(b.count_error, b) * per;
+  }
   for (int k = 0; k <= samples; ++k) {
     const double at = scales.x.low + k * scales.x.width() / samples;
-    normal.insert(normal.end(), {at / f, gaussian(d.moments, at) * per});
+    normal.row(k) << at / f, gaussian(d.moments, at) * per;
   }
-  return {
-      points(
-          boxes, 3,
-          "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb '#b9d3e8'"),
-      points(normal, 2, "with lines linewidth 1.6 linecolor rgb '#d55e00'"),
-      points(errors, 4, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
+  return {points(boxes,
+                 "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb "
+                 "'#b9d3e8'"),
+          points(normal, "with lines linewidth 1.6 linecolor rgb '#d55e00'"),
+          points(errors, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
 }
 
 std::string title_of(const Moments& m, const Quantity& quantity) {

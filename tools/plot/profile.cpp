@@ -1,33 +1,22 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "tools/plot/kinds.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {
 
-struct Trace {
-  std::vector<double> position, value;  ///< in SI
-};
-
-Range range_of(const std::vector<double>& values) {
-  return plot::range_of(Eigen::Map<const Field>(values.data(), 1, static_cast<Index>(values.size())));
-}
-
-// The whole field along the section, then what the range shows of it.
-Trace trace_of(const Case& c, const std::string& variable, const Section& section, const Request& request) {
+// Along the section what the range shows of the whole field: a row a point, its place and its value in SI.
+Field trace_of(const Case& c, const std::string& variable, const Section& section, const Request& request) {
   Request along = request;
   (section.along_x ? along.y : along.x) = {-unlimited, unlimited};
   const Patch patch = patch_of(c.data, variable, along);
-  Trace out;
-  for (Index k = 0; k < (section.along_x ? patch.values.rows() : patch.values.cols()); ++k) {
-    out.position.push_back(section.along_x ? patch.x_at(k) : patch.y_at(k));
-    out.value.push_back(section.along_x ? patch.values(k, section.index) : patch.values(section.index, k));
-  }
-  if (out.position.size() < 2)
+  const Field values = section.along_x ? patch.values : Field(patch.values.transpose());
+  Field out(values.rows(), 2);
+  for (Index k = 0; k < out.rows(); ++k)
+    out.row(k) << (section.along_x ? patch.x_at(k) : patch.y_at(k)), values(k, section.index);
+  if (out.rows() < 2)
     throw DataError(variable,
                     fmt::format("a profile along {} needs two points, and there is one", section.along()));
   return out;
@@ -48,17 +37,10 @@ Range with_room(Range r) {
   return {r.low == 0 ? 0 : r.low - room, r.high + room};
 }
 
-std::vector<LegendEntry> legend(const Cases& cases) {
-  std::vector<LegendEntry> out;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    out.push_back({LegendEntry::Key::line, line_colour(c), cases[c].label});
-  return out;
-}
-
 // A section and its traces, one a case.
 struct Row {
   Section section;
-  std::vector<Trace> traces;
+  std::vector<Field> traces;
 };
 
 std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const Request& request) {
@@ -74,17 +56,13 @@ std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const 
 
 Panel panel_of(const Row& row, const Unit& length, const Axis& values, double unit) {
   Panel out;
-  out.x = axis_of(range_of(row.traces[0].position), length, row.section.along());
+  out.x = axis_of(range_of(row.traces[0].col(0)), length, row.section.along());
   out.x->label += " at " + row.section.label();
   out.y = values;
-  for (std::size_t c = 0; c < row.traces.size(); ++c) {
-    const auto& [position, value] = row.traces[c];
-    std::vector<double> numbers;
-    for (std::size_t k = 0; k < position.size(); ++k)
-      numbers.insert(numbers.end(), {position[k] / length.factor, value[k] / unit});
-    out.layers.push_back(
-        points(numbers, 2, fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", line_colour(c))));
-  }
+  const Eigen::Array<double, 1, 2> units(length.factor, unit);
+  for (std::size_t c = 0; c < row.traces.size(); ++c)
+    out.layers.push_back(points(row.traces[c].rowwise() / units,
+                                fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", line_colour(c))));
   return out;
 }
 
@@ -96,14 +74,15 @@ Figure profile(const Cases& cases, const Request& request) {
   Range values{unlimited, -unlimited};
   double reach = 0;
   for (const Row& row : rows) {
-    for (const Trace& trace : row.traces) values = united(values, range_of(trace.value));
-    reach = std::max(reach, range_of(row.traces[0].position).magnitude());
+    for (const Field& trace : row.traces) values = united(values, range_of(trace.col(1)));
+    reach = std::max(reach, range_of(row.traces[0].col(0)).magnitude());
   }
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   values = value_range(request, quantity.unit, with_room(values));
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
   Figure out{.aspect = rows.size() > 1 ? 0.32 : 0.45, .gap_y = 4.8};
-  if (cases.size() > 1) out.legend = legend(cases);
+  for (std::size_t c = 0; c < cases.size() && cases.size() > 1; ++c)
+    out.legend.push_back({LegendEntry::Key::line, line_colour(c), cases[c].label});
   for (const Row& row : rows)
     out.panels.push_back(panel_of(row, length, axis_of(values, value, quantity.name), value.factor));
   return out;

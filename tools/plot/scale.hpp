@@ -1,7 +1,6 @@
 /// Scales of axes and colours: SI prefixes, round steps, ranges, palettes.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,8 +35,8 @@ Unit unit_for(double magnitude, const std::string& si_unit);
 
 /// The least of 1, 2, 5 × 10ⁿ that cuts the width into at most so many steps.
 double round_step(double width, double most_steps);
-/// A range that can be drawn: one too narrow for doubles to tell its numbers apart, 1e-13 of them, is widened about it,
-/// to a twentieth either way. Throws DataError("picture", …) for numbers beyond 1e300.
+/// A range that can be drawn: one narrower than 1e-13 of its numbers is widened by a twentieth either way.
+/// Throws DataError("picture", …) for numbers beyond 1e300.
 Range drawable(Range range);
 /// The multiples of `step` in a range; none where there were more than a thousand.
 std::vector<double> multiples(Range range, double step);

@@ -4,8 +4,7 @@
 #include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
-#include "tools/plot/kinds.hpp"
+#include "dataset/units.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -29,8 +28,7 @@ Place place_in(const std::vector<double>& points, double at) {
 std::vector<double> present_values(const Variable& variable) {
   std::vector<double> values = present_numbers(variable);
   const double factor = factor_to(si_unit_of(variable), variable);
-  if (factor != 1)
-    for (double& v : values) v *= factor;
+  for (double& v : values) v *= factor;
   return values;
 }
 
@@ -104,14 +102,6 @@ Patch patch_of(const Dataset& data, const std::string& variable, const Grid& gri
   return {resampled(values, along, depths, position, depth), position, depth};
 }
 
-// p0 where the dataset knows it and it is asked for.
-double hertz_pressure(const Dataset& data) {
-  const double p0 = data.attributes.number("contact_hertz_pressure", -1);
-  if (!(p0 > 0))
-    throw DataError("contact_hertz_pressure", "the dataset does not have this attribute to scale by");
-  return p0;
-}
-
 // The sections of all cases, their values in one unit, and how they are coloured.
 struct Cuts {
   std::vector<Patch> patches;  ///< along the surface and down, a case each
@@ -123,7 +113,12 @@ struct Cuts {
 };
 
 void scale_by_hertz(Cuts& cuts, const Cases& cases) {
-  for (std::size_t c = 0; c < cases.size(); ++c) cuts.patches[c].values /= hertz_pressure(cases[c].data);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const double p0 = cases[c].data.attributes.number("contact_hertz_pressure", -1);
+    if (!(p0 > 0))
+      throw DataError("contact_hertz_pressure", "the dataset does not have this attribute to scale by");
+    cuts.patches[c].values /= p0;
+  }
   cuts.quantity.name += " / p₀";
   cuts.quantity.unit.clear();
 }

@@ -8,19 +8,19 @@
 #include "core/error.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "tools/cli/quantity.hpp"
 
 namespace asperity::plot {
 namespace {
 
+// The cells whose centres lie in a range, and the outer edges of what they cover.
 struct Span {
   Index first, count;
+  Range edges;
 };
-
-// The cells whose centres lie in a range.
 template <class Position>
-Span cells_within(Range range, Index n, Position position, const char* option) {
+Span cells_within(Range range, Index n, double spacing, Position position, const char* option) {
   Index first = 0, last = n - 1;
   while (first < n && position(first) < range.low) ++first;
   while (last >= 0 && position(last) > range.high) --last;
@@ -28,7 +28,7 @@ Span cells_within(Range range, Index n, Position position, const char* option) {
     throw ParameterError(option, fmt::format("no point lies in it; they reach from {} to {}",
                                              cli::format_quantity(position(0), "m"),
                                              cli::format_quantity(position(n - 1), "m")));
-  return {first, last - first + 1};
+  return {first, last - first + 1, {position(first) - 0.5 * spacing, position(last) + 0.5 * spacing}};
 }
 
 // A place as typed, or where the dataset says that the von Mises stress is largest.
@@ -41,11 +41,6 @@ double place_of(const Dataset& data, const std::string& text, bool along_x) {
   return place;
 }
 
-double mean_of(const Field& values) {
-  const auto finite = values.isFinite();
-  return finite.select(values, 0.0).sum() / static_cast<double>(finite.count());
-}
-
 }  // namespace
 
 Quantity quantity_of(const Variable& variable) {
@@ -56,22 +51,18 @@ Quantity quantity_of(const Variable& variable) {
   if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, false};
   if (name == "von_mises") return {"von Mises", unit, false};
   if (name.starts_with("stress_")) return {"stress σ" + name.substr(7), unit, true};
-  return {words.empty() ? name : words, unit,
-          range_of(Eigen::Map<const Field>(present_numbers(variable).data(), 1,
-                                           static_cast<Index>(count(variable.values))))
-                  .low < 0};
+  const auto negative = [](double v) { return v < 0 && std::isfinite(v); };
+  return {words.empty() ? name : words, unit, std::ranges::any_of(present_numbers(variable), negative)};
 }
 
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request) {
   const Grid grid = grid_of(data);
   const Field all = field_of(data, variable, Missing::not_a_number);
   const Span i = cells_within(
-      request.x, grid.shape.nx, [&](Index k) { return grid.x(k); }, "x-range");
+      request.x, grid.shape.nx, grid.dx, [&](Index k) { return grid.x(k); }, "x-range");
   const Span j = cells_within(
-      request.y, grid.shape.ny, [&](Index k) { return grid.y(k); }, "y-range");
-  const Range x{grid.x(i.first) - 0.5 * grid.dx, grid.x(i.first + i.count - 1) + 0.5 * grid.dx},
-      y{grid.y(j.first) - 0.5 * grid.dy, grid.y(j.first + j.count - 1) + 0.5 * grid.dy};
-  Patch patch{all.block(i.first, j.first, i.count, j.count), x, y};
+      request.y, grid.shape.ny, grid.dy, [&](Index k) { return grid.y(k); }, "y-range");
+  Patch patch{all.block(i.first, j.first, i.count, j.count), i.edges, j.edges};
   if (!patch.values.isFinite().any()) throw DataError(variable, "none of its points is a number");
   return patch;
 }
@@ -88,8 +79,9 @@ Range range_of(const std::vector<Patch>& patches) {
   return out;
 }
 
-Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y) {
-  return {patch.x_at(0) / x.factor, patch.y_at(0) / y.factor, patch.dx() / x.factor, patch.dy() / y.factor};
+Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y, bool in_space) {
+  return {patch.x_at(0) / x.factor, patch.y_at(0) / y.factor, patch.dx() / x.factor, patch.dy() / y.factor,
+          in_space};
 }
 
 double reach(const Patch& patch) { return std::max(patch.x.magnitude(), patch.y.magnitude()); }
@@ -101,14 +93,14 @@ std::string Section::label() const {
 
 Section section_of(const Dataset& data, const std::string& text) {
   if (!text.starts_with("x=") && !text.starts_with("y="))
-    throw ParameterError("section", "'" + text + "' is not of the form y=0, x=0.2mm or y=max");
+    cli::refuse("section", text, "is not of the form y=0, x=0.2mm or y=max");
   const Grid grid = grid_of(data);
   const bool along_x = text[0] == 'y';
   const double wanted = place_of(data, text.substr(2), along_x), spacing = along_x ? grid.dy : grid.dx,
                size = along_x ? grid.size_y() : grid.size_x();
   if (!(std::abs(wanted) <= 0.5 * size))
-    throw ParameterError("section", "'" + text + "' lies outside: the surface reaches to ±" +
-                                        cli::format_quantity(0.5 * size, "m"));
+    cli::refuse("section", text,
+                "lies outside: the surface reaches to ±" + cli::format_quantity(0.5 * size, "m"));
   const Index n = along_x ? grid.shape.ny : grid.shape.nx;
   const auto nearest = static_cast<Index>(std::floor((wanted + 0.5 * size) / spacing));
   const Index index = std::clamp<Index>(nearest, 0, n - 1);
@@ -117,13 +109,10 @@ Section section_of(const Dataset& data, const std::string& text) {
 
 Range value_range(const Request& request, const std::string& unit, Range otherwise) {
   if (request.range.empty()) return otherwise;
-  const bool pure = unit.empty() || unit == "1";
-  const auto [low, high] =
-      pure ? cli::parse_numbers("range", request.range) : cli::parse_quantities("range", request.range, unit);
-  if (!(low < high)) throw ParameterError("range", "'" + request.range + "' does not rise");
+  const auto [low, high] = cli::parse_quantities("range", request.range, unit);
+  if (!(low < high)) cli::refuse("range", request.range, "does not rise");
   if (!(drawable({low, high}) == Range{low, high}))
-    throw ParameterError("range",
-                         "'" + request.range + "' is too narrow: doubles hardly tell its ends apart");
+    cli::refuse("range", request.range, "is too narrow: doubles hardly tell its ends apart");
   return {low, high};
 }
 
@@ -134,7 +123,11 @@ Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantit
             quantity.signed_value ? Palette::diverging : Palette::sequential};
   if (!quantity.signed_value) return one_sided(range);
   double mean = 0;
-  for (const Patch& p : patches) mean += mean_of(p.values) / static_cast<double>(patches.size());
+  for (const Patch& p : patches) {
+    const auto finite = p.values.isFinite();
+    mean += finite.select(p.values, 0.0).sum() / static_cast<double>(finite.count()) /
+            static_cast<double>(patches.size());
+  }
   return about(quantity.name == "height" ? mean : 0.0, range);
 }
 

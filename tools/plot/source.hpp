@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/plot/gnuplot.hpp"
-#include "tools/plot/request.hpp"
+#include "tools/plot/figure.hpp"
 
 namespace asperity::plot {
 
@@ -37,7 +36,7 @@ Range range_of(const std::vector<Patch>& patches);
 /// The largest magnitude of the places shown [m].
 double reach(const Patch& patch);
 /// Where its cells lie, in these units.
-Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y);
+Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y, bool in_space = false);
 
 /// Where a straight section runs: along x at y = place, or along y at x = place.
 struct Section {
@@ -55,7 +54,7 @@ Section section_of(const Dataset& data, const std::string& text);
 /// The values that --range allows, in SI, or `otherwise`.
 Range value_range(const Request& request, const std::string& unit, Range otherwise);
 
-/// Of fields side by side: heights evenly about their mean, what has a sign about zero, the rest from zero upwards.
+/// Of fields side by side: heights evenly about their mean, what has a sign about zero, else from zero up.
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request);
 
 }  // namespace asperity::plot

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "tools/plot/kinds.hpp"
 #include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
@@ -12,11 +11,6 @@ namespace {
 
 constexpr Index most_points = 128;     // along a side: more are not legible on paper
 constexpr double height_share = 0.22;  // of the longer side that the range of values should take
-
-// The k-th points in both directions, so that at most `most_points` are left along a side.
-Index stride_of(const Field& values) {
-  return (std::max(values.rows(), values.cols()) + most_points - 1) / most_points;
-}
 
 // Two points are left along a side, however narrow.
 Patch thinned(const Patch& patch, Index most) {
@@ -32,23 +26,18 @@ Patch thinned(const Patch& patch, Index most) {
       {y0, y0 + step_y * static_cast<double>(ny)}};
 }
 
-void require_two_points(const std::string& variable, const Patch& patch) {
-  const Index nx = patch.values.rows(), ny = patch.values.cols();
+// The k-th points in both directions, so that at most `most_points` are left along a side.
+Index stride_of(const std::string& variable, const Field& values) {
+  const Index nx = values.rows(), ny = values.cols();
   if (nx < 2 || ny < 2)
     throw DataError(variable,
                     fmt::format("a surface in perspective needs 2 x 2 points, and there are {} x {}: "
                                 "map and profile draw them",
                                 nx, ny));
+  return (std::max(nx, ny) + most_points - 1) / most_points;
 }
 
-// A round number 1, 2 or 5 × 10ⁿ of plotted metres a unit of the quantity.
-double exaggeration(const Patch& patch, Range values) {
-  const double wanted =
-      height_share * std::max(patch.x.width(), patch.y.width()) / std::max(values.width(), 1e-300);
-  return round_step(0.7 * wanted, 1);
-}
-
-// Multiples of the step, or what lies amid two where there is room for one of them only: one number is no scale.
+// Multiples of the step, or what lies amid two where there is room for one only: one number is no scale.
 std::string tics(Range values, double step, double scale, const Unit& unit) {
   const Range shown{values.low / unit.factor, values.high / unit.factor};
   std::vector<double> at = multiples(shown, step);
@@ -62,19 +51,13 @@ std::string tics(Range values, double step, double scale, const Unit& unit) {
   return out;
 }
 
-std::string default_title(const Quantity& quantity, double factor, Index stride) {
-  std::string out = quantity.unit == "m" ? fmt::format("{} × {:.6g}", quantity.name, factor) : quantity.name;
-  if (stride > 1) out += fmt::format(", every {}th point", stride);
-  return out;
-}
-
 // All cases as they are drawn: thinned alike, on one scale.
 struct Relief {
   std::vector<Patch> patches;
   Quantity quantity;
   Range values = {};
   Index stride = 1;
-  double factor = 1;             ///< heights are enlarged by it
+  double factor = 1;             ///< plotted metres a unit of the quantity: 1, 2 or 5 × 10ⁿ
   Unit length = {}, value = {};  ///< of the axes
 
   double scale() const { return factor / length.factor; }  ///< plotted units a unit of the quantity
@@ -84,17 +67,15 @@ Relief relief_of(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
-  for (const Patch& p : out.patches) {
-    require_two_points(variable, p);
-    out.stride = std::max(out.stride, stride_of(p.values));
-  }
+  for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
   out.values = value_range(request, out.quantity.unit, range_of(out.patches));
   for (Patch& p : out.patches) p = thinned(p, out.stride);
   if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
     const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
     out.values = {out.values.low - room, out.values.high + room};
   }
-  out.factor = exaggeration(out.patches[0], out.values);
+  const double side = std::max(out.patches[0].x.width(), out.patches[0].y.width());
+  out.factor = round_step(0.7 * (height_share * side / std::max(out.values.width(), 1e-300)), 1);
   out.length = unit_for(reach(out.patches[0]), "m");
   out.value = unit_for(out.values.magnitude(), out.quantity.unit);
   return out;
@@ -102,17 +83,20 @@ Relief relief_of(const Cases& cases, const Request& request) {
 
 Script view_of(const Relief& relief) {
   Script script;
-  script.line("set view 50,30,0.98\nset view equal xyz");
-  script.line("set xyplane at {}", relief.values.low * relief.scale());
-  script.line("set pm3d depthorder explicit corners2color mean");
-  script.line("set pm3d lighting primary 0.45 specular 0.0");
-  script.line("set border 127+256+512 linewidth 0.6");
-  script.line("set grid ztics linewidth 0.4 linecolor rgb '#c8c8c8'");
+  script.line(
+      "set view 50,30,0.98\n"
+      "set view equal xyz\n"
+      "set xyplane at {}\n"
+      "set pm3d depthorder explicit corners2color mean\n"
+      "set pm3d lighting primary 0.45 specular 0.0\n"
+      "set border 127+256+512 linewidth 0.6\n"
+      "set grid ztics linewidth 0.4 linecolor rgb '#c8c8c8'",
+      relief.values.low * relief.scale());
   return script;
 }
 
-// Of the heights' numbers, which stand 0.8 em apart or more: in this view the longer side takes some 0.6 of the panel's
-// width. A finer choice than round_step's, for where there is room for two or three.
+// Of the heights' numbers, 0.8 em apart or more: in this view the longer side takes some 0.6 of the panel's
+// width. A finer choice than round_step's, for there is room for two or three.
 double step_of_heights(double ems_wide, const Relief& relief, const Patch& p) {
   const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * ems_wide;
   const double side = std::max(p.x.width(), p.y.width()) / relief.length.factor;
@@ -136,8 +120,8 @@ Script axes_of(double ems_wide, const Relief& relief, const Patch& p, bool first
   script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
   script.line("set ztics ({})",
               tics(relief.values, step_of_heights(ems_wide, relief, p), scale, relief.value));
-  script.line("set xlabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("x")));
-  script.line("set ylabel {} noenhanced offset 0,-0.3", gnuplot_string(relief.length.label("y")));
+  for (const char* axis : {"x", "y"})
+    script.line("set {}label {} noenhanced offset 0,-0.3", axis, gnuplot_string(relief.length.label(axis)));
   script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
               gnuplot_string(first ? relief.value.label(relief.quantity.name) : ""));
   return script;
@@ -151,7 +135,9 @@ Figure surface(const Cases& cases, const Request& request) {
   Colours colours = field_colours(relief.patches, relief.quantity, request);
   colours.range = {colours.range.low * scale, colours.range.high * scale};
   Figure out = side_by_side(request, cases);
-  out.title = default_title(relief.quantity, relief.factor, relief.stride);
+  out.title = relief.quantity.name;
+  if (relief.quantity.unit == "m") out.title += fmt::format(" × {:.6g}", relief.factor);
+  if (relief.stride > 1) out.title += fmt::format(", every {}th point", relief.stride);
   out.in_space = true;
   out.aspect = 0.72;
   out.left = 4.5, out.right = 4, out.bottom = 3.2;
@@ -161,10 +147,9 @@ Figure surface(const Cases& cases, const Request& request) {
   const Layout layout = layout_of(out, request);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = relief.patches[c];
-    Lattice at = lattice_of(p, relief.length, relief.length);
-    at.in_space = true;
     out.panels[c].commands = axes_of(layout.panel_width / layout.em, relief, p, c == 0);
-    out.panels[c].layers = {raster(p.values * scale, at, "with pm3d")};
+    out.panels[c].layers = {
+        raster(p.values * scale, lattice_of(p, relief.length, relief.length, true), "with pm3d")};
   }
   return out;
 }

@@ -1,11 +1,13 @@
-#include "tools/report/facts.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
+#include "tools/report/html.hpp"
+#include "tools/report/parts.hpp"
 #include "tools/report/readable.hpp"
 
 namespace asperity::report {
@@ -42,55 +44,6 @@ std::string text_of(const Dataset& data, const Values& values, std::string unit)
   return numbers_text(numbers(values), unit);
 }
 
-std::string stage_of(const std::string& attribute) { return attribute.substr(0, attribute.find('_')); }
-
-}  // namespace
-
-std::vector<Fact> facts_of(const Dataset& data) {
-  std::vector<Fact> out;
-  for (const KnownAttribute& known : known_attributes())
-    if (const Values* values = data.attributes.find(known.name); values && known.role != Role::other) {
-      const std::string name(known.name), unit(known.unit);
-      out.push_back(
-          {known.role, stage_of(name), name, std::string(known.label), text_of(data, *values, unit)});
-    }
-  return out;
-}
-
-std::vector<Fact> other_attributes(const Dataset& data) {
-  std::vector<Fact> out;
-  for (const Attribute& a : data.attributes) {
-    const KnownAttribute* known = known_attribute(a.name);
-    const bool told = known && known->role != Role::other;
-    if (!told && a.name != "history" && a.name != "source")
-      out.push_back({Role::parameter, "", a.name, a.name, text_of(a.values)});
-  }
-  return out;
-}
-
-std::vector<std::string> warnings_of(const Dataset& data) {
-  std::vector<std::string> out;
-  const Attributes& a = data.attributes;
-  const auto number = [&](const char* name) { return readable(a.number(name, NAN), "1"); };
-  if (a.number("kernel_converged", 1) == 0)
-    out.push_back(
-        fmt::format("The kernel did not converge ({}): residual {}, tolerance {}. Surfaces drawn from it do "
-                    "not have the autocorrelation asked for.",
-                    a.text("kernel_reason"), number("kernel_residual"), number("kernel_tolerance")));
-  if (a.number("contact_converged", 1) == 0)
-    out.push_back(
-        fmt::format("The contact did not converge: residual {}, tolerance {}. Pressure, area and all that "
-                    "rests on them are not a solution.",
-                    number("contact_residual"), number("contact_tolerance")));
-  const std::string answer = a.text("kernel_answer");
-  if ((answer == "nearest" || answer == "least-squares") && a.number("kernel_change", 0) > 1e-6)
-    out.push_back(
-        fmt::format("No kernel of this reach has the autocorrelation asked for; it was changed by up to {} "
-                    "of the variance.",
-                    number("kernel_change")));
-  return out;
-}
-
 std::string text_of(const Values& values) {
   if (const auto* words = std::get_if<std::string>(&values)) return *words;
   constexpr std::size_t most = 12;
@@ -100,9 +53,77 @@ std::string text_of(const Values& values) {
       words.push_back(fmt::format("… ({} values)", count(values)));
       break;
     }
-    words.push_back(cli::shortest(v));
+    words.push_back(shortest(v));
   }
   return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// The line of an attribute in a list.
+std::string line(std::string_view name, std::string_view label, const std::string& text) {
+  constexpr std::size_t unbroken = 24;  // bytes that stand on one line
+  return fmt::format("<div title=\"{}\"><dt>{}</dt><dd{}>{}</dd></div>\n", escaped(name), escaped(label),
+                     text.size() <= unbroken ? " class=\"short\"" : "", escaped(text));
+}
+
+}  // namespace
+
+std::string warnings(const Dataset& data) {
+  std::string out;
+  const Attributes& a = data.attributes;
+  const auto number = [&](const char* name) { return readable(a.number(name, NAN), "1"); };
+  const auto warn = [&](const std::string& text) {
+    out += fmt::format("<p class=\"warning\" role=\"alert\">Warning: {}</p>\n", escaped(text));
+  };
+  if (a.number("kernel_converged", 1) == 0)
+    warn(
+        fmt::format("The kernel did not converge ({}): residual {}, tolerance {}. Surfaces drawn from it do "
+                    "not have the autocorrelation asked for.",
+                    a.text("kernel_reason"), number("kernel_residual"), number("kernel_tolerance")));
+  if (a.number("contact_converged", 1) == 0)
+    warn(
+        fmt::format("The contact did not converge: residual {}, tolerance {}. Pressure, area and all that "
+                    "rests on them are not a solution.",
+                    number("contact_residual"), number("contact_tolerance")));
+  const std::string answer = a.text("kernel_answer");
+  if ((answer == "nearest" || answer == "least-squares") && a.number("kernel_change", 0) > 1e-6)
+    warn(
+        fmt::format("No kernel of this reach has the autocorrelation asked for; it was changed by up to {} "
+                    "of the variance.",
+                    number("kernel_change")));
+  return out;
+}
+
+std::string facts(const Dataset& data, Role role, std::string_view stage) {
+  std::string lines;
+  for (const KnownAttribute& known : known_attributes())
+    if (const Values* values = data.attributes.find(known.name);
+        values && known.role == role && known.name.substr(0, known.name.find('_')) == stage)
+      lines += line(known.name, known.label, text_of(data, *values, std::string(known.unit)));
+  return element("dl", lines);
+}
+
+std::string other_attributes(const Dataset& data) {
+  std::string lines;
+  for (const Attribute& a : data.attributes) {
+    const KnownAttribute* known = known_attribute(a.name);
+    const bool told = known && known->role != Role::other;
+    if (!told && a.name != "history" && a.name != "source") lines += line(a.name, a.name, text_of(a.values));
+  }
+  return element("dl", lines);
+}
+
+std::string history(const std::string& text) {
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) continue;
+    const auto colon = line.find(": ");
+    const bool timed = colon != line.npos && line.find(' ') > colon;
+    const std::string when = timed ? fmt::format("<time>{}</time>", escaped(line.substr(0, colon))) : "";
+    out +=
+        element("li", when + fmt::format("<code>{}</code>", escaped(timed ? line.substr(colon + 2) : line)));
+  }
+  return element("ol", out, "history");
 }
 
 }  // namespace asperity::report

@@ -15,20 +15,17 @@ constexpr struct {
 } escapes[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
 
 std::string escaped(char c) {
+  const auto code = static_cast<unsigned char>(c);
+  if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) return "\uFFFD";
   const auto* own = std::ranges::find_if(escapes, [&](const auto& e) { return e.character == c; });
   return own == std::end(escapes) ? std::string(1, c) : own->escape;
-}
-
-bool shown(char c) {
-  const auto code = static_cast<unsigned char>(c);
-  return (code >= 0x20 && code != 0x7F) || c == '\n' || c == '\t';
 }
 
 }  // namespace
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : utf8_of(text)) out += shown(c) ? escaped(c) : "\uFFFD";
+  for (const char c : utf8_of(text)) out += escaped(c);
   return out;
 }
 
@@ -47,6 +44,7 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string element(std::string_view name, std::string_view content, std::string_view css_class) {
+  if (content.empty()) return "";
   const std::string attribute = css_class.empty() ? "" : fmt::format(" class=\"{}\"", css_class);
   return fmt::format("<{}{}>{}</{}>\n", name, attribute, content, name);
 }
@@ -63,7 +61,8 @@ std::string table(std::initializer_list<const char*> columns, const std::string&
                   std::string_view css_class) {
   std::string head;
   for (const char* column : columns) head += fmt::format("<th scope=\"col\">{}</th>", column);
-  return element("table", element("thead", element("tr", head)) + element("tbody", rows), css_class);
+  return element("table", element("thead", element("tr", head)) + fmt::format("<tbody>{}</tbody>\n", rows),
+                 css_class);
 }
 
 }  // namespace asperity::report

@@ -7,14 +7,13 @@
 
 namespace asperity::report {
 
-/// For an element or a quoted attribute; bytes that are no UTF-8, and control characters but line feeds and tabs,
-/// become U+FFFD.
+/// For an element or a quoted attribute; control characters but line feeds and tabs become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// RFC 4648, section 4.
 std::string base64(std::string_view bytes);
 
-/// `<name class="…">content</name>`; the content is HTML already.
+/// `<name class="…">content</name>`; the content is HTML already, and "" where it is.
 std::string element(std::string_view name, std::string_view content, std::string_view css_class = "");
 
 // Of tables, from HTML.

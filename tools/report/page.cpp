@@ -2,28 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
 #include "tools/cli/record.hpp"
-#include "tools/report/facts.hpp"
 #include "tools/report/html.hpp"
-#include "tools/report/pictures.hpp"
+#include "tools/report/parts.hpp"
 #include "tools/report/readable.hpp"
 #include "tools/report/style.hpp"
-#include "tools/report/tables.hpp"
 
 namespace asperity::report {
 namespace {
 
-struct Stage {
-  const char *prefix, *title;
-};
-constexpr Stage stages[] = {{"kernel", "Autocorrelation and kernel"},
-                            {"generate", "Surface"},
-                            {"contact", "Contact"},
-                            {"stress", "Stress below the surface"}};
+constexpr std::pair<const char*, const char*> stages[] = {{"kernel", "Autocorrelation and kernel"},
+                                                          {"generate", "Surface"},
+                                                          {"contact", "Contact"},
+                                                          {"stress", "Stress below the surface"}};
 
 std::string section(const std::string& title, const std::string& content) {
   return content.empty() ? "" : element("section", element("h2", escaped(title)) + content);
@@ -44,8 +40,8 @@ std::vector<std::string> parts(const Content& c) {
                                    : "the kernel of its autocorrelation");
   if (data.has("pressure")) out.push_back("a contact");
   if (std::ranges::any_of(data.variables, [](const Variable& v) {
-        const KnownVariable* known = known_variable(v.name);
-        return known && known->result == "stress";
+        const KnownResult* result = result_of_variable(v.name);
+        return result && result->name == "stress";
       }))
     out.push_back(out.empty() ? "stress below a surface" : "the stress below it");
   return out;
@@ -68,23 +64,18 @@ std::string what_it_is(const Content& c) {
 
 // ---- the numbers that a reader looks for first ----
 
-const cli::Quantities::Row* find_row(const Content& c, const std::string& name) {
-  for (const Group& group : c.groups)
-    for (const auto& row : group.rows)
-      if (row.name == name) return &row;
-  return nullptr;
-}
-
 std::string tile(const std::string& label, const std::string& text) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", label, escaped(text));
 }
 
 std::string tiles(const Content& c) {
   std::string out;
-  if (const auto* row = find_row(c, "Sq")) {
-    const Measurement m = readable(*row);
-    out += tile("rms height Sq", m.value + (m.error.empty() ? "" : " ± " + m.error) + "\u00A0" + m.unit);
-  }
+  for (const Group& group : c.groups)
+    for (const Parameter& row : group.rows)
+      if (row.name == "Sq") {
+        const Measurement m = readable(row);
+        out += tile("rms height Sq", m.value + (m.error.empty() ? "" : " ± " + m.error) + "\u00A0" + m.unit);
+      }
   const Attributes& a = c.dataset[0].data.attributes;
   constexpr struct {
     const char *attribute, *label, *unit;
@@ -94,14 +85,7 @@ std::string tiles(const Content& c) {
                 {"stress_max_von_mises", "largest von Mises stress", "Pa"}};
   for (const auto& w : wanted)
     if (a.find(w.attribute)) out += tile(w.label, readable(a.number(w.attribute, NAN), w.unit));
-  return out.empty() ? "" : element("dl", out, "tiles");
-}
-
-std::string warnings(const Dataset& data) {
-  std::string out;
-  for (const std::string& text : warnings_of(data))
-    out += fmt::format("<p class=\"warning\" role=\"alert\">Warning: {}</p>\n", escaped(text));
-  return out;
+  return element("dl", out, "tiles");
 }
 
 // ---- tables ----
@@ -114,10 +98,9 @@ std::string parameters_of_surface(const Content& c) {
                                  : element("p", "Not computed: " + escaped(group.omitted) + ".", "soft");
   }
   if (out.empty()) return "";
-  const std::string untold =
-      c.untold.empty()
-          ? ""
-          : element("p", "Warning: standard errors and intervals are " + escaped(c.untold) + ".", "warning");
+  std::string untold;
+  if (!c.untold.empty())
+    untold = element("p", "Warning: standard errors and intervals are " + escaped(c.untold) + ".", "warning");
   return untold +
          element("p",
                  "Measured above " + escaped(c.reference) +
@@ -127,18 +110,17 @@ std::string parameters_of_surface(const Content& c) {
          out;
 }
 
-std::string by_stage(const std::vector<Fact>& list, Role role) {
+std::string by_stage(const Dataset& data, Role role) {
   std::string out;
-  for (const Stage& stage : stages) {
-    const std::string table = facts(list, role, stage.prefix);
-    if (!table.empty()) out += element("h3", stage.title) + table;
-  }
+  for (const auto& [stage, title] : stages)
+    if (const std::string table = facts(data, role, stage); !table.empty())
+      out += element("h3", title) + table;
   return out;
 }
 
 std::string of_the_file(const Dataset& data) {
-  std::string out = contents(data), list = facts(other_attributes(data), Role::parameter, "");
-  return list.empty() ? out : out + element("h3", "Other attributes") + list;
+  const std::string others = other_attributes(data);
+  return contents(data) + (others.empty() ? "" : element("h3", "Other attributes") + others);
 }
 
 std::string foot(const Dataset& data) {
@@ -150,14 +132,13 @@ std::string foot(const Dataset& data) {
 
 std::string body(const Content& c) {
   const Dataset& data = c.dataset[0].data;
-  const std::vector<Fact> list = facts_of(data);
   return element("header", element("h1", escaped(c.title)) + element("p", escaped(what_it_is(c)), "soft")) +
          warnings(data) + tiles(c) + section("Pictures", pictures(c.dataset, c.variable)) +
          section("Contact", contact_results(data)) +
-         section("Stress below the surface", facts(list, Role::result, "stress")) +
+         section("Stress below the surface", facts(data, Role::result, "stress")) +
          section(c.variable == "heights" ? "Surface" : "Field " + c.variable, parameters_of_surface(c)) +
-         section("What the solvers achieved", by_stage(list, Role::achieved)) +
-         section("Parameters in effect", by_stage(list, Role::parameter)) +
+         section("What the solvers achieved", by_stage(data, Role::achieved)) +
+         section("Parameters in effect", by_stage(data, Role::parameter)) +
          section("History", history(data.attributes.text("history"))) +
          section("Contents of the dataset", of_the_file(data)) + foot(data);
 }

@@ -1,13 +1,12 @@
 /// The page of a dataset: everything in one file, nothing fetched, no script.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "stats/measure/parameter.hpp"
 #include "tools/cli/tool.hpp"
-#include "tools/plot/request.hpp"
+#include "tools/plot/figure.hpp"
 
 namespace asperity::report {
 

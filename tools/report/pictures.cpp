@@ -1,13 +1,11 @@
-#include "tools/report/pictures.hpp"
-
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "tools/plot/gnuplot.hpp"
-#include "tools/plot/kinds.hpp"
+#include "tools/plot/figure.hpp"
 #include "tools/report/html.hpp"
+#include "tools/report/parts.hpp"
 
 namespace asperity::report {
 namespace {
@@ -24,7 +22,7 @@ bool is_field(const Dataset& data, const std::string& name) {
   return variable && variable->dimensions == std::vector<std::string>{"x", "y"};
 }
 
-// A section goes through the largest stress where the dataset says where it is, and holds more than one section.
+// Where a volume says where its largest stress is, the section goes through it.
 std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
   std::vector<Wanted> out;
   const bool field = is_field(data, variable);
@@ -68,7 +66,7 @@ std::string pictures(const plot::Cases& dataset, const std::string& variable) {
       omitted += element("p", fmt::format("{} is not drawn: {}.", title, why), "soft");
     }
   }
-  return (shown.empty() ? "" : element("div", shown, "pictures")) + omitted;
+  return element("div", shown, "pictures") + omitted;
 }
 
 }  // namespace asperity::report

@@ -31,7 +31,7 @@ std::string superscript(int n) {
   return out;
 }
 
-// The largest length whose power brings the number to 0.01 or more, or below 1000 where it is one over a length.
+// The largest length whose power brings the number to 0.01 or more, or below 1000 of a negative power.
 Unit power_unit(double magnitude, int n) {
   if (!(magnitude > 0)) return {1, "m" + superscript(n)};
   const Unit lengths[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}};
@@ -43,12 +43,6 @@ Unit power_unit(double magnitude, int n) {
   return {};
 }
 
-Unit pure_unit(double magnitude) {
-  if (!(magnitude > 0) || magnitude >= least_decimal) return {};
-  const int thousands = static_cast<int>(std::floor(std::log10(magnitude * (1 + 1e-9)) / 3));
-  return {std::pow(1000.0, thousands), "×\u00A010" + superscript(3 * thousands)};
-}
-
 std::string with_true_minus(std::string text) {
   if (text.find_first_of("123456789") == text.npos) std::erase(text, '-');
   return text.starts_with('-') ? "−" + text.substr(1) : text;
@@ -58,7 +52,11 @@ std::string with_true_minus(std::string text) {
 
 Unit unit_for(double magnitude, const std::string& si_unit) {
   if (si_unit == "rad") return {std::numbers::pi / 180, "°"};
-  if (si_unit.empty() || si_unit == "1") return pure_unit(magnitude);
+  if (si_unit.empty() || si_unit == "1") {
+    if (!(magnitude > 0) || magnitude >= least_decimal) return {};
+    const int thousands = static_cast<int>(std::floor(std::log10(magnitude * (1 + 1e-9)) / 3));
+    return {std::pow(1000.0, thousands), "×\u00A010" + superscript(3 * thousands)};
+  }
   if (si_unit == "s") {
     const Unit newtons = plot::unit_for(std::min(magnitude, 1.0), "N");
     return {newtons.factor, newtons.name.substr(0, newtons.name.size() - 1) + "s"};
@@ -94,7 +92,7 @@ std::string readable(double value, const std::string& si_unit) {
   return unit.name.empty() ? number : number + (unit.name == "°" ? "" : "\u00A0") + unit.name;
 }
 
-Measurement readable(const cli::Quantities::Row& row) {
+Measurement readable(const Parameter& row) {
   const bool known = std::isfinite(row.standard_error) && row.standard_error > 0;
   const double size = std::isfinite(row.value) ? std::abs(row.value) : 0;
   const Unit unit = unit_for(std::max(size, known ? row.standard_error : 0), row.unit);

@@ -1,17 +1,17 @@
 /// Numbers for eyes: a unit with the prefix that suits them, and the digits that their error leaves.
 ///
-/// The standard error has two digits, and the value and its interval end where it ends. What has no error has four
-/// digits, whole numbers all of theirs. Pure numbers below 0.01 have a power of a thousand in place of a prefix.
+/// The standard error has two digits, and the value and its interval end where it ends. Without an error
+/// there are four digits, of whole numbers all. Pure numbers below 0.01 have powers of a thousand as units.
 #pragma once
 
 #include <string>
 
-#include "tools/cli/table.hpp"
+#include "stats/measure/parameter.hpp"
 #include "tools/plot/scale.hpp"
 
 namespace asperity::report {
 
-/// Of a length, its powers from m-4 to m4, a force, a stress, a time, an angle in radians or a pure number; any other
+/// Of a length, its powers from m-4 to m4, a force, a stress, a time, an angle or a pure number; any other
 /// unit stands as it is.
 plot::Unit unit_for(double magnitude, const std::string& si_unit);
 
@@ -27,6 +27,6 @@ struct Measurement {
   std::string value, error, low, high;  ///< empty where none is known
   std::string unit;
 };
-Measurement readable(const cli::Quantities::Row& row);
+Measurement readable(const Parameter& row);
 
 }  // namespace asperity::report

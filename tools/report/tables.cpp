@@ -1,23 +1,19 @@
-#include "tools/report/tables.hpp"
-
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "tools/report/html.hpp"
+#include "tools/report/parts.hpp"
 #include "tools/report/readable.hpp"
 
 namespace asperity::report {
 namespace {
 
-constexpr std::size_t unbroken = 24;  // bytes of a fact that stand on one line
-
 std::string data_element(double value, const std::string& text) {
-  return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", cli::shortest(value), text)
-                              : text;
+  return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", shortest(value), text) : text;
 }
 
 // An end that lies beyond what can be told is left open.
@@ -27,7 +23,7 @@ std::string interval(double low, double high, const Measurement& m) {
   return below && above ? from + " to " + to : below ? "above " + from : above ? "below " + to : "";
 }
 
-std::string row_of(const cli::Quantities::Row& row) {
+std::string row_of(const Parameter& row) {
   const Measurement m = readable(row);
   const auto ends = row.interval_95();
   const bool known = !m.error.empty();
@@ -81,7 +77,7 @@ std::vector<Comparison> comparisons(const Dataset& data) {
 
 }  // namespace
 
-std::string measurements(const std::vector<cli::Quantities::Row>& rows) {
+std::string measurements(const Parameters& rows) {
   std::string body;
   for (const auto& row : rows) body += row_of(row);
   return table({"quantity", "value", "standard error", "95\u00A0% interval", "unit"}, body, "measurements");
@@ -97,16 +93,6 @@ std::string contact_results(const Dataset& data) {
   return table({"quantity", "value", "smooth bodies (Hertz)", "ratio"}, body, "results");
 }
 
-std::string facts(const std::vector<Fact>& facts, Role role, const std::string& stage) {
-  std::string out;
-  for (const Fact& f : facts)
-    if (f.role == role && f.stage == stage)
-      out +=
-          fmt::format("<div title=\"{}\"><dt>{}</dt><dd{}>{}</dd></div>\n", escaped(f.attribute),
-                      escaped(f.label), f.text.size() <= unbroken ? " class=\"short\"" : "", escaped(f.text));
-  return out.empty() ? "" : element("dl", out);
-}
-
 std::string contents(const Dataset& data) {
   std::string body;
   for (const Variable& v : data.variables) {
@@ -118,20 +104,6 @@ std::string contents(const Dataset& data) {
                               cell(escaped(unit == "1" ? "" : unit), "unit"));
   }
   return table({"variable", "dimensions", "unit"}, body, "contents");
-}
-
-std::string history(const std::string& text) {
-  std::istringstream lines(text);
-  std::string out;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty()) continue;
-    const auto colon = line.find(": ");
-    const bool timed = colon != line.npos && line.find(' ') > colon;
-    const std::string when = timed ? fmt::format("<time>{}</time>", escaped(line.substr(0, colon))) : "";
-    out +=
-        element("li", when + fmt::format("<code>{}</code>", escaped(timed ? line.substr(colon + 2) : line)));
-  }
-  return out.empty() ? "" : element("ol", out, "history");
 }
 
 }  // namespace asperity::report

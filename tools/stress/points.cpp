@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/parallel.hpp"
+#include "core/words.hpp"
 #include "stress/points.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/table.hpp"
@@ -16,11 +17,10 @@ namespace {
 
 using Places = std::vector<std::array<double, 3>>;  // x, y and depth [m]
 
-// A number alone counts metres, as in every table.
+// A number alone counts metres, as in every table; other programs write a plus before it.
 double parse_place(const std::string& word) {
-  char* end = nullptr;
-  const double metres = std::strtod(word.c_str(), &end);
-  return *end == '\0' ? metres : parse_quantity("points", word, "m");
+  const auto metres = leading_number<double>(std::string_view(word).substr(word.starts_with('+')));
+  return metres.found && metres.rest.empty() ? metres.number : parse_quantity("points", word, "m");
 }
 
 Places parse_points(std::string_view text, const MemoryBound& memory) {

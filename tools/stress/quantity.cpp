@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "tools/cli/series.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {

@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "core/poisson.hpp"
 #include "dataset/layout.hpp"
-#include "tools/cli/series.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -57,18 +56,6 @@ double poisson_of(const StressOptions& o, const Dataset& data) {
   return out;
 }
 
-Friction friction_of(const StressOptions& o) {
-  const Friction out{o.friction, parse_angle("friction-angle", o.friction_angle)};
-  out.check();
-  return out;
-}
-
-// A share of Hertz's pressure, where the smooth bodies have one, else of the largest pressure.
-double least_value(const StressOptions& o, const Dataset& data, const Field& pressure) {
-  if (std::isnan(o.above)) return 0;
-  return o.above * data.attributes.number("contact_hertz_pressure", pressure.abs().maxCoeff());
-}
-
 // A contact presses and does not pull.
 void refuse_tension(const Field& pressure) {
   Index i = 0, j = 0;
@@ -92,11 +79,14 @@ StressScene read_scene(const Tool& tool, const StressOptions& options) {
   grid = grid_of(scene.data);
   scene.depths = depths_on(grid, options.depths);
   scene.plane = plane_on(grid, options.section);
-  friction = friction_of(options);
+  friction = {options.friction, parse_angle("friction-angle", options.friction_angle)};
+  friction.check();
   poisson = poisson_of(options, scene.data);
   pressure = field_of(scene.data, "pressure", "Pa");
   refuse_tension(pressure);
-  scene.least = least_value(options, scene.data, pressure);
+  if (!std::isnan(options.above))  // a share of Hertz's pressure, where the smooth bodies have one
+    scene.least =
+        options.above * scene.data.attributes.number("contact_hertz_pressure", pressure.abs().maxCoeff());
   scene.resolution = options.resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
   return scene;
 }

@@ -16,12 +16,6 @@ struct StressScene {
   std::optional<Plane> plane;  ///< of a section
   double least = 0;            ///< values of less are left out [Pa]
   DepthResolution resolution = DepthResolution::adapted;
-
-  StressSolver volume(int threads) const { return StressSolver(body, threads, resolution); }
-  /// Of the section, where one is asked for.
-  StressSolver solver(int threads) const {
-    return plane ? StressSolver(body, *plane, threads, resolution) : volume(threads);
-  }
 };
 
 /// The coordinate of a plane [m].

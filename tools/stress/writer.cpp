@@ -19,8 +19,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::vector<double> depths_of_interest(const StressScene& s, const std::vector<StressOutput>& outputs) {
   if (!(s.least > 0) || !std::ranges::all_of(outputs, &StressOutput::is_stress)) return s.depths;
   std::vector<double> out;
-  const StressBound bound(s.body);
-  std::ranges::copy_if(s.depths, std::back_inserter(out), [&](double z) { return !(bound.at(z) < s.least); });
+  const double bound = stress_bound(s.body);
+  std::ranges::copy_if(s.depths, std::back_inserter(out),
+                       [&](double z) { return !(bound / (z * z) < s.least); });
   return out;
 }
 

@@ -1,9 +1,9 @@
 /// Writes a dataset of stresses layer by layer, so that a volume need not fit into memory.
 ///
-/// Into a regular file each layer goes to its places as soon as it is computed, and the ranges that stand in front
-/// are put right in the end; memory is that of as many layers as there are threads. Into a pipe, which has to begin
-/// with the ranges, the result is kept, or, when it is larger than the memory allowed, computed once for the ranges and once
-/// for each variable.
+/// Into a regular file each layer goes to its places as soon as it is computed, and the ranges that stand in
+/// front are put right in the end; memory is that of as many layers as there are threads. Into a pipe, which
+/// has to begin with the ranges, the result is kept, or, when it is larger than the memory allowed, computed
+/// once for the ranges and once for each variable.
 #pragma once
 
 #include "dataset/layout.hpp"
@@ -19,8 +19,7 @@ class StressWriter {
   StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
                const StressSolver& solver);
 
-  /// Computes the layers of the scene and writes its dataset with them. In the end `finish` gives attributes that
-  /// are there already their values.
+  /// Computes the layers of the scene and writes its dataset with them. In the end `finish` sets attributes.
   void write(const std::function<void(Attributes&)>& finish);
   /// What was the largest value of an output [Pa]; 0 where it was not asked for.
   double largest(std::string_view output) const;

@@ -10,7 +10,6 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/units.hpp"
-#include "dataset/variable_units.hpp"
 #include "formats/text_table.hpp"
 #include "tools/cli/plain_text.hpp"
 #include "tools/cli/quantity.hpp"
@@ -44,8 +43,8 @@ std::optional<std::vector<double>> lags_in_metres(const Variable& axis) try {
   refuse("its lags " + axis.name + ": " + e.what());
 }
 
-// The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or has one
-// point only.
+// The step of a coordinate whose point number `origin` is 0: in metres, or none where it counts samples or
+// has one point only.
 std::optional<double> step_of(const Dataset& data, const std::string& name, Index origin) {
   const Variable* axis = data.find(name);
   if (axis == nullptr) return std::nullopt;
@@ -75,7 +74,8 @@ Spacing spacing_of_lags(const Dataset& data, std::optional<double> dx, std::opti
   return std::array{dx.value_or(dy.value_or(1)), dy.value_or(dx.value_or(1))};
 }
 
-// The period of the surface that the table was measured on, or is the target of, where it has all lags of that.
+// The period of the surface that the table was measured on, or is the target of, where it has all lags of
+// that.
 std::optional<Shape> period_of(const Dataset& data, const std::string& name, const Field& half_plane) {
   std::optional<Shape> period = kernel_period(data);
   if (name == "acf") {
@@ -93,7 +93,7 @@ AcfTable from_dataset(Dataset data) {
   const std::string name = data.has("acf") ? "acf" : "acf_target";
   if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
   AcfTable out;
-  const Field table = table_of(data, name, Missing::not_a_number);
+  const Field table = table_of(data, name, "", Missing::not_a_number);
   out.half_plane = known_lags(table);
   out.left_out = name == "acf" && out.half_plane.size() < table.size();
   target_of_table(out.half_plane);
@@ -125,11 +125,10 @@ struct HeadedColumn {
 std::vector<HeadedColumn> columns_of(std::string_view header) {
   std::vector<HeadedColumn> columns;
   for (std::string_view word : words_of(header)) {
-    if (word.starts_with('[') && word.ends_with(']') && !columns.empty()) {
+    if (word.starts_with('[') && word.ends_with(']') && !columns.empty())
       columns.back().unit = word.substr(1, word.size() - 2);
-    } else {
+    else
       columns.push_back({std::string(word), {}});
-    }
   }
   return columns;
 }
@@ -139,11 +138,6 @@ std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::
   if (found == columns.end()) return std::nullopt;
   return static_cast<std::size_t>(found - columns.begin());
 }
-
-struct Text {
-  std::vector<HeadedColumn> columns;  // of the header, if there is one
-  Field rows;
-};
 
 // Of the last comment that names them.
 std::vector<HeadedColumn> columns_in(std::string_view bytes) {
@@ -158,45 +152,45 @@ std::vector<HeadedColumn> columns_in(std::string_view bytes) {
   return out;
 }
 
-Text parse(std::string_view bytes, const MemoryBound& memory) {
-  Reading reading;
-  reading.memory = memory;
-  Text text{columns_in(bytes), matrix_of(bytes, "acf", 1, reading)};
-  const auto named = static_cast<Index>(text.columns.size()), columns = text.rows.cols();
-  if (named > 0 && columns != named)
-    refuse("its lines have " + counted(columns, "number") + ", its header " + counted(named, "name"));
-  if (text.rows.isNaN().any()) refuse("a number is missing in it");
-  return text;
-}
-
-AcfTable from_matrix(const Text& text) {
-  AcfTable out;
-  out.half_plane = half_plane_of_quadrant(text.rows);
-  target_of_table(out.half_plane);
-  return out;
-}
-
-AcfTable from_columns(const Text& text) {
-  const auto x = place(text.columns, "lag_x"), y = place(text.columns, "lag_y"),
-             r = place(text.columns, "acf");
+// Values at lags, a line each.
+void take_columns(AcfTable& out, const std::vector<HeadedColumn>& columns, const Field& rows) {
+  const auto x = place(columns, "lag_x"), y = place(columns, "lag_y"), r = place(columns, "acf");
   if (!x || !y) refuse(x ? "its header names no column lag_y" : "its header names no column lag_x");
-  const std::string &unit_x = text.columns[*x].unit, &unit_y = text.columns[*y].unit;
+  const std::string &unit_x = columns[*x].unit, &unit_y = columns[*y].unit;
   if (counts_samples(unit_x) != counts_samples(unit_y))
     refuse("one lag has a unit of length, the other none");
   std::vector<LagValue> values;
-  const auto column = [&](std::size_t c) { return text.rows.col(static_cast<Index>(c)); };
-  for (Index i = 0; i < text.rows.rows(); ++i)
-    values.push_back({column(*x)(i), column(*y)(i), column(*r)(i)});
-  const LagTable lags = table_of_lags(values);
-  AcfTable out;
-  out.half_plane = lags.half_plane;
+  for (Index i = 0; i < rows.rows(); ++i) {
+    auto in = [&](std::size_t column) { return rows(i, static_cast<Index>(column)); };
+    values.push_back({in(*x), in(*y), in(*r)});
+  }
+  LagTable lags = table_of_lags(values);
+  out.half_plane = std::move(lags.half_plane);
   target_of_table(out.half_plane);
   auto step = [](double value, const std::string& unit) -> std::optional<double> {
     if (std::isnan(value) || counts_samples(unit)) return std::nullopt;
     return value * metres(unit);
   };
   out.spacing = spacing_of_lags({}, step(lags.step_x, unit_x), step(lags.step_y, unit_y));
-  out.rms = rms_of(lags.half_plane(0, lags.half_plane.cols() / 2), text.columns[*r].unit);
+  out.rms = rms_of(out.half_plane(0, out.half_plane.cols() / 2), columns[*r].unit);
+}
+
+AcfTable from_text(std::string_view bytes, const MemoryBound& memory) {
+  Reading reading;
+  reading.memory = memory;
+  const std::vector<HeadedColumn> columns = columns_in(bytes);
+  const Field rows = matrix_of(bytes, "acf", 1, reading);
+  const auto named = static_cast<Index>(columns.size());
+  if (named > 0 && rows.cols() != named)
+    refuse("its lines have " + counted(rows.cols(), "number") + ", its header " + counted(named, "name"));
+  if (rows.isNaN().any()) refuse("a number is missing in it");
+  AcfTable out;
+  if (named > 0) {
+    take_columns(out, columns, rows);
+    return out;
+  }
+  out.half_plane = half_plane_of_quadrant(rows);
+  target_of_table(out.half_plane);
   return out;
 }
 
@@ -205,9 +199,7 @@ AcfTable from_columns(const Text& text) {
 AcfTable read_acf_table(const std::string& name, const MemoryBound& memory) {
   const Bytes bytes = read_all(name, memory);
   const MemoryBound left = memory.beside(bytes.size());
-  if (looks_like_netcdf(bytes)) return from_dataset(decode_netcdf(bytes, left));
-  const Text text = parse(bytes, left);
-  return text.columns.empty() ? from_matrix(text) : from_columns(text);
+  return looks_like_netcdf(bytes) ? from_dataset(decode_netcdf(bytes, left)) : from_text(bytes, left);
 }
 
 }  // namespace asperity::cli

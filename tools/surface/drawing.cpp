@@ -65,7 +65,7 @@ class Writer {
   std::function<void(const RowSink&)> heights() {
     const Shape shape = drawing_.synthesis.shape();
     const std::size_t working = drawing_.synthesis.working_set(),
-                      whole = static_cast<std::size_t>(shape.cells()) * sizeof(double);
+                      whole = size(shape.cells()) * sizeof(double);
     if (working > drawing_.memory || whole > drawing_.memory - working)
       return [&](const RowSink& sink) { drawing_.synthesis.surface(drawing_.noise, sink); };
     kept_ = drawing_.synthesis.surface(drawing_.noise);
@@ -102,7 +102,8 @@ class Writer {
 
   // What is known of the surface by now.
   void record() {
-    for (const Layer& layer : layers_) defer_field(data_, layer.name, range_of(layer.moments), layer.meaning);
+    for (const Layer& layer : layers_)
+      defer_values(data_, layer.name, {"x", "y"}, range_of(layer.moments), layer.meaning);
     const Drawing& d = drawing_;
     Attributes& a = data_.attributes;
     a.set("generate_seed", static_cast<double>(d.noise.seed()));

@@ -1,9 +1,8 @@
 /// One surface, drawn and written: whole in memory where it fits, else strip by strip as it is made.
 ///
-/// The dataset says the range of the heights in front of them, and `exact_rq` needs their moments before the first of
-/// them can go. A surface in memory tells both; one that does not fit is drawn twice, once for these and once for the
-/// file. A regular file needs no first pass for the range alone: it is entered when the last strip is written. The
-/// bytes are the same each way.
+/// The range stands in front of the heights, and `exact_rq` needs their moments first. A surface in memory
+/// tells both; one that does not fit is drawn twice. A regular file needs no first pass for the range alone:
+/// it is entered in the end. The bytes are the same each way.
 #pragma once
 
 #include "surface/synthesis.hpp"

@@ -63,10 +63,8 @@ void GenerateOptions::check_outputs(Tool& tool) const {
 }
 
 std::string GenerateOptions::target_option(const Tool& tool) const {
-  for (const Option& option : tool.options())
-    if ((option.group() == "Autocorrelation" || option.group() == "Solution") && option.given() &&
-        option.key() != "kernel" && !(acf.filters() && option.key() == "method"))
-      return option.key();
+  for (const std::string& key : tool.given_under({"Autocorrelation", "Solution"}))
+    if (key != "kernel" && !(acf.filters() && key == "method")) return key;
   return {};
 }
 

@@ -20,7 +20,8 @@ struct GenerateOptions {
   int count = 1, first = 0;
 
   void declare(Tool& tool);
-  /// Throws UsageError where the surfaces of an ensemble have no names of their own, or a report is asked for.
+  /// Throws UsageError where the surfaces of an ensemble have no names of their own, or a report is asked
+  /// for.
   void check_outputs(Tool& tool) const;
 
   /// The first option given of those that say which kernel to solve for, or nothing.
@@ -29,7 +30,8 @@ struct GenerateOptions {
   std::int64_t number(int k) const { return std::int64_t{first} + k; }
   std::string output_name(const Tool& tool, int k) const;
 
-  /// `beside` are bytes that stand in memory meanwhile. Throws ParameterError("memory") where there is too little.
+  /// `beside` are bytes that stand in memory meanwhile. Throws ParameterError("memory") where there is too
+  /// little.
   Synthesis synthesis(const Tool& tool, Field kernel, Pointwise translation = {},
                       std::size_t beside = 0) const;
 

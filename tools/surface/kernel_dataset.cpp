@@ -1,13 +1,11 @@
 #include "tools/surface/kernel_dataset.hpp"
 
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "acf/iteration.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
-#include "dataset/variable_units.hpp"
+#include "dataset/units.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/tool.hpp"
 
@@ -52,40 +50,17 @@ void check(const KernelTables& tables) {
 
 // ---- the attributes kernel_* ----
 
-using Member = std::variant<double KernelReport::*, long KernelReport::*, bool KernelReport::*,
-                            std::string KernelReport::*>;
-
-const std::pair<const char*, Member> members[] = {
-    {"kernel_residual", &KernelReport::residual},
-    {"kernel_change", &KernelReport::change},
-    {"kernel_error", &KernelReport::error},
-    {"kernel_mirrored_error", &KernelReport::mirrored_error},
-    {"kernel_tail", &KernelReport::tail},
-    {"kernel_feasibility", &KernelReport::feasibility},
-    {"kernel_newton_iterations", &KernelReport::newton_steps},
+const std::pair<const char*, double KernelReport::*> figures[] = {
+    {"kernel_residual", &KernelReport::residual}, {"kernel_change", &KernelReport::change},
+    {"kernel_error", &KernelReport::error},       {"kernel_mirrored_error", &KernelReport::mirrored_error},
+    {"kernel_tail", &KernelReport::tail},         {"kernel_feasibility", &KernelReport::feasibility},
+};
+const std::pair<const char*, long KernelReport::*> counts[] = {
+    {"kernel_newton_iterations", &KernelReport::steps},
     {"kernel_residuals", &KernelReport::residuals},
     {"kernel_jacobian_products", &KernelReport::jacobian_products},
     {"kernel_preconditionings", &KernelReport::preconditionings},
-    {"kernel_seconds", &KernelReport::seconds},
-    {"kernel_converged", &KernelReport::converged},
-    {"kernel_reason", &KernelReport::reason},
 };
-
-template <class Value>
-void write(Attributes& a, const char* name, const Value& value) {
-  if constexpr (std::is_integral_v<Value>)
-    a.set(name, static_cast<int>(value));
-  else
-    a.set(name, value);
-}
-
-template <class Value>
-void read(const Attributes& a, const char* name, Value& value) {
-  if constexpr (std::is_same_v<Value, std::string>)
-    value = a.text(name);
-  else if constexpr (!std::is_same_v<Value, long>)
-    value = static_cast<Value>(a.number(name, value));
-}
 
 }  // namespace
 
@@ -175,26 +150,26 @@ void record_model(Attributes& a, const EllipticTarget& model) {
 }
 
 void record_kernel(Attributes& a, const KernelRequest& request, const Kernel& kernel) {
-  const bool by_kinsol = request.method == Method::newton_krylov || request.method == Method::fixed_point;
   a.set("kernel_formulation", name_of(kernel.formulation));
   a.set("kernel_method", name_of(request.method));
-  if (by_kinsol) a.set("kernel_solver", "KINSOL of " + sundials_version());
+  if (request.method == Method::newton_krylov) a.set("kernel_solver", "KINSOL of " + sundials_version());
   a.set_values("kernel_lags", pair_of(kernel.lags));
   a.set("kernel_tolerance", request.tolerance);
   a.set("kernel_acf_tolerance", request.acf_tolerance);
   a.set("kernel_answer", name_of(kernel.report.answer));
-  KernelReport report = kernel.report;
-  report.seconds = on_record(report.seconds);
-  for (const auto& [name, member] : members)
-    std::visit([&, attribute = name](auto m) { write(a, attribute, report.*m); }, member);
+  for (const auto& [name, figure] : figures) a.set(name, kernel.report.*figure);
+  for (const auto& [name, count] : counts) a.set(name, static_cast<int>(kernel.report.*count));
+  a.set("kernel_seconds", on_record(kernel.report.seconds));
+  a.set("kernel_converged", kernel.report.converged ? 1 : 0);
+  a.set("kernel_reason", kernel.report.reason);
 }
 
 KernelReport recorded_report(const Attributes& a) {
   KernelReport out;
-  out.converged = true;
   out.residual = out.error = NAN;
-  for (const auto& [name, member] : members)
-    std::visit([&, attribute = name](auto m) { read(a, attribute, out.*m); }, member);
+  for (const auto& [name, figure] : figures) out.*figure = a.number(name, out.*figure);
+  out.converged = a.number("kernel_converged", 1) != 0;
+  out.reason = a.text("kernel_reason");
   return out;
 }
 

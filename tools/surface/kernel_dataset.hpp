@@ -3,10 +3,9 @@
 ///     kernel(k, l)         as z(i,j) = Σ kernel(k,l) η(i+k, j+l) applies it
 ///     acf_target(p, q)     over the half plane p = 0…, q = -…0…+
 ///     acf_achieved(p, q)   the same lags
-/// in m and m2, or in units of the rms height where none is given; lags in metres, or in samples where no
-/// spacing is known. Heights that are not Gaussian are a translation of what the kernel, of unit variance, averages
-/// (marginal_dataset.hpp). That of a periodic surface has kernel_period (periodic_kernel.hpp). Global attributes kernel_*
-/// hold the effective parameters and what the solution achieved.
+/// in m and m2, or in units of the rms height; lags in metres, or in samples where no spacing is known.
+/// Heights that are not Gaussian are a translation of what the kernel, of unit variance, averages
+/// (marginal_dataset.hpp). Global attributes kernel_* hold the parameters and what was achieved.
 #pragma once
 
 #include <array>
@@ -25,8 +24,8 @@ using Spacing = std::optional<std::array<double, 2>>;
 
 /// The spacing of `shape` samples on `size`; throws UsageError("size") unless that is positive.
 Spacing spacing_of(Shape shape, std::array<double, 2> size);
-/// Throws UsageError(option) where a spacing given by it is another than that of `whose`, "the table has", by more than
-/// `tolerance`; what is not known agrees.
+/// Throws UsageError(option) where a spacing given by it is another than that of `whose`, "the table has", by
+/// more than `tolerance`; what is not known agrees.
 void require_spacing(const std::string& option, const std::string& gives, const Spacing& given,
                      const std::string& whose, const Spacing& known, double tolerance);
 
@@ -41,7 +40,8 @@ struct KernelTables {
   void scale(double factor);
 };
 
-/// Whether a table is in m2, or another square of a length, and not a pure number. Throws DataError for any other unit.
+/// Whether a table is in m2, or another square of a length, and not a pure number. Throws DataError for any
+/// other unit.
 bool has_height(const Variable& acf);
 /// Throws DataError when a table is missing or makes no sense.
 KernelTables kernel_of(const Dataset& data);
@@ -59,8 +59,8 @@ void record_model(Attributes& attributes, const EllipticTarget& model);
 /// What was asked for beside the target, and what the solution achieved.
 void record_kernel(Attributes& attributes, const KernelRequest& request, const Kernel& kernel);
 
-/// What a solution achieved, less its answer and its counts. What the dataset does not tell is in order; residual and error
-/// are then NAN.
+/// What a solution achieved, less its answer and its counts; residual and error are NAN where the dataset
+/// does not tell.
 KernelReport recorded_report(const Attributes& attributes);
 /// The tolerance of its errors.
 double recorded_tolerance(const Attributes& attributes);

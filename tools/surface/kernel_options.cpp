@@ -1,14 +1,18 @@
 #include "tools/surface/kernel_options.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 
 namespace asperity::cli {
 namespace {
 
 bool given(const Tool& tool, const char* option) { return tool.given(std::string("--") + option); }
+
+std::vector<std::string> words(auto enumeration) {
+  const auto all = enum_words(enumeration);
+  return {all.begin(), all.end()};
+}
 
 double metres(const char* option, const SampledLength& length, const Spacing& spacing, std::size_t axis) {
   if (!length.samples && !spacing)
@@ -29,16 +33,14 @@ void refuse_aliased(const EllipticTarget& t, const std::string& wavelength) {
 }  // namespace
 
 void KernelOptions::declare(Tool& tool, bool draws) {
-  declare_target(tool, "Autocorrelation");
+  declare_target(tool);
   heights.declare(tool);
-  declare_solution(tool, "Solution", draws);
+  declare_solution(tool, draws);
 }
 
-void KernelOptions::declare_target(Tool& tool, const std::string& group) {
-  tool.choice(
-      "--target", target,
-      {"exponential", "gaussian", "matern", "stretched-exponential", "self-affine", "exponential-cosine"},
-      "Its form, made elliptic by two lengths", group);
+void KernelOptions::declare_target(Tool& tool) {
+  const std::string group = "Autocorrelation";
+  tool.choice("--target", target, words(Model{}), "Its form, made elliptic by two lengths", group);
   tool.lengths("--length", length,
                "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px or "
                "0.4mm; px of x and of y",
@@ -63,7 +65,8 @@ void KernelOptions::declare_target(Tool& tool, const std::string& group) {
       group);
 }
 
-void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool draws) {
+void KernelOptions::declare_solution(Tool& tool, bool draws) {
+  const std::string group = "Solution";
   tool.counts("--lags", request.lags, 1,
               "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or all of a table",
               group);
@@ -71,11 +74,11 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
               "Largest error over all lags, relative to the variance; of --lags that no kernel has, largest "
               "change. Beyond it exit 3",
               group);
-  tool.choice("--formulation", formulation, {"symmetric", "oriented", "patir"},
+  tool.choice("--formulation", formulation, words(Formulation{}),
               "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
               "quadrant, wrong at the mirrored lags; absent: by the target",
               group);
-  std::vector<std::string> methods{"newton-krylov", "fixed-point", "conjugate-gradient", "spectral"};
+  std::vector<std::string> methods = words(Method{});
   std::string filter;
   if (draws) {
     methods.push_back("filter");
@@ -87,7 +90,7 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
       "--method", method, methods,
       "How the equations are solved; spectral takes the root of the spectrum and solves nothing" + filter,
       group);
-  tool.choice("--infeasible", infeasible, {"auto", "error", "nearest", "least-squares"},
+  tool.choice("--infeasible", infeasible, words(InfeasiblePolicy{}),
               "Where no kernel of --lags has this autocorrelation, or no heights this kurtosis: a wider "
               "kernel or the nearest that there is, if it changes the target by 1e-2 at most (auto) or "
               "however much (nearest); the kernel of least squares; or an error",
@@ -99,7 +102,7 @@ void KernelOptions::declare_solution(Tool& tool, const std::string& group, bool 
 EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) const {
   refuse_unused(tool);
   EllipticTarget out = shape;
-  out.model = model_named(target);
+  out.model = enum_named<Model>(target, "target");
   out.spacing_x = spacing ? (*spacing)[0] : 1;
   out.spacing_y = spacing ? (*spacing)[1] : 1;
   out.length_x = metres("length", length[0], spacing, 0);

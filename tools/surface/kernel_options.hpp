@@ -1,7 +1,6 @@
 /// The options that say which autocorrelation a surface shall have, for the tools that solve for its kernel.
 ///
-/// Their groups in --help, "Autocorrelation" and "Solution", are also how asperity-generate knows them. The heights'
-/// distribution is one of them, for it changes the autocorrelation that the kernel is solved for.
+/// asperity-generate knows them by their groups in --help, "Autocorrelation" and "Solution".
 #pragma once
 
 #include <array>
@@ -29,15 +28,15 @@ struct KernelOptions {
   void declare(Tool& tool, bool draws = false);
   bool filters() const { return method == "filter"; }
 
-  /// The model of --target, its lengths in metres, or in samples where no spacing is known. Throws UsageError for
-  /// options that it does not use.
+  /// The model of --target, its lengths in metres, or in samples where no spacing is known. Throws UsageError
+  /// for options that it does not use.
   EllipticTarget model(const Tool& tool, const Spacing& spacing) const;
   /// Throws UsageError for an option that a table has no use for.
   void refuse_model(const Tool& tool) const;
 
  private:
-  void declare_target(Tool& tool, const std::string& group);
-  void declare_solution(Tool& tool, const std::string& group, bool draws);
+  void declare_target(Tool& tool);
+  void declare_solution(Tool& tool, bool draws);
   void refuse_unused(const Tool& tool) const;
 };
 

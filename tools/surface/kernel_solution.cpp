@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "acf/table.hpp"
-#include "acf/wording.hpp"
 #include "core/words.hpp"
 #include "marginal/predistortion.hpp"
 #include "tools/cli/progress.hpp"
@@ -114,7 +113,8 @@ Kernel solved(const Tool& tool, KernelProblem& problem) {
 
 // ---- what is said of it ----
 
-// "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond it.
+// "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond
+// it.
 std::string achieved(const KernelProblem& problem, const Kernel& kernel) {
   const std::string error = number(kernel.report.error);
   if (problem.period)
@@ -183,10 +183,11 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
   KernelRequest& request = out.request;
   request = options.request;
   if (out.has_height) request.rms = options.rms;
-  request.method = options.filters() ? Method::newton_krylov : method_named(options.method);
-  request.infeasible = infeasible_named(options.infeasible);
+  request.method = options.filters() ? Method::newton_krylov : enum_named<Method>(options.method, "method");
+  request.infeasible = enum_named<InfeasiblePolicy>(options.infeasible, "infeasible");
   request.memory = static_cast<double>(tool.memory());
-  if (!options.formulation.empty()) request.formulation = formulation_named(options.formulation);
+  if (!options.formulation.empty())
+    request.formulation = enum_named<Formulation>(options.formulation, "formulation");
   if (!tool.given("--acf"))
     take_model(out, tool, options);
   else

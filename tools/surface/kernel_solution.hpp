@@ -21,18 +21,18 @@ struct KernelProblem {
   Inventory before;  ///< of the table's dataset
 };
 
-/// The model or the table of the options, on samples of this spacing if it is known; a table may know it itself.
-/// Throws UsageError, and DataError for a table that makes no sense.
+/// The model or the table of the options, on samples of this spacing if it is known; a table may know it
+/// itself. Throws UsageError, and DataError for a table that makes no sense.
 KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing);
 
 struct KernelSolution {
   Dataset data;
-  Inventory before;  ///< of the dataset with the table, to tell what is gone
+  Inventory before;  ///< of the dataset that was read, to tell what is gone
   Exit code = done;  ///< not_converged for a kernel that is not what was asked for
 };
 
-/// Warns of a kernel that is not what was asked for. What is in order is said too, as a note or, where `aside` is set,
-/// with --verbose only.
+/// Warns of a kernel that is not what was asked for. What is in order is said too, as a note or, where
+/// `aside` is set, with --verbose only.
 KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside = false);
 
 /// Of a kernel that was read, of which its own run has told all but that it is not solved.

@@ -3,12 +3,12 @@
 /// Of a kernel whose heights are not Gaussian:
 ///     kernel_heights                       S_L, S_U, S_B or measured
 ///     kernel_skewness, kernel_kurtosis     of the heights
-///     kernel_quantiles(normal_score)       the heights of mean 0 and variance 1 at evenly spaced normal scores up to
-///                                          its attribute highest_score, where it is measured
-/// The kernel is then that of the Gaussian field below the heights, of unit variance; acf_target and acf_achieved are
-/// those of the heights.
+///     kernel_quantiles(normal_score)       measured heights of mean 0 and variance 1 at even scores up to highest_score
+/// The kernel is then that of the Gaussian field below the heights, of unit variance; acf_target and
+/// acf_achieved are those of the heights.
 ///
-/// Of a surface, by asperity-acf: the attributes acf_skewness and acf_kurtosis, and acf_quantiles(normal_score).
+/// Of a surface, by asperity-acf: the attributes acf_skewness and acf_kurtosis, and
+/// acf_quantiles(normal_score).
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,8 @@ struct Marginal {
 
 /// Writes that of a kernel.
 void set_marginal(Dataset& data, const Marginal& marginal);
-/// That of a kernel; none where its heights are Gaussian. Throws DataError("kernel_heights") or ("kernel_quantiles").
+/// That of a kernel; none where its heights are Gaussian. Throws DataError("kernel_heights") or
+/// ("kernel_quantiles").
 std::optional<Marginal> marginal_of(const Dataset& data);
 
 /// What asperity-acf found of the heights beside their autocorrelation; NAN and none where it did not.

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "acf/wording.hpp"
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "tools/cli/plain_text.hpp"

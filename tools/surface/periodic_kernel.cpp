@@ -1,14 +1,13 @@
 #include "tools/surface/periodic_kernel.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "acf/kernel_cost.hpp"
 #include "acf/periodic.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 #include "marginal/predistortion.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "transform/plan.hpp"
@@ -21,7 +20,8 @@ constexpr double least_variance = 0.01;  // of the one asked for
 constexpr double largest_offset = 0.5;   // share of the variance
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The torus of the kernel along an axis: the period where the lags go around it, else wide enough for what is beside them.
+// The torus of the kernel along an axis: the period where the lags go around it, else wide enough for what is
+// beside them.
 Index side(Index lags, Index period) {
   return 2 * lags - 1 >= period ? period : std::min(period, fast_length(2 * lags));
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "acf/kernel_cost.hpp"
-#include "acf/wording.hpp"
+#include "core/words.hpp"
 #include "marginal/johnson.hpp"
 
 namespace asperity::cli {
@@ -61,8 +61,8 @@ void tell_heights(const Tool& tool, const KernelProblem& problem) {
     tool.note(words);
 }
 
-// The lags that a search may come to: those at the tolerance, where a correlation falls so slowly that these are far
-// beyond the first, as of self-affine surfaces.
+// The lags that a search may come to: those at the tolerance, where a correlation falls so slowly that these
+// are far beyond the first, as of self-affine surfaces.
 Shape most_lags(const KernelRequest& request) {
   constexpr double slow = 2.5;  // times as many; 1.7 of exponentials, 3.4 of self-affine surfaces
   const Shape first = first_lags(request);
@@ -89,8 +89,7 @@ void tell_cost(const Tool& tool, const KernelRequest& request) {
             : "; shorter lengths, wider samples or a larger --acf-tolerance"));
 }
 
-}  // namespace
-
+// (1) of prospect.hpp, of not more than 64 lags each way.
 double mean_correlation(const Target& target, Shape surface) {
   const Index step_x = (surface.nx + 63) / 64, step_y = (surface.ny + 63) / 64;
   double sum = 0, weights = 0;
@@ -104,6 +103,8 @@ double mean_correlation(const Target& target, Shape surface) {
     }
   return sum / weights;
 }
+
+}  // namespace
 
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option) {
   if (surface.cells() <= 1) return;

@@ -1,25 +1,22 @@
 /// What the options of a kernel lead to, told before it is solved for.
 ///
-/// Refused is a surface whose heights of N × M points would mostly be one offset: with the correlation ρ of the target
+/// Refused is a surface whose heights of N × M points would mostly be one offset: with the correlation ρ of
+/// the target
 ///     ρ̄ = Σ w(p,q) ρ(p,q) / Σ w(p,q),   w = (1 - |p|/N)(1 - |q|/M),   |p| < N, |q| < M                   (1)
-/// is the share of the variance that the mean of a surface takes, and 1/ρ̄ the number of independent heights in it. Beyond
-/// ½ it is refused; where (1) along one axis alone is, as of a lay longer than the surface, it is said. So are
-/// correlations that end within a sample, tables of more than 100 MB, and heights that have a bound nearer than 3 Sq, of
-/// Gaussian ones 1 in 740 being beyond, a peak within a quarter Sq of it (J-shaped), or two peaks.
+/// is the share of the variance that the mean of a surface takes. Beyond ½ it is refused; where (1) along one
+/// axis alone is, it is said. So are correlations that end within a sample, tables of more than 100 MB, and
+/// heights that have a bound nearer than 3 Sq, a peak within a quarter Sq of it (J-shaped), or two peaks.
 #pragma once
 
 #include "tools/surface/kernel_solution.hpp"
 
 namespace asperity::cli {
 
-/// `surface` is 0x0 where it is not known. Throws UsageError, and ParameterError("memory") where the solution takes more
-/// than the request allows.
+/// `surface` is 0x0 where it is not known. Throws UsageError, and ParameterError("memory") where the solution
+/// takes more than the request allows.
 void foresee(const Tool& tool, const KernelProblem& problem, Shape surface);
 
 /// What (1) leads to, blamed on this option; of a single height nothing.
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option);
-
-/// (1), of not more than 64 lags each way.
-double mean_correlation(const Target& target, Shape surface);
 
 }  // namespace asperity::cli

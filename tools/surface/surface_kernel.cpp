@@ -8,7 +8,6 @@
 #include "dataset/netcdf.hpp"
 #include "marginal/prescribed.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/surface/kernel_solution.hpp"
 #include "tools/surface/periodic_kernel.hpp"
 #include "tools/surface/prospect.hpp"
 
@@ -47,8 +46,7 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
   foresee(tool, problem, o.shape);
   if (!problem.request.target.known) refuse_drawing(tool, o, first_lags(problem.request));
   HeightsWithAcf measured = problem.measured;
-  KernelSolution solution = solve(tool, std::move(problem), true);
-  return {std::move(solution.data), {}, std::move(measured), std::move(solution.before), solution.code};
+  return {solve(tool, std::move(problem), true), {}, std::move(measured)};
 }
 
 SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
@@ -115,7 +113,8 @@ Pointwise translated(const Translation& translation, double rms) {
 }
 
 Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& kernel) {
-  const auto prescribed = o.acf.heights.moments(tool, kernel.measured, infeasible_named(o.acf.infeasible));
+  const auto prescribed = o.acf.heights.moments(tool, kernel.measured,
+                                                enum_named<InfeasiblePolicy>(o.acf.infeasible, "infeasible"));
   if (!prescribed) throw UsageError("method", "filter: takes --skewness and --kurtosis");
   const Translation noise = prescribed->noise(kernel.tables.kernel);
   const HeightMoments moments = KernelCumulants::of(kernel.tables.kernel).heights(height_moments(noise));

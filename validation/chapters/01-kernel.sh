@@ -35,7 +35,7 @@ claim "No answer of another method is called exact with a residual above 1e-10."
 text <<'END'
 Conjugate gradients, the method of 2009, do converge, but take three times as many products for twice as many lags a
 side where Newton takes a quarter more: five times Newton's time at 7 × 7 lags, more than twenty times at 31 × 31. Anderson's
-iteration keeps up with Newton where the kernel is even, and fails on Patir's formulation at 31 × 31, which it says. The
+fixed point, a yardstick of this study alone, keeps up with Newton where the kernel is even, and fails on Patir's formulation at 31 × 31, which it says. The
 spectral root, which solves nothing, errs less over all lags than the exact solutions of this cut: it does not stop at the
 lags prescribed, but none of them is exact.
 END

@@ -1,0 +1,270 @@
+#include "tools/cli/documents.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "tools/cli/record.hpp"
+
+namespace asperity::cli {
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> out;
+  for (const std::string& name : option.get_snames()) out.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) out.push_back("--" + name);
+  return out;
+}
+
+bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
+
+std::string flowing(const std::string& text, std::size_t width, const std::string& indent) {
+  std::istringstream words(text);
+  std::string out, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      out += line + '\n' + indent;
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return out + line;
+}
+
+// ---- the manual page ----
+
+namespace {
+
+constexpr const char* siblings = ASPERITY_TOOLS;  // their names, a blank between them
+
+std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
+std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
+
+std::string section(const std::string& name, const std::string& body) {
+  return body.empty() ? "" : ".SH " + name + "\n" + body;
+}
+
+std::string paragraph(const std::string& text) { return text.empty() ? "" : roff(flowing(text)) + "\n"; }
+
+std::string entry(const std::string& head, const std::string& text) {
+  return ".TP\n" + head + "\n" + roff(text) + "\n";
+}
+
+// "-o, --output FILE"
+std::string head_of(const CLI::Option& option) {
+  if (option.get_positional()) return italic(option.get_single_name());
+  std::string out;
+  for (const std::string& name : names_of(option)) out += (out.empty() ? "" : ", ") + bold(name);
+  return is_flag(option) ? out : out + " " + italic(option.get_type_name());
+}
+
+std::string text_of(const CLI::Option& option) {
+  std::string text = flowing(option.get_description());
+  if (!text.ends_with('.')) text += ".";
+  if (option.get_required()) text += " Required.";
+  const std::string usual = option.get_default_str();
+  return usual.empty() ? text : text + " Default: " + usual + ".";
+}
+
+std::string options_by_group(const CLI::App& app) {
+  std::string out;
+  for (const std::string& group : app.get_groups()) {
+    out += ".SS " + roff(group == "Options" ? "Arguments" : group) + "\n";
+    for (const CLI::Option* option : app.get_options())
+      if (option->get_group() == group) out += entry(head_of(*option), text_of(*option));
+  }
+  return out;
+}
+
+std::string synopsis(const CLI::App& app) {
+  std::string out = bold(app.get_name()) + " [" + italic("OPTION") + "]...";
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional()) out += " [" + italic(option->get_single_name()) + "]";
+  return out + "\n";
+}
+
+std::string statuses() {
+  std::string out;
+  for (const auto& [code, meaning] : exit_statuses) out += entry(bold(std::to_string(code)), meaning);
+  return out;
+}
+
+std::string environment() {
+  return entry(bold("ASPERITY_OPTION"),
+               "Any option, in upper case and with underscores for hyphens, such as ASPERITY_THREADS; the "
+               "command line comes first, the file of --config last.") +
+         entry(bold("SOURCE_DATE_EPOCH"),
+               "The time that goes into a dataset's history, in seconds since 1970; no times of computation "
+               "are recorded then, so that the same command gives the same bytes.");
+}
+
+std::string see_also(const std::string& self) {
+  std::istringstream names(siblings);
+  std::string out;
+  for (std::string name; names >> name;)
+    if (name != self) out += (out.empty() ? "" : ",\n") + bold(name) + "(1)";
+  return out + "\n";
+}
+
+// The character that begins at `at`, which moves behind it.
+unsigned code_point(const std::string& text, std::size_t& at) {
+  const auto first = static_cast<unsigned char>(text[at++]);
+  const int more = first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+  unsigned out = first & (0x3Fu >> more);
+  for (int i = 0; i < more && at < text.size(); ++i)
+    out = out << 6 | (static_cast<unsigned char>(text[at++]) & 0x3Fu);
+  return out;
+}
+
+}  // namespace
+
+std::string roff(const std::string& text) {
+  constexpr struct {
+    char character;
+    const char* escape;
+  } escapes[] = {{'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"},
+                 {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (static_cast<unsigned char>(c) >= 0x80) {
+      out += fmt::format("\\[u{:04X}]", code_point(text, at));
+      continue;
+    }
+    ++at;
+    if (c == '.' && (out.empty() || out.back() == '\n')) out += "\\&";
+    const auto* own = std::ranges::find_if(escapes, [&](const auto& e) { return e.character == c; });
+    out += own == std::end(escapes) ? std::string(1, c) : own->escape;
+  }
+  return out;
+}
+
+std::string man_page(const CLI::App& app, const std::string& example, const std::string& accuracy) {
+  const std::string name = app.get_name(), description = flowing(app.get_description());
+  const std::string summary = description.substr(0, std::min(description.find(". "), description.find(": ")));
+  std::string title = name;
+  std::ranges::transform(title, title.begin(), [](unsigned char c) { return std::toupper(c); });
+  return ".TH " + title + " 1 " + timestamp().substr(0, 10) + " \"Asperity " + version() +
+         "\" \"Asperity\"\n" + section("NAME", roff(name) + " \\- " + roff(summary) + "\n") +
+         section("SYNOPSIS", synopsis(app)) +
+         section("DESCRIPTION", paragraph(description.ends_with('.') ? description : description + ".")) +
+         section("OPTIONS", paragraph("Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts "
+                                      "samples.") +
+                                options_by_group(app)) +
+         section("EXAMPLES", example.empty() ? "" : ".nf\n" + roff(example) + "\n.fi\n") +
+         section("ACCURACY", paragraph(accuracy)) + section("ENVIRONMENT", environment()) +
+         section("EXIT STATUS", statuses()) + section("SEE ALSO", see_also(name));
+}
+
+// ---- completions ----
+
+namespace {
+
+// What can stand behind an option.
+enum class Value { none, file, word, other };
+
+Value value_of(const CLI::Option& option) {
+  if (is_flag(option)) return Value::none;
+  const std::string kind = option.get_type_name();
+  if (kind.starts_with("FILE") || kind == "PATTERN" || option.get_positional()) return Value::file;
+  return kind.find('|') != kind.npos ? Value::word : Value::other;
+}
+
+// "exponential|gaussian" as "exponential gaussian"
+std::string words_of(const CLI::Option& option) {
+  std::string out = option.get_type_name();
+  std::ranges::replace(out, '|', ' ');
+  return out;
+}
+
+// The names of all options of these kinds.
+std::vector<std::string> all_names(const CLI::App& app, std::initializer_list<Value> kinds) {
+  std::vector<std::string> out;
+  for (const CLI::Option* option : app.get_options())
+    if (std::ranges::find(kinds, value_of(*option)) != kinds.end())
+      std::ranges::copy(names_of(*option), std::back_inserter(out));
+  return out;
+}
+
+std::string branch(const std::vector<std::string>& names, const std::string& what) {
+  return names.empty() ? ""
+                       : fmt::format("    {})\n      {}\n      return ;;\n", fmt::join(names, "|"), what);
+}
+
+// A text within single quotes of a shell, ':' and brackets as _arguments takes them.
+std::string described(const std::string& text) {
+  std::string out;
+  for (const char c : flowing(text.substr(0, std::min(text.find("; "), text.find(". ")))))
+    out += c == '\'' ? "'\\''" : std::string(c == ':' || c == '[' || c == ']' || c == '\\' ? "\\" : "") + c;
+  return out;
+}
+
+// '(-o --output)'{-o,--output=}'[Where the result goes]:FILE:_files'
+std::string argument(const CLI::Option& option) {
+  const Value value = value_of(option);
+  std::vector<std::string> names = names_of(option);
+  const std::string all = fmt::format("{}", fmt::join(names, " "));
+  if (value != Value::none)
+    for (std::string& name : names) name += name.starts_with("--") ? "=" : "+";
+  std::string rest = "[" + described(option.get_description()) + "]";
+  if (value == Value::file) rest += ":file:_files";
+  if (value == Value::word) rest += ":word:(" + words_of(option) + ")";
+  if (value == Value::other) rest += ":" + described(option.get_type_name()) + ": ";
+  return names.size() == 1 ? fmt::format("'{}{}'", names[0], rest)
+                           : fmt::format("'({})'{{{}}}'{}'", all, fmt::join(names, ","), rest);
+}
+
+// Of the function's name, the tool's, branches for values, all names.
+constexpr const char* bash_script = R"(# bash completion of {1}, printed by {1} --completion bash
+{0}() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
+  COMPREPLY=()
+  if [[ $current == '=' ]]; then
+    current=
+  elif [[ $previous == '=' ]]; then
+    previous=${{COMP_WORDS[COMP_CWORD - 2]}}
+  fi
+  case $previous in
+{2}  esac
+  if [[ $current == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W '{3}' -- "$current")
+  else
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -f -- "$current")
+  fi
+}}
+complete -F {0} {1}
+)";
+
+}  // namespace
+
+std::string bash_completion(const CLI::App& app) {
+  using enum Value;
+  std::string function = "_" + app.get_name(), branches;
+  std::ranges::replace(function, '-', '_');
+  for (const CLI::Option* option : app.get_options())
+    if (value_of(*option) == word)
+      branches += branch(names_of(*option),
+                         "mapfile -t COMPREPLY < <(compgen -W '" + words_of(*option) + "' -- \"$current\")");
+  branches += branch(all_names(app, {file}),
+                     "compopt -o filenames 2>/dev/null\n"
+                     "      mapfile -t COMPREPLY < <(compgen -f -- \"$current\")");
+  branches += branch(all_names(app, {other}), ":");
+  return fmt::format(fmt::runtime(bash_script), function, app.get_name(), branches,
+                     fmt::join(all_names(app, {none, file, word, other}), " "));
+}
+
+std::string zsh_completion(const CLI::App& app) {
+  std::string out =
+      fmt::format("#compdef {0}\n# printed by {0} --completion zsh\n_arguments -S", app.get_name());
+  bool reads = false;
+  for (const CLI::Option* option : app.get_options()) {
+    reads = reads || option->get_positional();
+    if (!option->get_positional()) out += " \\\n  " + argument(*option);
+  }
+  return out + (reads ? " \\\n  '*:file:_files'\n" : "\n");
+}
+
+}  // namespace asperity::cli
