@@ -1,9 +1,8 @@
 /// A confidence interval of an estimate: low ≤ estimate ≤ high, or none, and why.
 ///
-/// Every interval is made here. Its ends are freed of a bias that the estimate keeps, by a correction that is derived as
-/// small beside the error; where both ends come to lie on one side of the estimate it is not, and neither the ends nor the
-/// estimate can be believed: there is no interval. An end that is not a number makes none either; ±∞ is an open end, beyond
-/// which nothing is known to end it.
+/// The ends are freed of a bias that the estimate keeps, by a correction derived as small beside the error;
+/// where both come to lie on one side of the estimate it is not, and there is no interval. An end that is not
+/// a number makes none either; ±∞ is an open end.
 #pragma once
 
 #include <algorithm>
@@ -26,10 +25,10 @@ class Interval {
     if (low <= estimate && estimate <= high) return {low, high, ""};
     return none("the correction of its bias exceeds its error");
   }
-  static Interval about(double estimate, double half_width) {
-    return of(estimate, estimate - half_width, estimate + half_width);
+  /// Of an estimate that is low by as much as `lost`.
+  static Interval about(double estimate, double half_width, double lost = 0) {
+    return of(estimate, estimate + lost - half_width, estimate + lost + half_width);
   }
-
   /// Of a ratio, in its logarithm: `half_width` is relative, and no ratio exceeds `most`.
   static Interval of_ratio(double estimate, double half_width,
                            double most = std::numeric_limits<double>::infinity()) {
