@@ -18,15 +18,15 @@ namespace {
 
 constexpr Index most_rows = 9, most_columns = 17;
 constexpr double least_density = 0.1, most_score = 37;
-constexpr double most_of_mean = 0.1;       // of the variance: a translation's biases are about a known mean
-constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
-constexpr double degrees_of_spread =
-    0.75;  // a surface, less one: figures are more skewed than Student's law knows
+constexpr double most_of_mean = 0.1;        // of the variance: a translation's biases are about a known mean
+constexpr double patches_per_degree = 10;   // of the t law whose tails the figures have
+constexpr double degrees_of_spread = 0.75;  // a surface, less one: figures are skewed
 // Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at the most.
 constexpr double most_skewed = 1.6;
 
-// The score of probabilities below and above, whichever is the smaller.
-double normal_score(double below, double above) {
+// By the smaller of the tails.
+double normal_score(const StudentTails& tails) {
+  const auto& [below, above] = tails;
   const double score = above < below ? gsl_cdf_ugaussian_Qinv(above) : gsl_cdf_ugaussian_Pinv(below);
   return std::clamp(score, -most_score, most_score);
 }
@@ -171,11 +171,10 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
 }
 
 double SpecificationTest::score(double z, double skewness) const {
+  if (asked_.spread) return normal_score(student_tails(z, degrees_of_spread * (surfaces_ - 1)));
   const double patches = surfaces_ / mean_power(2);
-  const double t = asked_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
-  const double degrees = asked_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
-  const StudentTails tails = student_tails(t, degrees);
-  return normal_score(tails.below, tails.above);
+  return normal_score(
+      student_tails(gamma_score(z, skewness / std::sqrt(surfaces_)), patches / patches_per_degree));
 }
 
 TestResult SpecificationTest::result(const std::string& name, Index quantity, double prescribed, double mean,

@@ -41,12 +41,11 @@ double Pairs::density(Index p, Index q) const {
   return most > 0 ? pair_fraction(p, q) / most : 0;
 }
 
-double overlap(Index lag, Index n) {
-  return std::max(0.0, 1 - static_cast<double>(std::abs(lag)) / static_cast<double>(n));
-}
-
 double overlap(const Grid& grid, Index p, Index q) {
-  return grid.periodic ? 1 : overlap(p, grid.shape.nx) * overlap(q, grid.shape.ny);
+  auto part = [](Index lag, Index n) {
+    return std::max(0.0, 1 - static_cast<double>(std::abs(lag)) / static_cast<double>(n));
+  };
+  return grid.periodic ? 1 : part(p, grid.shape.nx) * part(q, grid.shape.ny);
 }
 
 Shape longest_lags(const Grid& grid) {

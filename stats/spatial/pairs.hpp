@@ -41,10 +41,8 @@ class Pairs {
   std::shared_ptr<const LagField> counts_ = {};
 };
 
-/// 1 - |lag|/n, the part of n points in a row that have a partner at the lag.
-double overlap(Index lag, Index n);
-
-/// The same of a complete field: (1 - |p|/nx)(1 - |q|/ny), 1 when periodic.
+/// The part of a complete field's points that have a partner at a lag: (1 - |p|/nx)(1 - |q|/ny), 1 when
+/// periodic.
 double overlap(const Grid& grid, Index p, Index q);
 
 /// The longest lags at which a field has pairs; half of it when periodic.

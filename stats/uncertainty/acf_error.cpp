@@ -19,8 +19,11 @@ double AcfError::pairs(Index p, Index q) const { return pairs_.pair_fraction(p, 
 double AcfError::weight(Index p, Index q, Index k, Index l) const {
   const double there = pairs_.density(k, l);
   if (pairs_.grid().periodic) return there;
+  auto overlapping = [](Index n, Index distance) {
+    return std::max(0.0, 1 - static_cast<double>(std::abs(distance)) / static_cast<double>(n));
+  };
   const auto [nx, ny] = pairs_.grid().shape;
-  return there * overlap(k, nx - std::abs(p)) * overlap(l, ny - std::abs(q));
+  return there * overlapping(nx - std::abs(p), k) * overlapping(ny - std::abs(q), l);
 }
 
 // The second product of (1) is summed over m = k + h, where ρ(m) ≠ 0.

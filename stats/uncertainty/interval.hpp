@@ -25,10 +25,10 @@ class Interval {
     if (low <= estimate && estimate <= high) return {low, high, ""};
     return none("the correction of its bias exceeds its error");
   }
-  /// Of an estimate that is low by as much as `lost`.
-  static Interval about(double estimate, double half_width, double lost = 0) {
-    return of(estimate, estimate + lost - half_width, estimate + lost + half_width);
+  static Interval about(double estimate, double half_width) {
+    return of(estimate, estimate - half_width, estimate + half_width);
   }
+
   /// Of a ratio, in its logarithm: `half_width` is relative, and no ratio exceeds `most`.
   static Interval of_ratio(double estimate, double half_width,
                            double most = std::numeric_limits<double>::infinity()) {

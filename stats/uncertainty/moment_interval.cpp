@@ -24,6 +24,11 @@ Interval of_scale(double estimate, double left, double degrees, double tail) {
                       value / std::sqrt(chi_squared_share(1 - tail, degrees)));
 }
 
+// (4), (5): of an estimate that is low by as much as `lost`.
+Interval about_unbiased(double estimate, double lost, double half_width) {
+  return Interval::of(estimate, estimate + lost - half_width, estimate + lost + half_width);
+}
+
 double tail_of(double level) {
   if (!(level > 0 && level < 1))
     throw ParameterError("confidence", "value " + shortest(level) + " is not between 0 and 1");
@@ -33,6 +38,12 @@ double tail_of(double level) {
 // (6), by the second orders of correlated and of independent heights.
 double left_of(double second_order, double independent) {
   return std::max((1 - independent) / std::max(1 - second_order, 0.5), 0.75);
+}
+
+// (8).
+double second_order_of_sku(double s1, double s2, double s3, double s4) {
+  const double loop = std::pow(s2, 1.2) * std::pow(s4, 0.8);
+  return 20 * s2 + 4 * s1 - (3 * s2 * s2 + 4 * s1 * s3 + 32 * loop) / s4;
 }
 
 // (4), (7); NaN, if the formula has no positive value.
@@ -45,17 +56,15 @@ double skewness_error(const EffectiveSampleSize& size) {
   return std::sqrt(6 * (n - 2) / ((n + 1) * (n + 3)) * left_of(second_order, -6 / n));
 }
 
-// (5), (8).
+// (5).
 double kurtosis_error(const EffectiveSampleSize& size) {
   const double n = size.effective(4);
   if (std::isinf(n)) return 0;
   if (!(n > 3)) return NAN;
-  const double s1 = size.mean_power(1), s2 = size.mean_power(2), s3 = size.mean_power(3),
-               s4 = size.mean_power(4);
-  const double loop = std::pow(s2, 1.2) * std::pow(s4, 0.8);
-  const double second_order = 20 * s2 + 4 * s1 - (3 * s2 * s2 + 4 * s1 * s3 + 32 * loop) / s4;
   const double independent = 24 * n * (n - 2) * (n - 3) / ((n + 1) * (n + 1) * (n + 3) * (n + 5));
-  return std::sqrt(independent * left_of(second_order, -15 / n));
+  return std::sqrt(independent * left_of(second_order_of_sku(size.mean_power(1), size.mean_power(2),
+                                                             size.mean_power(3), size.mean_power(4)),
+                                         -15 / n));
 }
 
 // (1) to (3), of any errors.
@@ -80,7 +89,7 @@ MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSamp
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
   out.ssk = Interval::about(moments.ssk, u * skewness_error(size));
-  out.sku = Interval::about(moments.sku, u * kurtosis_error(size), 6 / size.effective(2));
+  out.sku = about_unbiased(moments.sku, 6 / size.effective(2), u * kurtosis_error(size));
   return out;
 }
 
@@ -89,8 +98,8 @@ MomentIntervals confidence_intervals(const Moments& moments, const TranslationEr
   const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
   const MomentErrors error = errors.standard_errors(moments.sq);
   MomentIntervals out = intervals_of_scale(moments, error, size, tail);
-  out.ssk = Interval::about(moments.ssk, u * error.ssk, -errors.ssk_bias());
-  out.sku = Interval::about(moments.sku, u * error.sku, -errors.sku_bias());
+  out.ssk = about_unbiased(moments.ssk, -errors.ssk_bias(), u * error.ssk);
+  out.sku = about_unbiased(moments.sku, -errors.sku_bias(), u * error.sku);
   return out;
 }
 
