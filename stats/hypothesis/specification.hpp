@@ -88,8 +88,7 @@ class SpecificationTest {
   void add(const Field& z, const Grid& grid);
   int surfaces() const { return surfaces_; }
   int lags() const { return static_cast<int>(lags_.size()); }
-  /// Sq (where prescribed), Ssk, Sku, ACF. Throws ParameterError("errors", …) for the spread of a single
-  /// surface.
+  /// Sq (where prescribed), Ssk, Sku, ACF. Throws ParameterError("errors", …) for the spread of one surface.
   std::vector<TestResult> results() const;
 
  private:
