@@ -57,7 +57,7 @@ std::array<double, CorrelationAlgebra::powers + 1> CorrelationAlgebra::power_sum
   for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
     const double value = rho_(p, q);
     double power = weight;
-    for (std::size_t k = 1; k <= powers && std::abs(power) > 1e-18; ++k) sums[k] += power *= value;
+    for (std::size_t k = 1; k < sums.size() && std::abs(power) > 1e-18; ++k) sums[k] += power *= value;
   });
   for (double& s : sums) s = std::max(s, 0.0);
   return sums;
