@@ -14,7 +14,7 @@ void MomentSums::add(const Eigen::Ref<const Field>& strip) {
     row = (strip.row(i).transpose() - mean_.base) - mean_.above;
     Index there = row.size();
     if (std::isnan(row.sum()))
-      there = std::ranges::remove_if(row, [](double z) { return std::isnan(z); }).begin() - row.begin();
+      there = std::remove_if(row.begin(), row.end(), [](double z) { return std::isnan(z); }) - row.begin();
     const auto d = row.head(there);
     if (d.size() == 0) continue;
     square = d.square();
