@@ -30,11 +30,11 @@ double beyond_range(std::string_view number);
 template <class T>
 Leading<T> leading_number(std::string_view text) {
   Leading<T> out;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out.number);
-  out.rest = text.substr(static_cast<std::size_t>(rest - text.data()));
-  out.found = error != std::errc::invalid_argument;
-  out.in_range = error == std::errc();
-  if (error != std::errc::result_out_of_range) return out;
+  const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), out.number);
+  out.rest = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
+  out.found = read.ec != std::errc::invalid_argument;
+  out.in_range = read.ec == std::errc();
+  if (read.ec != std::errc::result_out_of_range) return out;
   const std::string_view number = text.substr(0, text.size() - out.rest.size());
   if constexpr (std::is_floating_point_v<T>)
     out.number = beyond_range(number);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "math/linear_algebra.hpp"
@@ -25,6 +24,12 @@ Eigen::MatrixXd gram_polynomials(Index n, int degree) {
     p.col(a) = next.normalized();
   }
   return p;
+}
+
+double first_valid(const Field& z) {
+  for (const double height : z.reshaped<Eigen::RowMajor>())
+    if (!std::isnan(height)) return height;
+  throw DataError("heights", "every point is missing");
 }
 
 Mean mean_of_valid(const Field& z) {
@@ -65,8 +70,7 @@ FormFit::FormFit(Shape field, int degree) : degree_(degree) {
   along_y_ = gram_polynomials(field.ny, degree);
   for (Index a = 0; a < along_x_.cols(); ++a)
     for (Index b = 0; b < along_y_.cols() && a + b <= degree; ++b) terms_.push_back({a, b});
-  const auto n = static_cast<Index>(terms_.size());
-  gram_ = Eigen::MatrixXd::Zero(n, n);
+  gram_ = Eigen::MatrixXd::Zero(std::ssize(terms_), std::ssize(terms_));
   sums_ = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
 }
 
@@ -84,19 +88,17 @@ void FormFit::add(const Field& strip, Index first) {
 
 // What a strip adds to (3), the sum over j of a row first.
 Eigen::MatrixXd FormFit::products(const Field& strip, Index first, bool complete) const {
-  const auto n = static_cast<Index>(terms_.size());
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
   auto add = [&](auto&& of_x, const Eigen::MatrixXd& of_y) {
-    for (Index s = 0; s < n; ++s)
-      for (Index t = 0; t <= s; ++t) {
-        const Term u = terms_[static_cast<std::size_t>(s)], v = terms_[static_cast<std::size_t>(t)];
-        out(s, t) += of_x(u.a, v.a) * of_y(u.b, v.b);
-      }
+    for (std::size_t s = 0; s < terms_.size(); ++s)
+      for (std::size_t t = 0; t <= s; ++t)
+        out(static_cast<Index>(s), static_cast<Index>(t)) +=
+            of_x(terms_[s].a, terms_[t].a) * of_y(terms_[s].b, terms_[t].b);
   };
   const auto rows = along_x_.middleRows(first, strip.rows());
   if (complete) {
-    const Eigen::MatrixXd of_x = rows.transpose() * rows;
-    add(of_x, Eigen::MatrixXd::Identity(along_y_.cols(), along_y_.cols()));
+    add(Eigen::MatrixXd(rows.transpose() * rows),
+        Eigen::MatrixXd::Identity(along_y_.cols(), along_y_.cols()));
     return out;
   }
   const Field valid = validity(strip);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <string>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
@@ -68,43 +66,28 @@ Field over_valid(EvenConvolution& average, const Field& heights) {
   Field sum, weight;
   average.apply(zero_filled(heights), sum);
   average.apply(valid, weight);
-  return (valid > 0).select(sum / weight, std::numeric_limits<double>::quiet_NaN());
-}
-
-Field within_edges(const Field& z, const Grid& grid, double cutoff, int threads) {
-  const Weights along_x(grid.shape.nx, grid.dx, cutoff), along_y(grid.shape.ny, grid.dy, cutoff);
-  EvenConvolution average = open_average(grid, along_x, along_y, threads);
-  if (has_missing(z)) return over_valid(average, z);
-  Field out;
-  average.apply(z, out);
-  out.colwise() /= along_x.inside(grid.shape.nx);
-  out.rowwise() /= along_y.inside(grid.shape.ny).transpose();
-  return out;
-}
-
-Field of_period(const Field& z, const Grid& grid, double cutoff, int threads) {
-  EvenConvolution average = periodic_average(grid, cutoff, threads);
-  if (has_missing(z)) return over_valid(average, z);
-  Field out;
-  average.apply(z, out);
-  return out;
-}
-
-void check(double cutoff, const Grid& grid) {
-  const double least = 2 * std::max(grid.dx, grid.dy);
-  if (!(cutoff >= least && std::isfinite(cutoff)))
-    throw ParameterError("cut-off",
-                         shortest(cutoff) + " m: not finite or below two samples, " + shortest(least) + " m");
+  return (valid > 0).select(sum / weight, NAN);
 }
 
 }  // namespace
 
 Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads) {
-  check(cutoff, grid);
+  const double least = 2 * std::max(grid.dx, grid.dy);
+  if (!(cutoff >= least && std::isfinite(cutoff)))
+    throw ParameterError("cut-off",
+                         shortest(cutoff) + " m: not finite or below two samples, " + shortest(least) + " m");
   const double level = mean(z);
   const Field heights = z - level;
-  const Field out = grid.periodic ? of_period(heights, grid, cutoff, threads)
-                                  : within_edges(heights, grid, cutoff, threads);
+  const Weights along_x(grid.shape.nx, grid.dx, cutoff), along_y(grid.shape.ny, grid.dy, cutoff);
+  EvenConvolution average =
+      grid.periodic ? periodic_average(grid, cutoff, threads) : open_average(grid, along_x, along_y, threads);
+  if (has_missing(z)) return over_valid(average, heights) + level;
+  Field out;
+  average.apply(heights, out);
+  if (!grid.periodic) {
+    out.colwise() /= along_x.inside(grid.shape.nx);
+    out.rowwise() /= along_y.inside(grid.shape.ny).transpose();
+  }
   return out + level;
 }
 

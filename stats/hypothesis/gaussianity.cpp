@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -146,7 +145,8 @@ double GaussianityTest::NullDistributions::jarque_bera(const Moments& moments) c
 
 double GaussianityTest::NullDistributions::jarque_bera_p(double statistic) const {
   const int degrees = (size.sum(3) > 0) + (size.sum(4) > 0);
-  return degrees == 2 ? std::exp(-statistic / 2) : degrees == 1 ? std::erfc(std::sqrt(statistic / 2)) : 1;
+  if (degrees == 0) return 1;
+  return degrees == 1 ? std::erfc(std::sqrt(statistic / 2)) : std::exp(-statistic / 2);
 }
 
 GaussianityTest::GaussianityTest(const EffectiveSampleSize& size)

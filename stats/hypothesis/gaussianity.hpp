@@ -5,30 +5,31 @@
 ///     Kolmogorov–Smirnov  √N sup |F_N - Φ|                                                          (2)
 ///     Anderson–Darling    A² = -N - 1/N Σ (2i-1) [ln Φ(x_i) + ln(1 - Φ(x_{N+1-i}))]                 (3)
 ///     Pearson's χ²        Σ (c - N/B)²/(N/B) over B bins of equal probability                       (4)
-/// Published tables of all four hold for independent heights, and reject a Gaussian field whose neighbours are nearly
-/// the same. The null distributions used instead, of a Gaussian field of sums S_k (stats/uncertainty/effective_size.hpp):
+/// Published tables hold for independent heights, and reject a Gaussian field whose neighbours are nearly the
+/// same. The null distributions used instead, of a Gaussian field of sums S_k
+/// (stats/uncertainty/effective_size.hpp):
 ///     JB   χ² of 2 degrees; -6 S_2/N is what Sku falls short of 3 in a finite field
 ///     KS   the supremum of the process D (stats/uncertainty/null_distribution.hpp)
-///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights the eigenvalues
-///          of D's covariance by the trapezoidal rule over |x| ≤ 6
-///     χ²   the sum of squared differences of D over the bins, such a sum too: neither B - 1 nor B - 3 degrees,
-///          for the fit is of the heights, not of the counts (Chernoff and Lehmann)
+///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights
+///          the eigenvalues of D's covariance by the trapezoidal rule over |x| ≤ 6
+///     χ²   the sum of squared differences of D over the bins, such a sum, of neither B - 1 nor B - 3 degrees:
+///          the fit is of the heights, not of the counts (Chernoff and Lehmann)
 /// `naive_p` is that with S_k = 1, of independent heights; of JB the statistic too changes.
-///
 /// Bins: B = 2 (N/S_3)^{2/5} (Mann and Wald), 6 ≤ B ≤ 64.
 ///
 /// Symbols   F_N  empirical distribution     Φ  the Gaussian's      c  count of a bin      N  points
 /// Accuracy  They are limits for many independent patches, N/S_2 ≫ 1. At 5 % false alarms of 300 fields each
-///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/gaussianity.cpp). Inside the
-///           limits: p to 3e-4 for A², 1e-9 of itself for χ², √(p(1-p)/8192) for KS, none below 1/8193. With S_k from
-///           an estimate the error of the estimate comes on top. By runs (stats/height/order.hpp), s the largest
-///           share of the heights in one, w its cell's width at the mean per Sq: KS within √N s, A² within 15 √N w KS,
-///           χ² within 4 B s [√(N χ²) + B s N], were all heights of all runs at one end; scattered, far closer.
+///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/gaussianity.cpp). Inside
+///           the limits: p to 3e-4 for A², 1e-9 of itself for χ², √(p(1-p)/8192) for KS, none below 1/8193;
+///           the error of estimated S_k comes on top. By runs (stats/height/order.hpp), s the largest share
+///           of the heights in one, w its cell's width at the mean per Sq: KS within √N s, A² within 15 √N w
+///           KS, χ² within 4 B s [√(N χ²) + B s N], were all heights of all runs at one end; scattered, far
+///           closer.
 /// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms, by runs 6 a run.
 ///
-/// C. M. Jarque, A. K. Bera, Int. Stat. Rev. 55 (1987) 163-172; T. W. Anderson, D. A. Darling, Ann. Math. Stat.
-/// 23 (1952) 193-212; H. W. Lilliefors, J. Am. Stat. Assoc. 62 (1967) 399-402; H. Chernoff, E. L. Lehmann,
-/// Ann. Math. Stat. 25 (1954) 579-586; H. B. Mann, A. Wald, Ann. Math. Stat. 13 (1942) 306-317.
+/// C. M. Jarque, A. K. Bera, Int. Stat. Rev. 55 (1987) 163-172; T. W. Anderson, D. A. Darling, Ann. Math.
+/// Stat. 23 (1952) 193-212; H. W. Lilliefors, J. Am. Stat. Assoc. 62 (1967) 399-402; H. Chernoff, E. L.
+/// Lehmann, Ann. Math. Stat. 25 (1954) 579-586; H. B. Mann, A. Wald, Ann. Math. Stat. 13 (1942) 306-317.
 #pragma once
 
 #include <array>

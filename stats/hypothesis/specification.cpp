@@ -11,8 +11,6 @@
 #include "stats/sample/moments.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/acf_error.hpp"
-#include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
@@ -20,22 +18,21 @@ namespace {
 
 constexpr Index most_rows = 9, most_columns = 17;
 constexpr double least_density = 0.1, most_score = 37;
-constexpr double most_of_mean = 0.1;       // of the variance: a translation's biases are about a known mean
-constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
-constexpr double degrees_of_spread =
-    0.75;  // a surface, less one: figures are more skewed than Student's law knows
-// Sku's third cumulant, of first order, overstates: of n independent heights Fisher's has this skewness at the most.
+constexpr double most_of_mean = 0.1;        // of the variance: a translation's biases are about a known mean
+constexpr double patches_per_degree = 10;   // of the t law whose tails the figures have
+constexpr double degrees_of_spread = 0.75;  // a surface, less one: figures are skewed
+// Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at the most.
 constexpr double most_skewed = 1.6;
 
-// The score of probabilities below and above, whichever is the smaller.
-double normal_score(double below, double above) {
+// By the smaller of the tails.
+double normal_score(const StudentTails& tails) {
+  const auto& [below, above] = tails;
   const double score = above < below ? gsl_cdf_ugaussian_Qinv(above) : gsl_cdf_ugaussian_Pinv(below);
   return std::clamp(score, -most_score, most_score);
 }
 
-// Of the gamma law of mean 0, variance 1 and this skewness, by Wilson and Hilferty's cube root; below 1e-6 it is z. The cube
-// root holds from one degree on (below 2/9 the least value of all would score high), which a skewness of √8 stands for. With
-// five patches or more Sq's is below.
+// Of the gamma law of mean 0, variance 1 and this skewness, by Wilson and Hilferty's cube root, which holds
+// from one degree, a skewness of √8, on; with five patches or more Sq's is below.
 double gamma_score(double z, double skewness) {
   if (std::abs(skewness) < 1e-6) return z;
   if (skewness < 0) return -gamma_score(-z, -skewness);
@@ -59,20 +56,20 @@ Shape longest_lag(const LagField& rho, const Grid& grid) {
   return {std::min(rho.max_p(), grid.shape.nx / 4), std::min(rho.max_q(), grid.shape.ny / 4)};
 }
 
-}  // namespace
-
-void Specification::check() const {
-  if (!(sku >= 1 + ssk * ssk))
-    throw ParameterError("kurtosis",
-                         "value " + shortest(sku) + " is below 1 + skewness², which no distribution has");
-  if (!spread && (ssk != 0 || sku != 3))
+void check(const Specification& asked) {
+  if (!(asked.sku >= 1 + asked.ssk * asked.ssk))
+    throw ParameterError(
+        "kurtosis", "value " + shortest(asked.sku) + " is below 1 + skewness², which no distribution has");
+  if (!asked.spread && (asked.ssk != 0 || asked.sku != 3))
     throw ParameterError("errors",
                          "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
 }
 
+}  // namespace
+
 SpecificationTest::SpecificationTest(const Specification& asked, const Grid& grid)
     : asked_(asked), grid_(grid) {
-  asked_.check();
+  check(asked);
   asked_.correlation = asked.correlation.normalised();
   choose_lags();
   if (asked_.ssk != 0 || asked_.sku != 3) {
@@ -82,7 +79,16 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
   }
   complete_ = theory_of(grid);
   total_.lag_variances = Eigen::ArrayXd::Zero(complete_.lag_variances.size());
-  find_skewness();
+  const LagField& rho = asked_.correlation;
+  const double cells = static_cast<double>(grid_.shape.cells());
+  const double w = complete_.mean_powers(1), v = 1 - w;
+  const LagField square(rho.half_plane().square());
+  const EffectiveSampleSize size(rho, Pairs(grid_));
+  variance_skewness_ = 8 * (CorrelationAlgebra(rho, grid_).mean_of_triples() / (cells * cells) - w * w * w) /
+                       (v * v * v) / std::pow(2 * complete_.mean_powers(2), 1.5);
+  sku_skewness_ =
+      std::min(most_skewed, 1728 * CorrelationAlgebra(square, grid_).mean_of_triples() / (cells * cells) /
+                                std::pow(24 * size.sum(4) / size.points(), 1.5));
 }
 
 void SpecificationTest::choose_lags() {
@@ -102,27 +108,8 @@ void SpecificationTest::choose_lags() {
       scales.push_back(std::sqrt(cells) * std::pow(variance, 1.5));
     }
   lag_skewness_ = 8 * algebra.third_cumulants(lags_) / Eigen::Map<Eigen::ArrayXd>(scales.data(), lags());
-  if (!lags_.empty()) largest_ = NullDistribution::of_largest_magnitude(bartlett_correlation(c, lags_));
-}
-
-void SpecificationTest::find_skewness() {
-  const LagField& rho = asked_.correlation;
-  const double cells = static_cast<double>(grid_.shape.cells());
-  const double w = complete_.mean_powers(1), v = 1 - w;
-  const LagField square(rho.half_plane().square());
-  const EffectiveSampleSize size(rho, Pairs(grid_));
-  variance_skewness_ = 8 * (CorrelationAlgebra(rho, grid_).mean_of_triples() / (cells * cells) - w * w * w) /
-                       (v * v * v) / std::pow(2 * complete_.mean_powers(2), 1.5);
-  sku_skewness_ =
-      std::min(most_skewed, 1728 * CorrelationAlgebra(square, grid_).mean_of_triples() / (cells * cells) /
-                                std::pow(24 * size.sum(4) / size.points(), 1.5));
-}
-
-void SpecificationTest::Theory::operator+=(const Theory& other) {
-  mean_powers += other.mean_powers;
-  ssk_bias += other.ssk_bias;
-  sku_bias += other.sku_bias;
-  lag_variances += other.lag_variances;
+  auto largest = [](const Eigen::VectorXd& g, auto) { return g.cwiseAbs().maxCoeff(); };
+  if (!lags_.empty()) largest_ = {bartlett_correlation(c, lags_), largest};
 }
 
 void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
@@ -176,16 +163,18 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
   for (Index i = 3; const auto& [lag, rho] : lags_) values(i++) = acf(lag.nx, lag.ny) - (rho - w) * variance;
   values.tail(lags()) = (theory.lag_variances > 0).select(values.tail(lags()), NAN);
   ensemble_.add(values);
-  total_ += theory;
+  total_.mean_powers += theory.mean_powers;
+  total_.ssk_bias += theory.ssk_bias;
+  total_.sku_bias += theory.sku_bias;
+  total_.lag_variances += theory.lag_variances;
   ++surfaces_;
 }
 
 double SpecificationTest::score(double z, double skewness) const {
+  if (asked_.spread) return normal_score(student_tails(z, degrees_of_spread * (surfaces_ - 1)));
   const double patches = surfaces_ / mean_power(2);
-  const double t = asked_.spread ? z : gamma_score(z, skewness / std::sqrt(surfaces_));
-  const double degrees = asked_.spread ? degrees_of_spread * (surfaces_ - 1) : patches / patches_per_degree;
-  const StudentTails tails = student_tails(t, degrees);
-  return normal_score(tails.below, tails.above);
+  return normal_score(
+      student_tails(gamma_score(z, skewness / std::sqrt(surfaces_)), patches / patches_per_degree));
 }
 
 TestResult SpecificationTest::result(const std::string& name, Index quantity, double prescribed, double mean,
@@ -194,17 +183,6 @@ TestResult SpecificationTest::result(const std::string& name, Index quantity, do
   out.standard_error = asked_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
   out.z = (mean - prescribed) / out.standard_error;
   out.p = two_sided(score(out.z, skewness));
-  return out;
-}
-
-// Tested as a variance, told as an rms height.
-TestResult SpecificationTest::height_result() const {
-  const double variance = asked_.sq * asked_.sq, mean = ensemble_.mean()(0);
-  TestResult out =
-      result("Sq", 0, variance, mean, variance * std::sqrt(2 * mean_power(2)), variance_skewness_);
-  out.prescribed = asked_.sq;
-  out.mean = std::sqrt(mean);
-  out.standard_error /= 2 * asked_.sq;
   return out;
 }
 
@@ -221,13 +199,10 @@ TestResult SpecificationTest::correlation_result() const {
     const double z = mean(i) / error(i), strays = std::abs(score(z, lag_skewness_(i)));
     if (strays > largest) out = {"ACF", rho, rho + mean(i), error(i), z, 1, lag.nx, lag.ny}, largest = strays;
   }
-  if (largest >= 0) out.p = largest_score_p(largest);
+  if (largest < 0) return out;
+  out.p = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(largest)));  // Šidák's
+  if (!asked_.spread) out.p = std::min(out.p, largest_.exceedance(largest));
   return out;
-}
-
-double SpecificationTest::largest_score_p(double score) const {
-  const double sidak = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(score)));
-  return asked_.spread ? sidak : std::min(sidak, largest_.exceedance(score));
 }
 
 std::vector<TestResult> SpecificationTest::results() const {
@@ -237,8 +212,14 @@ std::vector<TestResult> SpecificationTest::results() const {
                          "a single surface has no spread, which errors rest on where heights are not to be "
                          "Gaussian: name several");
   std::vector<TestResult> out;
-  if (std::isfinite(asked_.sq)) out.push_back(height_result());
   const Eigen::ArrayXd mean = ensemble_.mean();
+  if (std::isfinite(asked_.sq)) {  // tested as a variance, told as an rms height
+    const double variance = asked_.sq * asked_.sq, error = variance * std::sqrt(2 * mean_power(2));
+    out.push_back(result("Sq", 0, variance, mean(0), error, variance_skewness_));
+    out[0].prescribed = asked_.sq;
+    out[0].mean = std::sqrt(mean(0));
+    out[0].standard_error /= 2 * asked_.sq;
+  }
   const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
   out.push_back(result("Ssk", 1, asked_.ssk, ssk, std::sqrt(6 * mean_power(3)), 0));
   out.push_back(result("Sku", 2, asked_.sku, sku, std::sqrt(24 * mean_power(4)), sku_skewness_));

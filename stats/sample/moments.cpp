@@ -2,26 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "core/error.hpp"
 
 namespace asperity {
-namespace {
-
-// The heights of a row that are there, moved to its beginning.
-Index compact(Eigen::ArrayXd& d) {
-  return std::remove_if(d.begin(), d.end(), [](double height) { return std::isnan(height); }) - d.begin();
-}
-
-}  // namespace
 
 void MomentSums::add(const Eigen::Ref<const Field>& strip) {
   Eigen::ArrayXd row(strip.cols()), square;
   for (Index i = 0; i < strip.rows(); ++i) {
     row = (strip.row(i).transpose() - mean_.base) - mean_.above;
-    const auto d = row.head(std::isnan(row.sum()) ? compact(row) : row.size());
+    Index there = row.size();
+    if (std::isnan(row.sum()))
+      there = std::remove_if(row.begin(), row.end(), [](double z) { return std::isnan(z); }) - row.begin();
+    const auto d = row.head(there);
     if (d.size() == 0) continue;
     square = d.square();
     count_ += static_cast<double>(d.size());

@@ -1,18 +1,18 @@
 /// Height parameters of a surface, by ISO 25178-2.
 ///
-/// With heights d measured from the mean of all N points that are not missing, the mean plane of order 0,
+/// With heights d measured from the mean of all N points that are not missing,
 ///     Sa  = 1/N Σ |d|                    arithmetic mean height
 ///     Sq  = √(1/N Σ d²)                  root mean square height
 ///     Ssk = 1/N Σ d³ / Sq³               skewness
 ///     Sku = 1/N Σ d⁴ / Sq⁴               kurtosis, 3 for a Gaussian surface
 ///     Sp, Sv, Sz = Sp + Sv               highest peak, deepest valley, both ≥ 0, maximum height
-/// All are population moments, of divisor N, over the whole field. The profile parameters Ra and Rq of
-/// ISO 21920-2 are the same means over a profile; its Rp, Rv and Rz are means over sampling lengths.
+/// population moments, of divisor N, over the whole field. Ra and Rq of ISO 21920-2 are the same means over a
+/// profile; its Rp, Rv and Rz are means over sampling lengths.
 ///
-/// Accuracy  Two passes about a shifted origin (stats/filter/form.hpp), row sums added to row sums: a relative error
-///           below ε (nx + ny) in Sa and Sq, whatever the offset.
-/// Cost      two passes over the data, a small part of one transform. GSL's gsl_stats_* compute the same
-///           numbers by recurrences in long double, a division per point and moment; a test compares the two.
+/// Accuracy  Two passes about a shifted origin (stats/filter/form.hpp), row sums added to row sums: a
+///           relative error below ε (nx + ny) in Sa and Sq, whatever the offset.
+/// Cost      two passes over the data. GSL's recurrences take a division per point and moment; a test
+///           compares.
 #pragma once
 
 #include <limits>
@@ -39,8 +39,8 @@ class MomentSums {
   /// `mean` is that of the whole field.
   explicit MomentSums(const Mean& mean) : mean_(mean) {}
   void add(const Eigen::Ref<const Field>& strip);
-  /// Throws DataError(variable, …) when every height is the same: skewness and kurtosis then have no value; or when
-  /// fourth powers of the heights are no numbers of their own any more, Sq below 1e-77 or heights above 1e77.
+  /// Throws DataError(variable, …) when every height is the same, or Sq is below 1e-77 or heights above 1e77,
+  /// whose fourth powers are no numbers.
   Moments moments(std::string_view variable) const;
 
  private:

@@ -1,7 +1,7 @@
 #include "stats/spatial/acf.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -14,49 +14,38 @@
 namespace asperity {
 namespace {
 
-constexpr double no_pair = std::numeric_limits<double>::quiet_NaN();
-
 void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads) {
   parallel_ranges(sums.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)
       for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
         const double fraction = pairs.pair_fraction(p, q);
-        sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : no_pair;
+        sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : NAN;
       }
   });
 }
 
-// Sums of a field over rectangles.
-class PartialSums {
- public:
-  explicit PartialSums(const Field& f) : sums_(Field::Zero(f.rows() + 1, f.cols() + 1)) {
-    for (Index i = 0; i < f.rows(); ++i) {
-      double row = 0;
-      for (Index j = 0; j < f.cols(); ++j) sums_(i + 1, j + 1) = sums_(i, j + 1) + (row += f(i, j));
-    }
+// Σ f over the rectangle from the first point to before (i, j).
+Field partial_sums(const Field& f) {
+  Field sums = Field::Zero(f.rows() + 1, f.cols() + 1);
+  for (Index i = 0; i < f.rows(); ++i) {
+    double row = 0;
+    for (Index j = 0; j < f.cols(); ++j) sums(i + 1, j + 1) = sums(i, j + 1) + (row += f(i, j));
   }
-  /// Over nx × ny points from (i, j) on.
-  double operator()(Index i, Index j, Index nx, Index ny) const {
-    return sums_(i + nx, j + ny) - sums_(i, j + ny) - sums_(i + nx, j) + sums_(i, j);
-  }
+  return sums;
+}
 
- private:
-  Field sums_;
-};
-
-// (5) over the pairs that are there. With u the squares, zero where a point is missing, and m 1 where it is there,
-// Σ_first z² + Σ_second z² is the correlation of u with m and of m with u: a quarter of those of u + m less those of
-// u - m, twice over.
-LagField over_valid_pairs(const Field& d, const Pairs& pairs, Shape max_lag, int threads) {
+// (5) over the pairs that are there. With u the squares and m 1, both zero where a point is missing, the sums
+// of squares are the correlations of u with m and of m with u: a quarter of those of u + m less those of u -
+// m, twice over.
+LagField over_valid_pairs(const Field& d, const Pairs& pairs, const LagField& R, int threads) {
   const Grid& grid = pairs.grid();
+  const Shape max_lag = R.max_lag();
   const Field u = zero_filled(d).square(), m = validity(d);
   const double scale = u.sum() / pairs.points();
   if (!(scale > 0)) throw DataError("heights", "every value is the same");
   const LagField both(
       (lag_sums(u / scale + m, grid, max_lag, threads) - lag_sums(u / scale - m, grid, max_lag, threads)) *
       (scale / 2));
-  const LagField R =
-      estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
   // Where no pair is, R is not a number.
   return LagField::of(max_lag, [&](Index p, Index q) {
     return both(p, q) / (pairs.pair_fraction(p, q) * pairs.points()) - 2 * R(p, q);
@@ -75,8 +64,6 @@ void AcfParameters::check(const Grid& grid) const {
                            (grid.periodic ? ", half the period" : ", the longest lags of the field"));
 }
 
-Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.ny / 2}; }
-
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
   const Grid& grid = pairs.grid();
   parameters.check(grid);
@@ -90,25 +77,25 @@ LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfP
 }
 
 LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {
-  parameters.check(grid);
   return estimate_autocorrelation(z, Pairs::of(z, grid, parameters.threads), parameters);
 }
 
 LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int threads) {
   const Field d = remove_form(z);
-  if (const Pairs pairs = Pairs::of(d, grid, threads); !pairs.complete()) {
-    AcfParameters{.max_lag = max_lag}.check(grid);
-    return over_valid_pairs(d, pairs, max_lag, threads);
-  }
+  const Pairs pairs = Pairs::of(d, grid, threads);
   const LagField R =
-      estimate_autocorrelation(d, grid, {.max_lag = max_lag, .level = 0.0, .threads = threads});
+      estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
+  if (!pairs.complete()) return over_valid_pairs(d, pairs, R, threads);
   if (grid.periodic) return LagField(2 * (R(0, 0) - R.half_plane()));
 
-  const PartialSums squares(d.square());
-  const Index nx = grid.shape.nx, ny = grid.shape.ny;
+  const auto [nx, ny] = grid.shape;
+  const Field below = partial_sums(d.square());
+  auto squares = [&](Index i, Index j, Index rows, Index columns) {
+    return below(i + rows, j + columns) - below(i, j + columns) - below(i + rows, j) + below(i, j);
+  };
   return LagField::of(max_lag, [&](Index p, Index q) {
-    const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0), rows = nx - p,
-                columns = ny - right - left;
+    const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0);
+    const Index rows = nx - p, columns = ny - right - left;
     const double both = squares(0, left, rows, columns) + squares(p, right, rows, columns);
     return both / static_cast<double>(rows * columns) - 2 * R(p, q);
   });

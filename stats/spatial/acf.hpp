@@ -1,34 +1,35 @@
-/// The autocorrelation and the structure function of a measured surface, at every lag up to (P, Q), by the fast Fourier
-/// transform.
+/// The autocorrelation and the structure function of a measured surface, at every lag up to (P, Q), by the
+/// FFT.
 ///
 /// With heights d = z - level,
 ///     C(p,q) = Σ d(i,j) d(i+p, j+q)                                                                (1)
 /// over all pairs of points (transform/lag_sums.hpp). The estimate is
 ///     R(p,q) = C(p,q) / ((nx - |p|)(ny - |q|)),      unbiased, the default,                        (2)
 ///     R(p,q) = C(p,q) / (nx ny),                     biased: positive definite, smaller far out,   (3)
-/// and on a periodic grid, where every point has a partner at every lag, C(p,q)/(nx ny), both at once. Where heights
-/// are missing, (1) is summed over the pairs that are there, the level is the mean of the heights that are there, and
+/// and on a periodic grid C(p,q)/(nx ny), both at once. Where heights are missing, (1) is summed over the
+/// pairs that are there, the level is the mean of the heights that are there, and
 ///     R(p,q) = C(p,q) / n(p,q),   or C(p,q) / n(0,0),                                              (4)
-/// n(p,q) the number of these pairs (stats/spatial/pairs.hpp). At a lag without a pair the unbiased R is not a number.
+/// n(p,q) the number of these pairs (stats/spatial/pairs.hpp). At a lag without a pair the unbiased R is not
+/// a number.
 ///
 /// The structure function is the mean square difference of heights a lag apart,
 ///     S(p,q) = mean over all pairs of [z(i+p, j+q) - z(i,j)]²,                                     (5)
-/// of a stationary surface 2 (R(0,0) - R(p,q)); unlike R it needs no mean height and exists where the variance grows with
-/// the field, as of a self-affine surface or one with a trend. It is
+/// of a stationary surface 2 (R(0,0) - R(p,q)); it needs no mean height and exists where the variance grows
+/// with the field, as of a self-affine surface or one with a trend. It is
 ///     S = [Σ_first z² + Σ_second z² - 2C(p,q)]/pairs,                                              (6)
-/// the squares over the rectangles that the first and the second points of the pairs fill, from a table of partial sums;
-/// where heights are missing, from correlations of the squares with the mask.
+/// the squares over the rectangles of the first and the second points of the pairs, from a table of partial
+/// sums; where heights are missing, from correlations of the squares with the mask.
 ///
 /// Symbols   z  heights [m]      R, S  [m²], R(0,0) = Sq²      p, q  lags [samples]
-/// Accuracy  Round-off ε log2(N) Σd²/N, of S a few ε Sq² √N more: where S is a small part of Sq², at short lags of a smooth
-///           surface, by as much relative to it. As an estimate, (2) is unbiased when the level is known; the field's
-///           own mean in its place lowers every lag by about Var[z̄] = σ² Σρ / N (stats/uncertainty/effective_size.hpp).
-/// Cost      one pruned transform there and back, padded only as far as the lags asked for; with missing heights
-///           another one, at all lags. S two passes more; with missing heights three times the ACF's.
+/// Accuracy  Round-off ε log2(N) Σd²/N, of S a few ε Sq² √N more. As an estimate, (2) is unbiased when the
+///           level is known; the field's own mean lowers every lag by about σ² Σρ / N
+///           (stats/uncertainty/effective_size.hpp).
+/// Cost      one pruned transform there and back, padded only as far as the lags asked for; with missing
+///           heights another one, at all lags. S two passes more; with missing heights three times the ACF's.
 ///
-/// G. M. Jenkins, D. G. Watts, Spectral analysis and its applications, Holden-Day (1968), ch. 5.
-/// J. S. Bendat, A. G. Piersol, Random data, 4th ed., Wiley (2010). R. S. Sayles, T. R. Thomas, Nature 271
-/// (1978) 431-434.
+/// G. M. Jenkins, D. G. Watts, Spectral analysis and its applications, Holden-Day (1968), ch. 5. J. S.
+/// Bendat, A. G. Piersol, Random data, 4th ed., Wiley (2010). R. S. Sayles, T. R. Thomas, Nature 271 (1978)
+/// 431.
 #pragma once
 
 #include <optional>
@@ -50,7 +51,7 @@ struct AcfParameters {
 };
 
 /// Half the field in either direction: beyond, few independent pairs are left.
-Shape default_max_lag(const Grid& grid);
+inline Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.ny / 2}; }
 
 LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters);
 /// With the pairs that the field holds, where they are known.

@@ -28,10 +28,7 @@ double between_lags(const LagField& rho, bool x, Index along, double across) {
   return fraction == 0 ? lower : interpolated(lower, at(static_cast<Index>(whole) + 1), fraction);
 }
 
-struct Lag {
-  Index p, q;
-};
-constexpr Lag neighbours[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+constexpr Shape neighbours[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 struct Contour {
   std::vector<Eigen::Vector2d> points;  // [m]
@@ -43,22 +40,21 @@ Contour contour_of_lobe(const LagField& rho, const Grid& grid, double level) {
   const Index P = rho.max_p(), Q = rho.max_q();
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> seen =
       Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>::Zero(2 * P + 1, 2 * Q + 1);
-  std::vector<Lag> pending{{0, 0}};
+  std::vector<Shape> pending{{0, 0}};
   seen(P, Q) = true;
   while (!pending.empty()) {
-    const Lag at = pending.back();
+    const auto [p, q] = pending.back();
     pending.pop_back();
     for (const auto& [dp, dq] : neighbours) {
-      const Lag next{at.p + dp, at.q + dq};
-      const bool beyond = std::abs(next.p) > P || std::abs(next.q) > Q;
-      if (const double value = rho(next.p, next.q); beyond || std::isnan(value)) {
+      const double value = rho(p + dp, q + dq);
+      if (std::abs(p + dp) > P || std::abs(q + dq) > Q || std::isnan(value)) {
         out.open = true;
       } else if (value > level) {
-        if (!std::exchange(seen(P + next.p, Q + next.q), true)) pending.push_back(next);
+        if (!std::exchange(seen(P + p + dp, Q + q + dq), true)) pending.push_back({p + dp, q + dq});
       } else {
-        const double step = crossing_between(rho(at.p, at.q), value, level).lag;
-        out.points.emplace_back((static_cast<double>(at.p) + step * static_cast<double>(dp)) * grid.dx,
-                                (static_cast<double>(at.q) + step * static_cast<double>(dq)) * grid.dy);
+        const double step = crossing_between(rho(p, q), value, level).lag;
+        out.points.emplace_back((static_cast<double>(p) + step * static_cast<double>(dp)) * grid.dx,
+                                (static_cast<double>(q) + step * static_cast<double>(dq)) * grid.dy);
       }
     }
   }

@@ -1,34 +1,35 @@
-/// Correlation lengths: where the autocorrelation falls to a level, along a line and all around (ISO 25178-2: Sal, Str).
+/// Correlation lengths: where the autocorrelation falls to a level, along a line and all around (ISO
+/// 25178-2).
 ///
 /// Between the samples p and p+1 that enclose the level t, ln ρ is linear,
 ///     λ = p + ln(ρ_p / t) / ln(ρ_p / ρ_{p+1}),                                                     (1)
-/// exact for an exponential. Noise about a ρ that is zero, or has no logarithm, must not move λ by most of a sample: λ is no
-/// less than that of a straight line to ½ρ_{p+1}, or to ρ_{p+1} where that is negative. Between any two values, at the
-/// fraction s of the way from the larger,
+/// exact for an exponential. Noise about a ρ that is zero must not move λ by most of a sample: λ is no less
+/// than that of a straight line to ½ρ_{p+1}, or to ρ_{p+1} where that is negative. Between any two values, at
+/// the fraction s of the way from the larger,
 ///     ρ = max(ρ_p^{1-s} ρ_{p+1}^s, (1-s) ρ_p + ½ s ρ_{p+1}),     linear unless both are positive.      (2)
-/// (2) rises with either value, and so do λ and all that rests on it: a band about ρ has its lengths in order.
-/// In a direction θ the profile is sampled where the ray crosses the rows of lags, or the columns when it
-/// leans that way, by (2) from the two lags beside it.
+/// (2) rises with either value, and so does λ: a band about ρ has its lengths in order. In a direction θ the
+/// profile is sampled where the ray crosses the rows of lags, or the columns when it leans that way, by (2)
+/// from the two lags beside it.
 ///
-/// The central lobe is the connected region about lag zero where ρ > t; lags are connected to their four neighbours. Of
+/// The central lobe is the region about lag zero where ρ > t, connected over the four neighbours of a lag. Of
 /// the points of its contour, (1) on the lines between neighbouring lags,
 ///     Sal = r_min, the nearest to lag zero: the autocorrelation length of the fastest decay,          (3)
 ///     Str = r_min / r_max, the nearest over the farthest: the texture aspect ratio, 0 < Str ≤ 1,       (4)
 /// and the ellipse
 ///     A x² + 2B xy + C y² = 1                                                                         (5)
-/// that fits them best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C]: the
-/// lengths along and across the texture. γ is their ratio, ≥ 1, and its angle that of the long axis.
+/// that fits them best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C]. γ is
+/// their ratio, ≥ 1, and its angle that of the long axis.
 ///
 /// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1, 0.2 or 1/e      ρ' slope per sample
 ///           x, y  lags [m]      angles from +x towards +y [rad]
-/// Scope     A lobe that reaches the longest lags, or lags without a pair of points, has no r_max, and no Str; it
-///           needs longer lags or a larger field.
-/// Accuracy  Of (1), where ρ falls to no less than 0.47 of itself in a sample: |error| ≤ max|(ln ρ)''| / (8 |(ln ρ)'|)
-///           samples, none for an exponential and 1/(8λ) for a Gaussian ρ; h²/(8λ) more in a direction, h the larger
-///           spacing. For exp(-r) or exp(-r²) of one elliptic radius r: Sal within 3h²/(8 r_min), r_max within
-///           3h² r_max/(8 r_min²), the ellipse's axes within a third of these.
-///           Of the estimate: SE[λ] = SE[ρ(λ)] / |ρ'(λ)| (stats/uncertainty/acf_error.hpp), usually far larger;
-///           being the least of many lengths, Sal of an estimate is also biased low.
+/// Scope     A lobe that reaches the longest lags, or lags without a pair of points, has no r_max, and no
+///           Str.
+/// Accuracy  Of (1), where ρ falls to no less than 0.47 of itself in a sample: |error| ≤ max|(ln ρ)''| / (8
+///           |(ln ρ)'|) samples, none for an exponential and 1/(8λ) for a Gaussian ρ; h²/(8λ) more in a
+///           direction, h the larger spacing. For exp(-r) or exp(-r²) of one elliptic radius r: Sal within
+///           3h²/(8 r_min), r_max within 3h² r_max/(8 r_min²), the ellipse's axes within a third of these. Of
+///           the estimate SE[ρ(λ)] / |ρ'(λ)|, usually far larger; being the least of many lengths, Sal of an
+///           estimate is also biased low.
 /// Cost      the lags of the lobe.
 #pragma once
 

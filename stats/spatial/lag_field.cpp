@@ -31,10 +31,6 @@ LagField LagField::within(Shape max_lag) const {
   return LagField(values_.block(0, max_q() - q, p + 1, 2 * q + 1));
 }
 
-Eigen::ArrayXd LagField::along_x() const { return values_.col(max_q()); }
-
-Eigen::ArrayXd LagField::along_y() const { return values_.row(0).tail(max_q() + 1).transpose(); }
-
 LagField LagField::normalised() const {
   const double variance = (*this)(0, 0);
   if (!(variance > 0)) throw DataError("acf", "the variance R(0,0) is not positive");

@@ -1,7 +1,7 @@
 /// Functions of the lag, such as an autocorrelation R(p,q), on the half-plane 0 ≤ p ≤ P, |q| ≤ Q.
 ///
-/// A real field's autocorrelation is even under point reflection, R(-p,-q) = R(p,q), so that the half-plane
-/// holds all of it. It need not be even in p and q separately: R(p,-q) ≠ R(p,q) where the lay is oblique.
+/// It holds all of a real field's autocorrelation, R(-p,-q) = R(p,q); R(p,-q) ≠ R(p,q) where the lay is
+/// oblique.
 #pragma once
 
 #include "core/field.hpp"
@@ -31,8 +31,8 @@ class LagField {
   /// Row p, column Q + q.
   const Field& half_plane() const { return values_; }
 
-  Eigen::ArrayXd along_x() const;  ///< R(p,0), p = 0…P
-  Eigen::ArrayXd along_y() const;  ///< R(0,q), q = 0…Q
+  Eigen::ArrayXd along_x() const { return values_.col(max_q()); }
+  Eigen::ArrayXd along_y() const { return values_.row(0).tail(max_q() + 1).transpose(); }
   /// R(p,q)/R(0,0). Throws DataError("acf", …) when R(0,0) is not positive.
   LagField normalised() const;
 

@@ -10,11 +10,6 @@
 namespace asperity {
 namespace {
 
-double overlap(Index lag, Index n, bool periodic) {
-  if (periodic) return 1;
-  return std::abs(lag) < n ? 1 - static_cast<double>(std::abs(lag)) / static_cast<double>(n) : 0;
-}
-
 // A lag of half a period is its own mirror image.
 double times_met(Index lag, Index n, bool periodic) { return periodic && 2 * std::abs(lag) == n ? 0.5 : 1; }
 
@@ -47,7 +42,10 @@ double Pairs::density(Index p, Index q) const {
 }
 
 double overlap(const Grid& grid, Index p, Index q) {
-  return overlap(p, grid.shape.nx, grid.periodic) * overlap(q, grid.shape.ny, grid.periodic);
+  auto part = [](Index lag, Index n) {
+    return std::max(0.0, 1 - static_cast<double>(std::abs(lag)) / static_cast<double>(n));
+  };
+  return grid.periodic ? 1 : part(p, grid.shape.nx) * part(q, grid.shape.ny);
 }
 
 Shape longest_lags(const Grid& grid) {

@@ -1,12 +1,12 @@
 /// How many pairs of points a field holds at each lag.
 ///
-/// A field of nx × ny points holds (nx - |p|)(ny - |q|) pairs at lag (p,q), or nx ny when it is periodic. Where
-/// heights are missing a pair counts when both of its points are there,
+/// A field of nx × ny points holds (nx - |p|)(ny - |q|) pairs at lag (p,q), or nx ny when it is periodic.
+/// Where heights are missing a pair counts when both of its points are there,
 ///     n(p,q) = Σ m(i,j) m(i+p, j+q),   m = 1 where there is a height, 0 elsewhere,                    (1)
-/// and there may be none at a lag. Sums over pairs become sums over lags with these weights.
+/// and sums over pairs become sums over lags with these weights.
 ///
-/// Accuracy  exact: (1) is summed by the transform (transform/lag_sums.hpp) and rounded to whole numbers, from which it
-///           is ε log2(N) N away, below 0.1 for fields of 10¹² points.
+/// Accuracy  exact: (1) is summed by the transform (transform/lag_sums.hpp) and rounded to whole numbers,
+///           from which it is below 0.1 away for fields of 10¹² points.
 /// Cost      of a complete field none; else one pass over the field and one autocorrelation at all its lags.
 #pragma once
 
@@ -32,7 +32,7 @@ class Pairs {
   double points() const { return points_; }   ///< that are there
   /// n(p,q)/n(0,0); of a complete field its overlap with itself at the lag.
   double pair_fraction(Index p, Index q) const;
-  /// n(p,q) over what it were if nothing but the field's edges ended pairs, n(0,0) overlap(p,q); 1 for a complete field.
+  /// n(p,q) over n(0,0) overlap(p,q), what it were if only the field's edges ended pairs.
   double density(Index p, Index q) const;
 
  private:
@@ -41,20 +41,22 @@ class Pairs {
   std::shared_ptr<const LagField> counts_ = {};
 };
 
-/// The part of a complete field's points that have a partner at lag (p,q): (1 - |p|/nx)(1 - |q|/ny), 1 when periodic.
+/// The part of a complete field's points that have a partner at a lag: (1 - |p|/nx)(1 - |q|/ny), 1 when
+/// periodic.
 double overlap(const Grid& grid, Index p, Index q);
 
 /// The longest lags at which a field has pairs; half of it when periodic.
 Shape longest_lags(const Grid& grid);
 
-/// ρ √(n(p,q)/n(0,0)) at the lags that the field has. Sums over pairs of lags of it are weighted by the pairs of the field: exactly where
-/// two factors are of one lag, as in Σ w ρ²; and Σ Σ ρ ρ ρ over triples of lags that end where they began, by the field's
-/// triples to first order in lag over length, a tenth too large at the most along a side that is all one height.
+/// ρ √(n(p,q)/n(0,0)) at the lags that the field has. Sums of products of it are weighted by the field's
+/// pairs: exactly where two factors are of one lag, as in Σ w ρ²; in Σ Σ ρ ρ ρ over triples of lags that end
+/// where they began to first order in lag over length, a tenth too large at the most along a side that is all
+/// one height.
 LagField tapered(const LagField& rho, const Pairs& pairs);
 
-/// Calls visit(p, q, weight) for those of the half-plane's lags that have pairs, such that Σ weight f(p,q) is the
-/// average over the field's points of Σ f over all their partners: pair_fraction(p,q), doubled for the lags (-p,-q), and
-/// halved at lags of half a period, where p and -p are one. Longer lags of a periodic field are shorter ones again, and left out.
+/// Calls visit(p, q, weight) for those of the half-plane's lags that have pairs, such that Σ weight f(p,q) is
+/// the average over the field's points of Σ f over all their partners: pair_fraction(p,q), doubled for the
+/// lags (-p,-q), halved at half a period, where p and -p are one.
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit);
 

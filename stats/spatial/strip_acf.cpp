@@ -1,7 +1,7 @@
 #include "stats/spatial/strip_acf.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "stats/filter/missing.hpp"
 #include "transform/lag_sums.hpp"
@@ -9,12 +9,10 @@
 namespace asperity {
 namespace {
 
-constexpr double told = 0.1;
-
-// n of a strip without missing points.
-Field complete_pairs(const Grid& strip, Shape max_lag) {
-  const auto points = static_cast<double>(strip.shape.cells());
-  return LagField::of(max_lag, [&](Index p, Index q) { return overlap(strip, p, q) * points; }).half_plane();
+// n of a field without missing points.
+Field complete_pairs(const Grid& grid, Shape max_lag) {
+  const auto points = static_cast<double>(grid.shape.cells());
+  return LagField::of(max_lag, [&](Index p, Index q) { return overlap(grid, p, q) * points; }).half_plane();
 }
 
 }  // namespace
@@ -36,15 +34,14 @@ void StripAutocorrelation::add(const Field& strip) {
   complete_.topRows(lags.nx + 1) += complete;
   counts_.topRows(lags.nx + 1) +=
       missing ? Field(lag_sums(validity(strip), open, lags, threads_).round()) : complete;
-  missing_ = missing_ || missing;
 }
 
 LagField StripAutocorrelation::estimate() const {
-  return LagField((counts_ > 0.5).select(sums_ / counts_, std::numeric_limits<double>::quiet_NaN()));
+  return LagField((counts_ > 0.5).select(sums_ / counts_, NAN));
 }
 
 Pairs StripAutocorrelation::pairs() const {
-  if (!missing_) return Pairs(grid_);
+  if ((counts_ == complete_).all()) return Pairs(grid_);
   const double cells = static_cast<double>(grid_.shape.cells());
   return Pairs(grid_, LagField::of(max_lag_, [&](Index p, Index q) {
                  const Index column = max_lag_.ny + q;
@@ -55,7 +52,7 @@ Pairs StripAutocorrelation::pairs() const {
 bool StripAutocorrelation::reaches_beyond(const LagField& correlation) const {
   const Index outside = correlation.max_p() + 1 - max_lag_.nx;
   return max_lag_.nx < grid_.shape.nx / 2 && outside > 0 &&
-         (correlation.half_plane().bottomRows(outside).abs() > told * correlation(0, 0)).any();
+         (correlation.half_plane().bottomRows(outside).abs() > 0.1 * correlation(0, 0)).any();
 }
 
 }  // namespace asperity

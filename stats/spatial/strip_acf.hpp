@@ -1,9 +1,9 @@
 /// The autocorrelation of a field that comes in strips, from the pairs of points that lie in one strip.
 ///
 ///     R(p,q) = Σ_strips C(p,q) / Σ_strips n(p,q)                                                      (1)
-/// with C and n, the sums over pairs and their number (stats/spatial/acf.hpp, stats/spatial/pairs.hpp), of each strip: unbiased when
-/// heights are measured from the mean of the whole field, but of fewer pairs than the field has, and of lags that fit
-/// a strip. It serves standard errors; a correlation that is longer than the strips makes them too small.
+/// with the sums over pairs C and their number n of each strip (stats/spatial/acf.hpp): unbiased when heights
+/// are measured from the mean of the whole field, but of fewer pairs, and of lags that fit a strip. It serves
+/// standard errors; a correlation that is longer than the strips makes them too small.
 ///
 /// Cost      one autocorrelation a strip; with missing heights two.
 #pragma once
@@ -25,15 +25,14 @@ class StripAutocorrelation {
   LagField estimate() const;
   /// The pairs of the whole field, its missing points spread over it as they are over the strips' pairs.
   Pairs pairs() const;
-  /// Whether a correlation, such as the significant_lags of (1), is still above a tenth at the longest lag that fits a
-  /// strip: what is lost of S_2 (stats/uncertainty/effective_size.hpp) is then 6 % and more.
+  /// Whether a correlation is still above a tenth at the longest lag that fits a strip: 6 % of S_2 and more
+  /// are lost.
   bool reaches_beyond(const LagField& correlation) const;
 
  private:
   Grid grid_;
   Shape max_lag_;
   int threads_;
-  bool missing_ = false;
   Field sums_, counts_, complete_;  ///< C, n, and n if nothing were missing
 };
 

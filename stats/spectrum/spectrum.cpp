@@ -69,31 +69,15 @@ struct WaveNumbers {
 constexpr Index sectors = 360;  // of π
 constexpr double sector = std::numbers::pi / sectors, narrowest = 2 * std::numbers::pi / 180;
 
-// F of (5) on sectors from -π/2 on.
-class AngularSpectrum {
- public:
-  void add(double angle, double half_width, double power) {
-    const auto first = static_cast<Index>(std::ceil((angle - half_width) / sector)),
-               last = static_cast<Index>(std::floor((angle + half_width) / sector));
-    for (Index s = first; s <= last; ++s) {
-      const double distance = std::abs(static_cast<double>(s) * sector - angle) / half_width;
-      values_((s + 5 * sectors / 2) % sectors) += power * (1 - distance) / half_width;
-    }
+// Adds a wave number to F of (5), on sectors from -π/2 on.
+void spread(Eigen::ArrayXd& F, double angle, double half_width, double power) {
+  const auto first = static_cast<Index>(std::ceil((angle - half_width) / sector)),
+             last = static_cast<Index>(std::floor((angle + half_width) / sector));
+  for (Index s = first; s <= last; ++s) {
+    const double distance = std::abs(static_cast<double>(s) * sector - angle) / half_width;
+    F((s + 5 * sectors / 2) % sectors) += power * (1 - distance) / half_width;
   }
-  // The vertex of the parabola through the largest value and its neighbours.
-  TextureDirection largest() const {
-    Index top = 0;
-    const double highest = values_.maxCoeff(&top);
-    if (!(highest > 0)) return {std::nan(""), std::nan("")};
-    const double before = values_((top + sectors - 1) % sectors), after = values_((top + 1) % sectors);
-    const double bend = before - 2 * highest + after, shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
-    const double angle = (static_cast<double>(top) + shift) * sector - std::numbers::pi / 2;
-    return {angle > -std::numbers::pi / 2 ? angle : angle + std::numbers::pi, highest / values_.mean()};
-  }
-
- private:
-  Eigen::ArrayXd values_ = Eigen::ArrayXd::Zero(sectors);
-};
+}
 
 }  // namespace
 
@@ -179,15 +163,22 @@ std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid
   return rings;
 }
 
+// The vertex of the parabola through the largest F and its neighbours.
 TextureDirection texture_direction(const LagField& psd, const Grid& grid) {
   const WaveNumbers q(grid);
-  AngularSpectrum spectrum;
+  Eigen::ArrayXd F = Eigen::ArrayXd::Zero(sectors);
   q.for_each(psd, [&](double qx, double qy, double weight, double value) {
     const double length = std::hypot(qx, qy);
     if (length < 4 * q.step() * (1 - round_off) || length > q.last * (1 + round_off)) return;
-    spectrum.add(std::atan2(qy, qx), std::max(narrowest, q.step() / length), weight * value);
+    spread(F, std::atan2(qy, qx), std::max(narrowest, q.step() / length), weight * value);
   });
-  return spectrum.largest();
+  Index top = 0;
+  const double highest = F.maxCoeff(&top);
+  if (!(highest > 0)) return {NAN, NAN};
+  const double before = F((top + sectors - 1) % sectors), after = F((top + 1) % sectors);
+  const double bend = before - 2 * highest + after, shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
+  const double angle = (static_cast<double>(top) + shift) * sector - std::numbers::pi / 2;
+  return {angle > -std::numbers::pi / 2 ? angle : angle + std::numbers::pi, highest / F.mean()};
 }
 
 }  // namespace asperity

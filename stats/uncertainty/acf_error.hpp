@@ -5,16 +5,15 @@
 ///     Var[R(h)] = σ⁴/n_h Σ_k w_h(k) [ρ(k)² + ρ(k+h) ρ(k-h)],                                       (1)
 /// w_h(k) the part of the pairs that have another one at distance k (Bartlett); and to first order
 ///     Var[R(h)/R(0)] = 1/n_h Σ_k w_h(k) [ρ(k)² + ρ(k+h)ρ(k-h) + 2ρ(h)²ρ(k)² - 4ρ(h)ρ(k)ρ(k+h)],     (2)
-/// zero at h = 0. The errors of neighbouring lags are strongly correlated: an estimate that strays does so
-/// over a whole stretch of lags. The biased estimate's error is n_h/N as large (stats/spatial/pairs.hpp).
-/// With missing heights n_h counts the pairs that are there, and w_h(k) is that of the complete field times the part of
-/// the points that have a partner at k: exact at k = 0 and far too many to count elsewhere, an upper bound where ρ ≥ 0.
+/// zero at h = 0. Errors of neighbouring lags are strongly correlated: an estimate strays over a whole
+/// stretch of them. The biased estimate's error is n_h/N as large. With missing heights n_h counts the pairs
+/// that are there, and w_h(k) is that of the complete field times the part of the points that have a partner
+/// at k: exact at k = 0, an upper bound where ρ ≥ 0. Where the field is much longer than ρ, the sums are
+/// values of c = ρ*ρ (stats/uncertainty/correlation_algebra.hpp).
 ///
-/// Where the field is much longer than ρ, the sums are values of c = ρ*ρ (stats/uncertainty/correlation_algebra.hpp).
-///
-/// Accuracy  (1) for a known ρ; the sample mean in place of the known one changes it by O(1/n²). From an
-///           estimate use its significant_lags (stats/uncertainty/effective_size.hpp). The rest to round-off.
-/// Cost      (1), (2) a lag as many terms as there are lags where ρ is not zero; of all lags one autocorrelation of ρ.
+/// Accuracy  (1) for a known ρ; the sample mean changes it by O(1/n²). From an estimate use its
+///           significant_lags (stats/uncertainty/effective_size.hpp).
+/// Cost      (1), (2) a term for each lag where ρ is not zero; of all lags one autocorrelation of ρ.
 ///
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once

@@ -1,5 +1,6 @@
 #include "stats/uncertainty/correlation_algebra.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -46,15 +47,6 @@ Field cube_of(const LagField& rho, Shape torus) {
   return out / static_cast<double>(torus.cells());
 }
 
-// How often a wave number of the half spectrum is one of the whole.
-Eigen::ArrayXd multiplicities(const RealTransform2D& transform, Shape torus) {
-  const Index columns = transform.spectrum_columns();
-  return Eigen::ArrayXd::NullaryExpr(transform.spectrum_size(), [=](Index place) {
-    const Index l = place % columns;
-    return l == 0 || 2 * l == torus.ny ? 1.0 : 2.0;
-  });
-}
-
 }  // namespace
 
 CorrelationAlgebra::CorrelationAlgebra(const LagField& correlation, const Pairs& pairs)
@@ -65,7 +57,7 @@ std::array<double, CorrelationAlgebra::powers + 1> CorrelationAlgebra::power_sum
   for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
     const double value = rho_(p, q);
     double power = weight;
-    for (std::size_t k = 1; k <= powers && std::abs(power) > 1e-18; ++k) sums[k] += power *= value;
+    for (std::size_t k = 1; k < sums.size() && std::abs(power) > 1e-18; ++k) sums[k] += power *= value;
   });
   for (double& s : sums) s = std::max(s, 0.0);
   return sums;
@@ -110,7 +102,12 @@ double CorrelationAlgebra::mean_of_triples() const {
                        ry = spectrum([&](Index, Index q) { return part(q, ny); }),
                        rxy = spectrum([&](Index p, Index q) { return part(p, nx) * part(q, ny); });
   const Eigen::ArrayXd terms = r * r * (r - 1.5 * (rx + ry) + 0.75 * rxy) + 1.5 * rx * ry * r;
-  return (multiplicities(transform, torus) * terms).sum() / static_cast<double>(torus.cells());
+  // How often a wave number of the half spectrum is one of the whole.
+  const Eigen::ArrayXd times_met = Eigen::ArrayXd::NullaryExpr(terms.size(), [&](Index place) {
+    const Index l = place % transform.spectrum_columns();
+    return l == 0 || 2 * l == torus.ny ? 1.0 : 2.0;
+  });
+  return (times_met * terms).sum() / static_cast<double>(torus.cells());
 }
 
 double bartlett_covariance(const LagField& c, const CorrelatedLag& h, const CorrelatedLag& g) {

@@ -1,31 +1,27 @@
-/// The algebra of a correlation: its power sums, its convolutions with itself, what a field's own mean takes from it, and
-/// how the errors of its estimates vary together.
+/// The algebra of a correlation: power sums, convolutions with itself, and how errors of its estimates vary
+/// together.
 ///
-/// Of a correlation ρ over a field of N = nx ny points, whose pairs at a lag are the part v of its points,
+/// Of a correlation ρ over N = nx ny points, whose pairs at a lag are the part v of its points,
 ///     S_k = Σ_{p,q} v(p,q) ρ(p,q)ᵏ,     v = (1 - |p|/nx)(1 - |q|/ny), 1 on a periodic grid,          (1)
-/// missing heights left out of both (stats/spatial/pairs.hpp). The mean of the field itself takes w = S_1/N of the
-/// variance: it lowers E[Sq²] by the factor 1 - w, and each lag of ρ to (ρ - w)/(1 - w), which (ρ + b)/(1 + b) with
-/// b = w/(1 - w) undoes. w is followed to a half.
-///
-/// Of a ρ that is tapered, ρ√v, sums over the plane are those over the pairs and triples of the field. With
+/// missing heights left out of both (stats/spatial/pairs.hpp). Of a ρ that is tapered, ρ√v, sums over the
+/// plane are those over the pairs and triples of the field. With
 ///     c = ρ*ρ,     t = ρ*ρ*ρ                                                                         (2)
 /// the errors e(h) of R(h)/R(0) have the covariance C/N (Bartlett), and the third cumulant 8 K/N²,
 ///     C(h,g) = c(h-g) + c(h+g) - 2ρ(g)c(h) - 2ρ(h)c(g) + 2ρ(h)ρ(g)c(0),                              (3)
 ///     K(h) = (3t(h) + t(3h))/4 - (3/2)ρ(h)(t(0) + t(2h)) + 3ρ(h)²t(h) - ρ(h)³t(0).                   (4)
-/// A field has n - (|a| + |b| + |a+b|)/2 triples whose points lie a and then b apart, so that with the covariance
-/// matrix C of its N points
+/// A field has n - (|a| + |b| + |a+b|)/2 triples whose points lie a and then b apart, so that its covariance
+/// matrix C has
 ///     tr C³/N = Σ_a Σ_b ρ(a) ρ(b) ρ(a+b) (1 - Σ|p|/(2nx)) (1 - Σ|q|/(2ny)),                          (5)
-/// Σ|p| and Σ|q| over the three lags, none longer than the field: a sum of convolutions at lag zero of ρ, |p|ρ, |q|ρ
+/// Σ|p| and Σ|q| over the three lags, none longer than the field: convolutions at lag zero of ρ, |p|ρ, |q|ρ
 /// and |pq|ρ. The mean square of a Gaussian field has the third cumulant 8 σ⁶ tr C³/N³, its mean known.
 ///
 /// Accuracy  round-off: of c and t, ε log2(P) Σρ² for the P points of the transform.
-/// Cost      (1) at most 512 multiplications a lag, fewer where ρᵏ vanishes; c one autocorrelation of ρ; t two transforms
-///           of (6P + 2)(6Q + 2) points; (5) four of (3P + 1)(3Q + 1).
+/// Cost      (1) at most 512 multiplications a lag, fewer where ρᵏ vanishes; c one autocorrelation of ρ; t
+///           two transforms of (6P + 2)(6Q + 2) points; (5) four of (3P + 1)(3Q + 1).
 ///
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -67,11 +63,5 @@ class CorrelationAlgebra {
 double bartlett_covariance(const LagField& c, const CorrelatedLag& h, const CorrelatedLag& g);
 /// C with a diagonal of 1.
 Eigen::MatrixXd bartlett_correlation(const LagField& c, const std::vector<CorrelatedLag>& lags);
-
-/// w of S_1/N, and b.
-inline double taken_by_mean(double mean_power) { return std::min(mean_power, 0.5); }
-inline double bias_of_lags(double mean_power) {
-  return taken_by_mean(mean_power) / (1 - taken_by_mean(mean_power));
-}
 
 }  // namespace asperity

@@ -1,15 +1,13 @@
 #include "stats/uncertainty/effective_size.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <vector>
 
 namespace asperity {
 namespace {
 
-// The part of S_1 and of S_2 in the tails that noise hides, times N/S_2: of a triangular correlation 0 and 7, of an
-// exponential one 35 and 17.
+// The part of S_1 and of S_2 in the tails that noise hides, times N/S_2: of a triangular correlation 0 and 7,
+// of an exponential one 35 and 17.
 constexpr double lost_of_first = 15, lost_of_second = 10;
 
 // A lag of an estimate: weight as for_each_lag gives it, z_score = |ρ| √pairs/√N, of a noise of S_2 = 1.
@@ -20,8 +18,8 @@ struct Candidate {
 
 constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.z_score < b.z_score; };
 
-// The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below. Lag zero comes first, also
-// before lags of a periodic field that are as certain.
+// The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below. Lag zero comes
+// first, also before lags of a periodic field that are as certain.
 std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   const double least = 3 / std::sqrt(pairs.points());
   std::vector<Candidate> lags;
@@ -36,46 +34,6 @@ std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   return lags;
 }
 
-// Of the lags (p,q) whose halves are admitted.
-class Tail {
- public:
-  Tail(const LagField& rho, const LagField& admitted, const Pairs& pairs)
-      : pairs_(pairs),
-        admitted_(admitted),
-        rho_(rho.within({2 * admitted.reach().nx + 1, 2 * admitted.reach().ny + 1})) {
-    for_each([&](Index p, Index q, double weight) {
-      weight_ += weight;
-      if (p != 0 || q != 0) count_ += weight / pairs_.pair_fraction(p, q);
-    });
-  }
-
-  /// S_1; what the field's mean took from each lag is put back.
-  double first_sum() const {
-    double sum = 0;
-    for_each([&](Index p, Index q, double weight) { sum += weight * rho_(p, q); });
-    return std::max(0.0, sum / (1 - std::min(weight_ / pairs_.points(), 0.5)));
-  }
-  /// S_2 of (ρ + b)/(1 + b), less the noise that its squares hold.
-  double second_sum(double b) const {
-    double sum = 0;
-    for_each(
-        [&](Index p, Index q, double weight) { sum += weight * std::pow((rho_(p, q) + b) / (1 + b), 2); });
-    return std::max(1.0, sum / (1 + count_ / pairs_.points()));
-  }
-
- private:
-  void for_each(auto visit) const {
-    for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
-      if (admitted_(p / 2, q / 2) != 0) visit(p, q, weight);
-    });
-  }
-
-  const Pairs& pairs_;
-  const LagField& admitted_;
-  LagField rho_;
-  double weight_ = 0, count_ = 0;
-};
-
 }  // namespace
 
 EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs)
@@ -83,11 +41,27 @@ EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pair
 
 EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
-  const Tail tail(rho, admitted, pairs);
-  const double n = pairs.points(), s1 = tail.first_sum(), b = asperity::bias_of_lags(s1 / n);
+  const auto [p_end, q_end] = admitted.reach();
+  const LagField tail = rho.within({2 * p_end + 1, 2 * q_end + 1});
+  auto for_each = [&](auto visit) {
+    for_each_lag(tail, pairs, [&](Index p, Index q, double weight) {
+      if (admitted(p / 2, q / 2) != 0) visit(p, q, weight);
+    });
+  };
+  const double n = pairs.points();
+  double weights = 0, lags = 0, sum = 0, squares = 0;
+  for_each([&](Index p, Index q, double weight) {
+    weights += weight;
+    sum += weight * tail(p, q);
+    if (p != 0 || q != 0) lags += weight / pairs.pair_fraction(p, q);
+  });
+  const double s1 = std::max(0.0, sum / (1 - std::min(weights / n, 0.5)));
+  const double w = std::min(s1 / n, 0.5), b = w / (1 - w);
+  for_each(
+      [&](Index p, Index q, double weight) { squares += weight * std::pow((tail(p, q) + b) / (1 + b), 2); });
+  const double s2 = std::max(1.0, squares / (1 + lags / n));
   const Field& values = admitted.half_plane();
   EffectiveSampleSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
-  const double s2 = tail.second_sum(b);
   size.sums_[1] = s1 * (1 + lost_of_first * (s2 / n));
   size.sums_[2] = s2 * (1 + lost_of_second * (s2 / n));
   size.degrees_ = size.effective(2) / 8;

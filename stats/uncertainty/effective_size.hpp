@@ -4,36 +4,41 @@
 /// correlation ρ, by the Hermite series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ,
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
 ///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (stats/uncertainty/correlation_algebra.hpp).  (2)
-/// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and
+/// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and to first
+/// order in 1/N
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
 ///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
 ///     Var[Sa]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
-/// to first order in 1/N, the mean and the rms height that the field itself supplies allowed for in (3)–(5). Where the
-/// mean takes w = S_1/N of a half, N/S_2 ≤ 4, and no error can be told.
+/// with the field's own mean and rms height allowed for. The mean takes w = S_1/N of the variance: E[Sq²] is
+/// 1 - w as large, and each lag of ρ falls to (ρ - w)/(1 - w), which (ρ + b)/(1 + b) with b = w/(1 - w)
+/// undoes. w is followed to a half, where N/S_2 ≤ 4 and no error can be told.
 ///
-/// An estimated ρ is mostly noise far out, of standard error √(S_2/N) (stats/uncertainty/acf_error.hpp); summed, that
-/// noise would be as large as S_2 itself. Therefore lags are admitted in the order of |ρ| for as long as the
-/// next exceeds three standard errors, √(S_2/pairs) with S_2 of those admitted; of the noise 0.3 % passes. S_k, k ≥ 3,
-/// are summed over these. S_1 and S_2 weigh the tail more: they are summed over twice the admitted reach (h where h/2 is
-/// admitted), K lags. There b is put back, and of the squares the noise S_2/N each is taken off:
+/// An estimated ρ is mostly noise far out, of standard error √(S_2/N), which summed would be as large as S_2
+/// itself.
+/// Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard errors,
+///      √(S_2/pairs)
+/// with S_2 of those admitted; of the noise 0.3 % passes. S_k, k ≥ 3, are summed over these; S_1 and S_2
+/// weigh the tail more, and are summed over the K lags of twice the admitted reach (h where h/2 is admitted),
+/// with b put back and of the squares the noise S_2/N each taken off:
 ///     S_1 = Σ v ρ/(1 - K/N),     S_2 = Σ v [(ρ+b)/(1+b)]² / (1 + K/N),     v the weights of (2).   (6)
-/// What still lies beyond lowers S_1 by some 15 S_2/N of it, S_2 by 10 S_2/N, measured of triangular (0, 7) and exponential
-/// (35, 17) correlations, and is added. So known, ln S_2 has a variance of 5 to 16 S_2/N: `degrees`, N/(8 S_2), are those
-/// of a standard error of this quality.
+/// What still lies beyond lowers S_1 by some 15 S_2/N of it and S_2 by 10 S_2/N, measured of triangular (0,
+/// 7) and exponential (35, 17) correlations, and is added. ln S_2 then has a variance of 5 to 16 S_2/N:
+/// `degrees`, N/(8 S_2), are those of a standard error of this quality.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].
-/// Accuracy  first order in S_2/N. 95 % intervals (stats/uncertainty/moment_interval.hpp) of 300 fields of 48 × 48 points of
-///           triangular correlation cover, with the known one, 94 to 98 % at N/S_2 = 16, from 87 % (Sku) at 5.2, and 5 %
-///           (Sku) at 3. An estimated N/S_2 does not fall below some 10, however long the correlation: the field's own mean
-///           and its half bound what is seen of it. At 16 in truth (20 estimated, the median) Sq and Sa are covered by
-///           86 %, at 5 (11) by 73 %, at 2 (9) by 55 %. An S_k that noise makes negative counts as zero.
+/// Accuracy  first order in S_2/N. 95 % intervals (stats/uncertainty/moment_interval.hpp) of 300 fields of 48
+///           × 48 points of triangular correlation cover, with the known one, 94 to 98 % at N/S_2 = 16, from
+///           87 % (Sku) at 5.2, and 5 % (Sku) at 3. An estimated N/S_2 does not fall below some 10, however
+///           long the correlation. At 16 in truth (20 estimated, the median) Sq and Sa are covered by 86 %,
+///           at 5 (11) by 73 %, at 2 (9) by 55 %. An S_k that noise makes negative counts as zero.
 /// Cost      that of the S_k; two passes over an estimate's lags.
 ///
 /// F. G. Mehler, J. reine angew. Math. 66 (1866) 161-176.
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -60,14 +65,14 @@ class EffectiveSampleSize {
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
   double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
-  double taken_by_mean() const { return asperity::taken_by_mean(mean_power(1)); }  ///< w
-  double bias_of_lags() const { return asperity::bias_of_lags(mean_power(1)); }    ///< b
+  double taken_by_mean() const { return std::min(mean_power(1), 0.5); }            ///< w
+  double bias_of_lags() const { return taken_by_mean() / (1 - taken_by_mean()); }  ///< b
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
-  /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an estimate.
+  /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an
+  /// estimate.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
   bool tells_errors() const { return effective(2) >= least_effective(); }
-  /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`. The weights beyond `powers` are taken
-  /// with the last sum, which is larger than theirs.
+  /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`; those beyond `powers` with the last sum.
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:

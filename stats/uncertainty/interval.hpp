@@ -1,9 +1,8 @@
 /// A confidence interval of an estimate: low ≤ estimate ≤ high, or none, and why.
 ///
-/// Every interval is made here. Its ends are freed of a bias that the estimate keeps, by a correction that is derived as
-/// small beside the error; where both ends come to lie on one side of the estimate it is not, and neither the ends nor the
-/// estimate can be believed: there is no interval. An end that is not a number makes none either; ±∞ is an open end, beyond
-/// which nothing is known to end it.
+/// The ends are freed of a bias that the estimate keeps, by a correction derived as small beside the error;
+/// where both come to lie on one side of the estimate it is not, and there is no interval. An end that is not
+/// a number makes none either; ±∞ is an open end.
 #pragma once
 
 #include <algorithm>

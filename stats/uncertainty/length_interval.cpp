@@ -33,7 +33,6 @@ double lost_in_noise(const EffectiveSampleSize& size, const EffectiveSampleSize&
 }
 
 double normal_quantile(double tail) { return gsl_cdf_ugaussian_Qinv(tail); }
-double t_quantile(double tail, double degrees) { return student_quantile(tail, std::max(degrees, 1.0)); }
 
 }  // namespace
 
@@ -70,28 +69,24 @@ double LengthIntervals::length_of(Decay decay, const LagField& rho, double level
   return reach ? reach->length : beyond;
 }
 
-std::vector<LengthIntervals::Reached> LengthIntervals::all_around(double level) const {
-  std::vector<Reached> out;
-  for (int direction = 0; direction < directions; ++direction) {
-    const double angle = std::numbers::pi * direction / directions;
-    if (const auto at = first_crossing(freed_, grid_, angle, level))
-      out.push_back({nearest_lag(grid_, angle, at->lag), at->lag});
-  }
-  return out;
-}
-
 double LengthIntervals::quantile_of_extreme(const std::vector<Reached>& reached, double tail) const {
-  const double wider = t_quantile(tail, size_.degrees()) / normal_quantile(tail);
+  const double wider = student_quantile(tail, std::max(size_.degrees(), 1.0)) / normal_quantile(tail);
   if (reached.size() < 2) return wider * normal_quantile(tail);
   std::vector<Shape> lags;
-  lags.reserve(reached.size());
   for (const Reached& r : reached) lags.push_back(r.lag);
-  return wider * NullDistribution::of_largest(error_.correlation(lags)).quantile(tail);
+  auto largest = [](const Eigen::VectorXd& g, auto) { return g.maxCoeff(); };
+  return wider * NullDistribution(error_.correlation(lags), largest).quantile(tail);
 }
 
 double LengthIntervals::strayed(Decay decay, double level, double tail) const {
+  std::vector<Reached> reached;
+  for (int direction = 0; direction < directions; ++direction) {
+    const double angle = std::numbers::pi * direction / directions;
+    if (const auto at = first_crossing(freed_, grid_, angle, level))
+      reached.push_back({nearest_lag(grid_, angle, at->lag), at->lag});
+  }
   const double side = decay == Decay::r_min ? 1 : -1;
-  for (std::vector<Reached> reached = all_around(level);;) {
+  while (true) {
     const double end = length_of(decay, band(side * quantile_of_extreme(reached, tail)), level);
     if (std::erase_if(reached, [&](const Reached& r) { return side * (r.length - end) > 0; }) == 0)
       return end;

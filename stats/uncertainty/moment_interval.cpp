@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <gsl/gsl_cdf.h>
 
@@ -35,30 +34,28 @@ double tail_of(double level) {
   return (1 - level) / 2;
 }
 
-// (7) and (8) of S_k/N: how much smaller a variance is than to first order.
-double second_order_of_ssk(double s1, double s2, double s3) {
-  const double loop = std::pow(s2, 1.45) * std::pow(s3, 0.55);
-  return 12 * s2 + 3 * s1 - (3 * s1 * s2 + 18 * loop) / s3;
-}
-double second_order_of_sku(double s1, double s2, double s3, double s4) {
-  const double loop = std::pow(s2, 1.2) * std::pow(s4, 0.8);
-  return 20 * s2 + 4 * s1 - (3 * s2 * s2 + 4 * s1 * s3 + 32 * loop) / s4;
-}
-
 // (6), by the second orders of correlated and of independent heights.
 double left_of(double second_order, double independent) {
   return std::max((1 - independent) / std::max(1 - second_order, 0.5), 0.75);
 }
 
-// (4), (5); NaN, if the formula has no positive value.
+// (8).
+double second_order_of_sku(double s1, double s2, double s3, double s4) {
+  const double loop = std::pow(s2, 1.2) * std::pow(s4, 0.8);
+  return 20 * s2 + 4 * s1 - (3 * s2 * s2 + 4 * s1 * s3 + 32 * loop) / s4;
+}
+
+// (4), (7); NaN, if the formula has no positive value.
 double skewness_error(const EffectiveSampleSize& size) {
   const double n = size.effective(3);
   if (std::isinf(n)) return 0;
-  const double independent = 6 * (n - 2) / ((n + 1) * (n + 3));
-  return std::sqrt(
-      independent *
-      left_of(second_order_of_ssk(size.mean_power(1), size.mean_power(2), size.mean_power(3)), -6 / n));
+  const double s1 = size.mean_power(1), s2 = size.mean_power(2), s3 = size.mean_power(3);
+  const double loop = std::pow(s2, 1.45) * std::pow(s3, 0.55);
+  const double second_order = 12 * s2 + 3 * s1 - (3 * s1 * s2 + 18 * loop) / s3;
+  return std::sqrt(6 * (n - 2) / ((n + 1) * (n + 3)) * left_of(second_order, -6 / n));
 }
+
+// (5).
 double kurtosis_error(const EffectiveSampleSize& size) {
   const double n = size.effective(4);
   if (std::isinf(n)) return 0;

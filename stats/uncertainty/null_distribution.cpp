@@ -30,21 +30,17 @@ double independent_covariance(double x, double y) {
          gsl_ran_ugaussian_pdf(x) * gsl_ran_ugaussian_pdf(y) * (1 + x * y / 2);
 }
 
-// The largest value of a Brownian path from a to b whose variance grows by v: e is exponential of mean 1.
-double bridge_maximum(double a, double b, double v, double e) {
-  return 0.5 * (a + b + std::sqrt((b - a) * (b - a) + 2 * v * e));
-}
-
-// The largest |D| of a path, 0 at both ends of the line; two normals a gap make the exponentials.
+// The largest |D| of a path, 0 at both ends of the line. Over a gap of variance v a Brownian path from a to b
+// has the maximum ½(a + b + √((b-a)² + 2ve)), e exponential of mean 1, which two normals make.
 double supremum(const Eigen::VectorXd& path, const Eigen::ArrayXd& variance,
                 std::span<const double> normals) {
   double largest = 0;
   for (Index a = 0; a <= path.size(); ++a) {
     const double from = a > 0 ? path(a - 1) : 0, to = a < path.size() ? path(a) : 0;
-    const double sign = from + to < 0 ? -1 : 1;
     const auto pair = normals.subspan(2 * static_cast<std::size_t>(a), 2);
     const double e = 0.5 * (pair[0] * pair[0] + pair[1] * pair[1]);
-    largest = std::max(largest, bridge_maximum(sign * from, sign * to, variance(a), e));
+    const double rise = to - from;
+    largest = std::max(largest, 0.5 * (std::abs(from + to) + std::sqrt(rise * rise + 2 * variance(a) * e)));
   }
   return largest;
 }
@@ -52,13 +48,8 @@ double supremum(const Eigen::VectorXd& path, const Eigen::ArrayXd& variance,
 // S_∞ (Φ(x_a) - Φ(x_{a-1})), the line's ends included.
 Eigen::ArrayXd gap_variances(const Eigen::ArrayXd& x, double roughness) {
   Eigen::ArrayXd out(x.size() + 1);
-  double below = 0;
-  for (Index a = 0; a < x.size(); ++a) {
-    const double here = gsl_cdf_ugaussian_P(x(a));
-    out(a) = here - below;
-    below = here;
-  }
-  out(x.size()) = 1 - below;
+  out << x.unaryExpr(&gsl_cdf_ugaussian_P), 1;
+  out.tail(x.size()) -= out.head(x.size()).eval();
   return roughness * out;
 }
 
@@ -80,14 +71,14 @@ Eigen::MatrixXd fitted_process_covariance(const Eigen::ArrayXd& x, const Effecti
 NullDistribution supremum_distribution(const Eigen::ArrayXd& x, const Eigen::MatrixXd& covariance,
                                        double roughness) {
   const Eigen::ArrayXd variance = gap_variances(x, roughness);
-  return {covariance, 2 * static_cast<std::size_t>(variance.size()),
-          [&](const Eigen::VectorXd& path, std::span<const double> normals) {
-            return supremum(path, variance, normals);
-          }};
+  auto largest = [&](const Eigen::VectorXd& path, std::span<const double> normals) {
+    return supremum(path, variance, normals);
+  };
+  return {covariance, largest, 2 * static_cast<std::size_t>(variance.size())};
 }
 
-NullDistribution::NullDistribution(const Eigen::MatrixXd& covariance, std::size_t beside,
-                                   const Statistic& statistic) {
+NullDistribution::NullDistribution(const Eigen::MatrixXd& covariance, const Statistic& statistic,
+                                   std::size_t beside) {
   const Eigen::MatrixXd root = covariance_root(covariance);
   std::vector<double> normals(static_cast<std::size_t>(root.cols()) + beside);
   WhiteNoise noise(1);
@@ -98,14 +89,6 @@ NullDistribution::NullDistribution(const Eigen::MatrixXd& covariance, std::size_
     drawn_.push_back(statistic(g, std::span(normals).last(beside)));
   }
   std::ranges::sort(drawn_);
-}
-
-NullDistribution NullDistribution::of_largest(const Eigen::MatrixXd& correlation) {
-  return {correlation, 0, [](const Eigen::VectorXd& g, auto) { return g.maxCoeff(); }};
-}
-
-NullDistribution NullDistribution::of_largest_magnitude(const Eigen::MatrixXd& correlation) {
-  return {correlation, 0, [](const Eigen::VectorXd& g, auto) { return g.cwiseAbs().maxCoeff(); }};
 }
 
 double NullDistribution::exceedance(double value) const {

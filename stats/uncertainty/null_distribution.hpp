@@ -1,22 +1,23 @@
-/// Simulated distributions of tests on correlated heights, under the hypothesis that they are Gaussian.
+/// Simulated distributions of tests on correlated heights: of a statistic of g = A n, A Aᵀ the covariance and
+/// n independent Gaussians, in 8192 draws with a fixed seed.
 ///
-/// A statistic of g = A n, A Aᵀ the covariance and n independent, in 8192 draws with a fixed seed.
-///
-/// Such a g is how far the empirical distribution of a Gaussian field strays from the Gaussian fitted to it. Let F_N(x) be
-/// the part of the N heights with (z - z̄)/Sq ≤ x. By the Hermite series of the indicator, the terms k = 1 and 2 taken
-/// up by the fitted mean and rms height,
+/// Such a g is how far the empirical distribution of a Gaussian field strays from the Gaussian fitted to it.
+/// Let F_N(x) be the part of the N heights with (z - z̄)/Sq ≤ x. By the Hermite series of the indicator, the
+/// terms k = 1 and 2 taken up by the fitted mean and rms height,
 ///     D(x) = √N (F_N(x) - Φ(x)) = -Σ_{k≥3} √S_k h_{k-1}(x)/√k g_k + O(N^{-1/2}),                     (1)
-/// h_k the Hermite functions (math/hermite.hpp), S_k the sums over the correlation (stats/uncertainty/effective_size.hpp), and g_k
-/// the sample means of He_k(z)/√k!, over √(S_k/N): uncorrelated, of variance 1 exactly (Mehler), and in the limit of many
-/// independent patches independent Gaussians (Breuer and Major). D is then a Gaussian process of covariance
+/// h_k the Hermite functions (math/hermite.hpp), S_k the sums over the correlation
+/// (stats/uncertainty/effective_size.hpp), g_k the sample means of He_k(z)/√k!, over √(S_k/N): uncorrelated,
+/// of variance 1 (Mehler), and in the limit of many independent patches independent Gaussians (Breuer and
+/// Major). D is then a Gaussian process of covariance
 ///     C(x,y) = S_∞ [Φ(x)(1 - Φ(y)) - φ(x)φ(y)(1 + xy/2)] + Σ_{k≥3} (S_k - S_∞) h_{k-1}(x) h_{k-1}(y)/k,  (2)
-/// x ≤ y. S_k falls to S_∞, 1 unless distant heights are the same, so that the sum is short and smooth; the bracket
-/// is that of independent heights, and all of the limit's roughness: D is a Brownian motion of variance S_∞ dΦ
-/// over short distances, which gives the largest |D| between two points as exactly as at them.
+/// x ≤ y. S_k falls to S_∞, 1 unless distant heights are the same, so that the sum is short and smooth; the
+/// bracket is that of independent heights, and all of the limit's roughness: over short distances D is a
+/// Brownian motion of variance S_∞ dΦ, which gives the largest |D| between two points as exactly as at them.
 ///
-/// Accuracy  (2) is exact for the k ≤ 512 that are summed, with S_512 for S_∞. Of a probability p √(p(1-p)/8192),
-///           0.0024 for p = 0.05.
-/// Cost      512 n² for (2) at n points; an eigenvalue problem and 8192 products of n², and 24 n ns a draw for sup |D|.
+/// Accuracy  (2) is exact for the k ≤ 512 that are summed, with S_512 for S_∞. Of a probability p
+///           √(p(1-p)/8192).
+/// Cost      512 n² for (2) at n points; an eigenvalue problem and 8192 products of n², 24 n ns a draw for
+///           sup |D|.
 ///
 /// J. Durbin, Distribution theory for tests based on the sample distribution function, SIAM (1973), for
 /// independent heights; P. Breuer, P. Major, J. Multivar. Anal. 13 (1983) 425-441.
@@ -35,15 +36,11 @@ namespace asperity {
 class NullDistribution {
  public:
   static constexpr int draws = 8192;
-  /// Of g, and of independent Gaussians beside them.
+  /// Of g, and of independent Gaussians beside it.
   using Statistic = std::function<double(const Eigen::VectorXd&, std::span<const double>)>;
 
   NullDistribution() = default;
-  NullDistribution(const Eigen::MatrixXd& covariance, std::size_t beside, const Statistic& statistic);
-  /// Of max g.
-  static NullDistribution of_largest(const Eigen::MatrixXd& correlation);
-  /// Of max |g|.
-  static NullDistribution of_largest_magnitude(const Eigen::MatrixXd& correlation);
+  NullDistribution(const Eigen::MatrixXd& covariance, const Statistic& statistic, std::size_t beside = 0);
 
   /// P(statistic ≥ value), from 1/(draws + 1) to 1.
   double exceedance(double value) const;

@@ -7,12 +7,6 @@
 #include "math/hermite.hpp"
 
 namespace asperity {
-namespace {
-
-// The orders of S_k need nodes this close.
-constexpr double widest_step = 0.085;
-
-}  // namespace
 
 LagField underlying_correlation(const LagField& heights, const CorrelationMap& map) {
   return LagField(heights.normalised().half_plane().unaryExpr([&](double r) { return map.inverse(r); }));
@@ -28,6 +22,7 @@ std::optional<Translation> evident_translation(const Moments& moments, const Mom
 
 TranslationErrors::TranslationErrors(const Translation& g, const EffectiveSampleSize& size)
     : covariance_(decltype(covariance_)::Zero()) {
+  constexpr double widest_step = 0.085;  // the orders of S_k need nodes this close
   const NormalQuadrature law(std::min(NormalQuadrature::step_for(g), widest_step));
   const Eigen::ArrayXd z = law.heights(g), square = z.square();
   const HeightMoments shape = height_moments(g);

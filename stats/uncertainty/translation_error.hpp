@@ -1,21 +1,24 @@
 /// Sampling errors of the moments of heights that are not Gaussian.
 ///
-/// Of a translation z = m + σ g(y) of a Gaussian field y of correlation ρ, g of mean 0, variance 1, skewness s and
-/// kurtosis k, let a, b, c, d be the means over the field of g, g² - 1, g³ - s, g⁴ - k. To the second order
-///     mean   a,                   Sq   b/2                      in units of σ                              (1)
+/// Of a translation z = m + σ g(y) of a Gaussian field y of correlation ρ, g of mean 0, variance 1, skewness
+/// s and kurtosis k, let a, b, c, d be the means over the field of g, g² - 1, g³ - s, g⁴ - k. To the second
+/// order
+///     mean   a,                   Sq   b/2                      in units of σ                          (1)
 ///     Ssk    s + c - 3a - (3/2) s b    + (3/2)(ab - bc + s a²) + (15/8) s b²
 ///     Sku    k + d - 4s a - 2k b       - 4ac + (6+2k) a² + 3k b² - 2bd + 8s ab
 ///     Sa     mean |g| - a E[sign g]
-/// where the field's own mean and rms height are allowed for. The covariance of the means of f(y) and f'(y) over N
-/// points is that of stats/uncertainty/effective_size.hpp (1),
-///     Cov = 1/N Σ_{k≥1} E[f h_k] E[f' h_k] S_k,    S_k the sums over ρᵏ,                                   (2)
-/// h_k the orthonormal Hermite polynomials. The linear terms give the errors, the quadratic ones the bias. Of g = y these
-/// are the errors of a Gaussian field and its biases, 0 and -6 S_2/N.
+/// with the field's own mean and rms height allowed for. The means of f(y) and f'(y) over N points have the
+/// covariance
+///     Cov = 1/N Σ_{k≥1} E[f h_k] E[f' h_k] S_k,    S_k the sums over ρᵏ,                               (2)
+/// h_k the orthonormal Hermite polynomials. The linear terms give the errors, the quadratic ones the bias; of
+/// g = y those of a Gaussian field, biases 0 and -6 S_2/N.
 ///
-/// Scope     translations. g is known of a drawn surface; of a measured one it is Johnson's of its Ssk and Sku.
-/// Accuracy  95 % intervals cover 94 to 98 % of 2000 fields with g known, N_eff 592 to 8068, kurtosis 1.8 to 10; with g
-///           from the field 93 to 97 %, but for those of Ssk and Sku of few long-tailed heights: of kurtosis 6 and
-///           N_eff = 626 down to 89 %, of 10 to 87 % (validation/heights_coverage). A Gaussian's cover 5 to 50 % of Sku.
+/// Scope     translations. g is known of a drawn surface; of a measured one it is Johnson's of its Ssk and
+///           Sku.
+/// Accuracy  95 % intervals cover 94 to 98 % of 2000 fields with g known, N_eff 592 to 8068, kurtosis 1.8 to
+///           10; with g from the field 93 to 97 %, but for Ssk and Sku of few long-tailed heights: of
+///           kurtosis 6 and N_eff = 626 down to 89 %, of 10 to 87 % (validation/heights_coverage). A
+///           Gaussian's cover 5 to 50 % of Sku.
 /// Cost      some ms.
 ///
 /// M. Grigoriu, J. Eng. Mech. 110 (1984) 610-620.
@@ -35,8 +38,9 @@ namespace asperity {
 /// The correlation of y below that of the heights, normalised.
 LagField underlying_correlation(const LagField& heights, const CorrelationMap& map);
 
-/// Johnson's translation of the skewness and kurtosis of heights that are not Gaussian by more than four of a Gaussian
-/// field's standard errors; none where they may be. Moments beyond what the system covers are taken at its bounds.
+/// Johnson's translation of the skewness and kurtosis of heights that are not Gaussian by more than four of a
+/// Gaussian field's standard errors; none where they may be. Moments beyond what the system covers are taken
+/// at its bounds.
 std::optional<Translation> evident_translation(const Moments& moments, const MomentErrors& gaussian);
 
 class TranslationErrors {

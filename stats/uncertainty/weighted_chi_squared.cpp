@@ -23,8 +23,8 @@ std::vector<double> shares(const Eigen::ArrayXd& weights) {
   return out;
 }
 
-// K(s); off the real axis no factor meets the logarithm's cut. (std::log of a complex number takes many times as
-// long for the last digit of a modulus near 1.)
+// K(s); off the real axis no factor meets the logarithm's cut. (std::log of a complex number takes many times
+// as long for the last digit of a modulus near 1.)
 Complex cumulants(const std::vector<double>& weights, Complex s) {
   double log_norm = 0, phase = 0;
   for (const double w : weights) {
@@ -52,36 +52,20 @@ double saddle_point(const std::vector<double>& weights, double x) {
   return 0.5 * (below + above);
 }
 
-struct Parabola {
-  double vertex, curvature;
-  double width;  ///< 1/√f''(s_0): the integrand is exp(-u²/2 width²) to second order
-
-  Complex at(double u) const { return {vertex + curvature * u * u, u}; }
-  /// (ds/du)/i.
-  Complex slope(double u) const { return {1, -2 * curvature * u}; }
-  /// From u = 0 to the pole, or to the branch point if that is nearer.
-  double distance() const {
-    const double to_pole = (std::sqrt(1 + 4 * curvature * vertex) - 1) / (2 * curvature);
-    return std::min(to_pole, branch_point - vertex);
-  }
-};
-
-Parabola steepest_descent(const std::vector<double>& weights, double x) {
-  const double s = saddle_point(weights, x);
-  const double second = derivative(weights, s, 2) + 1 / (s * s);
-  const double third = derivative(weights, s, 3) - 2 / (s * s * s);
-  return {s, std::max(third / (6 * second), 0.1 / branch_point), 1 / std::sqrt(second)};
-}
-
-// (1), twice the half u > 0.
+// (1), twice the half u > 0; to second order in u the integrand is exp(-u²f''/2).
 double integral(const std::vector<double>& weights, double x) {
   constexpr int most_nodes = 100'000;
-  const Parabola path = steepest_descent(weights, x);
-  const double step = std::min(path.distance() / 6, path.width / 1.5);
+  const double vertex = saddle_point(weights, x);
+  const double second = derivative(weights, vertex, 2) + 1 / (vertex * vertex);
+  const double third = derivative(weights, vertex, 3) - 2 / (vertex * vertex * vertex);
+  const double a = std::max(third / (6 * second), 0.1 / branch_point);
+  const double to_pole = (std::sqrt(1 + 4 * a * vertex) - 1) / (2 * a);
+  const double step = std::min(std::min(to_pole, branch_point - vertex) / 6, 1 / std::sqrt(second) / 1.5);
   double sum = 0, largest = 0;
   for (int k = 0; k < most_nodes; ++k) {
-    const Complex s = path.at(k * step);
-    const Complex value = std::exp(cumulants(weights, s) - x * s) / s * path.slope(k * step);
+    const double u = k * step;
+    const Complex s{vertex + a * u * u, u}, slope{1, -2 * a * u};  // ds/du, over i
+    const Complex value = std::exp(cumulants(weights, s) - x * s) / s * slope;
     sum += (k == 0 ? 0.5 : 1) * value.real();
     largest = std::max(largest, std::abs(value));
     if (std::abs(value) <= 1e-16 * largest) break;

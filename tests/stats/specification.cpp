@@ -131,7 +131,7 @@ TEST_CASE("errors from the spread need two surfaces, and any other distribution 
   CHECK_THROWS_AS(one.results(), ParameterError);
   CHECK_THROWS_AS(one.add(white_noise({32, 31}, 1), grid(32, 31)), DataError);
   skewed.sku = 1.2;
-  CHECK_THROWS_AS(skewed.check(), ParameterError);
+  CHECK_THROWS_AS(SpecificationTest(skewed, grid(32, 32)), ParameterError);
 }
 
 TEST_CASE("without a prescribed height three claims are left", "[prescription][contract]") {
