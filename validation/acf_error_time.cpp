@@ -1,10 +1,10 @@
 /// Error of the moving-average kernel against its cost, and what becomes of the extreme targets.
 ///
-/// Targets of the first two tables: the exponential that has fallen to e⁻ᶜ at the last of n × m lags, oriented ones
-/// drawn out 3 : 1 and turned by 30°. `error` is the largest over all lags of the plane, `mirrored` that over the
-/// quadrant (p,-q), both against the true, uncut target; `ratio` is the time of the whole solve, plans, tables and
-/// report included, over that of its transforms: those of its residuals, products and preconditionings as they ran,
-/// and the few others timed alone.
+/// Targets of the first two tables: the exponential that has fallen to e⁻ᶜ at the last of n × m lags,
+/// oriented ones drawn out 3 : 1 and turned by 30°. `error` is the largest over all lags of the plane,
+/// `mirrored` that over the quadrant (p,-q), both against the true, uncut target; `ratio` is the time of the
+/// whole solve, plans, tables and report included, over that of its transforms: those of its residuals,
+/// products and preconditionings as they ran, and the few others timed alone.
 ///
 /// The third table is the stability of the search: `outcome` is the report's answer, or "refused" and why;
 /// targets of more than 4 LARGEST_N² lags are left out.

@@ -1,14 +1,17 @@
-/// Error of the whole chain against its cost: a surface drawn, pressed, and the largest stress below it found.
+/// Error of the whole chain against its cost: a surface drawn, pressed, and the largest stress below it
+/// found.
 ///
 ///     chain_error_time [LARGEST_N]         512 unless given
 ///
-/// Two steel spheres under 5000 N on 3 mm × 3 mm (contact_scenes.hpp), elastic, on N × N cells, N = 64 … LARGEST_N,
-/// each to ε = 1e-3, 1e-5 and 1e-8, one thread. `hertz` are smooth, and the reference is the closed form. `rough` have a
-/// roughness of 0.4 µm rms and Gaussian autocorrelation of the 10 % length 0.2 mm: drawn once, periodic, on 128 × 128
-/// points, it is a trigonometric polynomial, and this one surface is evaluated at the centres of the cells of every
-/// grid. Its reference is the grid of 4 LARGEST_N; the error of the finest grid is thus understated by 1/16 of it.
+/// Two steel spheres under 5000 N on 3 mm × 3 mm (contact_scenes.hpp), elastic, on N × N cells, N = 64 …
+/// LARGEST_N, each to ε = 1e-3, 1e-5 and 1e-8, one thread. `hertz` are smooth, and the reference is the
+/// closed form. `rough` have a roughness of 0.4 µm rms and Gaussian autocorrelation of the 10 % length 0.2
+/// mm: drawn once, periodic, on 128 × 128 points, it is a trigonometric polynomial, and this one surface is
+/// evaluated at the centres of the cells of every grid. Its reference is the grid of 4 LARGEST_N; the error
+/// of the finest grid is thus understated by 1/16 of it.
 ///
-/// p_max, area, von_mises  relative errors of the greatest pressure, the real area, the largest von Mises stress
+/// p_max, area, von_mises  relative errors of the greatest pressure, the real area, the largest von Mises
+/// stress
 /// setup                   seconds of the kernel and of the contact's influence coefficients, made once
 /// seconds                 of a surface of N × N drawn, the contact, and the search for the largest stress, of which
 /// draw, contact, stress   are the parts

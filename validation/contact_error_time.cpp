@@ -3,9 +3,9 @@
 ///     contact_error_time [LARGEST_N [N]]
 ///
 /// First table: scene A for N = 32 … LARGEST_N (1024) to ε = 1e-8, against Hertz, so that the discretisation
-/// shows; on one and on two threads. The area's error is that of cells on a circle.
-/// Second table: every scene on N × N (256), to ε = 1e-4 … 1e-10, against its solution at ε = 1e-11, so that the
-/// tolerance shows; and by the yardsticks of contact_yardsticks.hpp, given up after 600 convolutions.
+/// shows; on one and on two threads. The area's error is that of cells on a circle. Second table: every scene
+/// on N × N (256), to ε = 1e-4 … 1e-10, against its solution at ε = 1e-11, so that the tolerance shows; and
+/// by the yardsticks of contact_yardsticks.hpp, given up after 600 convolutions.
 ///
 /// convolutions, preconditionings  by their share of the finest cells, coarser grids included
 /// setup_seconds                   coefficients, spectra and plans

@@ -14,7 +14,8 @@ namespace {
 constexpr double side = 3e-3, pi = std::numbers::pi;
 constexpr double none = std::numeric_limits<double>::infinity();
 
-/// Gaussian heights whose spectrum is `amplitude(transform)` times that of white noise, sampled at n × n points.
+/// Gaussian heights whose spectrum is `amplitude(transform)` times that of white noise, sampled at n × n
+/// points.
 Field filtered_noise(Index fine, Index n, unsigned seed,
                      const std::function<AlignedVector<double>(const RealTransform2D&)>& amplitude) {
   const RealTransform2D transform({fine, fine});

@@ -1,10 +1,11 @@
 /// Coverage of the 95 % intervals of heights that are not Gaussian.
 ///
-/// Of FIELDS fields of 128 × 128 points, in per cent, those whose interval holds the truth of the mean, Sa, Sq, Ssk and
-/// Sku. Fields are white noise averaged over w × w neighbours and translated by Johnson's distribution of this skewness and
-/// kurtosis. `law` says what the errors rest on: "drawn", that distribution and the correlation below it
-/// (stats/uncertainty/translation_error.hpp); "evident", what the field itself shows of both; "gaussian", the intervals of Gaussian
-/// heights with the correlation estimated, for comparison. The standard error of a count is √(0.05 · 0.95 / FIELDS).
+/// Of FIELDS fields of 128 × 128 points, in per cent, those whose interval holds the truth of the mean, Sa,
+/// Sq, Ssk and Sku. Fields are white noise averaged over w × w neighbours and translated by Johnson's
+/// distribution of this skewness and kurtosis. `law` says what the errors rest on: "drawn", that distribution
+/// and the correlation below it (stats/uncertainty/translation_error.hpp); "evident", what the field itself
+/// shows of both; "gaussian", the intervals of Gaussian heights with the correlation estimated, for
+/// comparison. The standard error of a count is √(0.05 · 0.95 / FIELDS).
 ///
 ///     heights_coverage [FIELDS]     400 unless given
 #include <algorithm>

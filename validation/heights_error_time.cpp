@@ -1,13 +1,15 @@
 /// Surfaces of prescribed skewness and kurtosis: what they achieve, and what they cost.
 ///
-/// A row a pair and target, of 15 samples to 10 %. `family` is Johnson's; `orders` the Hermite terms; `fit` the seconds
-/// of the distribution and its correlation, `solve` those of the predistorted kernel; `surface` is the time of a surface
-/// of 512 × 512 over that of the Gaussian one, `whole` the same with everything before it. `answer` is the kernel's,
-/// `acf_error` the largest error over all lags that is predicted, `naive` the one of a Gaussian kernel translated.
+/// A row a pair and target, of 15 samples to 10 %. `family` is Johnson's; `orders` the Hermite terms; `fit`
+/// the seconds of the distribution and its correlation, `solve` those of the predistorted kernel; `surface`
+/// is the time of a surface of 512 × 512 over that of the Gaussian one, `whole` the same with everything
+/// before it. `answer` is the kernel's, `acf_error` the largest error over all lags that is predicted,
+/// `naive` the one of a Gaussian kernel translated.
 ///
-/// Of an ensemble of surfaces of 512 × 512: mean skewness and kurtosis about the known mean and variance, with standard
-/// errors of the spread; `acf_z` the largest deviation of the mean autocorrelation from the prediction, `target_z` from the
-/// target, over the lags up to 24, in standard errors. `filter` is what averaging skewed noise would say.
+/// Of an ensemble of surfaces of 512 × 512: mean skewness and kurtosis about the known mean and variance,
+/// with standard errors of the spread; `acf_z` the largest deviation of the mean autocorrelation from the
+/// prediction, `target_z` from the target, over the lags up to 24, in standard errors. `filter` is what
+/// averaging skewed noise would say.
 ///
 ///     heights_error_time [SURFACES]
 #include <cstdlib>

@@ -1,7 +1,8 @@
 /// The plane of skewness and kurtosis: what becomes of every cell.
 ///
-/// A row is a skewness and a distance above the edge, K = Sk² + 1 + distance. A cell nearer to the edge than Johnson's
-/// system is taken is "refused", one above its bounds left out; negative skewness is the mirror image.
+/// A row is a skewness and a distance above the edge, K = Sk² + 1 + distance. A cell nearer to the edge than
+/// Johnson's system is taken is "refused", one above its bounds left out; negative skewness is the mirror
+/// image.
 ///     family, gamma, delta      Johnson's
 ///     of_mean … of_kurtosis     errors of the moments, the last two relative to the moment or to 1, by the trapezoidal
 ///                               rule in y, which has nothing in common with the rule of the fit

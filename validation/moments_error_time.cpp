@@ -1,8 +1,8 @@
 /// Digits of the moments against the offset of the heights, and their time against sizes and other ways.
 ///
-/// Heights are 1 nm rough, Gaussian, on an offset; the reference sums them in long double about the first height, in
-/// three passes. `digits` are -log10 of the relative error, of Sq, Sa, Ssk and Sku (of Ssk absolute, it is nearly
-/// zero). Ways:
+/// Heights are 1 nm rough, Gaussian, on an offset; the reference sums them in long double about the first
+/// height, in three passes. `digits` are -log10 of the relative error, of Sq, Sa, Ssk and Sku (of Ssk
+/// absolute, it is nearly zero). Ways:
 ///     asperity   two passes about a shifted origin                             stats/sample/moments.hpp
 ///     gsl        gsl_stats: recurrences in long double, a division a point and moment
 ///     naive      Σz, Σz², Σz³, Σz⁴ in one pass: what loses its digits

@@ -1,15 +1,17 @@
-/// The study of 2009 again: what the autocorrelation lengths of a roughness change in a contact, and what they leave.
+/// The study of 2009 again: what the autocorrelation lengths of a roughness change in a contact, and what
+/// they leave.
 ///
 ///     paper_study [SEEDS]         50 unless given
 ///
-/// Two steel spheres, R = 50 mm, E = 208 GPa, ν = 0.3, under 5000 N on 3 mm × 3 mm of 128 × 128 cells; pressure limited
-/// to 3600 MPa, three times a yield stress of 1200 MPa; one sphere with a roughness of 0.4 µm rms. Its autocorrelation
-/// is exponential and prescribed at n × m lags, (n,m) as in the study or, where its print is lost, as is likely: (7,4),
-/// (3,3), (17,4), (17,14), (13,13). `cut` says what it has fallen to at the last lag: 1 %, so that the 10 % lengths are
-/// n/2 × m/2 samples, or 10 %, and they are n × m. Surface k of every case is drawn from the same noise, seed k. Contacts
-/// are solved to ε = 1e-8.
+/// Two steel spheres, R = 50 mm, E = 208 GPa, ν = 0.3, under 5000 N on 3 mm × 3 mm of 128 × 128 cells;
+/// pressure limited to 3600 MPa, three times a yield stress of 1200 MPa; one sphere with a roughness of 0.4
+/// µm rms. Its autocorrelation is exponential and prescribed at n × m lags, (n,m) as in the study or, where
+/// its print is lost, as is likely: (7,4), (3,3), (17,4), (17,14), (13,13). `cut` says what it has fallen to
+/// at the last lag: 1 %, so that the 10 % lengths are n/2 × m/2 samples, or 10 %, and they are n × m. Surface
+/// k of every case is drawn from the same noise, seed k. Contacts are solved to ε = 1e-8.
 ///
-/// First table: a row a case, the mean over the seeds and, ending in _se, its standard error. The smooth contact first.
+/// First table: a row a case, the mean over the seeds and, ending in _se, its standard error. The smooth
+/// contact first.
 ///     answer        to the equations of the kernel (acf/kernel.hpp), "exact" or how else they were met
 ///     Sq, Ssk, Sku  of the heights, the study's Rq [µm], Rsk and Rku
 ///     length_x, _y  at which the surface's own autocorrelation has fallen to 10 % [samples]; 64 where it has not by then
@@ -25,8 +27,8 @@
 ///     shallower     the largest stress lies above `bound` times the smooth contact's depth: one-sided
 ///     changed       a quantity of the case differs from that of `against`, seed by seed: two-sided, `bound` 0
 ///     same          a height parameter does not, by more than `bound`: the larger p of two one-sided tests
-/// `mean` and `se` are of the ratio or difference tested, that of Sq relative to 0.4 µm; a finding `holds` where p <
-/// 0.01, which a test of `changed` says of a case like the other once in a hundred.
+/// `mean` and `se` are of the ratio or difference tested, that of Sq relative to 0.4 µm; a finding `holds`
+/// where p < 0.01, which a test of `changed` says of a case like the other once in a hundred.
 #include <array>
 #include <cmath>
 #include <cstdlib>

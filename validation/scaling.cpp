@@ -12,13 +12,14 @@
 ///     rough       the same with roughness, scene B
 ///     volume      of stress below the smooth contact: eight layers in full, six components, von Mises
 ///     maximum     the search for the largest von Mises stress below it
-/// `seconds` with their set-up, FFTW's plans apart, the fastest of several; `transforms` the same in real transforms of
-/// (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak beyond what it has
-/// already, plans and influences included, its input not (2 MB are the program's own pages); `doubles` the same in
-/// doubles a cell. What takes more than 10 s is timed once, plans and all. N = 4096 is left out where it would take more
-/// than two minutes, or three quarters of the memory.
+/// `seconds` with their set-up, FFTW's plans apart, the fastest of several; `transforms` the same in real
+/// transforms of (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak
+/// beyond what it has already, plans and influences included, its input not (2 MB are the program's own
+/// pages); `doubles` the same in doubles a cell. What takes more than 10 s is timed once, plans and all. N =
+/// 4096 is left out where it would take more than two minutes, or three quarters of the memory.
 ///
-/// Second table: the `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from LARGEST_N/2 if that is less).
+/// Second table: the `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from LARGEST_N/2 if that
+/// is less).
 #include <cstdlib>
 #include <functional>
 #include <map>

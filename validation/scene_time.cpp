@@ -2,9 +2,9 @@
 ///
 ///     scene_time [N]         256 unless given
 ///
-/// The whole: a kernel of the exponential autocorrelation of 10 % length 0.328 mm; a surface of 0.4 µm rms on N × N
-/// cells of 3 mm × 3 mm; two steel spheres of 50 mm under 5000 N, limit pressure 3600 MPa, ε = 1e-8; von Mises stress
-/// in 32 layers down to 0.8 mm. Then the same with one thing changed:
+/// The whole: a kernel of the exponential autocorrelation of 10 % length 0.328 mm; a surface of 0.4 µm rms on
+/// N × N cells of 3 mm × 3 mm; two steel spheres of 50 mm under 5000 N, limit pressure 3600 MPa, ε = 1e-8;
+/// von Mises stress in 32 layers down to 0.8 mm. Then the same with one thing changed:
 ///     drawn again     the kernel is there already
 ///     smooth          no roughness
 ///     elastic         no limit pressure
@@ -13,7 +13,8 @@
 ///     section         the plane y = 0 in place of the volume
 ///     maximum         the place of the largest von Mises stress in place of the volume
 ///     no stress
-/// Seconds of each part, the fastest of several, one thread; `share` is the scene's sum over that of the whole.
+/// Seconds of each part, the fastest of several, one thread; `share` is the scene's sum over that of the
+/// whole.
 #include <cmath>
 #include <cstdlib>
 #include <limits>

@@ -14,7 +14,8 @@ Field kernel(Index n, Index m) {
   });
 }
 
-// By transform against the sum (1) of surface/synthesis.hpp, within ε log2(P Q) Σ|kernel| max|η|, taken as 20 and 5.
+// By transform against the sum (1) of surface/synthesis.hpp, within ε log2(P Q) Σ|kernel| max|η|, taken as 20
+// and 5.
 Finding two_ways(Shape kernel_shape, Shape surface, bool periodic) {
   const Field a = kernel(kernel_shape.nx, kernel_shape.ny);
   const WhiteNoise noise(11);

@@ -1,19 +1,21 @@
-/// Coverage of the 95 % intervals of the moments and of the correlation lengths against the correlation length, false
-/// alarms of the test of a prescription, and the cost of the statistics in transforms of the same size.
+/// Coverage of the 95 % intervals of the moments and of the correlation lengths against the correlation
+/// length, false alarms of the test of a prescription, and the cost of the statistics in transforms of the
+/// same size.
 ///
 ///     statistics_coverage [FIELDS [TABLE]]     fields a row, 400 unless given; moments, lengths, alarms or cost alone
 ///
 /// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval
-/// (stats/uncertainty/moment_interval.hpp) that holds the truth, with the `correlation` known or estimated from the same field.
-/// Fields are white noise averaged over w × w neighbours, w the `width`, of correlation (1 - |p|/w)(1 - |q|/w); and such
-/// with an exponential correlation of that length. The standard error of a count is √(0.05 · 0.95 / FIELDS), 1.1 % for
-/// 400.
+/// (stats/uncertainty/moment_interval.hpp) that holds the truth, with the `correlation` known or estimated
+/// from the same field. Fields are white noise averaged over w × w neighbours, w the `width`, of correlation
+/// (1 - |p|/w)(1 - |q|/w); and such with an exponential correlation of that length. The standard error of a
+/// count is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
 ///
-/// Second table: the same of Sal and of the lengths along x at 1/e and 10 % (stats/uncertainty/length_interval.hpp), and how many of
-/// these intervals lie wholly below and above the truth.
+/// Second table: the same of Sal and of the lengths along x at 1/e and 10 %
+/// (stats/uncertainty/length_interval.hpp), and how many of these intervals lie wholly below and above the
+/// truth.
 ///
-/// Third table: surfaces, or ensembles of them, that are as prescribed and yet fail at a stated 1 and 5 %, in per cent of
-/// FIELDS; with errors from theory or the spread, and with a third of the points missing.
+/// Third table: surfaces, or ensembles of them, that are as prescribed and yet fail at a stated 1 and 5 %, in
+/// per cent of FIELDS; with errors from theory or the spread, and with a third of the points missing.
 ///
 /// Fourth table: seconds of one real transform, and the statistics in these; one thread.
 #include <algorithm>

@@ -2,15 +2,15 @@
 ///
 ///     stress_error_time [LARGEST_N]
 ///
-/// First table: six components and von Mises in each layer, on n × n cells of a square three contact radii wide, ν =
-/// 0.3, one thread, n = 32 … LARGEST_N (512). `error` is the largest of any component anywhere in the layer z =
-/// 0.4809 a, in units of p0; `maximum` and `depth` are the relative errors of the search for the largest von Mises
-/// stress. Seconds are per layer, the fastest of repeated batches; `ratio_to_padded_r2c` compares them with one
-/// real-to-complex transform of the padded square, timed in the same run, which is what is left to compare when the
-/// machine is busy.
-/// Second table: the largest von Mises stress among the points of a volume, 128 × 128 cells (or LARGEST_N, if less) by
-/// so many layers down to a, against the closed form's; adapted layers against full ones.
-/// Third table: round-off (stress_stability.hpp); depths in sides of a square cell of the same area.
+/// First table: six components and von Mises in each layer, on n × n cells of a square three contact radii
+/// wide, ν = 0.3, one thread, n = 32 … LARGEST_N (512). `error` is the largest of any component anywhere in
+/// the layer z = 0.4809 a, in units of p0; `maximum` and `depth` are the relative errors of the search for
+/// the largest von Mises stress. Seconds are per layer, the fastest of repeated batches;
+/// `ratio_to_padded_r2c` compares them with one real-to-complex transform of the padded square, timed in the
+/// same run, which is what is left to compare when the machine is busy. Second table: the largest von Mises
+/// stress among the points of a volume, 128 × 128 cells (or LARGEST_N, if less) by so many layers down to a,
+/// against the closed form's; adapted layers against full ones. Third table: round-off
+/// (stress_stability.hpp); depths in sides of a square cell of the same area.
 #include <cstdlib>
 
 #include <fmt/format.h>

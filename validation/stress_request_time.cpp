@@ -2,12 +2,13 @@
 ///
 ///     stress_request_time [LARGEST_N]         128, or 512 unless given
 ///
-/// Below a Hertz contact of unit radius on n × n cells of a square three radii wide, ν = 0.3, layers at equal steps
-/// from the surface to 1.2 radii, everything from the pressure on: transforms planned, influences and pressure
-/// transformed, all values on the full grid. `cpu` is processor time of all threads, `wall` what passed, both of the
-/// fastest of five calls, `first` the processor time of the first, which pays for plans and fresh memory. `MB` is
-/// what the process grew by at its peak beyond the values kept. `r2c` is cpu a layer over one real-to-complex
-/// transform of the padded square; `error` the largest difference from the layers in full, over the largest pressure.
+/// Below a Hertz contact of unit radius on n × n cells of a square three radii wide, ν = 0.3, layers at equal
+/// steps from the surface to 1.2 radii, everything from the pressure on: transforms planned, influences and
+/// pressure transformed, all values on the full grid. `cpu` is processor time of all threads, `wall` what
+/// passed, both of the fastest of five calls, `first` the processor time of the first, which pays for plans
+/// and fresh memory. `MB` is what the process grew by at its peak beyond the values kept. `r2c` is cpu a
+/// layer over one real-to-complex transform of the padded square; `error` the largest difference from the
+/// layers in full, over the largest pressure.
 #include <cstdlib>
 #include <ctime>
 #include <functional>

@@ -1,18 +1,20 @@
 /// Cost of drawing a surface, and where the direct sum crosses the transform.
 ///
-/// First table: `peak` is what a process that draws a surface of N × M heights takes more than one that does not,
-/// `working_set` what the program says that it will take, both in MB; two threads.
+/// First table: `peak` is what a process that draws a surface of N × M heights takes more than one that does
+/// not, `working_set` what the program says that it will take, both in MB; two threads.
 ///
-/// Second table: a surface of N × N heights with a kernel of K × K goes to a sink that throws it away. `noise` are the
-/// seconds of its random numbers, `transforms` those of one real transform there and back of the padded surface,
-/// (N+K-1)², and `ratio` is (surface - noise)/transforms, all on one thread; `surface_2` are seconds on two threads.
+/// Second table: a surface of N × N heights with a kernel of K × K goes to a sink that throws it away.
+/// `noise` are the seconds of its random numbers, `transforms` those of one real transform there and back of
+/// the padded surface, (N+K-1)², and `ratio` is (surface - noise)/transforms, all on one thread; `surface_2`
+/// are seconds on two threads.
 ///
-/// Third table: `direct` and `transform` are seconds of the two summations, the noise included; `model` is the ratio
-/// direct/transform of the sums alone that the cost model predicts, which decides at 1.
+/// Third table: `direct` and `transform` are seconds of the two summations, the noise included; `model` is
+/// the ratio direct/transform of the sums alone that the cost model predicts, which decides at 1.
 ///
-/// Fourth table: what the exactness of the autocorrelation costs. An exponential target of five samples' decay length,
-/// lags that cover `c` decay lengths; `error` is the largest of the surface's autocorrelation over all lags of the
-/// plane, `kernel` the seconds of the kernel, `surface` those of N × N heights, the noise included.
+/// Fourth table: what the exactness of the autocorrelation costs. An exponential target of five samples'
+/// decay length, lags that cover `c` decay lengths; `error` is the largest of the surface's autocorrelation
+/// over all lags of the plane, `kernel` the seconds of the kernel, `surface` those of N × N heights, the
+/// noise included.
 ///
 ///     synthesis_time [LARGEST_N]         1024 unless given
 #include <algorithm>

@@ -1,11 +1,12 @@
 /// What the validation programs share: how long a call takes, and on what.
 ///
-/// The number of calls is doubled until a batch lasts 20 ms, so that the clock can be trusted; the fastest of eight
-/// batches is what the machine can do when nobody disturbs it. After two seconds no further batch is begun. The
-/// environment variable VALIDATION_BATCHES asks for fewer.
+/// The number of calls is doubled until a batch lasts 20 ms, so that the clock can be trusted; the fastest of
+/// eight batches is what the machine can do when nobody disturbs it. After two seconds no further batch is
+/// begun. The environment variable VALIDATION_BATCHES asks for fewer.
 ///
-/// Calls are repeated in one process, which keeps what memory it has: a computation and the transforms that it is
-/// compared with find their pages where they left them. A program's first solve pays for its pages, about 2 us each.
+/// Calls are repeated in one process, which keeps what memory it has: a computation and the transforms that
+/// it is compared with find their pages where they left them. A program's first solve pays for its pages,
+/// about 2 us each.
 ///
 /// Peak memory is that of a child process that does the work, less that of one that does nothing.
 #pragma once

@@ -1,6 +1,6 @@
-/// The real area of contact between a rough steel surface and a rigid flat, with its standard error over eight draws
-/// of one prescription: 0.4 µm rms height, exponential autocorrelation that falls to a tenth in 60 µm and 20 µm, mean
-/// pressure 100 MPa, elastic.
+/// The real area of contact between a rough steel surface and a rigid flat, with its standard error over
+/// eight draws of one prescription: 0.4 µm rms height, exponential autocorrelation that falls to a tenth in
+/// 60 µm and 20 µm, mean pressure 100 MPa, elastic.
 #include <cstdint>
 #include <cstdio>
 #include <limits>

@@ -24,8 +24,8 @@
 ///
 /// Symbols   α, a  coefficients   R  target [σ²]   n, m  number of lags   J  Jacobian   M ≈ J⁻¹
 /// Accuracy  round-off of the transforms, ε log2(Px Py).
-/// Cost      a transform there and back a residual, product or preconditioning (transform/zero_phase.hpp),
-///           M of (3) two; J* of (3) one.
+/// Cost      a transform there and back a residual, product or preconditioning (transform/zero_phase.hpp), M
+///           of (3) two; J* of (3) one.
 ///
 /// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
 /// [2] G. Wilson, Factorization of the covariance generating function of a pure moving average process,

@@ -6,10 +6,9 @@
 
 #include "core/field.hpp"
 
-/// [S] validation/acf_error_time, "Stability": targets from feasible to hopeless under each policy.
-/// [T] there, the tables of methods: steps, products and seconds.
-/// [K] validation/stability_kernel: extreme targets.
-/// The first fits are not on record; these runs show what the constants do today.
+/// [S] validation/acf_error_time, "Stability": targets from feasible to hopeless under each policy. [T]
+/// there, the tables of methods: steps, products and seconds. [K] validation/stability_kernel: extreme
+/// targets. The first fits are not on record; these runs show what the constants do today.
 namespace asperity::calibration::acf {
 
 // The spectrum of a cut target, over its maximum: [S], [K].

@@ -38,8 +38,8 @@
 ///           γ, δ      Johnson's parameters, δ > 0; γ has the sign of Sk in S_B, the other in S_U, and is
 ///                     0 in S_L, where it goes into λ
 /// Scope     |Sk| ≤ 50, K ≤ 10⁴ and δ ≥ 1/64, where K - Sk² - 1 is 0.017 at Sk = 0, 0.07 at 3, 24 at 50
-///           (`least_kurtosis`): nearer to the edge the heights are two-valued but for 2 % of them.
-///           (0,3) within 1e-12 is taken as normal, K within 1e-12 of itself from S_L as S_L.
+///           (`least_kurtosis`): nearer to the edge the heights are two-valued but for 2 % of them. (0,3)
+///           within 1e-12 is taken as normal, K within 1e-12 of itself from S_L as S_L.
 /// Accuracy  Sk and K to 1e-12 of themselves or of 1, mean and variance to 1e-13; z(y) to the ε of y/δ, that
 ///           is to |z'(y) y| ε, and of |z| and b. (4): a few ε of max(1, |moment|) with h = 1/16 and |yᵢ - η|
 ///           ≤ 22, 256 nodes at the most. A peak to 1e-12 in y.

@@ -18,8 +18,8 @@
 ///     Var[c(p)] = σ²/N Σ_{k≥2} He_{k-1}(a)²/k! S_k,   a = Φ⁻¹(1-p),                                     (5)
 /// σ² [p(1-p)/φ(a)² - 1]/N where heights are independent.
 ///
-/// Q–Q plot: at the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which it lies stands beside
-/// x_i = Φ⁻¹(s_i). Gaussian heights stray from the line z̄ + Sq x of their own mean and Sq by (5)
+/// Q–Q plot: at the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which it lies stands
+/// beside x_i = Φ⁻¹(s_i). Gaussian heights stray from the line z̄ + Sq x of their own mean and Sq by (5)
 /// without the term k = 2. Errors of neighbouring quantiles are correlated.
 ///
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
@@ -31,11 +31,10 @@
 /// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and
 ///           a few binary searches a run for (2).
 ///
-/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes.
-/// E. J. Abbott, F. A. Firestone, Mechanical Engineering 55 (1933) 569-572.
-/// R. R. Bahadur, A note on quantiles in large samples, Ann. Math. Statist. 37 (1966) 577-580.
-/// M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the analysis of data, Biometrika 55 (1968)
-/// 1-17; A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
+/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes. E. J. Abbott, F. A.
+/// Firestone, Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
+/// Ann. Math. Statist. 37 (1966) 577-580. M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the
+/// analysis of data, Biometrika 55 (1968) 1-17; A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
 #pragma once
 
 #include <vector>

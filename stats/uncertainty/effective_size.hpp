@@ -14,8 +14,7 @@
 /// undoes. w is followed to a half, where N/S_2 ≤ 4 and no error can be told.
 ///
 /// An estimated ρ is mostly noise far out, of standard error √(S_2/N), which summed would be as large as S_2
-/// itself.
-/// Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard errors,
+/// itself. Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard errors,
 ///      √(S_2/pairs)
 /// with S_2 of those admitted; of the noise 0.3 % passes. S_k, k ≥ 3, are summed over these; S_1 and S_2
 /// weigh the tail more, and are summed over the K lags of twice the admitted reach (h where h/2 is admitted),

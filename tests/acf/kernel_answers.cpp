@@ -57,8 +57,9 @@ TEST_CASE("what is infeasible is answered as asked", "[kernel][contract]") {
   CHECK(solve_kernel(request).report.converged);
 }
 
-// exp(-(r/10)^2.3) belongs to no surface: its slopes would have the variance -R''(0) = 0. Clipping the spectrum is the least
-// change in the mean square over the plane, and the same from many lags as from those where 1e-3 is left.
+// exp(-(r/10)^2.3) belongs to no surface: its slopes would have the variance -R''(0) = 0. Clipping the
+// spectrum is the least change in the mean square over the plane, and the same from many lags as from those
+// where 1e-3 is left.
 TEST_CASE("a target that no number of lags gives a kernel is clipped at once, as near as with many lags",
           "[kernel][law]") {
   KernelRequest request;

@@ -48,9 +48,9 @@ Target biased_table(const Field& z, Shape known) {
 
 }  // namespace
 
-// Waves with a lay, longer than the table, and nothing shorter than eight samples: hard for a kernel, whose spectrum is
-// zero nearly everywhere. An earlier version kept the lags at which it came near to such a table, one by a few of them, and
-// reported their error as that of the kernel, converged.
+// Waves with a lay, longer than the table, and nothing shorter than eight samples: hard for a kernel, whose
+// spectrum is zero nearly everywhere. An earlier version kept the lags at which it came near to such a table,
+// one by a few of them, and reported their error as that of the kernel, converged.
 TEST_CASE("a table that a surface has is met as a whole within the tolerance, however long it is",
           "[kernel][contract]") {
   const Field waves = Field::NullaryExpr(64, 48, [](Index i, Index j) {
@@ -75,7 +75,8 @@ TEST_CASE("a table that a surface has is met as a whole within the tolerance, ho
   }
 }
 
-// 5 % of noise on every lag makes a table that no surface has. Its least lags alone would be met to round-off.
+// 5 % of noise on every lag makes a table that no surface has. Its least lags alone would be met to
+// round-off.
 TEST_CASE("what is judged of a noisy table is the error over all of it", "[kernel][contract]") {
   Field table = half_plane_of(Target(ExponentialTarget{6, 6}), {12, 12});
   WhiteNoise noise(5);
@@ -106,9 +107,10 @@ TEST_CASE("projections extend a cut exponential to round-off", "[kernel][exact]"
   }
 }
 
-// R(1) = R(2) = -0.9 belongs to no surface. Three lags do if |r1| <= 1 and r2 >= 2 r1² - 1 (Toeplitz's determinant); the
-// closest of these, in the mean square, is where 2 r1 (2 (2 r1² - 1 + 0.9)) + (r1 + 0.9) = 0. On a torus of 3f points the
-// parabola is a polygon whose corners in r2 lie 2 (2π/3f) apart at most, and the closest point moves by half of that at most.
+// R(1) = R(2) = -0.9 belongs to no surface. Three lags do if |r1| <= 1 and r2 >= 2 r1² - 1 (Toeplitz's
+// determinant); the closest of these, in the mean square, is where 2 r1 (2 (2 r1² - 1 + 0.9)) + (r1 + 0.9) =
+// 0. On a torus of 3f points the parabola is a polygon whose corners in r2 lie 2 (2π/3f) apart at most, and
+// the closest point moves by half of that at most.
 TEST_CASE("projections end in the closest autocorrelation where there is no extension", "[kernel][law]") {
   Target table([](double p, double q) { return q != 0 ? 0.0 : p == 0 ? 1.0 : -0.9; });
   table.known = Shape{3, 1};

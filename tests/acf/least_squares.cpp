@@ -21,7 +21,8 @@ ZeroPhaseEquations infeasible() {
 
 }  // namespace
 
-// The handler, one for the process, was set off meanwhile and put back: of two threads one could leave it off for good.
+// The handler, one for the process, was set off meanwhile and put back: of two threads one could leave it off
+// for good.
 TEST_CASE("least squares leave GSL's error handler alone and never call it, however they end",
           "[least-squares][contract]") {
   gsl_error_handler_t* const former = gsl_set_error_handler(&count_call);

@@ -40,8 +40,9 @@ Field whole_autocorrelation(const Field& kernel) {
 
 }  // namespace
 
-// A kernel of 7 × 5 reaches to lags 6 and 4. Both sums have 35 products a lag at most, each rounded, below (Σ|kernel|)² in
-// all. The variance of a profile 1 × 4096 of 20 samples was 17 times what was asked for, and drawn without a word.
+// A kernel of 7 × 5 reaches to lags 6 and 4. Both sums have 35 products a lag at most, each rounded, below
+// (Σ|kernel|)² in all. The variance of a profile 1 × 4096 of 20 samples was 17 times what was asked for, and
+// drawn without a word.
 TEST_CASE(
     "an average of noise that repeats itself has the autocorrelation of its kernel summed over the periods",
     "[periodic][exact]") {

@@ -64,8 +64,8 @@ TEST_CASE("Matérn's structure function begins as r to the 2ν with its constant
   }
 }
 
-// (3) of self_affine.hpp; the next term is at most r²/(4 (1-H)). Either side takes two gammas of five units in the last
-// place and a dozen roundings of numbers below one: 2 (2·5 + 12/2) ε = 32 ε.
+// (3) of self_affine.hpp; the next term is at most r²/(4 (1-H)). Either side takes two gammas of five units
+// in the last place and a dozen roundings of numbers below one: 2 (2·5 + 12/2) ε = 32 ε.
 TEST_CASE("the self-affine structure function begins as r to the 2H with its constant", "[target][law]") {
   for (double H : {0.01, 0.3, 0.5, 0.8}) {
     const SelfAffineCorrelation rho(H);

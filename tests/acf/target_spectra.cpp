@@ -177,7 +177,8 @@ TEST_CASE("reach is the lengths at the level, one lag at 1 and bounded where the
   }
 }
 
-// From r = 1 on; below, the envelope is above 1 or never met. Checked through last_above, which starts from it.
+// From r = 1 on; below, the envelope is above 1 or never met. Checked through last_above, which starts from
+// it.
 TEST_CASE("beyond last_above the self-affine correlation stays within t, and reaches it 0.03 below",
           "[target][exact]") {
   for (double H : {0.01, 0.1, 0.5, 0.8, 1.0}) {

@@ -61,8 +61,9 @@ TEST_CASE("a rigid flat punch sinks in by Q/(2aE*) as far as cells make a circle
   CHECK(relative_error(contact.approach, load / (2 * a * modulus)) <= 0.2 * grid.dx / a);
 }
 
-// A uniform displacement of a square is the potential of a charged square plate, whose capacity is 0.36678962 s (side s,
-// Gaussian units): δ = Q/(π 0.36678962 s E*). The edges are singular: order 1 in the number of cells a side.
+// A uniform displacement of a square is the potential of a charged square plate, whose capacity is 0.36678962
+// s (side s, Gaussian units): δ = Q/(π 0.36678962 s E*). The edges are singular: order 1 in the number of
+// cells a side.
 TEST_CASE("flats that touch on the whole domain form a square punch, at order 1", "[punch][order]") {
   double coarse = 1;
   for (Index n : {32, 64}) {

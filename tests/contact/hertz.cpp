@@ -41,8 +41,8 @@ TEST_CASE("Rx = 25 mm, Ry = 25/6 mm under 1 kN meet 3143.319 MPa, 0.7026656 x 0.
   CHECK(ellipse.approach == Approx(15.48254e-6).epsilon(4e-7));
 }
 
-// In long double the textbook forms' cancellation, (ε/2048)/k² here, is below the ε that k itself leaves; each quantity
-// varies with some power of k up to 2.
+// In long double the textbook forms' cancellation, (ε/2048)/k² here, is below the ε that k itself leaves;
+// each quantity varies with some power of k up to 2.
 TEST_CASE("the semi-axes satisfy the equations with complete elliptic integrals", "[hertz][exact]") {
   for (const double ratio : {2.0, 6.0, 100.0, 1e4}) {
     const double A = 20, B = ratio * A, Q = 1000, bound = 20 * epsilon;
@@ -86,8 +86,9 @@ TEST_CASE("x and y change places with the radii", "[hertz][law]") {
   check_same(hertz(barrel, 1000), there, 0);
 }
 
-// The middle cells' centres are half a cell off both axes: p falls by s/8, s = Δx²/a² + Δy²/b², of which collocation
-// gives a part back. The approach errs by less, 0.014…0.022 s, as the cells happen to cut the edge.
+// The middle cells' centres are half a cell off both axes: p falls by s/8, s = Δx²/a² + Δy²/b², of which
+// collocation gives a part back. The approach errs by less, 0.014…0.022 s, as the cells happen to cut the
+// edge.
 TEST_CASE("a solved elliptic contact meets Hertz's pressure and approach at order 2 with their constants",
           "[hertz][order]") {
   const double Q = 1000;
@@ -109,9 +110,10 @@ TEST_CASE("a solved elliptic contact meets Hertz's pressure and approach at orde
   }
 }
 
-// Cylinders side by side at a period L: between them cot(πx/L) = L/πx - πx/3L - … takes the place of 1/x, which
-// is a curvature of 1/R (1 + π²b²/6L²) but for O((b/L)⁴) = 2e-5. The middle cells are half a cell off the axis, where p
-// has fallen by ⅛ (Δx/b)²; the edges, which lie anywhere in a cell, add or take away some half of that.
+// Cylinders side by side at a period L: between them cot(πx/L) = L/πx - πx/3L - … takes the place of 1/x,
+// which is a curvature of 1/R (1 + π²b²/6L²) but for O((b/L)⁴) = 2e-5. The middle cells are half a cell off
+// the axis, where p has fallen by ⅛ (Δx/b)²; the edges, which lie anywhere in a cell, add or take away some
+// half of that.
 TEST_CASE("cylinders of a period of ten contact widths meet Hertz's line contact, at order 2",
           "[hertz][order]") {
   const double length = 1e-3, R = 10e-3, b = length / 20, q = pi * modulus * b * b / (4 * R);
@@ -142,8 +144,8 @@ TEST_CASE("a ball in a groove has the difference of their curvatures, and none i
   CHECK(refused({.radius = {Radii(1, NAN), Radii()}}).starts_with("radius-y: "));
 }
 
-// GSL's handler stands in these tests as in a user's program: outside the domain of R_D, or where a bracket has lost its
-// sign, it aborts the process. A cylinder did.
+// GSL's handler stands in these tests as in a user's program: outside the domain of R_D, or where a bracket
+// has lost its sign, it aborts the process. A cylinder did.
 TEST_CASE("bodies without a contact in a point are refused in one line and nothing is aborted",
           "[hertz][contract]") {
   auto refused = [](const Bodies& bodies, double q) { return refusal([&] { hertz(bodies, q); }); };

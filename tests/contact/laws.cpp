@@ -148,8 +148,8 @@ TEST_CASE("every load up to the limit pressure on the whole domain is carried", 
   }
 }
 
-// At 1 kPa the bodies hardly yield: the cells fill up to the limit in the order of their gaps, and one is left over.
-// (A pressure one bit below the limit once counted as free and held the iteration up.)
+// At 1 kPa the bodies hardly yield: the cells fill up to the limit in the order of their gaps, and one is
+// left over. (A pressure one bit below the limit once counted as free and held the iteration up.)
 TEST_CASE("hardly any pressure fills the cells in the order of their gaps", "[plastic][exact]") {
   const Grid grid = square(64);
   const double cap = 1e3, share = 0.9922;
@@ -248,8 +248,8 @@ TEST_CASE("a single cell and a flat periodic surface have their trivial solution
   CHECK((contact.pressure / (load / 9e-6) - 1).abs().maxCoeff() <= 1e-12);
 }
 
-// A sphere of 3 mm on a domain of 3 mm × 146 mm stands 0.9 m back at the ends; plastic all over at some kPa it is
-// displaced by 1e-11 m, which g = h + u of 0.9 m resolves to 1e-5.
+// A sphere of 3 mm on a domain of 3 mm × 146 mm stands 0.9 m back at the ends; plastic all over at some kPa
+// it is displaced by 1e-11 m, which g = h + u of 0.9 m resolves to 1e-5.
 TEST_CASE("displacements far below the round-off of the gap are resolved", "[contact][law]") {
   const Grid grid{{32, 64}, 3e-3 / 32, 48 * 3e-3 / 32};
   const Field gap = sample(grid, [](double x, double y) { return (x * x + y * y) / (2 * 3e-3); });

@@ -20,9 +20,9 @@ struct Problem {
   ContactParameters parameters;
 };
 
-// Every fourth on cells of aspect 0.02 to 50, every sixth periodic; roughness of 10 nm to 10 µm on spheres of 3 mm
-// to 1 m or, every fifth, on flats; loads of 0.01 N to 50 kN; three in five with a limit pressure, of 0.1 to 30
-// GPa or from just above the mean to ten times it.
+// Every fourth on cells of aspect 0.02 to 50, every sixth periodic; roughness of 10 nm to 10 µm on spheres of
+// 3 mm to 1 m or, every fifth, on flats; loads of 0.01 N to 50 kN; three in five with a limit pressure, of
+// 0.1 to 30 GPa or from just above the mean to ten times it.
 Problem draw(unsigned k) {
   Draw draw{std::mt19937_64(1000 + k)};
   const Shape shape{k % 3 == 2 ? 64 : 32, k % 5 == 0 ? 32 : k % 7 == 0 ? 45 : 64};

@@ -1,4 +1,5 @@
-// dQ/dδ of single solutions. Once it came from differences of loads in ln Q, and was below 0 in 28 of 40 rough sweeps.
+// dQ/dδ of single solutions. Once it came from differences of loads in ln Q, and was below 0 in 28 of 40
+// rough sweeps.
 #include "contact/stiffness.hpp"
 
 #include "contact/sweep.hpp"
@@ -39,8 +40,8 @@ std::vector<Scene> scenes() {
 
 }  // namespace
 
-// C lies between circles of a ± Δx/√2, the half diagonal of a cell, and the capacity grows with C; collocation takes
-// off less than the cells' edge.
+// C lies between circles of a ± Δx/√2, the half diagonal of a cell, and the capacity grows with C;
+// collocation takes off less than the cells' edge.
 TEST_CASE("the stiffness of spheres is 2 a E* at a single load", "[stiffness][exact]") {
   for (Index n : {64, 128})
     for (double q : {10.0, 100.0, 1000.0, 5000.0}) {
@@ -72,8 +73,8 @@ TEST_CASE("a flat punch, round or square, has the stiffness Q over its approach"
   CHECK(relative_error(contact.stiffness, 2 * a * modulus) <= 0.2 * grid.dx / a);  // as closed_forms.cpp
 }
 
-// While no cell changes its state Q is linear in δ. ε = 1e-12 leaves δ some 1e-12 of u, 20 µm or less: 1e-7 of 2 η, and
-// Q as much.
+// While no cell changes its state Q is linear in δ. ε = 1e-12 leaves δ some 1e-12 of u, 20 µm or less: 1e-7
+// of 2 η, and Q as much.
 TEST_CASE("the stiffness is the central difference of two contacts of the same cells", "[stiffness][law]") {
   const double eta = 1e-10;
   for (const Scene& s : scenes()) {
@@ -89,8 +90,8 @@ TEST_CASE("the stiffness is the central difference of two contacts of the same c
   }
 }
 
-// Elastic Q(δ) is convex: a chord lies between the slopes at its ends. ε = 1e-10 errs in δ by 1e-9 of u or so, and steps
-// in δ are a tenth of u and more.
+// Elastic Q(δ) is convex: a chord lies between the slopes at its ends. ε = 1e-10 errs in δ by 1e-9 of u or
+// so, and steps in δ are a tenth of u and more.
 TEST_CASE("in forty rough sweeps stiffness is above 0 and its chords lie between that of their ends",
           "[stiffness][law]") {
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -113,8 +114,8 @@ TEST_CASE("in forty rough sweeps stiffness is above 0 and its chords lie between
   }
 }
 
-// Strips of half-width a on a period L, by the capacity sin(πa/L) of an arc:  S/A = πE* / (2L ln 1/sin(πa/L)). Cells
-// have their outline within half a cell.
+// Strips of half-width a on a period L, by the capacity sin(πa/L) of an arc:  S/A = πE* / (2L ln
+// 1/sin(πa/L)). Cells have their outline within half a cell.
 TEST_CASE("the stiffness of a wavy surface in partial contact is that of strips", "[stiffness][exact]") {
   const double L = 1e-3;
   const Grid grid{{128, 4}, L / 128, L / 128, true};

@@ -153,8 +153,8 @@ Field spiked_gap(const Grid& grid, const std::vector<std::pair<Index, Index>>& s
 
 }  // namespace
 
-// The window in the middle stops at round-off there; that was taken for the whole, with ε = 0.33 and 739 in place of
-// 6988 MPa. ε of 1e-12 leaves pressures 1e-10 or so, ε of 1e-17 is below what round-off allows.
+// The window in the middle stops at round-off there; that was taken for the whole, with ε = 0.33 and 739 in
+// place of 6988 MPa. ε of 1e-12 leaves pressures 1e-10 or so, ε of 1e-17 is below what round-off allows.
 TEST_CASE("a window that stops at round-off is left for a spike outside it", "[window][law]") {
   const Grid grid = square(256);
   for (const auto& spikes : std::vector<std::vector<std::pair<Index, Index>>>{
@@ -191,8 +191,8 @@ TEST_CASE("a window that stops at round-off is left under a given approach and i
                       });
 }
 
-// Conjugate gradients that went on at round-off added up directions of noise: they ended anywhere, ε of 1e-3 and more, by
-// hundreds of convolutions.
+// Conjugate gradients that went on at round-off added up directions of noise: they ended anywhere, ε of 1e-3
+// and more, by hundreds of convolutions.
 TEST_CASE("rough spheres end at round-off, and not far from it, whatever is asked for", "[contact][law]") {
   const Grid grid = square(96);
   for (unsigned seed = 1; seed <= 4; ++seed)

@@ -23,8 +23,8 @@ void in_single_precision(Variable& axis) {
 
 }  // namespace
 
-// The attribute was taken whatever its type: cells were 1e-8 too large. Of n points within ±L/2 the two ends are each
-// known to ε L/4, and the step between n - 1 of them to ε/2 of L/(n - 1).
+// The attribute was taken whatever its type: cells were 1e-8 too large. Of n points within ±L/2 the two ends
+// are each known to ε L/4, and the step between n - 1 of them to ε/2 of L/(n - 1).
 TEST_CASE("of a length in single precision beside points in double the points are taken", "[layout][exact]") {
   const std::vector<float> length{3e-3F};
   REQUIRE(relative_error(static_cast<double>(length[0]), 3e-3) >= 1e-9);
@@ -45,8 +45,8 @@ TEST_CASE("of points in single precision beside a length in double the length is
   CHECK(relative_error(grid_of(data).dx, 3e-3 / 96) <= epsilon);
 }
 
-// A program that cuts a dataset and does not know the attribute leaves it as it was: slopes halved, a load of 100 N
-// became one of 25 N.
+// A program that cuts a dataset and does not know the attribute leaves it as it was: slopes halved, a load of
+// 100 N became one of 25 N.
 TEST_CASE("a length that disagrees with the points is not taken, and a line says so once",
           "[layout][exact]") {
   for (const double stale : {6e-3, 3e-3 * 97 / 96, 3e-3 * 95 / 96}) {

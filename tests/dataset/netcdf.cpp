@@ -205,8 +205,8 @@ TEST_CASE("a name of more than 256 bytes is refused", "[netcdf][contract]") {
   CHECK_THROWS_WITH(decode_netcdf(bytes), ContainsSubstring("a name of 260 bytes"));
 }
 
-// The library asks for the memory that a count claims before it looks: an attribute of 2^62 numbers ended a run under the
-// address sanitizer. Counts are 4 or 8 bytes, and stand at multiples of 4.
+// The library asks for the memory that a count claims before it looks: an attribute of 2^62 numbers ended a
+// run under the address sanitizer. Counts are 4 or 8 bytes, and stand at multiples of 4.
 TEST_CASE("a head of whose words one is replaced is refused, or holds no more values than there are bytes",
           "[netcdf][contract]") {
   for (const bool wide : {false, true}) {
@@ -263,7 +263,8 @@ TEST_CASE("a NetCDF-4 file without its values is refused, by parts too", "[netcd
   CHECK_THROWS_AS(NetcdfFile(corpus("netcdf4/never-written")), DataError);
 }
 
-// The library once forked to read NetCDF-4, and set how the end of children is heard meanwhile: of whatever program used it.
+// The library once forked to read NetCDF-4, and set how the end of children is heard meanwhile: of whatever
+// program used it.
 TEST_CASE("the library starts no process to read NetCDF-4", "[netcdf][contract]") {
   static int forks = 0;
   REQUIRE(::pthread_atfork([] { ++forks; }, nullptr, nullptr) == 0);

@@ -45,7 +45,8 @@ Description listed(const Field& z, const std::string& third) {
 
 }  // namespace
 
-// A map of n points takes three doubles a point; 4 kB are more than main.xml of it. Nothing was refused before.
+// A map of n points takes three doubles a point; 4 kB are more than main.xml of it. Nothing was refused
+// before.
 TEST_CASE("each format refuses a map that takes more memory than is allowed, and says how much",
           "[formats][memory][contract]") {
   const Map map = wavy_map();

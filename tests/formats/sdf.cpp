@@ -10,8 +10,8 @@ using namespace asperity::test;
 
 namespace {
 
-// A binary file of 1 × points numbers of a type, with the spacing 0.5 m and the unit 0.25 m. A double of those has only its
-// two greatest bytes.
+// A binary file of 1 × points numbers of a type, with the spacing 0.5 m and the unit 0.25 m. A double of
+// those has only its two greatest bytes.
 std::string binary(const std::string& version, int points, int type, const std::string& numbers) {
   const std::string size{static_cast<char>(points), '\0'}, one{'\1', '\0'},
       wide = version == "ISO-2.0" ? std::string(2, '\0') : "";

@@ -1,7 +1,8 @@
 /// The readers of files as fuzzing sees them: bytes of a format, by the name of its folder in tests/corpus.
 ///
-/// NetCDF-4 is read apart, as the tools do. A reader makes something of bytes or throws DataError, in time and memory of the order of their number. What a format
-/// calls a map, and what a dataset is then made of, the readers of datasets understand.
+/// NetCDF-4 is read apart, as the tools do. A reader makes something of bytes or throws DataError, in time
+/// and memory of the order of their number. What a format calls a map, and what a dataset is then made of,
+/// the readers of datasets understand.
 #pragma once
 
 #include <stdexcept>
@@ -44,7 +45,8 @@ inline Reading any_reading(std::size_t size) {
   return out;
 }
 
-/// Returns whether the bytes could be read; throws std::logic_error, or anything else, where the reader is wrong.
+/// Returns whether the bytes could be read; throws std::logic_error, or anything else, where the reader is
+/// wrong.
 inline bool reads(const std::string& format, std::string_view bytes) {
   try {
     if (format.starts_with("netcdf")) {

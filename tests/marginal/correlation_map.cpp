@@ -31,8 +31,8 @@ void require_closed_form(const CorrelationMap& map, Function exact, double toler
 
 }  // namespace
 
-// Series and quadrature are computed to 1e-13 of the variance; the closed forms' own round-off is ε times their
-// conditioning, below 10 here.
+// Series and quadrature are computed to 1e-13 of the variance; the closed forms' own round-off is ε times
+// their conditioning, below 10 here.
 TEST_CASE("the correlation of a lognormal translation is (w^rho - 1)/(w - 1)", "[correlation_map][exact]") {
   for (double delta : {0.7, 1.0, 2.0, 8.0}) {
     CAPTURE(delta);
@@ -67,8 +67,8 @@ TEST_CASE("uniform heights of correlation rho have the correlation (6/pi) asin(r
       map, [](double rho) { return 6 / std::numbers::pi * std::asin(rho / 2); }, 1e-12);
 }
 
-// Two values: the orders fall like k^(-3/2), and what is left of them, the tail, bounds the error. Where the step is
-// smeared over a detail the exact correlation itself differs by some details near ρ = 1.
+// Two values: the orders fall like k^(-3/2), and what is left of them, the tail, bounds the error. Where the
+// step is smeared over a detail the exact correlation itself differs by some details near ρ = 1.
 TEST_CASE(
     "a tanh so steep that heights have two values has the correlation (2/pi) asin(rho), within its tail",
     "[correlation_map][law]") {

@@ -23,8 +23,8 @@ constexpr Shape shape{96, 96};
 constexpr Shape lags{8, 5};  // compared
 constexpr int percentiles = 19;
 
-// z³, z⁴, the autocorrelation, and the share of heights below each percentile of the distribution. All are unbiased, for
-// the mean is known to be 0 and the variance 1.
+// z³, z⁴, the autocorrelation, and the share of heights below each percentile of the distribution. All are
+// unbiased, for the mean is known to be 0 and the variance 1.
 Eigen::ArrayXd figures_of(const Field& z, const Translation& g) {
   const Field acf =
       estimate_autocorrelation(z, {shape, 1, 1}, {.max_lag = {lags.nx - 1, lags.ny - 1}, .level = 0})
@@ -68,10 +68,10 @@ struct Pair {
 
 }  // namespace
 
-// Each of 93 figures a case leaves 4 standard errors with probability 6e-5 (1.8e-4 by Student's t of 59 degrees), in 27
-// cases 0.45 of 2500 are expected at the most, were they independent; neighbouring lags are nearly the same, and the
-// seed is fixed. The two figures of the sixth and eighth power are skewed towards too small errors where they are too
-// small themselves; 5 standard errors are allowed to the kurtosis.
+// Each of 93 figures a case leaves 4 standard errors with probability 6e-5 (1.8e-4 by Student's t of 59
+// degrees), in 27 cases 0.45 of 2500 are expected at the most, were they independent; neighbouring lags are
+// nearly the same, and the seed is fixed. The two figures of the sixth and eighth power are skewed towards
+// too small errors where they are too small themselves; 5 standard errors are allowed to the kurtosis.
 TEST_CASE(
     "ensembles have the skewness, kurtosis, percentiles and autocorrelation prescribed, within their errors",
     "[marginal][statistics][slow]") {
@@ -99,9 +99,9 @@ TEST_CASE(
     }
 }
 
-// Kolmogorov and Smirnov's difference of the distributions, in the errors that correlated heights have: the share of
-// heights below g(x) is that of y below x, whose indicator has the Hermite coefficients φ(x) h_{k-1}(x)/√k, so that by
-// stats/uncertainty/effective_size.hpp (1)
+// Kolmogorov and Smirnov's difference of the distributions, in the errors that correlated heights have: the
+// share of heights below g(x) is that of y below x, whose indicator has the Hermite coefficients φ(x)
+// h_{k-1}(x)/√k, so that by stats/uncertainty/effective_size.hpp (1)
 //     Var = φ(x)² Σ_k h_{k-1}(x)² S_k/(k N M).
 // The largest of 99 quantiles, were they independent, leaves 4.4 standard errors with probability 1e-3.
 TEST_CASE(
@@ -137,8 +137,8 @@ TEST_CASE(
   }
 }
 
-// The same of an average of skewed noise, whose autocorrelation is the kernel's itself; the distribution of the average
-// has no closed form, so that percentiles are not compared.
+// The same of an average of skewed noise, whose autocorrelation is the kernel's itself; the distribution of
+// the average has no closed form, so that percentiles are not compared.
 TEST_CASE(
     "surfaces of filtered noise have the skewness, kurtosis and autocorrelation prescribed, within their "
     "errors",

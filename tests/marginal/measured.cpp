@@ -23,8 +23,8 @@ double exponential_quantile(double p) { return -std::log1p(-p); }
 
 }  // namespace
 
-// Between nodes h = 4.27/4096 apart g is a chord, h²/8 max|g''| below it; beyond the extremes, of probability 1e-5
-// each, it is constant, which takes some 1e-4 of the variance.
+// Between nodes h = 4.27/4096 apart g is a chord, h²/8 max|g''| below it; beyond the extremes, of probability
+// 1e-5 each, it is constant, which takes some 1e-4 of the variance.
 TEST_CASE("quantiles of a Gaussian sample translate a normal value into itself", "[measured][exact]") {
   const Translation g = MeasuredHeights::of(sample(50000, [](double p) {
                           return 5 + 3e-7 * gsl_cdf_ugaussian_Pinv(p);
@@ -37,8 +37,8 @@ TEST_CASE("quantiles of a Gaussian sample translate a normal value into itself",
   CHECK(g(9) < 4.3);
 }
 
-// The exponential distribution has skewness 2 and kurtosis 9, of which the part beyond p = 1 - 1/(2N), at ln 2N = 12.2,
-// holds 2N⁻¹ (12.2³ + …) = 0.02 and 2N⁻¹ (12.2⁴ + …) = 0.3.
+// The exponential distribution has skewness 2 and kurtosis 9, of which the part beyond p = 1 - 1/(2N), at ln
+// 2N = 12.2, holds 2N⁻¹ (12.2³ + …) = 0.02 and 2N⁻¹ (12.2⁴ + …) = 0.3.
 TEST_CASE("quantiles of an exponential sample keep its mean, variance, skewness and kurtosis",
           "[measured][exact]") {
   const MeasuredHeights heights = MeasuredHeights::of(sample(100000, exponential_quantile));

@@ -62,7 +62,8 @@ TEST_CASE("the reach of a predistorted target holds all lags above its bound, ei
   }
 }
 
-// Residuals of 1e-10 in ρ become at most R'(1) = 1.4 times that; the sums over the kernel round off far below.
+// Residuals of 1e-10 in ρ become at most R'(1) = 1.4 times that; the sums over the kernel round off far
+// below.
 TEST_CASE("a kernel of heights has unit variance, and tables and errors that are those of the heights",
           "[predistortion][exact]") {
   const Lognormal heights{1.2};

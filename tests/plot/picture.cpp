@@ -109,7 +109,8 @@ TEST_CASE("letters of an SVG are 6 pt high where one panel is printed 8 cm wide"
   }
 }
 
-// The label of the x axis used to stand half below the lower edge of an SVG: gnuplot places it by the terminal's fonts.
+// The label of the x axis used to stand half below the lower edge of an SVG: gnuplot places it by the
+// terminal's fonts.
 TEST_CASE("no text of an SVG leaves its canvas", "[plot][law]") {
   for (const char* kind : kinds) {
     CAPTURE(kind);

@@ -12,7 +12,8 @@ using namespace asperity::test;
 
 namespace {
 
-// What gnuplot has a meaning for: ends of strings, escapes, commands, macros, enhanced text, formats; and what XML has.
+// What gnuplot has a meaning for: ends of strings, escapes, commands, macros, enhanced text, formats; and
+// what XML has.
 const std::string hard[] = {"'Ground' steel",
                             "''",
                             "'",
@@ -57,7 +58,8 @@ bool has_line(const std::string& text, const std::string& line) {
 
 }  // namespace
 
-// A title in single quotes that began or ended with one: "unexpected or unrecognized token: 'Ground'' steel'".
+// A title in single quotes that began or ended with one: "unexpected or unrecognized token: 'Ground''
+// steel'".
 TEST_CASE("a title stands in the picture letter by letter, whatever gnuplot means by them",
           "[plot][contract][slow]") {
   write_scene("V", "voltage");

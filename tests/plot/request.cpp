@@ -1,4 +1,5 @@
-// What asperity-plot is asked for: where a picture goes, what is refused, and fields that have little to show.
+// What asperity-plot is asked for: where a picture goes, what is refused, and fields that have little to
+// show.
 #include <cmath>
 
 #include "plot/pictures.hpp"

@@ -17,7 +17,8 @@ struct ExponentialTarget {
     const double x = p / length_x, y = q / length_y;
     return std::exp(std::log(level) * std::sqrt(x * x + y * y));
   }
-  /// Lags that cover so many decay lengths each way. Six leave an error below 1e-3 over all lags, 11.5 below 1e-6.
+  /// Lags that cover so many decay lengths each way. Six leave an error below 1e-3 over all lags, 11.5 below
+  /// 1e-6.
   Shape lags(double decay_lengths = 6) const {
     auto cover = [&](double length) {
       const double decay = length / -std::log(level);

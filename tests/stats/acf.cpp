@@ -133,7 +133,8 @@ TEST_CASE("a profile that jumps below zero is crossed on a straight line, one th
   CHECK_FALSE(first_crossing(rho.head(2), 0.1));
 }
 
-// From 0.25, the level 0.1: a straight line to zero is crossed at 0.6, and ln ρ would be at 0.17 for ρ = 1e-3.
+// From 0.25, the level 0.1: a straight line to zero is crossed at 0.6, and ln ρ would be at 0.17 for ρ =
+// 1e-3.
 TEST_CASE("noise about a correlation of zero does not move the crossing before it by a tenth of a sample",
           "[acf-length][law]") {
   const double at_zero = crossing_between(0.25, 0, 0.1).lag;
@@ -156,8 +157,9 @@ TEST_CASE("white noise has ACF errors sqrt(2/N) at zero and 1/sqrt(pairs) elsewh
   CHECK(error.normalised(0, 0) == 0);
 }
 
-// 400 fields: the mean's standard error is SE/20. The spread of a spread is 1/√800 = 3.5 %, and up to twice that for
-// the skewed sums of squares near lag zero; four of them. 4.2 standard errors leave 1 % for 7 × 13 lags together.
+// 400 fields: the mean's standard error is SE/20. The spread of a spread is 1/√800 = 3.5 %, and up to twice
+// that for the skewed sums of squares near lag zero; four of them. 4.2 standard errors leave 1 % for 7 × 13
+// lags together.
 TEST_CASE("over an ensemble the ACF estimate is unbiased and as wide as Bartlett's formulas say",
           "[acf-error][statistics]") {
   const Shape window{4, 3};
@@ -187,7 +189,8 @@ TEST_CASE("over an ensemble the ACF estimate is unbiased and as wide as Bartlett
     }
 }
 
-// Weights are 1. Sums of 7 · 5 lags squared, their square roots near zero: 1e-13 of c(0), 3e-7 where all of it cancels.
+// Weights are 1. Sums of 7 · 5 lags squared, their square roots near zero: 1e-13 of c(0), 3e-7 where all of
+// it cancels.
 TEST_CASE("on a periodic grid the ACF's errors of all lags at once are those of each", "[acf-error][exact]") {
   const AcfError error(triangular_correlation({4, 3}), grid(48, 40, true));
   const LagField all = error.normalised({9, 8});

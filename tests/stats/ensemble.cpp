@@ -6,8 +6,8 @@
 using namespace asperity;
 using namespace asperity::test;
 
-// 1 … n: mean (n+1)/2, variance n(n+1)/12. Numbers below 2^53 apart, so that an offset of 1e9 is exact; each of
-// the n steps rounds by ε of the offset at most, less than n ε 1e9 = 2e-4 in the mean of spread 289.
+// 1 … n: mean (n+1)/2, variance n(n+1)/12. Numbers below 2^53 apart, so that an offset of 1e9 is exact; each
+// of the n steps rounds by ε of the offset at most, less than n ε 1e9 = 2e-4 in the mean of spread 289.
 TEST_CASE("the numbers 1 to n have mean (n+1)/2 and variance n(n+1)/12, on any offset", "[ensemble][exact]") {
   const double n = 1000;
   for (double offset : {0.0, 1e9}) {

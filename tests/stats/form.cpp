@@ -32,9 +32,9 @@ double brute_force(const Field& z, const Grid& grid, double cutoff, Index i, Ind
 
 }  // namespace
 
-// The polynomial's values reach d + 1; each of its (d+1)(d+2)/2 coefficients errs by ε √N of its norm, at most √N
-// times its largest value, and a basis function reaches √((2d+1)²/N) times √N of that: ε (d+1)² (2d+1)² bounds it
-// amply.
+// The polynomial's values reach d + 1; each of its (d+1)(d+2)/2 coefficients errs by ε √N of its norm, at
+// most √N times its largest value, and a basis function reaches √((2d+1)²/N) times √N of that: ε (d+1)²
+// (2d+1)² bounds it amply.
 TEST_CASE("a polynomial of the form's degree leaves nothing but round-off", "[form][exact]") {
   for (int degree : {0, 1, 2, 5, 12}) {
     const Field z = Field::NullaryExpr(33, 48, [=](Index i, Index j) {
@@ -89,7 +89,8 @@ TEST_CASE("a wave on a periodic surface passes with the amplitude of ISO 16610-6
   }
 }
 
-// In the middle of a long field, 3 λc from its ends; the weight summed over samples lets the aliases of (λc/Δ)² pass.
+// In the middle of a long field, 3 λc from its ends; the weight summed over samples lets the aliases of
+// (λc/Δ)² pass.
 TEST_CASE("a wave far from the edges passes with the same amplitude but for the aliases of the weight",
           "[filter][order]") {
   const Index n = 480;

@@ -98,7 +98,8 @@ TEST_CASE("asperity-acf measures lengths at any level and in any direction, and 
     CHECK(run_on_surface(std::string("asperity-acf drawn.nc --lengths ") + wrong).exit == 2);
 }
 
-// S = 2(R(0,0) - R) over one and the same set of pairs; the sets at either end differ by the lag's share of points.
+// S = 2(R(0,0) - R) over one and the same set of pairs; the sets at either end differ by the lag's share of
+// points.
 TEST_CASE("asperity-acf --structure adds the structure function to the profiles and the dataset",
           "[acf-tool][contract]") {
   const Json table = json_of("asperity-acf drawn.nc --structure --absolute --json");
@@ -147,7 +148,8 @@ TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-t
   CHECK(table["density"]["unit"] == "m-1");
 }
 
-// The curve's steps are 1/8 of the bandwidth, its ends three bandwidths out: 2.7e-3 of the outermost heights of 7680.
+// The curve's steps are 1/8 of the bandwidth, its ends three bandwidths out: 2.7e-3 of the outermost heights
+// of 7680.
 TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel makes a lower peak",
           "[pdf-tool][law]") {
   auto peak = [](const std::string& options, double& integral) {

@@ -49,8 +49,8 @@ TEST_CASE("the Hermite functions are He_k φ/√k!", "[gaussianity][exact]") {
   }
 }
 
-// Kolmogorov's 1.22385, 1.35810 and 1.62762 at 10 %, 5 % and 1 %, for D of a known Gaussian, a Brownian bridge;
-// three of the simulation's errors √(p(1-p)/8192).
+// Kolmogorov's 1.22385, 1.35810 and 1.62762 at 10 %, 5 % and 1 %, for D of a known Gaussian, a Brownian
+// bridge; three of the simulation's errors √(p(1-p)/8192).
 TEST_CASE("of a Brownian bridge the supremum has Kolmogorov's law", "[gaussianity][statistics]") {
   const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(97, -6, 6);
   const Eigen::MatrixXd bridge = Eigen::MatrixXd::NullaryExpr(97, 97, [&](Eigen::Index a, Eigen::Index b) {
@@ -63,8 +63,8 @@ TEST_CASE("of a Brownian bridge the supremum has Kolmogorov's law", "[gaussianit
   }
 }
 
-// Stephens' table for a fitted Gaussian, J. Am. Stat. Assoc. 69 (1974) 730: 0.631, 0.752, 1.035 at 10 %, 5 % and
-// 1 %. Half of the last digit is worth 1.5e-4 of p at most, the trapezoidal rule errs by 3e-4.
+// Stephens' table for a fitted Gaussian, J. Am. Stat. Assoc. 69 (1974) 730: 0.631, 0.752, 1.035 at 10 %, 5 %
+// and 1 %. Half of the last digit is worth 1.5e-4 of p at most, the trapezoidal rule errs by 3e-4.
 TEST_CASE("for independent heights A² has the law that is tabulated", "[gaussianity][exact]") {
   const Eigen::ArrayXd weights = anderson_darling_weights(size_of({1, 1}, grid(1000, 1000)));
   for (auto [value, p] : {std::pair{0.631, 0.10}, {0.752, 0.05}, {1.035, 0.01}})
@@ -105,8 +105,8 @@ TEST_CASE("the covariance of the empirical process is its Hermite series", "[gau
     }
 }
 
-// The rate's own error at 5 % over 300 fields is √(0.05·0.95/300) = 1.3 %; three of them. The naive p-value is
-// the same where heights are independent.
+// The rate's own error at 5 % over 300 fields is √(0.05·0.95/300) = 1.3 %; three of them. The naive p-value
+// is the same where heights are independent.
 TEST_CASE(
     "Gaussian fields of short and of long correlation are rejected at the stated rate, by the naive "
     "p-value far more often",

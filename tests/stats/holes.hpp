@@ -7,7 +7,8 @@ namespace asperity::test {
 
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A hole of a fifth of the field that reaches its edge, and a share of single points; the first point is missing too.
+/// A hole of a fifth of the field that reaches its edge, and a share of single points; the first point is
+/// missing too.
 inline Field with_holes(Field z, double share, unsigned seed) {
   z.block(z.rows() / 3, 0, z.rows() / 3, z.cols() / 2).setConstant(none);
   const Field chance = random_field(shape_of(z), seed);

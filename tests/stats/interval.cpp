@@ -83,9 +83,9 @@ TEST_CASE("an interval is in order about its estimate, or there is none and it s
     CHECK((!unknown.known() && unknown.why.empty()));
 }
 
-// Between a straight line where ρ ≤ 0 and ln ρ where it was above half the level, a higher ρ had a shorter length by up to
-// an eighth of a sample; and the correlation between two lags leapt where one of them fell through zero. Intervals of
-// noise were therefore reversed, as [2.624, 2.600] µm.
+// Between a straight line where ρ ≤ 0 and ln ρ where it was above half the level, a higher ρ had a shorter
+// length by up to an eighth of a sample; and the correlation between two lags leapt where one of them fell
+// through zero. Intervals of noise were therefore reversed, as [2.624, 2.600] µm.
 TEST_CASE("a correlation that is nowhere lower has no shorter length, in any direction",
           "[acf-length][law]") {
   double former = 0;
@@ -134,9 +134,9 @@ TEST_CASE("the length of an exponential of 1.3 samples is exact, wherever it lie
   }
 }
 
-// Kurtosis is low by 6 S_2/N and Sq by S_1/(2N), which was put back past the estimate where few heights are independent;
-// lengths were reversed, or all to one side, where ρ is noise; and that of the slowest decay was that of a ray, not of the
-// lobe.
+// Kurtosis is low by 6 S_2/N and Sq by S_1/(2N), which was put back past the estimate where few heights are
+// independent; lengths were reversed, or all to one side, where ρ is noise; and that of the slowest decay was
+// that of a ray, not of the lobe.
 TEST_CASE("intervals of every surface hold what was measured, or there is none", "[interval][law]") {
   for (const Surface& s : surfaces()) {
     CAPTURE(s.name, s.grid.shape.nx, s.grid.shape.ny);
@@ -173,8 +173,8 @@ TEST_CASE("grooves have errors of slopes across them and none along them", "[der
   }
 }
 
-// Lags of a whole number of periods are as evident as lag zero, which came after them and was then left out: "R(0,0) is
-// not positive".
+// Lags of a whole number of periods are as evident as lag zero, which came after them and was then left out:
+// "R(0,0) is not positive".
 TEST_CASE("lag zero of a periodic wave is admitted before lags of whole periods", "[effective-size][law]") {
   const Grid g = grid(64, 64, true);
   const LagField acf = estimate_autocorrelation(sine(g.shape, 1, 4), g, {.max_lag = default_max_lag(g)});

@@ -25,8 +25,8 @@ double direct_sum(const Field& z, double t, double h) {
 
 }  // namespace
 
-// The series' remainder, 2e-14 of the largest value, and the roundings of 1517 summands and of heights on an offset,
-// which the kernel's steepest slope of 0.6 per bandwidth passes on.
+// The series' remainder, 2e-14 of the largest value, and the roundings of 1517 summands and of heights on an
+// offset, which the kernel's steepest slope of 0.6 per bandwidth passes on.
 TEST_CASE("the density is the direct sum over all heights, narrow and wide, on an offset, points missing",
           "[kernel-density][exact]") {
   const Grid g = grid(37, 41);
@@ -48,8 +48,8 @@ TEST_CASE("the density is the direct sum over all heights, narrow and wide, on a
     }
 }
 
-// The kernel's tails beyond three bandwidths hold 2.7e-3 of the outermost heights only; the trapezoidal rule of a sum
-// of Gaussians at steps below a bandwidth errs by exp(-2π²).
+// The kernel's tails beyond three bandwidths hold 2.7e-3 of the outermost heights only; the trapezoidal rule
+// of a sum of Gaussians at steps below a bandwidth errs by exp(-2π²).
 TEST_CASE("the density adds up to one", "[kernel-density][law]") {
   const Grid g = grid(60, 50);
   const auto curve = kernel_density(white_noise(g.shape, 32), {.sq = 1}, independent(g), 0.2, 200);
@@ -77,7 +77,8 @@ TEST_CASE("independent heights give the kernel's own variance, less what a fitte
   }
 }
 
-// 300 fields: each mean square is 1 with a spread of √(2/300) = 8 %, four of them; fitted, terms of second order.
+// 300 fields: each mean square is 1 with a spread of √(2/300) = 8 %, four of them; fitted, terms of second
+// order.
 TEST_CASE("a correlated Gaussian field strays from its density by one error at each height, fitted or known",
           "[kernel-density][statistics]") {
   const Shape window{6, 5};

@@ -17,8 +17,9 @@ LagField exponential(Index reach, double length) {
 
 }  // namespace
 
-// At the ends λ, ρ'(λ) ± 1.96 SE(λ) is the level, SE there between those of the lags beside λ, which at 6 samples differ
-// by 5 %; and as the field is large, the lags' weights change SE by less: 0.05 · 1.96 · 0.012 = 0.0012 of the level.
+// At the ends λ, ρ'(λ) ± 1.96 SE(λ) is the level, SE there between those of the lags beside λ, which at 6
+// samples differ by 5 %; and as the field is large, the lags' weights change SE by less: 0.05 · 1.96 · 0.012
+// = 0.0012 of the level.
 TEST_CASE("the interval of a length ends where the correlation is 1.96 of its errors there from the level",
           "[length-interval][exact]") {
   const double length = 6, level = 0.3;

@@ -50,7 +50,8 @@ double off(double value, Long exact) { return static_cast<double>(std::abs((valu
 
 }  // namespace
 
-// 1e-12 is asked; what the sums' roundings amount to, ε (nx + ny) times the condition of the third moment, is 1e-13.
+// 1e-12 is asked; what the sums' roundings amount to, ε (nx + ny) times the condition of the third moment, is
+// 1e-13.
 TEST_CASE("moments of a measured surface are those of long double to 1e-12", "[measured][exact]") {
   const Map map("afm-64x64.nc");
   const Long mean = map.mean(), n = static_cast<Long>(map.z.size());

@@ -90,8 +90,8 @@ TEST_CASE("with holes the sums S_k are those over all pairs of points, over thei
   }
 }
 
-// 400 fields: a spread is known to 3.5 %, that of the skewed sums near lag zero to twice that; the weights of the
-// mask are an upper bound, and the mask's holes a fifth of the field: 20 % as for a complete field.
+// 400 fields: a spread is known to 3.5 %, that of the skewed sums near lag zero to twice that; the weights of
+// the mask are an upper bound, and the mask's holes a fifth of the field: 20 % as for a complete field.
 TEST_CASE("over an ensemble with holes Bartlett's errors of the ACF and those of the moments hold",
           "[missing][statistics]") {
   const Shape window{4, 3};
@@ -137,8 +137,9 @@ TEST_CASE("the PSD of a field with holes adds up to its Sq squared", "[missing][
   CHECK(relative_error(sum / (g.size_x() * g.size_y()), sq * sq) <= 1e-13);
 }
 
-// 300 masks of a wave of amplitude √2, Sq = 1, whose C is N ΔxΔy/2 at ±q and nothing elsewhere. The floor is a mean
-// over 300 × 700 wave numbers, of which half are independent: 4 standard errors are 1.2 %, the mean taken off 0.3 %.
+// 300 masks of a wave of amplitude √2, Sq = 1, whose C is N ΔxΔy/2 at ±q and nothing elsewhere. The floor is
+// a mean over 300 × 700 wave numbers, of which half are independent: 4 standard errors are 1.2 %, the mean
+// taken off 0.3 %.
 TEST_CASE("holes here and there, a share g, lay a floor of g Sq^2 dx dy below the PSD",
           "[missing][statistics]") {
   const Grid g{{32, 24}, 0.5, 0.25, true};

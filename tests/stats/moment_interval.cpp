@@ -64,9 +64,9 @@ TEST_CASE("independent heights have Fisher's intervals", "[moment-interval][exac
                        2 * 1.959964 * std::sqrt(24 * 40.0 * 38 * 37 / (41.0 * 41 * 43 * 45))) <= 1e-6);
 }
 
-// 1500 fields of 4 × 4 correlation lengths know their deviation to 1/√3000 = 1.8 %, four of which are allowed, and 4 % for
-// the third order. To first order, and as of independent heights, the variance would be 6/ν_3 and 0.92 of that: the
-// deviation too large by 22 and 17 %.
+// 1500 fields of 4 × 4 correlation lengths know their deviation to 1/√3000 = 1.8 %, four of which are
+// allowed, and 4 % for the third order. To first order, and as of independent heights, the variance would be
+// 6/ν_3 and 0.92 of that: the deviation too large by 22 and 17 %.
 TEST_CASE("the skewness of few patches varies as the second order says, not the first",
           "[moment-interval][statistics]") {
   const EffectiveSampleSize size(triangular_correlation({16, 16}), grid(64, 64));
@@ -76,7 +76,8 @@ TEST_CASE("the skewness of few patches varies as the second order says, not the 
   CHECK(std::abs(i.high / 1.959964 / ssk.deviation() - 1) <= 4 * 0.018 + 0.04);
 }
 
-// Wilson and Hilferty's cube root against the chi-squared's own quantiles: 0.05 ν^{-3/2} of them, half of it of a root.
+// Wilson and Hilferty's cube root against the chi-squared's own quantiles: 0.05 ν^{-3/2} of them, half of it
+// of a root.
 TEST_CASE("at ten thousand independent heights the interval of Sq goes on as it was",
           "[moment-interval][exact]") {
   const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(100, 100));

@@ -69,8 +69,8 @@ double most_of(double n, double p) { return n * p + 3 * std::sqrt(n * p * (1 - p
 
 }  // namespace
 
-// Six factors of round-off: of three transforms, and of the terms of (1), whose magnitudes add up to less than ten times
-// the sum.
+// Six factors of round-off: of three transforms, and of the terms of (1), whose magnitudes add up to less
+// than ten times the sum.
 TEST_CASE("the mean over the triples of a field is the trace of its covariance cubed",
           "[correlation-algebra][exact]") {
   for (const Shape shape : narrow_shapes)
@@ -82,8 +82,8 @@ TEST_CASE("the mean over the triples of a field is the trace of its covariance c
     }
 }
 
-// Odd periods: at half an even one an oblique correlation has two values. Lags beyond half a period once counted again in S_k,
-// and took the place of shorter ones in the triples.
+// Odd periods: at half an even one an oblique correlation has two values. Lags beyond half a period once
+// counted again in S_k, and took the place of shorter ones in the triples.
 TEST_CASE("of a periodic field each lag counts once, however long the correlation",
           "[pairs][correlation-algebra][exact]") {
   for (const Shape shape : {Shape{1, 1}, {1, 9}, {7, 1}, {3, 7}, {9, 7}, {25, 3}})
@@ -97,7 +97,8 @@ TEST_CASE("of a periodic field each lag counts once, however long the correlatio
     }
 }
 
-// Lags that the field does not have once counted: 7.5 in place of 1.9 of a row, of a correlation of four points.
+// Lags that the field does not have once counted: 7.5 in place of 1.9 of a row, of a correlation of four
+// points.
 TEST_CASE("a tapered correlation has the pairs of its field, and its triples within a tenth along each side",
           "[pairs][exact]") {
   for (const Shape shape : narrow_shapes)
@@ -113,8 +114,8 @@ TEST_CASE("a tapered correlation has the pairs of its field, and its triples wit
     }
 }
 
-// Of one row Bartlett's sums are those of the row. They were those of the plane, in which the lags of an oblique
-// correlation err otherwise.
+// Of one row Bartlett's sums are those of the row. They were those of the plane, in which the lags of an
+// oblique correlation err otherwise.
 TEST_CASE("the errors of two lags of a row are correlated as those of a profile", "[acf-error][law]") {
   const Grid row = grid(1, 400);
   const LagField plane = oblique(), profile(plane.half_plane().topRows(1));
@@ -124,9 +125,9 @@ TEST_CASE("the errors of two lags of a row are correlated as those of a profile"
   CHECK((found - expected).cwiseAbs().maxCoeff() <= 1e-13);
 }
 
-// 1 × 512 of a correlation of 17 points was refused in every case, at p = 5e-4 for 0.56 standard errors. Each claim's p-values
-// stray from the even distribution by sampling, at the most 1.95/√200 = 0.138 with probability 0.999, and by what the
-// laws of few patches are worth, up to 0.05 (Sku).
+// 1 × 512 of a correlation of 17 points was refused in every case, at p = 5e-4 for 0.56 standard errors. Each
+// claim's p-values stray from the even distribution by sampling, at the most 1.95/√200 = 0.138 with
+// probability 0.999, and by what the laws of few patches are worth, up to 0.05 (Sku).
 TEST_CASE("narrow surfaces are refused at the stated rate, and the p-values of each claim are even",
           "[prescription][statistics]") {
   constexpr int seeds = 200;
@@ -152,7 +153,8 @@ TEST_CASE("narrow surfaces are refused at the stated rate, and the p-values of e
   }
 }
 
-// Of 26 to 64 patches Student's t of three to six degrees makes p-values larger than even, and false alarms rarer.
+// Of 26 to 64 patches Student's t of three to six degrees makes p-values larger than even, and false alarms
+// rarer.
 TEST_CASE(
     "rows of few patches are refused no more often than stated, and those of another height are refused",
     "[prescription][statistics]") {
@@ -173,8 +175,8 @@ TEST_CASE(
   }
 }
 
-// Of fewer than a degree the cube root of the gamma law fails: below 2/9 the least deviation of all had the largest score, and
-// a kurtosis of 1, which no lower one is, the p-value of a high one.
+// Of fewer than a degree the cube root of the gamma law fails: below 2/9 the least deviation of all had the
+// largest score, and a kurtosis of 1, which no lower one is, the p-value of a high one.
 TEST_CASE("the farther a figure lies to one side, the less its p-value, however skewed its law",
           "[prescription][law]") {
   const Grid square = grid(48, 48);
@@ -203,8 +205,8 @@ TEST_CASE("a field worth less than five independent points is refused by theory"
   }
 }
 
-// 95 % of 400 fields, three standard errors of 1.1 % each way; of an estimated correlation 92.7 to 97.2 % are stated from
-// N/S_2 = 41 on, here 187 and 239.
+// 95 % of 400 fields, three standard errors of 1.1 % each way; of an estimated correlation 92.7 to 97.2 % are
+// stated from N/S_2 = 41 on, here 187 and 239.
 TEST_CASE("intervals of the moments of rows cover what they are of", "[moment-interval][statistics]") {
   constexpr int fields = 400;
   const Shape window{4, 4};

@@ -22,8 +22,9 @@ Eigen::ArrayXd wave(int points, int periods, double amplitude, double phase = 0.
 
 }  // namespace
 
-// The midpoint sum of sin over half a period of M points is 1/(M sin(π/2M)) = (2/π)(1 + (π/2M)²/6 + …); with 2·odd
-// points a period the crests fall on points. Between upward crossings a period stays a period, to round-off.
+// The midpoint sum of sin over half a period of M points is 1/(M sin(π/2M)) = (2/π)(1 + (π/2M)²/6 + …); with
+// 2·odd points a period the crests fall on points. Between upward crossings a period stays a period, to
+// round-off.
 TEST_CASE(
     "a sine of amplitude A has Ra = 2A/pi, Rq = A/sqrt(2), Rz = Rt = 2A, Rsk = 0, Rku = 3/2 and RSm its "
     "wavelength",
@@ -63,8 +64,8 @@ TEST_CASE("Rdq of a sine is its slope times (45 sin u - 9 sin 2u + sin 3u)/(30u)
   CHECK(relative_error(profile_parameters(ramp, 2, whole, false)[profile_dq], 0.15) <= 1e-13);
 }
 
-// Sections of 20 points of which the k-th has the peak k and the valley -2k: means over five of them; the remainder of
-// 7 points, with a peak of 100, belongs to none, but to Rt. The balance keeps the mean at zero.
+// Sections of 20 points of which the k-th has the peak k and the valley -2k: means over five of them; the
+// remainder of 7 points, with a peak of 100, belongs to none, but to Rt. The balance keeps the mean at zero.
 TEST_CASE("Rp, Rv and Rz are means over whole sections, Rt is that of the whole profile",
           "[profile][exact]") {
   Eigen::ArrayXd z = Eigen::ArrayXd::Zero(107);
@@ -119,10 +120,10 @@ TEST_CASE("averages are over the profiles along one axis, and do not change when
   CHECK_THROWS_AS(average_profiles(z, grid(60, 7), Axis1D::x, 61, rho), ParameterError);
 }
 
-// 300 fields of 60 profiles each, of which some 15 are independent: the spread of a mean is known to 1/√600 = 4 %, a
-// field's standard error to 1/√30 = 18 %, their mean over fields to 1 %; the error's own formula to first order in
-// c/m = 7 %, from an estimated correlation to 15 %. Four of the first. Extremes and spacings are less correlated than
-// k = 2 says: their errors are no less than what they stray by.
+// 300 fields of 60 profiles each, of which some 15 are independent: the spread of a mean is known to 1/√600 =
+// 4 %, a field's standard error to 1/√30 = 18 %, their mean over fields to 1 %; the error's own formula to
+// first order in c/m = 7 %, from an estimated correlation to 15 %. Four of the first. Extremes and spacings
+// are less correlated than k = 2 says: their errors are no less than what they stray by.
 TEST_CASE(
     "a mean over profiles strays over an ensemble by its standard error, which single profiles would halve",
     "[profile][statistics]") {

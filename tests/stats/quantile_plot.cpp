@@ -44,7 +44,8 @@ TEST_CASE("independent heights stray by Bahadur's error, less what a fitted mean
   }
 }
 
-// 500 fields: each mean square is 1 with a spread of √(2/500) = 6.3 %, four of them, and 10 % of second order.
+// 500 fields: each mean square is 1 with a spread of √(2/500) = 6.3 %, four of them, and 10 % of second
+// order.
 TEST_CASE("a correlated Gaussian field strays from its line by one error at each quantile",
           "[quantile-plot][statistics]") {
   const Shape window{4, 4};

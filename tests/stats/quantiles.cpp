@@ -26,7 +26,8 @@ constexpr double inf = std::numeric_limits<double>::infinity(),
 
 }  // namespace
 
-// The χ² and t quantiles of degrees that are no number ended the program of whoever used the library: a flat surface has 0/0.
+// The χ² and t quantiles of degrees that are no number ended the program of whoever used the library: a flat
+// surface has 0/0.
 TEST_CASE("no argument of a quantile reaches GSL's error handler", "[quantiles][contract]") {
   const Counted handler;
   const double degrees[] = {no_number, -inf, -1,  0,   1e-300, 1e-7, 1e-5,  0.005,

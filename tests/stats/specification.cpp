@@ -35,8 +35,8 @@ double rejected(const Specification& asked, Shape drawn, int surfaces, int ensem
 
 }  // namespace
 
-// The convolution of two triangles at 0, Σ (1 - |k|/w)² = (2w² + 1)/(3w); three of them, by the sum itself. Over a period
-// nothing is tapered.
+// The convolution of two triangles at 0, Σ (1 - |k|/w)² = (2w² + 1)/(3w); three of them, by the sum itself.
+// Over a period nothing is tapered.
 TEST_CASE("convolutions and third cumulants are the sums over the correlation",
           "[prescription][correlation-algebra][exact]") {
   const LagField rho = triangular_correlation({4, 3});
@@ -72,7 +72,8 @@ TEST_CASE("Gaussian surfaces of the prescribed correlation are refused no more o
   CHECK(four <= 0.05 + 3 * std::sqrt(0.05 * 0.95 / 100));
 }
 
-// 16 surfaces, N/S_2 = 1100: Sq's error is 0.5 %, that of ρ 0.7 %, of Ssk below 3 %; each fault is eight of them.
+// 16 surfaces, N/S_2 = 1100: Sq's error is 0.5 %, that of ρ 0.7 %, of Ssk below 3 %; each fault is eight of
+// them.
 TEST_CASE("an ensemble of another height, correlation or distribution is refused",
           "[prescription][statistics]") {
   CHECK(rejected(prescription({4, 3}, 1.05), {4, 3}, 16, 5) == 1);
@@ -80,7 +81,8 @@ TEST_CASE("an ensemble of another height, correlation or distribution is refused
   CHECK(rejected(prescription({4, 3}), {4, 3}, 16, 5, true) == 1);
 }
 
-// A hole of a sixth of the field, and 20 % of the points, other ones of each surface. Three errors √(0.05·0.95/200).
+// A hole of a sixth of the field, and 20 % of the points, other ones of each surface. Three errors
+// √(0.05·0.95/200).
 TEST_CASE("surfaces with missing points are refused no more often than stated, and other heights or ACFs are",
           "[prescription][statistics]") {
   const double bound = 0.05 + 3 * std::sqrt(0.05 * 0.95 / 200);
@@ -93,7 +95,8 @@ TEST_CASE("surfaces with missing points are refused no more often than stated, a
   CHECK(rejected(prescription({4, 3}), {5, 3}, 16, 5, false, 0.2) == 1);
 }
 
-// Of n independent heights about their own mean S_2/N is 1/(n - 1), as of a sample variance, and S_3/N (n - 2)/(n - 1)².
+// Of n independent heights about their own mean S_2/N is 1/(n - 1), as of a sample variance, and S_3/N (n -
+// 2)/(n - 1)².
 TEST_CASE("the standard errors of a mean are those of the points that each surface has",
           "[prescription][exact]") {
   SpecificationTest test(prescription({1, 1}), grid(40, 30));

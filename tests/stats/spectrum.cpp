@@ -187,8 +187,8 @@ TEST_CASE("the texture direction of a wave is the direction that it runs in", "[
   }
 }
 
-// A map in nm is in metres what it is in mm but for a rounding of its spacing: the largest wave numbers, which lie on the
-// bound of those that count, counted or did not, and the direction turned by 65°.
+// A map in nm is in metres what it is in mm but for a rounding of its spacing: the largest wave numbers,
+// which lie on the bound of those that count, counted or did not, and the direction turned by 65°.
 TEST_CASE("the texture direction does not turn by a rounding of the spacing", "[texture-direction][law]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Grid g = grid(16, 20);

@@ -196,8 +196,9 @@ TEST_CASE("what rests on the order of heights is that of the whole field where r
     CHECK(fits[t].statistic == Approx(fits_of_whole[t].statistic).epsilon(1e-11));
 }
 
-// Each height strays by less than the range of its run; a volume by their mean, and by c(p)'s twice. In least squares
-// over 0.4 the slope strays by 3 δ/0.4, drawn out to the whole Sk by 7.5 δ. The others as the header says.
+// Each height strays by less than the range of its run; a volume by their mean, and by c(p)'s twice. In least
+// squares over 0.4 the slope strays by 3 δ/0.4, drawn out to the whole Sk by 7.5 δ. The others as the header
+// says.
 TEST_CASE(
     "with many heights a run the curve and the tests stray less than the runs are wide, and Sk by 7.5 of it",
     "[strips][exact]") {

@@ -97,7 +97,8 @@ TEST_CASE("a plane is taken off with --level plane and the mean is reported eith
         1e-17);
 }
 
-// x² + y² over 3 mm and 16 periods of a wave: what the form and the filters leave has the wave's rms height alone.
+// x² + y² over 3 mm and 16 periods of a wave: what the form and the filters leave has the wave's rms height
+// alone.
 TEST_CASE(
     "a form of --level 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
     "[stats-tool][law]") {
@@ -148,7 +149,8 @@ TEST_CASE("a smooth field, an absent variable and lags beyond the field are refu
   CHECK((far.exit == 2 && far.error.find("--max-lag") != std::string::npos));
 }
 
-// A patch and single points masked: every tool counts what is there. Sq within four standard errors, as without.
+// A patch and single points masked: every tool counts what is there. Sq within four standard errors, as
+// without.
 TEST_CASE("the statistics tools leave masked points out, and a mask of nothing changes no byte",
           "[stats-tool][law][slow]") {
   Dataset data = drawn_surface();
@@ -191,8 +193,8 @@ TEST_CASE("the statistics tools leave masked points out, and a mask of nothing c
   CHECK(counts == 96 * 80 - missing);
 }
 
-// Profiles along x of a moving average over 8 × 5: as wide as Sq but for their own means, S_1 of the triangle over 96
-// points, 8 %. Some 16 of 80 profiles are independent.
+// Profiles along x of a moving average over 8 × 5: as wide as Sq but for their own means, S_1 of the triangle
+// over 96 points, 8 %. Some 16 of 80 profiles are independent.
 TEST_CASE(
     "asperity-stats --profile prints P names, R names after --lambda-c, and refuses areal options beside",
     "[stats-tool][contract]") {
@@ -215,8 +217,9 @@ TEST_CASE(
   CHECK(run_on_surface("asperity-stats drawn.nc --profile z").exit == 2);
 }
 
-// 96 × 80 heights are 61 kB, more than an eighth of 200 kB: strips of 31 rows. Order of the sums apart the same; the
-// median, near zero, and the form's sums pass on more of it, and A², what is left of 7680 terms of size 1.
+// 96 × 80 heights are 61 kB, more than an eighth of 200 kB: strips of 31 rows. Order of the sums apart the
+// same; the median, near zero, and the form's sums pass on more of it, and A², what is left of 7680 terms of
+// size 1.
 TEST_CASE(
     "asperity-stats in strips answers as on the whole field, from a file and from redirected standard input",
     "[stats-tool][law][slow]") {
@@ -249,8 +252,8 @@ TEST_CASE(
   CHECK(shell("cat drawn.nc | asperity-stats --memory 200kB").error.empty());
 }
 
-// 200 kB hold 31 rows and 65 columns. A form's sums have another order; of missing points only the pairs in strips
-// are counted for the profiles that are independent.
+// 200 kB hold 31 rows and 65 columns. A form's sums have another order; of missing points only the pairs in
+// strips are counted for the profiles that are independent.
 TEST_CASE("asperity-stats --profile in strips of rows or columns answers as on the whole field",
           "[stats-tool][law]") {
   Dataset data = drawn_surface();

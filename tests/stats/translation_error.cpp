@@ -37,8 +37,9 @@ TEST_CASE("independent heights have the textbook's error of Sq, by their kurtosi
   }
 }
 
-// 300 fields of N_eff = 1100 tell a spread to 4.1 % of it (more for Sku, whose own kurtosis is large: 8 %); the errors
-// are of the first order in 1/N_eff, a few per cent here. The Gaussian's errors are wrong by factors.
+// 300 fields of N_eff = 1100 tell a spread to 4.1 % of it (more for Sku, whose own kurtosis is large: 8 %);
+// the errors are of the first order in 1/N_eff, a few per cent here. The Gaussian's errors are wrong by
+// factors.
 TEST_CASE(
     "the spread of the moments of skewed fields is that predicted, which a Gaussian's errors miss by a "
     "factor",
@@ -93,8 +94,8 @@ TEST_CASE("heights are taken for Gaussian until four standard errors speak again
   CHECK(evident_translation({.ssk = 200, .sku = 5e4}, gaussian));
 }
 
-// Of the Gaussian law the intervals differ in what Fisher's variances add in the second order, 10/N of the width. N is not 10⁴,
-// where the quantiles of χ² pass from one formula to another, 2e-8 apart.
+// Of the Gaussian law the intervals differ in what Fisher's variances add in the second order, 10/N of the
+// width. N is not 10⁴, where the quantiles of χ² pass from one formula to another, 2e-8 apart.
 TEST_CASE("an interval of a translation that is none is that of a Gaussian field",
           "[translation-error][exact]") {
   const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(110, 100));

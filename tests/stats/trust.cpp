@@ -84,8 +84,8 @@ TEST_CASE("the tools' tables hold no interval without its value, and no sign of 
   }
 }
 
-// exp(-r²/L²) sums to S_2 = π L²/2: of 48² points 1466.8/L² independent ones, 1.6 for 30 samples (the sum is cut at half
-// the period), 9.9 for 12.2 and 58 for 5.
+// exp(-r²/L²) sums to S_2 = π L²/2: of 48² points 1466.8/L² independent ones, 1.6 for 30 samples (the sum is
+// cut at half the period), 9.9 for 12.2 and 58 for 5.
 TEST_CASE("few independent heights are told in one warning, and so few that errors mean nothing have none",
           "[stats-tool][contract]") {
   write_dataset(drawn(30), "one.nc");
@@ -120,7 +120,8 @@ TEST_CASE("few independent heights are told in one warning, and so few that erro
   CHECK_THAT(shell("asperity-validate one.nc").error, ContainsSubstring("N_eff = "));
 }
 
-// All of --parameters was refused, exit status 4, for a surface without slopes in one direction, or too small for them.
+// All of --parameters was refused, exit status 4, for a surface without slopes in one direction, or too small
+// for them.
 TEST_CASE("a group that cannot be had leaves the others, and is refused where it alone was asked for",
           "[stats-tool][contract]") {
   write_dataset(surface(square, moving_average({64, 1}, {4, 1}, 4).replicate(1, 64) * 1e-6), "grooves.nc");
@@ -192,8 +193,8 @@ TEST_CASE("angles beyond a turn, repeated words and more bins than points are re
   refused("asperity-pdf drawn.nc --estimate kernel --bandwidth 1e9", 2, "the range of heights");
 }
 
-// White noise has a length of less than a sample, whatever it is, and a correlation of 30 of 40 samples none that a field
-// could tell.
+// White noise has a length of less than a sample, whatever it is, and a correlation of 30 of 40 samples none
+// that a field could tell.
 TEST_CASE("lengths below a sample and beyond half the field are said to be neither", "[acf-tool][contract]") {
   write_dataset(surface(square, 1e-6 * white_noise(square.shape, 3)), "noise.nc");
   for (const char* command :

@@ -19,8 +19,8 @@ double chi_squared_exceedance(double x, int degrees) {
 
 }  // namespace
 
-// The rule's error, 4e-17 of the integrand, and the round-off of a hundred nodes, each of a K and an x s up to
-// 100: 100 · 100 ε = 2e-12. 1e-10 is what the header says.
+// The rule's error, 4e-17 of the integrand, and the round-off of a hundred nodes, each of a K and an x s up
+// to 100: 100 · 100 ε = 2e-12. 1e-10 is what the header says.
 TEST_CASE("equal weights give the chi-squared law of as many degrees", "[weighted-chi-squared][exact]") {
   for (int degrees : {1, 2, 4, 12, 60})
     for (double weight : {1.0, 3e-7})
@@ -48,9 +48,9 @@ TEST_CASE("pairs of weights give the closed mixture of exponentials", "[weighted
   }
 }
 
-// A² of a known Gaussian has the weights 1/(j(j+1)); its quantiles at 10 %, 5 % and 1 % are 1.932958, 2.492367
-// and 3.878125 (Marsaglia and Marsaglia, J. Stat. Softw. 9 (2004) 2). The weights beyond 400 are worth their mean,
-// 1/401, and a variance of 2/(3·401³), 1e-8.
+// A² of a known Gaussian has the weights 1/(j(j+1)); its quantiles at 10 %, 5 % and 1 % are 1.932958,
+// 2.492367 and 3.878125 (Marsaglia and Marsaglia, J. Stat. Softw. 9 (2004) 2). The weights beyond 400 are
+// worth their mean, 1/401, and a variance of 2/(3·401³), 1e-8.
 TEST_CASE("the weights 1/j(j+1) give the quantiles of Anderson and Darling",
           "[weighted-chi-squared][exact]") {
   const Eigen::ArrayXd weights = Eigen::ArrayXd::NullaryExpr(

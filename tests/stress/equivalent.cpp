@@ -72,8 +72,8 @@ Errors errors(const Tensor& s) {
 
 }  // namespace
 
-// The splits of a pair, from none to wide, that a closed form for all three roots would answer to √ε = 1e-8 only;
-// above the pair and below it, alone and under a pressure a thousand times as large.
+// The splits of a pair, from none to wide, that a closed form for all three roots would answer to √ε = 1e-8
+// only; above the pair and below it, alone and under a pressure a thousand times as large.
 TEST_CASE("principal stresses are exact to 8 epsilon however close they lie, their residuals to 16",
           "[principal][exact]") {
   const Field angles = random_field({40, 3}, 51);
@@ -148,7 +148,8 @@ TEST_CASE("principal directions point into the body, and along the axes where th
   }
 }
 
-// On the axis xx = yy: the largest shear is half of |xx - zz|, at 45°; its maximum 0.3100 p0 lies 0.4809 a deep.
+// On the axis xx = yy: the largest shear is half of |xx - zz|, at 45°; its maximum 0.3100 p0 lies 0.4809 a
+// deep.
 TEST_CASE("below a Hertz contact the largest shear stress is 0.310 of its pressure", "[principal][exact]") {
   const Tensor s = hertz_stress(0, 0, 0.480864, 0.3);
   CHECK(max_shear_stress(s) == Approx(0.5 * 0.620041004).epsilon(1e-8));

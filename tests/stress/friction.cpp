@@ -104,7 +104,8 @@ TEST_CASE("at the surface the layer holds the pressure and the traction", "[fric
   }
 }
 
-// One loaded cell: by reciprocity the sum over the layer is the stress in the middle of a wholly loaded domain.
+// One loaded cell: by reciprocity the sum over the layer is the stress in the middle of a wholly loaded
+// domain.
 TEST_CASE("a layer carries the tangential force, less what passes beside the domain", "[friction][exact]") {
   const Grid grid{{33, 21}, 0.2, 0.3};
   Field p = Field::Zero(33, 21);
@@ -118,8 +119,8 @@ TEST_CASE("a layer carries the tangential force, less what passes beside the dom
   }
 }
 
-// Of a wave along n, the traction's part along n strains the plane (n, z), that across it, t, shears in planes t
-// alone: with e = exp(-qz) and φ = q n,
+// Of a wave along n, the traction's part along n strains the plane (n, z), that across it, t, shears in
+// planes t alone: with e = exp(-qz) and φ = q n,
 //     σnn = -(2-qz) e sin φ, σzz = -qz e sin φ, σnz = -(1-qz) e cos φ, σtt = ν (σnn + σzz);
 //     σtz = -e cos φ, σtn = -e sin φ.
 TEST_CASE("below a periodic traction the stress is plane strain and antiplane shear", "[friction][exact]") {

@@ -60,8 +60,8 @@ TEST_CASE("on the surface Huber's field is the pressure, hydrostatic-like inside
     CHECK(hertz_stress(0, r, 0, nu)[stress::zz] == Approx(-std::sqrt(1 - r * r)).epsilon(64 * epsilon));
 }
 
-// Cancellation of terms of the order of one, twice: 64 ε. At r = 1 itself, and at a depth of ε² of it, R loses half
-// its digits.
+// Cancellation of terms of the order of one, twice: 64 ε. At r = 1 itself, and at a depth of ε² of it, R
+// loses half its digits.
 TEST_CASE("on the surface of a sliding Hertz contact the stress is linear in x and y", "[hertz][exact]") {
   constexpr double pi = std::numbers::pi;
   for (double nu : {-0.9, 0.0, 0.3, 0.5})
@@ -95,7 +95,8 @@ TEST_CASE("on the surface outside a sliding contact nothing acts", "[hertz][exac
   }
 }
 
-// σ_vM is flat at its maximum: places are given to 5e-5, of which it keeps (5e-5)² times its curvature, about 2.
+// σ_vM is flat at its maximum: places are given to 5e-5, of which it keeps (5e-5)² times its curvature, about
+// 2.
 TEST_CASE("friction raises the largest von Mises stress of a Hertz contact and moves it forward and up",
           "[hertz][exact]") {
   struct Row {

@@ -31,7 +31,8 @@ double difference(const Tensor& s, const LongTensor& t) {
 
 }  // namespace
 
-// Four corners of terms up to 2 asinh(2·50), each rounded a few times: 4 · 10 · 2ε / 2π = 1.4e-15 at the worst.
+// Four corners of terms up to 2 asinh(2·50), each rounded a few times: 4 · 10 · 2ε / 2π = 1.4e-15 at the
+// worst.
 TEST_CASE("the stress below a rectangle is the integral of point loads, from squares to strips of 50 to 1",
           "[influence][exact]") {
   const Field points = random_field({60, 5}, 11);
@@ -193,8 +194,8 @@ TEST_CASE("below a point load the normal stress is -3/(2 pi z^2)", "[influence][
           Approx(-3 / (18 * std::numbers::pi)).epsilon(4 * epsilon));
 }
 
-// 16 × 16 points over the rectangle, of which a half side is at most a third of the distance: they converge as
-// (3 + √8)^-32 = 1e-24. Nothing cancels; the sum of 256 terms leaves less than 1e-14.
+// 16 × 16 points over the rectangle, of which a half side is at most a third of the distance: they converge
+// as (3 + √8)^-32 = 1e-24. Nothing cancels; the sum of 256 terms leaves less than 1e-14.
 TEST_CASE("at any distance the stress under a rectangle keeps twelve digits of its largest component",
           "[influence][exact]") {
   static const auto rule = gauss_legendre(16);

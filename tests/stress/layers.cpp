@@ -212,7 +212,8 @@ TEST_CASE("layers do not depend on the number of threads or on their order, to t
   for (std::size_t l = 0; l < depths.size(); ++l) CHECK((one[l] == three[l]).all());
 }
 
-// Seen is a quarter of the claim of stress/resolution.hpp: 5e-7 of the largest pressure at z = 5 s Δ, 1e-7 below.
+// Seen is a quarter of the claim of stress/resolution.hpp: 5e-7 of the largest pressure at z = 5 s Δ, 1e-7
+// below.
 TEST_CASE("deep layers from wider cells are those of the cells within 2e-6 of the largest pressure",
           "[layers][order]") {
   for (const Grid& grid :
@@ -228,8 +229,8 @@ TEST_CASE("deep layers from wider cells are those of the cells within 2e-6 of th
   }
 }
 
-// The wave of the highest mode that wide cells hold is the hardest: it fades by (1 + 5π) exp(-5π) = 2.5e-6 of its
-// amplitude, half the largest pressure; in x and y together by 1e-8.
+// The wave of the highest mode that wide cells hold is the hardest: it fades by (1 + 5π) exp(-5π) = 2.5e-6 of
+// its amplitude, half the largest pressure; in x and y together by 1e-8.
 TEST_CASE("a pressure in waves as long as two wide cells keeps to 2e-6 of its largest value",
           "[layers][order]") {
   const Grid grid{{96, 96}, 1, 1};
@@ -262,7 +263,8 @@ TEST_CASE("under friction deep layers keep to 2e-6 of the largest pressure too",
   for (double z : {10.0, 20.0, 35.0, 100.0}) CHECK(difference(layer(full, z), layer(adapted, z)) <= 2e-6);
 }
 
-// The modes left out are below 17 exp(-5π) = 2.5e-6 each at z = 5 s; a random pressure has hardly any of them.
+// The modes left out are below 17 exp(-5π) = 2.5e-6 each at z = 5 s; a random pressure has hardly any of
+// them.
 TEST_CASE("deep layers of a periodic pressure need fewer modes", "[layers][order]") {
   for (Shape shape : {Shape{128, 128}, Shape{96, 72}}) {
     const Grid grid{shape, 1, 1, true};

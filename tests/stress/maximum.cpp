@@ -56,8 +56,8 @@ TEST_CASE("the maximum of a Hertz contact is found with the truncation error of 
   }
 }
 
-// The stress is off by h²/12 of its Laplacian (layers.cpp), and von Mises stress by what that makes of it at the place
-// of its maximum; places of the first column are those of the closed field.
+// The stress is off by h²/12 of its Laplacian (layers.cpp), and von Mises stress by what that makes of it at
+// the place of its maximum; places of the first column are those of the closed field.
 TEST_CASE("the maximum of a sliding Hertz contact moves forward and up with the friction",
           "[maximum][order]") {
   for (auto [mu, x, z] : {std::array{0.1, 0.1116, 0.4749}, std::array{0.2, 0.2192, 0.4571},
@@ -78,8 +78,8 @@ TEST_CASE("the maximum of a sliding Hertz contact moves forward and up with the 
     }
 }
 
-// Along the middle line the stress rises from 0.91 at x = -0.45 to 0.957 at the edge, where the cells show: the place is
-// not well defined.
+// Along the middle line the stress rises from 0.91 at x = -0.45 to 0.957 at the edge, where the cells show:
+// the place is not well defined.
 TEST_CASE(
     "under more friction the maximum lies in the rear of the surface and is that of its edge within 5 %",
     "[maximum][order]") {
@@ -149,9 +149,9 @@ double apart(double a, double b, double length) { return std::abs(std::remainder
 
 }  // namespace
 
-// The peak stopped at the edge of the domain, and so did the rectangle around the load, half of which the search goes
-// down: a contact that lay across the edge had another maximum than the same one in the middle. Layers are equal within
-// round-off, 1e-13 here, of which the places of a parabola make 1e-9.
+// The peak stopped at the edge of the domain, and so did the rectangle around the load, half of which the
+// search goes down: a contact that lay across the edge had another maximum than the same one in the middle.
+// Layers are equal within round-off, 1e-13 here, of which the places of a parabola make 1e-9.
 TEST_CASE(
     "a periodic pressure shifted by whole cells has the same maximum, moved along, also across the edges",
     "[maximum][law]") {
@@ -178,10 +178,10 @@ TEST_CASE(
   }
 }
 
-// Below p0 (1 + cos(q x)) at the crest: plane strain of the wave, s = qz, e = exp(-s), and of the mean a body held at
-// its sides. Of ν = 0.45 the largest is in the depth, of ν = 0 at the surface, where the search did not look without
-// friction: it found the layer of a quarter of a cell. A parabola through cos at -h, 0, h is right up to h²/24 of its
-// distance from a centre, here one of both is hit.
+// Below p0 (1 + cos(q x)) at the crest: plane strain of the wave, s = qz, e = exp(-s), and of the mean a body
+// held at its sides. Of ν = 0.45 the largest is in the depth, of ν = 0 at the surface, where the search did
+// not look without friction: it found the layer of a quarter of a cell. A parabola through cos at -h, 0, h is
+// right up to h²/24 of its distance from a centre, here one of both is hit.
 TEST_CASE(
     "the maximum below a periodic wave is that of plane strain, at the surface where Poisson's ratio is "
     "small",
@@ -206,8 +206,8 @@ TEST_CASE(
     }
 }
 
-// Its edge is in pure shear, σrr = -σθθ = (1-2ν)/3: of ν = -0.5 1.155 against 1.08 below the middle. The cells of an
-// edge are right within 9 % (stress/layers.hpp).
+// Its edge is in pure shear, σrr = -σθθ = (1-2ν)/3: of ν = -0.5 1.155 against 1.08 below the middle. The
+// cells of an edge are right within 9 % (stress/layers.hpp).
 TEST_CASE("a contact of an auxetic body bears most at the surface, along its edge", "[maximum][order]") {
   const StressMaximum found =
       maximum_von_mises(StressSolver({hertz_grid(64), hertz_pressure(hertz_grid(64)), -0.5}));
@@ -216,8 +216,8 @@ TEST_CASE("a contact of an auxetic body bears most at the surface, along its edg
   CHECK(relative_error(found.von_mises, 2 / std::sqrt(3.0)) <= 0.09);
 }
 
-// In plane strain -(1-2ν) p0 is the whole of the von Mises stress at the middle of a cylinder's contact; of ν = 0.1 that
-// is 0.8, and 0.59 below. Sixteen half widths long, its ends take 1 % off.
+// In plane strain -(1-2ν) p0 is the whole of the von Mises stress at the middle of a cylinder's contact; of ν
+// = 0.1 that is 0.8, and 0.59 below. Sixteen half widths long, its ends take 1 % off.
 TEST_CASE("a long cylinder of a small Poisson's ratio bears most at the surface", "[maximum][exact]") {
   const Grid grid{{64, 65}, 3.0 / 64, 0.5};
   const Field p = sample(grid, [](double x, double) { return std::sqrt(std::max(0.0, 1 - x * x)); });
@@ -226,7 +226,8 @@ TEST_CASE("a long cylinder of a small Poisson's ratio bears most at the surface"
   CHECK(found.depth == 0);
 }
 
-// A load up to the edge of a free domain: nothing is known beyond, and the largest value of the layers is what it is.
+// A load up to the edge of a free domain: nothing is known beyond, and the largest value of the layers is
+// what it is.
 TEST_CASE("at the edge of a free domain the maximum is the largest value at its cells, and lies on them",
           "[maximum][contract]") {
   const Grid grid{{24, 20}, 0.1, 0.1};

@@ -28,7 +28,8 @@ double round_off(const Field& p) { return 32 * epsilon * p.abs().sum(); }
 
 }  // namespace
 
-// stress_at summed the cells of one period alone: under a pressure that covers it -175 MPa in place of the layers' -500.
+// stress_at summed the cells of one period alone: under a pressure that covers it -175 MPa in place of the
+// layers' -500.
 TEST_CASE(
     "at cell centres the stress at points is that of the layers, periodic or not, with and without friction",
     "[points][exact][slow]") {
@@ -51,9 +52,9 @@ TEST_CASE(
       }
 }
 
-// Between the centres p = p0 + p1 cos(q x) is what the cells' pressures say. Plane strain [Johnson, Contact Mechanics,
-// ch. 13]: σxx = -(1-qz) e cos, σzz = -(1+qz) e cos, σxz = -qz e sin, σyy = ν (σxx + σzz), e = p1 exp(-qz); of p0 a body
-// held at its sides bears ν/(1-ν) in x and y.
+// Between the centres p = p0 + p1 cos(q x) is what the cells' pressures say. Plane strain [Johnson, Contact
+// Mechanics, ch. 13]: σxx = -(1-qz) e cos, σzz = -(1+qz) e cos, σxz = -qz e sin, σyy = ν (σxx + σzz), e = p1
+// exp(-qz); of p0 a body held at its sides bears ν/(1-ν) in x and y.
 TEST_CASE("between the cells, too, the stress below a periodic wave and its mean is that of plane strain",
           "[points][exact]") {
   for (Index n : {7, 16})

@@ -41,8 +41,8 @@ inline LongTensor johnson(long double x, long double y, long double z, long doub
   return out;
 }
 
-/// johnson() over the rectangle |x| ≤ a, |y| ≤ b: panels of half a depth's half side at the most, 16 × 16 Gauss
-/// points each, which converge as (2 + √5)^-32 = 1e-20.
+/// johnson() over the rectangle |x| ≤ a, |y| ≤ b: panels of half a depth's half side at the most, 16 × 16
+/// Gauss points each, which converge as (2 + √5)^-32 = 1e-20.
 inline LongTensor integrated_rectangle(double x, double y, double z, double a, double b, double nu,
                                        stress::Traction load) {
   static const auto rule = gauss_legendre(16);

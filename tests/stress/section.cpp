@@ -27,8 +27,9 @@ Rows rows(const StressSolver& section, const std::vector<double>& depths) {
 
 }  // namespace
 
-// Two ways of summing the same modes: 16 ε Σ|p| each. Of an adapted layer the section is not interpolated across its
-// plane, the volume is: 9e-8 of a mode (transform/interpolation.hpp), of which a deep layer has few.
+// Two ways of summing the same modes: 16 ε Σ|p| each. Of an adapted layer the section is not interpolated
+// across its plane, the volume is: 9e-8 of a mode (transform/interpolation.hpp), of which a deep layer has
+// few.
 TEST_CASE("a section along x or y is the layers' row in it, with and without friction, periodic or not",
           "[section][exact]") {
   const std::vector<double> depths{0, 0.3, 1.1, 7.0, 30.0};
@@ -144,8 +145,9 @@ double largest_norm(double nu, stress::Traction load) {
 
 }  // namespace
 
-// Superposition carries the bound of a force over to any load, so that only the two maxima are to be tested: found here
-// on other lattices, finer at each step down to 1e-7 and four times as wide as the bound's, and far away.
+// Superposition carries the bound of a force over to any load, so that only the two maxima are to be tested:
+// found here on other lattices, finer at each step down to 1e-7 and four times as wide as the bound's, and
+// far away.
 TEST_CASE("the bound of a unit force is at least its largest stress anywhere, and 1.01 times that at most",
           "[bound][law]") {
   const Grid grid{{1, 1}, 1, 1};

@@ -1,5 +1,6 @@
-/// How far a pressure that is constant in each cell may be trusted near the surface: at an edge of the contact, where
-/// the Hertz pressure falls as a root, it is off by a part of the pressure's last step, √(2Δ) p0.
+/// How far a pressure that is constant in each cell may be trusted near the surface: at an edge of the
+/// contact, where the Hertz pressure falls as a root, it is off by a part of the pressure's last step, √(2Δ)
+/// p0.
 #include <numbers>
 
 #include "layer.hpp"
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double nu = 0.3;
 
-/// The largest errors of components and of von Mises stress in a layer, within two cells of the contact's edge or not.
+/// The largest errors of components and of von Mises stress in a layer, within two cells of the contact's
+/// edge or not.
 struct Errors {
   double at_edge = 0, von_mises_at_edge = 0, elsewhere = 0, von_mises_elsewhere = 0;
 };
@@ -93,9 +95,9 @@ TEST_CASE("the error at the edge of a contact falls as the root of the cell", "[
     }
 }
 
-// The steps of qx lie at odd halves of Δx: Σ ln(k + ½) exceeds ∫ ln by ½ ln 2 to each side, and σxx has -(2/π) ln of
-// the distance from each, σxy half of that from the steps across y. Next to it stand terms of order 2, below a tenth
-// of it here.
+// The steps of qx lie at odd halves of Δx: Σ ln(k + ½) exceeds ∫ ln by ½ ln 2 to each side, and σxx has
+// -(2/π) ln of the distance from each, σxy half of that from the steps across y. Next to it stand terms of
+// order 2, below a tenth of it here.
 TEST_CASE(
     "at the surface under friction the cells leave -(2 ln 2/pi) h of the traction's slope in the tangential "
     "stress",

@@ -30,8 +30,8 @@ TEST_CASE("a row depends on seed, surface, stream and index alone and is the beg
   CHECK(std::equal(row.begin(), row.end(), longer.begin()));
 }
 
-// A seed in a paper must draw its surface for ever. Numbers of version 0.1.0, those of stream 0 as before there were
-// streams; the logarithm and the root of two mathematical libraries may differ in the last bit.
+// A seed in a paper must draw its surface for ever. Numbers of version 0.1.0, those of stream 0 as before
+// there were streams; the logarithm and the root of two mathematical libraries may differ in the last bit.
 TEST_CASE("the noise of a seed is that of every former version", "[noise][contract]") {
   const auto check = [](const WhiteNoise& noise, const std::vector<double>& expected) {
     const auto row = draw(noise, 12, expected.size());

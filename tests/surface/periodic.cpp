@@ -11,7 +11,8 @@ using namespace asperity::test;
 
 namespace {
 
-// Of an exponential that has fallen to a tenth at `length`, summed over the periods as far as 1e-9 are left of it.
+// Of an exponential that has fallen to a tenth at `length`, summed over the periods as far as 1e-9 are left
+// of it.
 Field correlation_on(Shape period, double length) {
   const ExponentialTarget target{length, length};
   const auto reach = static_cast<Index>(9 * length);
@@ -34,8 +35,8 @@ double sum_of_squares(const Field& rho, Shape period) {
 
 }  // namespace
 
-// The mean of z² over N points of a surface has the variance 2 Σρ²/N. Four standard errors: right programs fail for one
-// seed in 16000; the seed is fixed. The mean squares were 1.64, 3.2 and 11.6.
+// The mean of z² over N points of a surface has the variance 2 Σρ²/N. Four standard errors: right programs
+// fail for one seed in 16000; the seed is fixed. The mean squares were 1.64, 3.2 and 11.6.
 TEST_CASE("periodic surfaces have the mean square asked for however far their correlation reaches",
           "[periodic][statistics]") {
   const int surfaces = 400;

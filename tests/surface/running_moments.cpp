@@ -8,7 +8,8 @@ using namespace asperity::test;
 
 namespace {
 
-// The rows of a strip stand where they do not stand in the whole: an exact rms in little memory differed in the last bit once.
+// The rows of a strip stand where they do not stand in the whole: an exact rms in little memory differed in
+// the last bit once.
 RunningMoments moments_of(const Field& heights, Index rows_at_a_time) {
   RunningMoments out;
   for (Index i = 0; i < heights.rows(); i += rows_at_a_time)
@@ -31,8 +32,8 @@ TEST_CASE("running moments are the same to the last bit however many rows come a
   }
 }
 
-// Heights c ± 1 in equal number have the mean c and the rms 1. Each of n = 1000 is rounded to ε c / 2, which moves the
-// rms by as much; a mean of squares less the square of the mean would err by ε c² = 2e-4.
+// Heights c ± 1 in equal number have the mean c and the rms 1. Each of n = 1000 is rounded to ε c / 2, which
+// moves the rms by as much; a mean of squares less the square of the mean would err by ε c² = 2e-4.
 TEST_CASE("the rms of running moments does not suffer from a large mean", "[moments][exact]") {
   const double c = 1e6;
   const Field z = Field::NullaryExpr(20, 50, [&](Index i, Index j) { return c + ((i + j) % 2 ? 1 : -1); });

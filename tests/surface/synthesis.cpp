@@ -114,8 +114,8 @@ TEST_CASE("a kernel shifted inside zeros shifts the surface", "[synthesis][law]"
         2 * round_off(kernel));
 }
 
-// E η = 0 apart, the noise below the middle of a delta kernel is the surface itself; of an even number of coefficients the
-// middle is the former of two.
+// E η = 0 apart, the noise below the middle of a delta kernel is the surface itself; of an even number of
+// coefficients the middle is the former of two.
 TEST_CASE("the noise below a surface is what the middle of its kernel multiplies", "[synthesis][exact]") {
   for (bool periodic : {false, true})
     for (const Shape shape : {Shape{7, 5}, Shape{6, 4}}) {
@@ -177,8 +177,8 @@ TEST_CASE("a sink that fails ends the drawing with its own exception", "[synthes
   CHECK_THROWS_WITH(synthesis.surface(WhiteNoise(1), full_disk), "full1");
 }
 
-// A torus has 512² points at the most, so that a band of 4096 columns is one tile high: 512 · 4156 doubles of noise and
-// 452 · 4096 heights; the symbol and what two threads need are five such tori. Together 42.4 MB.
+// A torus has 512² points at the most, so that a band of 4096 columns is one tile high: 512 · 4156 doubles of
+// noise and 452 · 4096 heights; the symbol and what two threads need are five such tori. Together 42.4 MB.
 TEST_CASE("the working set stays below 43 MB for a surface of any length", "[synthesis][contract]") {
   for (Summation summation : {Summation::direct, Summation::transform})
     for (int power : {12, 16, 20}) {

@@ -42,9 +42,10 @@ KernelRequest request_for(const LagField& acf) {
 
 }  // namespace
 
-// A biased estimate is an autocorrelation, and is met within 1e-3 at all its lags. The mean of the 200 surfaces' estimates, with the mean height known, is unbiased and within 4 standard
-// errors of the kernel's autocorrelation at each lag with probability 1 - 6e-5; among some 2000 lags, strongly
-// correlated, 0.13 exceedances are expected. The seed is fixed: of 11 to 14, 11 exceeds the bound by 2 % at a few far lags.
+// A biased estimate is an autocorrelation, and is met within 1e-3 at all its lags. The mean of the 200
+// surfaces' estimates, with the mean height known, is unbiased and within 4 standard errors of the kernel's
+// autocorrelation at each lag with probability 1 - 6e-5; among some 2000 lags, strongly correlated, 0.13
+// exceedances are expected. The seed is fixed: of 11 to 14, 11 exceeds the bound by 2 % at a few far lags.
 TEST_CASE("surfaces drawn from a measured surface's autocorrelation have it, within 4 standard errors",
           "[ensemble][statistics][slow]") {
   const Measured measured = measured_surface();

@@ -1,5 +1,5 @@
-// Small files and short options that ask for much: each is refused in a line before memory is taken. Every line runs
-// with 2 GB of address space and 60 s.
+// Small files and short options that ask for much: each is refused in a line before memory is taken. Every
+// line runs with 2 GB of address space and 60 s.
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -44,8 +44,8 @@ void refused(const std::string& line, int exit, const std::vector<std::string>& 
 #endif
 }
 
-// 8 × 8 heights between two numbers, and as a pressure their sizes: colours of heights are even about their mean, those of
-// a pressure are not.
+// 8 × 8 heights between two numbers, and as a pressure their sizes: colours of heights are even about their
+// mean, those of a pressure are not.
 void write_heights(const std::string& name, double low, double high) {
   Dataset data;
   set_grid(data, {{8, 8}, 1e-6, 1e-6});

@@ -60,7 +60,8 @@ TEST_CASE("two rough bodies press as one whose heights are the sum of both at th
   const Field p = field_of(pair, "pressure"), q = field_of(read_dataset("single.nc"), "pressure");
   CHECK((p - q).abs().maxCoeff() <= 1e-7 * q.maxCoeff());
   CHECK(pair.attributes.text("contact_counter") == "two.nc");
-  // Both positive towards the other body: a peak facing its own image doubles, one facing its negative meets a fit.
+  // Both positive towards the other body: a peak facing its own image doubles, one facing its negative meets
+  // a fit.
   require(press + "--counter one.nc one.nc -o doubled.nc");
   CHECK(read_dataset("doubled.nc").attributes.number("contact_max_pressure", 0) >
         read_dataset("pair.nc").attributes.number("contact_hertz_pressure", 0));
@@ -108,7 +109,8 @@ TEST_CASE("the boundary is that of the grid unless it is freed", "[contact][cont
   CHECK(alone.minCoeff() > 0);
 }
 
-// Proof in contact/flattening.hpp: the former pressure and approach solve the elastic contact of what is left.
+// Proof in contact/flattening.hpp: the former pressure and approach solve the elastic contact of what is
+// left.
 TEST_CASE("the unloaded surface carries the load again, elastically and under the same pressure",
           "[contact][exact]") {
   const std::string press = "asperity-contact --radius 50mm --load 5000N --tolerance 1e-9" + elastic;
@@ -217,7 +219,8 @@ TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 
   CHECK_FALSE(std::filesystem::exists(scratch("absent.nc")));
 }
 
-// One spike that the window in the middle does not see: 739 in place of 6988 MPa once, "round-off allows no smaller".
+// One spike that the window in the middle does not see: 739 in place of 6988 MPa once, "round-off allows no
+// smaller".
 TEST_CASE("a tolerance below round-off is not converged and names the residual of the right answer",
           "[contact][contract]") {
   std::ofstream text(scratch("spike.txt"));

@@ -124,7 +124,8 @@ TEST_CASE("what makes a contact doubtful is told even with --quiet, in a sweep b
                             ContainsSubstring("make it 0.00605 x 0.00605 m") &&
                             ContainsSubstring("warning: 500kN: the greatest pressure, ") &&
                             ContainsSubstring("above the composite modulus, 1.14e+11 Pa"));
-  // Each kind once, however many loads have it, and none hidden behind another: 31 lines on small contacts once.
+  // Each kind once, however many loads have it, and none hidden behind another: 31 lines on small contacts
+  // once.
   const Outcome many = shell(smooth + "--radius 50mm --loads 0.01N:50kN:30 -q");
   CHECK(lines(many.error) == 4);
   CHECK_THAT(many.error, ContainsSubstring("10mN: the contact has") &&

@@ -1,4 +1,5 @@
-// What other programs write, through the tools: units, signs, descending coordinates, two datasets in one stream.
+// What other programs write, through the tools: units, signs, descending coordinates, two datasets in one
+// stream.
 #include <filesystem>
 
 #include "dataset/layout.hpp"

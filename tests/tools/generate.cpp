@@ -92,8 +92,8 @@ TEST_CASE("a drawing that fails midway leaves what was there, and no part", "[ge
   CHECK(shell(draw + tight + " > /dev/full").exit == 1);
 }
 
-// Two gigabytes, of which half a second leaves a part. Some file systems know no files without a name: there it has
-// one, and nothing is claimed.
+// Two gigabytes, of which half a second leaves a part. Some file systems know no files without a name: there
+// it has one, and nothing is claimed.
 TEST_CASE("a drawing that is killed leaves nothing", "[generate][contract][slow]") {
   const int nameless = ::open(scratch(".").c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600);
   if (nameless < 0) {

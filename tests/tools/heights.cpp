@@ -7,8 +7,8 @@
 using namespace asperity;
 using namespace asperity::test;
 
-// 60000 heights of lengths 6 and 4 samples are worth some 1500: Ssk and Sku scatter by 0.1 and 0.6 (the moments of a
-// Gaussian by half of that), Sq by 2 %.
+// 60000 heights of lengths 6 and 4 samples are worth some 1500: Ssk and Sku scatter by 0.1 and 0.6 (the
+// moments of a Gaussian by half of that), Sq by 2 %.
 TEST_CASE("a surface has the skewness and kurtosis asked for, and says what to expect",
           "[heights][statistics]") {
   require("asperity-generate" + grid + common + shaped + " --seed 3 -o s.nc");
@@ -144,7 +144,8 @@ TEST_CASE("moments that there are not are refused with their bound, or changed a
   CHECK(kurtosis < 5.5);
 }
 
-// A skewness alone kept the kurtosis of 3: at -1 the heights were cut at a ceiling of 1.09 Sq, and densest there.
+// A skewness alone kept the kurtosis of 3: at -1 the heights were cut at a ceiling of 1.09 Sq, and densest
+// there.
 TEST_CASE("a skewness alone brings the kurtosis of the gamma family, a kurtosis alone no skewness",
           "[heights][contract]") {
   const std::string draw = "asperity-generate" + grid + common + " --seed 3 -o s.nc ";

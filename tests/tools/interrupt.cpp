@@ -99,8 +99,8 @@ TEST_CASE("a tool that is interrupted while it reads leaves the target as it was
     }
 }
 
-// The first line of --verbose tells that the solution has begun; the tolerance is below what round-off allows and the
-// grid large, so that it does not end before the signal.
+// The first line of --verbose tells that the solution has begun; the tolerance is below what round-off allows
+// and the grid large, so that it does not end before the signal.
 TEST_CASE("a tool that is interrupted while it solves leaves the target as it was", "[interrupt][contract]") {
   const Outcome run = shell(
       "set -m; mkdir solving; echo former > solving/out; mkfifo progress;"
@@ -112,8 +112,8 @@ TEST_CASE("a tool that is interrupted while it solves leaves the target as it wa
   CHECK(run.out == "143\nout\nformer\n");
 }
 
-// The line of --verbose comes between the search for the maximum and the layers, of which there are more than can be
-// done before the signal.
+// The line of --verbose comes between the search for the maximum and the layers, of which there are more than
+// can be done before the signal.
 TEST_CASE("a tool that is interrupted while it writes layer by layer leaves the target as it was",
           "[interrupt][contract]") {
   const Outcome run = shell(

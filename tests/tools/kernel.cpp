@@ -48,7 +48,8 @@ TEST_CASE("the shape of a target is recorded beside its name", "[kernel][contrac
 }
 
 // 20 µm and 5 µm on samples of 5 µm and 2.5 µm are 4 and 2 samples along the axes: at 30° the point (2√3, 4)
-// in samples is 20 µm from the origin along the first axis, which no sample hits; but (p, q) = (2, 4) lies at 45°.
+// in samples is 20 µm from the origin along the first axis, which no sample hits; but (p, q) = (2, 4) lies at
+// 45°.
 TEST_CASE("an angle turns the lengths in metres, in degrees or radians", "[kernel][exact]") {
   const std::string turned = "--length 20um,5um --spacing 5um,2.5um --acf-tolerance 0.01 --angle ";
   const Field target = target_of(turned + "45");

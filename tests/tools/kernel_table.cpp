@@ -120,7 +120,8 @@ TEST_CASE("a table that no surface has is exit 4, or the nearest with exit 3 and
   CHECK(a.number("kernel_converged", 1) == 0);
 }
 
-// One lag of 35 was kept of this kind of table, said to be solved, and the twin had 0.20 where 0.91 was asked for.
+// One lag of 35 was kept of this kind of table, said to be solved, and the twin had 0.20 where 0.91 was asked
+// for.
 TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at every lag of the table",
           "[kernel][contract][slow]") {
   const std::string measured =
@@ -148,7 +149,8 @@ TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at ev
   }
 }
 
-// The far lags of an unbiased estimate are mostly noise. Whatever is made of them is judged by the error over them all.
+// The far lags of an unbiased estimate are mostly noise. Whatever is made of them is judged by the error over
+// them all.
 TEST_CASE("a table under noise is refused or not converged, by its error over all lags, -q or not",
           "[kernel][contract]") {
   std::string rows;
@@ -197,8 +199,9 @@ TEST_CASE("a table of columns may hold (0,q) and (0,-q), equal to round-off", "[
   refused("asperity-kernel --acf differ.txt", 4, "acf");
 }
 
-// A moving average of 400 × 300 points; its own ACF, biased and so positive definite but for the cut at 24 lags, is the
-// target of the twin. The ensemble of the twin has acf_achieved, which is within kernel_error of it.
+// A moving average of 400 × 300 points; its own ACF, biased and so positive definite but for the cut at 24
+// lags, is the target of the twin. The ensemble of the twin has acf_achieved, which is within kernel_error of
+// it.
 TEST_CASE("a surface's autocorrelation flows into a kernel and on into a twin", "[kernel][law]") {
   REQUIRE(
       shell(

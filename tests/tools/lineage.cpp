@@ -121,8 +121,8 @@ bool is_of_the_run(const std::string& name) {
 
 }  // namespace
 
-// A contact at 2 N on a file that held the stress of 5 N kept von_mises and stress_max_von_mises: each tool had a list of
-// its own of what to forget, of its own results alone.
+// A contact at 2 N on a file that held the stress of 5 N kept von_mises and stress_max_von_mises: each tool
+// had a list of its own of what to forget, of its own results alone.
 TEST_CASE("nothing that rests on what a tool replaces survives it, and everything else does",
           "[lineage][contract]") {
   write_everything();

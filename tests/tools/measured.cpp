@@ -54,8 +54,8 @@ TEST_CASE("a measured map has a twin of its spacing and rms height, which bears 
     // The solver balances the load to 1e-12, and this sum adds a rounding for each cell.
     const double bearing = field_of(contact, "pressure").sum() * grid.dx * grid.dy;
     CHECK(relative_error(bearing, m.load) <= 1e-12 + static_cast<double>(m.shape.cells()) * epsilon);
-    // Both are estimates of one rms height, Sq/√(2 N_eff) from it, of fields so few correlation lengths wide that the
-    // tool tells no errors.
+    // Both are estimates of one rms height, Sq/√(2 N_eff) from it, of fields so few correlation lengths wide
+    // that the tool tells no errors.
     const auto measured = statistics(file), twin = statistics("twin.nc");
     auto value = [](const nlohmann::json& of, const char* name) { return of[name]["value"].get<double>(); };
     auto error = [&](const nlohmann::json& of) {

@@ -33,8 +33,9 @@ bool limits_are_kept_off() {
 
 }  // namespace
 
-// N_VClone wrote into vectors that it was not given, KINInit freed twice, and FFTW aborts: a third of the limits ended in
-// signal 11 or 6. The steps, in kB, stop what takes 3 to 150 MB above the program at all of its stages.
+// N_VClone wrote into vectors that it was not given, KINInit freed twice, and FFTW aborts: a third of the
+// limits ended in signal 11 or 6. The steps, in kB, stop what takes 3 to 150 MB above the program at all of
+// its stages.
 TEST_CASE("a tool that is given too little memory by the system says so in one line, and exits with 1",
           "[memory][contract][slow]") {
   if (limits_are_kept_off()) return;

@@ -1,4 +1,5 @@
-// Where results go: through links, devices and pipes, in place of files with their rights, and never over what is read.
+// Where results go: through links, devices and pipes, in place of files with their rights, and never over
+// what is read.
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -36,7 +37,8 @@ Outcome dated(const std::string& line) { return shell("export SOURCE_DATE_EPOCH=
 
 }  // namespace
 
-// A process keeps its number through exec, so that the link stands exactly where the temporary name used to be.
+// A process keeps its number through exec, so that the link stands exactly where the temporary name used to
+// be.
 TEST_CASE("a link or a file planted at a temporary name is neither followed nor removed",
           "[outputs][contract]") {
   drawn();
@@ -259,7 +261,8 @@ TEST_CASE("without /proc datasets are written and NetCDF-4 is read", "[outputs][
   CHECK(shell(within + read + "'").out == shell(read).out);
 }
 
-// Messages go to the descriptor 2, which a file that is opened would otherwise get: -v says a line for each layer.
+// Messages go to the descriptor 2, which a file that is opened would otherwise get: -v says a line for each
+// layer.
 TEST_CASE("no message gets into a file when a standard stream is closed", "[outputs][contract]") {
   drawn();
   REQUIRE(

@@ -59,9 +59,9 @@ Ensemble mean_square(const std::string& options, int count) {
 
 }  // namespace
 
-// The mean square of 90 surfaces stays within 4 of its standard errors, those of their own spread. 1 × 4096 was refused,
-// and before that drawn with 18 times what was asked for; errors below 0.06 see that, and the 1.05 of 32 pixels of 64 with
-// 17 % more variance at 44.
+// The mean square of 90 surfaces stays within 4 of its standard errors, those of their own spread. 1 × 4096
+// was refused, and before that drawn with 18 times what was asked for; errors below 0.06 see that, and the
+// 1.05 of 32 pixels of 64 with 17 % more variance at 44.
 TEST_CASE("surfaces that their correlation reaches around have the rms height asked for",
           "[periodic][statistics][slow]") {
   for (const std::string options :
@@ -79,8 +79,8 @@ TEST_CASE("surfaces that their correlation reaches around have the rms height as
   }
 }
 
-// Within 1e-9 of the variance: the products of Newton's kernel meet the sums of the dataset to round-off; what is cut off the
-// kernel where the surface is much longer than wide is 1e-7 of it, and in both.
+// Within 1e-9 of the variance: the products of Newton's kernel meet the sums of the dataset to round-off;
+// what is cut off the kernel where the surface is much longer than wide is 1e-7 of it, and in both.
 TEST_CASE(
     "acf_achieved of a periodic surface is the autocorrelation that its kernel draws, and near its target",
     "[periodic][exact]") {
@@ -106,8 +106,8 @@ TEST_CASE(
   }
 }
 
-// R°(p,q) of exp(-r ln 10/9) on 24 × 24, over its value at 0: summed here over 41² periods, of which those beyond the 3 or so
-// that a kernel reaches hold less than 1e-5 of it.
+// R°(p,q) of exp(-r ln 10/9) on 24 × 24, over its value at 0: summed here over 41² periods, of which those
+// beyond the 3 or so that a kernel reaches hold less than 1e-5 of it.
 TEST_CASE("the target of a periodic surface is the sum of the one asked for over its periods",
           "[periodic][exact]") {
   succeeded(draw + "--shape 24x24 --size 24um --length 9px --seed 1 -o s.nc");
@@ -124,7 +124,8 @@ TEST_CASE("the target of a periodic surface is the sum of the one asked for over
     for (Index q = -12; q <= 12; ++q) CHECK(std::abs(target(p, 12 + q) - sum(p, q) / sum(0, 0)) <= 5e-4);
 }
 
-// The heights' autocorrelation is g's of the field below: that one is asked for R_z⁻¹ of the sum, not for the sum of R_z⁻¹.
+// The heights' autocorrelation is g's of the field below: that one is asked for R_z⁻¹ of the sum, not for the
+// sum of R_z⁻¹.
 TEST_CASE("heights that are not Gaussian have the sum over the periods too", "[periodic][exact]") {
   succeeded(draw + "--shape 32x32 --size 32um --length 18px --skewness 1.9 --kurtosis 9.5 --seed 1 -o s.nc");
   const Dataset data = read_dataset("s.nc");

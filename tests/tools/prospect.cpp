@@ -93,7 +93,8 @@ TEST_CASE("the default of --memory is told in words that are the same on every m
   }
 }
 
-// Over u = 0 … 1 of the length the mean of 10^(-u) weighed by 2 (1 - u) is 0.53; the lags of 64 points come within 0.01.
+// Over u = 0 … 1 of the length the mean of 10^(-u) weighed by 2 (1 - u) is 0.53; the lags of 64 points come
+// within 0.01.
 TEST_CASE("a lay longer than the surface is warned of with what heights share along it",
           "[prospect][exact]") {
   CHECK_THAT(warned(square + "--length 1mm,40um"),
@@ -145,8 +146,8 @@ TEST_CASE("an rms height or a size whose square is no number is refused", "[pros
   refused(draw + "--size 1e300m --kernel k.nc --rq 1um", {"--size"});
 }
 
-// A kernel that reached around the surface was averaged with itself: 4.2 um of Sq in place of 1. At (32, 0) of 64 x 64
-// points the next period adds R(32, 0) = 0.0251 and 2 R(32, 64) = 0.0005.
+// A kernel that reached around the surface was averaged with itself: 4.2 um of Sq in place of 1. At (32, 0)
+// of 64 x 64 points the next period adds R(32, 0) = 0.0251 and 2 R(32, 64) = 0.0005.
 TEST_CASE("a periodic surface that the correlation reaches around says how much that changes",
           "[prospect][contract]") {
   const std::string profile =

@@ -47,7 +47,8 @@ TEST_CASE(
   CHECK(strips >= 4);
 }
 
-// The system's count of a process begins with the peak of the one that started it by vfork: 420 MB were told once.
+// The system's count of a process begins with the peak of the one that started it by vfork: 420 MB were told
+// once.
 TEST_CASE("the peak of memory is the run's own, whoever started it", "[time][memory][contract]") {
   const Outcome run = shell(draw +
                             "-o small.nc; python3 -c 'import subprocess; held = b\"x\" * 400_000_000; "

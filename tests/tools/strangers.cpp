@@ -123,7 +123,8 @@ TEST_CASE("Poisson's ratio of a dataset is a number or two", "[strangers][stress
   }
 }
 
-// The standard errors and the bias of Sku were those of heights about a mean that is known: refused by 8 of 8 seeds.
+// The standard errors and the bias of Sku were those of heights about a mean that is known: refused by 8 of 8
+// seeds.
 TEST_CASE("periodic surfaces whose correlation is as long as they are have the kurtosis prescribed",
           "[strangers][validate][statistics][slow]") {
   for (int seed = 1; seed <= 4; ++seed) {

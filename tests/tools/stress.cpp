@@ -19,8 +19,8 @@ std::vector<double> von_mises(const std::string& options) {
 
 }  // namespace
 
-// Layers at 4, 21 and 43 cells: the first is the same to the last bit. Von Mises stress adds the errors of components,
-// each 2e-6, with weights of √3 at the most for each of six.
+// Layers at 4, 21 and 43 cells: the first is the same to the last bit. Von Mises stress adds the errors of
+// components, each 2e-6, with weights of √3 at the most for each of six.
 TEST_CASE("resolutions full and adapted differ in deep layers only, by 2e-6 of the largest pressure",
           "[stress][contract]") {
   REQUIRE(
@@ -145,8 +145,8 @@ std::string errors_of(const std::string& line) {
 
 }  // namespace
 
-// A yield stress of 1100 MPa limits the pressure to 3300 MPa, more than Hertz's 2724: nothing yields at the surface, and
-// nothing was said of the 1690 MPa below it.
+// A yield stress of 1100 MPa limits the pressure to 3300 MPa, more than Hertz's 2724: nothing yields at the
+// surface, and nothing was said of the 1690 MPa below it.
 TEST_CASE(
     "von Mises stress above the yield stress is said once with both figures, of layers, points and the "
     "maximum",
@@ -182,7 +182,8 @@ TEST_CASE("a maximum above stress_accurate_depth is a warning with both depths, 
                         ContainsSubstring("93.75 um of stress_accurate_depth") && ContainsSubstring("25 %"));
 }
 
-// At a corner of cells the shear stress of their pressures grows without end towards the surface: 15 GPa under 3 GPa.
+// At a corner of cells the shear stress of their pressures grows without end towards the surface: 15 GPa
+// under 3 GPa.
 TEST_CASE("points above stress_accurate_depth are counted in a warning, deeper ones are not",
           "[stress][contract]") {
   REQUIRE(shell(smooth + "-o elastic.nc; printf '0 0 0\\n0 0 1um\\n0 0 0.4mm\\n' > axis").exit == 0);

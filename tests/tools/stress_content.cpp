@@ -68,8 +68,8 @@ TEST_CASE(
   CHECK(geometric.back() == 1e-3);
 }
 
-// The volume's rows come from an inverse transform, the section's from sums over the lags: round-off of 16 ε Σ|p|,
-// at most 16 ε of the cells times the largest pressure.
+// The volume's rows come from an inverse transform, the section's from sums over the lags: round-off of 16 ε
+// Σ|p|, at most 16 ε of the cells times the largest pressure.
 TEST_CASE("a section is the volume's values in its plane, at the cell centres nearest to it",
           "[stress][exact]") {
   const std::string layers = "--depths 0,20um,0.2mm,0.7mm --components all --resolution full ";

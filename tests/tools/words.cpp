@@ -1,4 +1,5 @@
-// What the texts of files do to messages, tables, JSON and the files of other programs; and how messages count.
+// What the texts of files do to messages, tables, JSON and the files of other programs; and how messages
+// count.
 #include "core/words.hpp"
 
 #include <nlohmann/json.hpp>
@@ -58,8 +59,8 @@ const std::string hostile[] = {"\x1b[31mV\x1b[0m",
 
 }  // namespace
 
-// ESC sequences of a unit reached the terminal, a unit of 100 kB made a message of 100 kB, and JSON ended with
-// "[json.exception.type_error.316] invalid UTF-8 byte".
+// ESC sequences of a unit reached the terminal, a unit of 100 kB made a message of 100 kB, and JSON ended
+// with "[json.exception.type_error.316] invalid UTF-8 byte".
 TEST_CASE("the tables and messages of every tool are lines of UTF-8, whatever unit a file has",
           "[words][contract][slow]") {
   for (const std::string& unit : hostile) {

@@ -1,5 +1,5 @@
-/// The look of a report: a column of text of a readable width, light or dark as the reader has it, tables that fold
-/// on a narrow screen. Pictures keep the white of paper.
+/// The look of a report: a column of text of a readable width, light or dark as the reader has it, tables
+/// that fold on a narrow screen. Pictures keep the white of paper.
 #pragma once
 
 #include <string_view>
