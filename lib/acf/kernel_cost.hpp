@@ -5,7 +5,7 @@
 /// takes
 ///     1500 n m bytes, of them 160 in a dataset,                                                         (1)
 /// or, where only a wider one will do, as of exponentials of more than 300 lags or so, or a spectrum's root,
-///     250 f² n m bytes, of them 40 f² n m in a dataset, f = 4, of tables of long waves more.                  (2)
+///     250 f² n m bytes, of them 40 f² n m in a dataset, f = 4, of tables of long waves more.             (2)
 ///
 /// Accuracy  the peaks of asperity-kernel are 0.2 to 0.8 times these at 70² to 550² lags, those of
 ///           asperity-generate 0.5 to 1, and up to 15 MB that the allocator keeps.

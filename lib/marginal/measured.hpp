@@ -2,7 +2,7 @@
 ///
 /// The sample's quantile function runs linearly between its order statistics, z_(i) at probability (i - ½)/N
 /// (Hazen), and is kept at evenly spaced normal scores between those of the extremes,
-///     g(y_j) = (Q(Φ(y_j)) - μ)/s,    y_j = j h,    |j| ≤ 4096,    4096 h = Φ⁻¹(1 - ½/N),                    (1)
+///     g(y_j) = (Q(Φ(y_j)) - μ)/s,    y_j = j h,    |j| ≤ 4096,    4096 h = Φ⁻¹(1 - ½/N),                 (1)
 /// linear in between and constant beyond: nothing is higher than the highest point measured. μ and s are the
 /// mean and the rms height of the translation itself, to O(h²) = 1e-6.
 ///

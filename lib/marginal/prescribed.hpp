@@ -1,10 +1,10 @@
 /// From a prescribed skewness and kurtosis to what a surface is drawn with.
 ///
-/// Translation   the heights are z = σ g(y) of a Gaussian field y (marginal/translation.hpp): any pair that there
-///               is, and the autocorrelation of y is predistorted (marginal/predistortion.hpp).
-/// Filter        the white noise is η = g(y) and the kernel a is that of a Gaussian surface. Sums of independent
-///               values add their cumulants, so that z = Σ a η has
-///                   Sk = Sk_η f₃,  f₃ = Σa³/(Σa²)^(3/2),        K - 3 = (K_η - 3) f₄,  f₄ = Σa⁴/(Σa²)²,    (1)
+/// Translation   the heights are z = σ g(y) of a Gaussian field y (marginal/translation.hpp): any pair that
+///               there is, and the autocorrelation of y is predistorted (marginal/predistortion.hpp).
+/// Filter        the white noise is η = g(y) and the kernel a is that of a Gaussian surface. Sums of
+///               independent values add their cumulants, so that z = Σ a η has
+///                   Sk = Sk_η f₃,  f₃ = Σa³/(Σa²)^(3/2),        K - 3 = (K_η - 3) f₄,  f₄ = Σa⁴/(Σa²)²,  (1)
 ///               and the autocorrelation of the kernel. Of wide kernels there is often no such noise.
 ///
 /// Where a skewness alone is given, the kurtosis follows it as in the gamma family,

@@ -3,7 +3,7 @@
 /// η(i,j), independent with mean 0 and variance 1, for any row i (negative ones too) and j = 0, 1, …; normal,
 /// or of another distribution by a translation of the normal values. Every row has a generator of its own,
 /// started from
-///     h(seed, c, row) = mix(mix(mix(seed + g) + c + g) + row + g),   c = 2³² stream + surface,              (1)
+///     h(seed, c, row) = mix(mix(mix(seed + g) + c + g) + row + g),   c = 2³² stream + surface,           (1)
 /// with g = 2⁶⁴/φ and mix one-to-one on 64 bits: a row is the same whoever draws it, in whatever order and on
 /// however many threads, and a longer row begins as a shorter one. Of one seed, no two (stream, surface) have
 /// the same hash, nor two rows of a surface.

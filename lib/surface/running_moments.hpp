@@ -1,7 +1,7 @@
 /// What one pass over the rows of a surface tells of its heights, and the map that gives it a prescribed rms.
 ///
 /// The moments of rows are combined by
-///     S ← S + S_row + (z̄_row - z̄)² n m/(n + m),    z̄ ← z̄ + (z̄_row - z̄) m/(n + m),                    (1)
+///     S ← S + S_row + (z̄_row - z̄)² n m/(n + m),    z̄ ← z̄ + (z̄_row - z̄) m/(n + m),                  (1)
 /// S the sum of squares about the mean z̄ of n heights, m those of the row: without cancellation, and the
 /// same however many rows come at a time.
 ///

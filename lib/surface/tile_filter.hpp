@@ -6,7 +6,7 @@
 /// on a torus of P = A+K-1 by Q = B+L-1 points where noise and conjugate kernel spectrum are multiplied.
 ///
 /// A large tile wastes little on its overlap, a small one stays in the cache. The torus is the one for which
-///     tiles · 2 P Q log2(P Q) · c(P Q),    c = c0 max(1, P Q / 2^17)^(1/4)                                (2)
+///     tiles · 2 P Q log2(P Q) · c(P Q),    c = c0 max(1, P Q / 2^17)^(1/4)                               (2)
 /// is least among the fast lengths; c is what a butterfly of FFTW takes, c0 in the cache, and its fourth root
 /// follows to a factor of 1.5 what is measured from 64² to 4320² points. Tiles depend on the kernel and the
 /// surface alone, for the last bits of the heights depend on them.

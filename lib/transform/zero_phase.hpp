@@ -3,7 +3,7 @@
 /// Such a field has a real spectrum; a kernel of this kind shifts no phase. Two kinds are given by a part of
 /// them and live on a torus of Px × Py points, zero beyond |k| < n, |l| < m:
 ///     a quarter     even in both indices: n × m values, k, l ≥ 0,
-///     a half plane  even under point reflection only: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the others.
+///     a half plane  even under point reflection: l = 0 … m-1 of row 0, then l = -(m-1) … m-1 of the others.
 /// Rows that hold data are transformed in y; then columns in x, in blocks of eight that stay in the cache
 /// while they are transformed, worked on and transformed back to the n × m part. Two real (or Hermitian)
 /// sequences are one complex one, and come apart without arithmetic, or with one addition.

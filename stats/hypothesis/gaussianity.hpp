@@ -12,7 +12,7 @@
 ///     KS   the supremum of the process D (stats/uncertainty/null_distribution.hpp)
 ///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights
 ///          the eigenvalues of D's covariance by the trapezoidal rule over |x| ≤ 6
-///     χ²   the sum of squared differences of D over the bins, such a sum, of neither B - 1 nor B - 3 degrees:
+///     χ²   the sum of squared differences of D over bins, such a sum, of neither B - 1 nor B - 3 degrees:
 ///          the fit is of the heights, not of the counts (Chernoff and Lehmann)
 /// `naive_p` is that with S_k = 1, of independent heights; of JB the statistic too changes.
 /// Bins: B = 2 (N/S_3)^{2/5} (Mann and Wald), 6 ≤ B ≤ 64.

@@ -4,7 +4,7 @@
 /// A column text  one lag a line under a header that names the columns, others being ignored:
 ///                # lag_x [um]  lag_y [um]  acf [1]
 ///                px, 1 or no unit at all count samples; m2 or um2 make the values heights squared.
-/// A matrix       R(p,q) of a quadrant, p = 0… down the lines, q = 0… along them, in samples, even in p and q.
+/// A matrix       R(p,q) of a quadrant, p = 0… down lines, q = 0… along them, in samples, even in p and q.
 /// Numbers are separated by blanks, tabs, commas or semicolons; lines that begin with # are comments.
 #pragma once
 

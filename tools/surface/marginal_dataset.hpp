@@ -3,7 +3,7 @@
 /// Of a kernel whose heights are not Gaussian:
 ///     kernel_heights                       S_L, S_U, S_B or measured
 ///     kernel_skewness, kernel_kurtosis     of the heights
-///     kernel_quantiles(normal_score)       measured heights of mean 0 and variance 1 at even scores up to highest_score
+///     kernel_quantiles(normal_score)       measured heights of mean 0 and variance 1 at even scores
 /// The kernel is then that of the Gaussian field below the heights, of unit variance; acf_target and
 /// acf_achieved are those of the heights.
 ///

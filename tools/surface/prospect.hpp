@@ -2,7 +2,7 @@
 ///
 /// Refused is a surface whose heights of N × M points would mostly be one offset: with the correlation ρ of
 /// the target
-///     ρ̄ = Σ w(p,q) ρ(p,q) / Σ w(p,q),   w = (1 - |p|/N)(1 - |q|/M),   |p| < N, |q| < M                   (1)
+///     ρ̄ = Σ w(p,q) ρ(p,q) / Σ w(p,q),   w = (1 - |p|/N)(1 - |q|/M),   |p| < N, |q| < M                  (1)
 /// is the share of the variance that the mean of a surface takes. Beyond ½ it is refused; where (1) along one
 /// axis alone is, it is said. So are correlations that end within a sample, tables of more than 100 MB, and
 /// heights that have a bound nearer than 3 Sq, a peak within a quarter Sq of it (J-shaped), or two peaks.
