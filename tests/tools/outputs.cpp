@@ -28,8 +28,8 @@ std::string content(const std::string& name) {
 }
 
 std::string drawn() {
-  if (!fs::exists(scratch("s.nc"))) REQUIRE(shell(generate + "-o s.nc").exit == 0);
-  return content("s.nc");
+  if (!fs::exists(scratch("own.nc"))) REQUIRE(shell(generate + "-o own.nc").exit == 0);
+  return content("own.nc");
 }
 
 // SOURCE_DATE_EPOCH leaves no seconds in a dataset.
@@ -61,7 +61,7 @@ TEST_CASE("a file that is replaced keeps its mode, and one that may not be writt
           "[outputs][contract]") {
   drawn();
   for (const char* mode : {"600", "640", "664", "444"}) {
-    const Outcome run = shell("cp s.nc kept.nc; chmod " + std::string(mode) + " kept.nc; " + generate +
+    const Outcome run = shell("cp own.nc kept.nc; chmod " + std::string(mode) + " kept.nc; " + generate +
                               "-o kept.nc; s=$?; stat -c %a kept.nc; rm -f kept.nc; exit $s");
     CAPTURE(mode, run.error);
     const bool refused = std::string(mode) == "444" && ::geteuid() != 0;
@@ -70,17 +70,17 @@ TEST_CASE("a file that is replaced keeps its mode, and one that may not be writt
   }
   CHECK(shell("umask 027; " + generate + "-o fresh.nc; stat -c %a fresh.nc").out == "640\n");
   if (::geteuid() != 0) return;
-  const Outcome owned = shell("cp s.nc other.nc; chown 1234:5678 other.nc; chmod 640 other.nc; " + generate +
+  const Outcome owned = shell("cp own.nc other.nc; chown 1234:5678 other.nc; chmod 640 other.nc; " + generate +
                               "-o other.nc; stat -c '%u:%g %a' other.nc");
   CHECK(owned.out == "1234:5678 640\n");
   const Outcome refused = shell(
-      "mkdir -m 777 open; cp s.nc open/p.nc; chmod 755 .; chown 1234 open/p.nc; chmod 444 open/p.nc;"
+      "mkdir -m 777 open; cp own.nc open/p.nc; chmod 755 .; chown 1234 open/p.nc; chmod 444 open/p.nc;"
       "setpriv --reuid 1234 --clear-groups " +
       std::string(ASPERITY_BIN) +
-      "/asperity-stats s.nc -o open/p.tsv "
+      "/asperity-stats own.nc -o open/p.tsv "
       "> /dev/null; cp open/p.nc open/p.tsv; chown 1234 open/p.tsv; chmod 444 open/p.tsv;"
       "setpriv --reuid 1234 --clear-groups " +
-      std::string(ASPERITY_BIN) + "/asperity-stats s.nc -o open/p.tsv");
+      std::string(ASPERITY_BIN) + "/asperity-stats own.nc -o open/p.tsv");
   CAPTURE(refused.error);
   if (refused.error.find("cannot") != refused.error.npos) return;  // the tools are out of that user's reach
   CHECK(refused.exit == 1);
@@ -131,7 +131,7 @@ TEST_CASE("where nothing can be written is said in one line before the work", "[
 
 TEST_CASE("two outputs of one run are two files, whatever they are called", "[outputs][contract]") {
   drawn();
-  const std::string press = "asperity-contact s.nc --radius 50mm --young 208GPa --poisson 0.3 -q ";
+  const std::string press = "asperity-contact own.nc --radius 50mm --young 208GPa --poisson 0.3 -q ";
   shell("ln -sf same sym; echo former > hard; ln -f hard hard2; mkdir -p d; mkfifo f");
   for (const std::string& run :
        {generate + "-o same --report same", generate + "-o same --report ./same",
@@ -156,17 +156,17 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
   const std::string before = drawn();
   const std::string bodies = " --radius 50mm --young 208GPa --poisson 0.3 --load 1N -q ";
   shell(
-      "cp s.nc own; cp s.nc c; ln -sf own link; ln -f own hardlink; printf '1 2\\n3 4\\n' > text; echo '0 0 "
+      "cp own.nc own; cp own.nc c; ln -sf own link; ln -f own hardlink; printf '1 2\\n3 4\\n' > text; echo '0 0 "
       "1um' > points;"
-      "asperity-contact s.nc" +
-      bodies + "-o pressed.nc; asperity-acf s.nc -o acf");
+      "asperity-contact own.nc" +
+      bodies + "-o pressed.nc; asperity-acf own.nc -o acf");
   for (const std::string& run : {std::string("asperity-stats own -o own"),
                                  std::string("asperity-stats own -o ./own"),
                                  std::string("asperity-stats own -o link"),
                                  std::string("asperity-stats own -o hardlink"),
                                  std::string("asperity-stats -o own < own"),
                                  std::string("asperity-stats own >> own"),
-                                 std::string("asperity-stats s.nc own -o own"),
+                                 std::string("asperity-stats own.nc own -o own"),
                                  std::string("echo own | asperity-stats -o own"),
                                  std::string("asperity-stats own --memory 1kB --parameters height -o own"),
                                  std::string("asperity-validate own -o own"),
@@ -178,11 +178,11 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
                                  std::string("asperity-convert own --to gsf -o own"),
                                  std::string("asperity-convert text -o text"),
                                  "asperity-contact own" + bodies + "-o p.nc --report own",
-                                 "asperity-contact s.nc --counter own" + bodies + "-o own",
+                                 "asperity-contact own.nc --counter own" + bodies + "-o own",
                                  "asperity-contact text" + bodies + "-o text",
                                  std::string("asperity-stress pressed.nc --points points -o points"),
                                  generate + "--marginal own -o own",
-                                 std::string("asperity-validate s.nc --target acf -o acf")}) {
+                                 std::string("asperity-validate own.nc --target acf -o acf")}) {
     const Outcome out = shell(run);
     CAPTURE(run, out.error, out.out);
     CHECK(out.exit == 2);
@@ -232,7 +232,7 @@ TEST_CASE("a figure beyond a limit on the size of files is an error, not a part 
           "[outputs][contract]") {
   drawn();
   const Outcome run =
-      shell("(ulimit -f 8; asperity-plot s.nc --kind map --format svg -o - 2> why) | wc -c; cat why");
+      shell("(ulimit -f 8; asperity-plot own.nc --kind map --format svg -o - 2> why) | wc -c; cat why");
   CAPTURE(run.out);
   CHECK(run.out.starts_with("0\nasperity-plot: "));
   CHECK(lines(run.out) == 2);
@@ -266,7 +266,7 @@ TEST_CASE("without /proc datasets are written and NetCDF-4 is read", "[outputs][
 TEST_CASE("no message gets into a file when a standard stream is closed", "[outputs][contract]") {
   drawn();
   REQUIRE(
-      shell("asperity-contact s.nc --radius 50mm --young 208GPa --poisson 0.3 --load 1N -q -o t.nc").exit ==
+      shell("asperity-contact own.nc --radius 50mm --young 208GPa --poisson 0.3 --load 1N -q -o t.nc").exit ==
       0);
   const std::string layers = "asperity-stress t.nc --depths 0:0.1mm:9 --no-history -v ";
   REQUIRE(dated(layers + "-o open.nc 2> /dev/null").exit == 0);
