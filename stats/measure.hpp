@@ -35,7 +35,7 @@ struct MeasureOptions {
   Preparation preparation = {};
   std::vector<double> quantiles = {};               ///< shares of the surface that lie below
   std::array<double, 2> material_ratios{0.1, 0.8};  ///< p, q, the bounds of the core
-  double acf_level = 0.2;                           ///< of ρ, to which Sal and Str are measured
+  double sal_level = 0.2;                           ///< of ρ, to which Sal and Str are measured
   std::optional<Direction> direction = {};          ///< spectral moments along it too
   Axis1D profiles = Axis1D::x;                      ///< along which profiles are taken
   int threads = 1;

@@ -41,7 +41,7 @@ AcfLevel level_of(const std::string& word) {
   if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
   const double value = to_number<double>(word).value_or(NAN), percent = std::round(1e12 * value) / 1e10;
   if (!(value > 0 && value < 1))
-    throw cli::UsageError("acf-level", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
+    throw cli::UsageError("levels", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
   return {value, shortest(percent), shortest(percent) + " %"};
 }
 
@@ -50,7 +50,7 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
   for (const std::string& word : cli::split(list, ',')) {
     const AcfLevel level = level_of(word);
     if (std::ranges::find(out, level.tag, &AcfLevel::tag) != out.end())
-      throw cli::UsageError("acf-level", "value \"" + word + "\" is given twice");
+      throw cli::UsageError("levels", "value \"" + word + "\" is given twice");
     out.push_back(level);
   }
   return out;
@@ -158,7 +158,7 @@ void declare_estimate(cli::Tool& tool, Options& what) {
             "Add the structure function, the mean square difference of two points a lag apart, to the "
             "profiles and the dataset",
             "Estimate");
-  tool.text("--acf-level", what.levels, "LEVEL,...", "Levels of R / R(0,0) at which lengths are measured",
+  tool.text("--levels", what.levels, "LEVEL,...", "Levels of R / R(0,0) at which lengths are measured",
             "Lengths");
   tool.text("--direction", what.direction, "ANGLE",
             "Lengths in this direction too, from +x towards +y: 30deg", "Lengths");

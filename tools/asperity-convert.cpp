@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
               "are uneven: for ParaView",
               "Result");
   tool.choice("--to-order", o.to_order, {"xy", "yx"},
-              "--order of a bare matrix (text, npy) that is written; netcdf: yx for VTK, ParaView and other "
+              "--from-order of a bare matrix (text, npy) that is written; netcdf: yx for VTK, ParaView and other "
               "viewers, fields on (y, x), volumes on (z, y, x), z a height",
               "Result");
   tool.flag("--surface", o.surface,

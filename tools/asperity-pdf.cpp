@@ -30,7 +30,7 @@ struct Options {
                  "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)", group);
     tool.number("--bandwidth", bandwidth,
                 "Standard deviation of the kernel, in Sq; absent: Silverman's rule, 1.06 / N^(1/5)", group);
-    tool.integer("--points", points, rows, "Of the kernel's curve, or quantiles; 0: 256 and 99", group);
+    tool.integer("--rows", points, rows, "Of the kernel's curve, or quantiles; 0: 256 and 99", group);
   }
 
   void check(const cli::Tool& tool) const {
@@ -40,7 +40,7 @@ struct Options {
     };
     belongs("bins", estimate == "histogram", "histogram");
     belongs("bandwidth", estimate == "kernel", "kernel");
-    belongs("points", estimate != "histogram", "kernel or quantiles");
+    belongs("rows", estimate != "histogram", "kernel or quantiles");
   }
 };
 

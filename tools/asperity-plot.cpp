@@ -52,7 +52,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
             group);
   tool.may_be_empty(tool.text("--title", o.request.title, "TEXT",
                               "Title (default: facts of the figure; \"\": none)", group));
-  tool.input_format("--input-format");
+  tool.input_format();
   tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
   tool.integer("--columns", o.request.columns, 1,
                "Panels side by side, the others below them; 1: for print 8 cm wide, 2: 11.5 cm, 3: 15 cm "
@@ -63,7 +63,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
               "Size; letters grow with the width. A PDF has this shape and is 8, 11.5, 15 cm wide for one, "
               "two, three columns (default: as suits)",
               group);
-  tool.text("--format", o.request.format, "png|svg|pdf", "For -o - only; a file's name tells", group);
+  tool.text("--to", o.request.format, "png|svg|pdf", "For -o - only; a file's name tells", group);
   tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Where the picture goes; - is standard output",
             group)
       .required();
@@ -88,17 +88,17 @@ std::string extension_of(const std::string& output) {
   return extension.empty() ? "" : extension.substr(1);
 }
 
-// The format by the file's name, or by --format for what is no file.
+// The format by the file's name, or by --to for what is no file.
 std::string format_of(const Options& o) {
   const bool stream = cli::place_of(o.output).kind != cli::Place::Kind::file,
              told = stream && !o.request.format.empty();
   const std::string format = told ? o.request.format : extension_of(o.output);
   if (format == "png" || format == "svg" || format == "pdf") {
     if (!stream && !o.request.format.empty() && o.request.format != format)
-      cli::refuse("format", o.request.format, "contradicts the name " + o.output);
+      cli::refuse("to", o.request.format, "contradicts the name " + o.output);
     return format;
   }
-  if (stream) cli::refuse("format", format, "is not png, svg or pdf, which -o - needs");
+  if (stream) cli::refuse("to", format, "is not png, svg or pdf, which -o - needs");
   cli::refuse("output", o.output, "does not end in .png, .svg or .pdf");
 }
 

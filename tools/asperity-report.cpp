@@ -25,7 +25,7 @@ report::Group group_of(const cli::Tool& tool, const Sample& sample, Group group,
                        const std::string& title) try {
   const MeasureOptions options;
   const Parameters rows = measure(sample, group, options);
-  if (group == Group::spatial) warn_of_decays(tool, rows, options.acf_level, sample.grid());
+  if (group == Group::spatial) warn_of_decays(tool, rows, options.sal_level, sample.grid());
   return {title, rows, missing(rows)};
 } catch (const DataError& error) {
   return {title, {}, error.what()};

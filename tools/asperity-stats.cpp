@@ -94,7 +94,7 @@ class Surfaces {
         if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
         missing_.insert(field_.variable + ": no hybrid parameters: " + why);
       }
-      if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.acf_level, sample.grid());
+      if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.sal_level, sample.grid());
       last_.insert(last_.end(), rows.begin(), rows.end());
     }
     ensemble_.add(last_);

@@ -29,7 +29,7 @@ struct Options {
     surfaces.declare(tool);
     tool.text("--variable", variable, "NAME",
               "The field of heights, its missing points (mask, _FillValue, NaN) left out", "Field");
-    tool.text("--target", target, "FILE",
+    tool.text("--acf", target, "FILE",
               "Autocorrelation, as asperity-kernel --acf reads it; absent: acf_target of the first surface",
               asked);
     tool.quantity("--rq", rq, "m", "Rms height; absent: that of the target, where it has one", asked);
@@ -54,7 +54,7 @@ struct Options {
   }
 };
 
-// From --target.
+// From --acf.
 Specification from_file(const cli::Tool& tool, const std::string& name, const Grid& grid) {
   const cli::AcfTable table = cli::read_acf_table(name, tool.memory_bound());
   for (const std::size_t axis : {0U, 1U}) {
@@ -69,7 +69,7 @@ Specification from_file(const cli::Tool& tool, const std::string& name, const Gr
 Specification carried(const Dataset& data, const Grid& grid) {
   const std::optional<LagField> rho = cli::carried_correlation(data, "acf_target", grid);
   if (!rho)
-    throw DataError("acf_target", "the first surface carries none for its grid; --target names another file");
+    throw DataError("acf_target", "the first surface carries none for its grid; --acf names another file");
   const bool height = cli::has_height(data.at("acf_target"));
   const Field table = known_lags(table_of(data, "acf_target", height ? "m2" : "1", Missing::not_a_number));
   return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};

@@ -116,7 +116,7 @@ template <class Correlation, class Last>
 Target tabulated(const EllipticTarget& t, const Ellipse& ellipse, Correlation correlation, Last last) {
   const auto rho = std::make_shared<const Correlation>(std::move(correlation));
   const double radius = falls_to(*rho, t.level);
-  require(radius > 0, "level", t.level, ": passed at no lag above zero that could be told from it");
+  require(radius > 0, "length-level", t.level, ": passed at no lag above zero that could be told from it");
   Target out([=](double p, double q) { return (*rho)(radius * std::sqrt(ellipse.squared(p, q))); });
   out.reach = reach(ellipse, [=](double u) { return last(*rho, u) / radius; });
   return out;
@@ -141,7 +141,7 @@ Target radial(const EllipticTarget& t, const Ellipse& ellipse) {
 }  // namespace
 
 void EllipticTarget::check() const {
-  require(level > 0 && level < 1, "level", level, " does not lie between 0 and 1");
+  require(level > 0 && level < 1, "length-level", level, " does not lie between 0 and 1");
   require(std::isfinite(angle), "angle", angle, ": must be finite");
   for (double length : {length_x, length_y}) require_length("length", length);
   for (double spacing : {spacing_x, spacing_y}) require_length("spacing", spacing);

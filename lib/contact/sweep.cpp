@@ -14,9 +14,9 @@ namespace {
 void check_loads(std::span<const double> loads, const Grid& grid, double limit_pressure) {
   for (std::size_t i = 1; i < loads.size(); ++i)
     if (!(loads[i] > loads[i - 1] && std::isfinite(loads[i])))
-      throw ParameterError("loads",
+      throw ParameterError("sweep",
                            fmt::format("{} N is not above {} N, the one before", loads[i], loads[i - 1]));
-  check_carried("loads", loads.back(), grid, limit_pressure);
+  check_carried("sweep", loads.back(), grid, limit_pressure);
 }
 
 // (1), from one solution or from two; before the first it is empty.

@@ -20,7 +20,7 @@
 namespace asperity {
 
 /// Presses with each of the loads, which increase, in place of parameters.load, and hands the solutions on as
-/// they come. Throws before the first: ParameterError("loads") when one is not above the load before it, or
+/// they come. Throws before the first: ParameterError("sweep") when one is not above the load before it, or
 /// more than the limit pressure carries, and as ContactParameters::check does.
 void solve_load_sequence(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
                          ContactParameters parameters, std::span<const double> loads,

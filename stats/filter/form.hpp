@@ -57,12 +57,12 @@ inline double mean(const Field& z) { return mean_above_base(z).value(); }
 /// (1), or (2), of a field that comes in strips of its rows, by passes over it until done().
 class FormFit {
  public:
-  /// Throws ParameterError("level") unless 0 ≤ degree ≤ 20.
+  /// Throws ParameterError("remove-form") unless 0 ≤ degree ≤ 20.
   FormFit(Shape field, int degree);
 
   /// Heights whose first row is the field's row `first`, near zero and less the form of earlier passes.
   void add(const Field& strip, Index first);
-  /// Throws ParameterError("level") where the points that are there do not determine the form.
+  /// Throws ParameterError("remove-form") where the points that are there do not determine the form.
   void end_pass();
   bool done() const { return steps_.size() == (missing_ ? 3 : 2); }
   /// Takes what the passes from `pass` on have found off heights whose first is the field's (row, column).

@@ -58,7 +58,7 @@ Parameters spatial_parameters(const Sample& sample, const MeasureOptions& option
   const AcfParameters half{.max_lag = default_max_lag(sample.grid()), .threads = sample.threads()};
   ParameterList out(sample.surface().units);
   add_lobe(out, {basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half), basis},
-           options.acf_level);
+           options.sal_level);
   const LagField psd = power_spectrum(z, sample.grid(), default_windows(sample.grid()), sample.threads());
   out.add(texture_table, texture_direction(psd, sample.grid()),
           {.why = "no value: the field has too few wave numbers in all directions"});

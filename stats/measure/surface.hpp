@@ -36,7 +36,7 @@ struct Surface {
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
 };
 
-/// Throws ParameterError("level"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
+/// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
 /// DataError(variable) where no roughness is left, refuse_round_off.
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 

@@ -81,7 +81,7 @@ struct CentralLobe {
   }
 };
 
-/// Of a normalised ρ. Throws ParameterError("acf-level", …) unless 0 < level < 1.
+/// Of a normalised ρ. Throws ParameterError("sal-level", …) unless 0 < level < 1.
 CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level = 0.2);
 
 }  // namespace asperity

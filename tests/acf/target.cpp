@@ -49,7 +49,7 @@ TEST_CASE("a length or a level out of bounds is refused by its name", "[target][
   CHECK(refused(exponential(17, -4)) == "length");
   CHECK(refused(exponential(17, std::numeric_limits<double>::infinity())) == "length");
   CHECK(refused(exponential(std::nan(""), 4)) == "length");
-  CHECK(refused(exponential(17, 4, 0)) == "level");
-  CHECK(refused(exponential(17, 4, 1)) == "level");
-  CHECK(refused(exponential(17, 4, std::nan(""))) == "level");
+  CHECK(refused(exponential(17, 4, 0)) == "length-level");
+  CHECK(refused(exponential(17, 4, 1)) == "length-level");
+  CHECK(refused(exponential(17, 4, std::nan(""))) == "length-level");
 }

@@ -141,7 +141,7 @@ def text(surface, rng):
     rows = surface.z if order == "xy" else surface.z.T
     unit = ("m", "um", "nm")[int(rng.integers(3))]
     lines = [separator.join(repr(float(v)).replace(".", decimal) for v in row) for row in rows / METRES[unit]]
-    options = ["--format", "text", "--order", order, *told_size(surface), "--unit", unit, "--heights"]
+    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--heights"]
     options += ["--separator", {" ": "blank", "\t": "tab", ",": "comma", ";": "semicolon"}[separator]]
     return ("\n".join(lines) + "\n").encode(), options + ["--decimal", "comma" if decimal == "," else "point"]
 
@@ -157,7 +157,7 @@ def npy(surface, rng):
     array = np.asarray(surface.z if order == "xy" else surface.z.T, kind, "CF"[int(rng.integers(2))])
     out = io.BytesIO()
     np.lib.format.write_array(out, array, version=((1, 0), (2, 0))[int(rng.integers(2))])
-    return out.getvalue(), ["--order", order, *told_size(surface)]
+    return out.getvalue(), ["--from-order", order, *told_size(surface)]
 
 
 def gsf(surface, rng):

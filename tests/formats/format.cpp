@@ -14,7 +14,7 @@ TEST_CASE("a format is known by its first bytes, then by its name, then as text"
   CHECK(format_of("1 2\n", "-").name == "text");
   CHECK_THROWS_AS(format_of(std::string("\x01\x02\0", 3), "a.unknown"), DataError);
   CHECK_THROWS_AS(format_of("", "a.txt"), DataError);
-  CHECK_THROWS_AS(format_named("word", "format"), ParameterError);
+  CHECK_THROWS_AS(format_named("word", "from"), ParameterError);
 }
 
 TEST_CASE(
@@ -22,7 +22,7 @@ TEST_CASE(
     "[formats][exact]") {
   for (const Format& format : formats()) {
     CAPTURE(format.name);
-    CHECK(&format_named(format.name, "format") == &format);
+    CHECK(&format_named(format.name, "from") == &format);
     const std::string bytes = format.encode(small_map(), Order::xy);
     if (format.recognises) CHECK(format.recognises(bytes));
     const Field z = small_map().values;

@@ -60,7 +60,7 @@ def check_numpy():
             array = np.asarray(heights() if "f" in kind else whole % 2 if kind == "?" else whole, kind, order)
             np.save("theirs.npy", array)
             for indices, expected in (("xy", array), ("yx", array.T)):
-                ours = np.load(convert("theirs.npy", "ours.npy", "--size", "3mm,2mm", "--order", indices))
+                ours = np.load(convert("theirs.npy", "ours.npy", "--size", "3mm,2mm", "--from-order", indices))
                 assert ours.dtype == np.dtype("<f8") and ours.flags.c_contiguous, (kind, order)
                 assert same(ours, expected.astype(float)), (kind, order, indices)
     np.lib.format.write_array(open("second.npy", "wb"), heights(), version=(2, 0))

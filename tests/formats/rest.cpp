@@ -48,7 +48,7 @@ TEST_CASE("bytes behind a map are refused by their number, and zeros that pad it
   const Map map{.values = heights(), .spacing = {1e-6, 2e-6}, .units = "m"};
   for (const char* name : {"gsf", "nrrd", "npy", "sdf", "x3p"}) {
     CAPTURE(name);
-    const Format& format = format_named(name, "format");
+    const Format& format = format_named(name, "from");
     const std::string one = format.encode(map, Order::xy);
     CHECK(refused(format, one + std::string(64, '\0')) == "read");
     CHECK_THAT(refused(format, one + std::string("\1\2\3", 3)), ContainsSubstring("3 bytes follow its end"));
@@ -58,7 +58,7 @@ TEST_CASE("bytes behind a map are refused by their number, and zeros that pad it
 TEST_CASE("the trailer that an SDF may have is no second map", "[formats][contract]") {
   const Map map{.values = heights(), .spacing = {1e-6, 2e-6}, .units = "m"};
   for (const char* name : {"sdf", "sdf-ascii"}) {
-    const Format& format = format_named(name, "format");
+    const Format& format = format_named(name, "from");
     const std::string one = format.encode(map, Order::xy);
     CHECK(refused(format, one + "measured on a Tuesday\n*\n") == "read");
     CHECK_THAT(refused(format, one + "*\n" + one), ContainsSubstring("bytes follow"));
@@ -69,7 +69,7 @@ TEST_CASE("the trailer that an SDF may have is no second map", "[formats][contra
 TEST_CASE("an NRRD whose axes run against those of its space is turned around, a mirrored one refused",
           "[formats][exact]") {
   const Field z = heights();
-  const std::string values = format_named("nrrd", "format").encode({.values = z}, Order::xy);
+  const std::string values = format_named("nrrd", "from").encode({.values = z}, Order::xy);
   const std::string numbers = values.substr(values.find("\n\n") + 2);
   auto read = [&](const std::string& directions) {
     return format::nrrd.decode(

@@ -240,7 +240,7 @@ TEST_CASE("formats of text with a head have missing points and refuse what is ra
              field({{1, gap, 3}, {4, 5, gap}}).transpose()));
   CHECK_THROWS_WITH(format::gwyddion_text.decode(gwyddion + "1\t2\t3\n4\t5\n", {}),
                     "line 4 has 2 numbers, the first one 3");
-  const Format& grid = format_named("esri", "format");
+  const Format& grid = format_named("esri", "from");
   CHECK(same(grid.decode(esri + "1,,3\n4,5,\n6", {}).values, field({{4, 1}, {5, gap}, {6, 3}})));
   CHECK(same(grid.decode(esri + "\t1\t2\t\t3\n4\t5\t6", {}).values, field({{4, 1}, {5, 2}, {6, 3}})));
   CHECK_THROWS_WITH(grid.decode(esri + "1 2 3\n4 5 6\n7", {}), ContainsSubstring("it holds 7 numbers"));

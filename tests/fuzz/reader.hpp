@@ -53,7 +53,7 @@ inline bool reads(const std::string& format, std::string_view bytes) {
       read_netcdf4_apart(&cli::run_in_sandbox);
       decode_netcdf(std::string(bytes));
     } else {
-      const Format& read = format_named(format, "format");
+      const Format& read = format_named(format, "from");
       require_map(dataset_of_any_size(read.decode(bytes, any_reading(bytes.size()))));
     }
     return true;

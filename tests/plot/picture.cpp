@@ -92,7 +92,7 @@ TEST_CASE("every kind draws a PDF of one page that is 8 cm wide, with its fonts"
     CHECK(std::abs(width_of_pdf("a.pdf") - 226.77) <= 1);
     CHECK_THAT(pdf, ContainsSubstring("DejaVuSans") && !ContainsSubstring("CreationDate"));
   }
-  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format pdf").out.starts_with("%PDF"));
+  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --to pdf").out.starts_with("%PDF"));
 }
 
 // The smallest letters of a page of 8 cm, printed as that, are those that journals ask for: 6 pt or more.

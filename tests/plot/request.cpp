@@ -8,7 +8,7 @@ using namespace asperity;
 using namespace asperity::test;
 
 TEST_CASE("a picture goes to standard output when it is told its format", "[plot][contract]") {
-  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --format png").out.substr(1, 3) == "PNG");
+  CHECK(shell("asperity-plot < " + scene() + " --kind map -o - --to png").out.substr(1, 3) == "PNG");
   CHECK(plot("--kind map -o -").exit == 2);
 }
 

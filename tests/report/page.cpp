@@ -106,7 +106,7 @@ TEST_CASE("a solver that did not converge is told in plain sight", "[report][con
 
 TEST_CASE("a measured surface with missing points, a smooth contact and a kernel each have a page",
           "[report][contract][slow]") {
-  const std::string measured = report_on(ASPERITY_TEST_DATA "/profiler-96x96.x3p --level plane");
+  const std::string measured = report_on(ASPERITY_TEST_DATA "/profiler-96x96.x3p --remove-form plane");
   CHECK_THAT(measured, ContainsSubstring("Measured above its plane"));
   CHECK_THAT(measured, ContainsSubstring("Warning: standard errors and intervals are not told: N_eff = "));
   const std::string open = report_on(ASPERITY_TEST_DATA "/afm-64x64.nc");
@@ -173,7 +173,7 @@ TEST_CASE("a report on what is no dataset, or holds nothing to tell, gets one li
     int exit;
   } wrong[] = {{"absent.nc -o w.html", 1},      {"garbage.nc -o w.html", 4},
                {"empty.nc -o w.html", 4},       {"s.nc --variable gap -o w.html", 4},
-               {"s.nc --level x -o w.html", 2}, {"s.nc --colour red -o w.html", 2},
+               {"s.nc --remove-form x -o w.html", 2}, {"s.nc --colour red -o w.html", 2},
                {"s.nc -o nowhere/w.html", 1}};
   for (const auto& [arguments, exit] : wrong) {
     const Outcome run = shell(std::string("asperity-report ") + arguments);

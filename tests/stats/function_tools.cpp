@@ -86,7 +86,7 @@ TEST_CASE("asperity-acf --json prints the profiles, and does not go together wit
 TEST_CASE("asperity-acf measures lengths at any level and in any direction, and the ellipse of the contour",
           "[acf-tool][statistics]") {
   const Json lengths =
-      json_of("asperity-acf drawn.nc --lengths --json --acf-level 0.5,0.2 --direction 90deg");
+      json_of("asperity-acf drawn.nc --lengths --json --levels 0.5,0.2 --direction 90deg");
   CHECK(lengths.contains("length_20_x"));
   CHECK_FALSE(lengths.contains("length_10_x"));
   CHECK(relative_error(lengths["target_length_50_x"]["value"], 4 * 20e-6) <= 10 * epsilon);
@@ -94,7 +94,7 @@ TEST_CASE("asperity-acf measures lengths at any level and in any direction, and 
         10 * epsilon);
   // The window is 160 µm × 150 µm: nearly round.
   CHECK(std::abs(lengths["ellipticity_50"]["value"].get<double>() - 1) <= 0.3);
-  for (const char* wrong : {"--acf-level 1.5", "--acf-level 10%", "--direction 1m"})
+  for (const char* wrong : {"--levels 1.5", "--levels 10%", "--direction 1m"})
     CHECK(run_on_surface(std::string("asperity-acf drawn.nc --lengths ") + wrong).exit == 2);
 }
 
@@ -160,13 +160,13 @@ TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel m
     return *std::max_element(density.begin(), density.end());
   };
   double narrow = 0, wide = 0;
-  CHECK(peak("", narrow) > peak("--bandwidth 0.8 --points 500", wide));
+  CHECK(peak("", narrow) > peak("--bandwidth 0.8 --rows 500", wide));
   CHECK(std::abs(narrow - 1) <= 1e-5);
   CHECK(std::abs(wide - 1) <= 1e-5);
 }
 
 TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-stats", "[pdf-tool][law]") {
-  const Json table = json_of("asperity-pdf drawn.nc --json --estimate quantiles --points 21");
+  const Json table = json_of("asperity-pdf drawn.nc --json --estimate quantiles --rows 21");
   const auto heights = table["height"]["values"].get<std::vector<double>>();
   CHECK(heights.size() == 21);
   CHECK(std::is_sorted(heights.begin(), heights.end()));
@@ -178,12 +178,12 @@ TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-s
 
 TEST_CASE("options of another estimate, or beyond its bounds, are refused by name", "[pdf-tool][contract]") {
   for (const auto& [options, name] : {std::pair{"--bandwidth 0.2", "--bandwidth"},
-                                      {"--points 9", "--points"},
+                                      {"--rows 9", "--rows"},
                                       {"--estimate kernel --bins 4", "--bins"},
                                       {"--estimate quantiles --bandwidth 1", "--bandwidth"},
                                       {"--estimate kernel --bandwidth 0", "--bandwidth"},
                                       {"--estimate kernel --bandwidth 1e-9", "--bandwidth"},
-                                      {"--estimate kernel --points 1", "--points"},
+                                      {"--estimate kernel --rows 1", "--rows"},
                                       {"--estimate mode", "--estimate"}}) {
     const Outcome run = run_on_surface(std::string("asperity-pdf drawn.nc ") + options);
     CAPTURE(options, run.error);

@@ -160,7 +160,7 @@ TEST_CASE("a polynomial with holes is taken away whole, and leaves the same of a
     CHECK(std::abs((left * term).sum()) <= 1e4 * epsilon);
 }
 
-TEST_CASE("a form that the points that are there do not determine is refused as --level",
+TEST_CASE("a form that the points that are there do not determine is refused as --remove-form",
           "[missing][contract]") {
   Field z = Field::Constant(9, 9, none);
   z.row(3) = random_field({1, 9}, 220);

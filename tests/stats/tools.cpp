@@ -67,8 +67,8 @@ TEST_CASE("asperity-stats refuses groups and shares it does not know, and slopes
           "[stats-tool][contract]") {
   for (const char* wrong :
        {"--parameters heights", "--parameters height,,material", "--quantiles 1.5", "--quantiles x",
-        "--parameters material --material-ratio 0.8,0.1", "--direction 30deg", "--acf-level 0.5",
-        "--material-ratio 0.2,0.7", "--parameters spatial --acf-level 2"}) {
+        "--parameters material --material-ratio 0.8,0.1", "--direction 30deg", "--sal-level 0.5",
+        "--material-ratio 0.2,0.7", "--parameters spatial --sal-level 2"}) {
     const Outcome run = run_on_surface(std::string("asperity-stats drawn.nc ") + wrong);
     CAPTURE(wrong, run.error);
     CHECK((run.exit == 2 && lines(run.error) == 1));
@@ -82,15 +82,15 @@ TEST_CASE("asperity-stats refuses groups and shares it does not know, and slopes
   CHECK(all["Sk"]["unit"] == "Pa");
 }
 
-TEST_CASE("a plane is taken off with --level plane and the mean is reported either way",
+TEST_CASE("a plane is taken off with --remove-form plane and the mean is reported either way",
           "[stats-tool][law]") {
   Dataset data = drawn_surface();
   const Grid grid = grid_of(data);
   const Field tilt = sample(grid, [](double x, double y) { return 1e-3 + 2e-3 * x - 1e-3 * y; });
   set_field(data, "heights", field_of(data, "heights") + tilt, {"m", "heights"});
   write_dataset(data, "tilted.nc");
-  const Json flat = json_of("asperity-stats drawn.nc --json --level plane");
-  const Json tilted = Json::parse(shell("asperity-stats tilted.nc --json --level plane").out);
+  const Json flat = json_of("asperity-stats drawn.nc --json --remove-form plane");
+  const Json tilted = Json::parse(shell("asperity-stats tilted.nc --json --remove-form plane").out);
   // Heights of 1e-3 m are rounded to ε 1e-3.
   CHECK(relative_error(tilted["Sq"]["value"], flat["Sq"]["value"]) <= 10 * epsilon * 1e-3 / 0.4e-6);
   CHECK(std::abs(tilted["mean"]["value"].get<double>() - flat["mean"]["value"].get<double>() - 1e-3) <=
@@ -100,7 +100,7 @@ TEST_CASE("a plane is taken off with --level plane and the mean is reported eith
 // x² + y² over 3 mm and 16 periods of a wave: what the form and the filters leave has the wave's rms height
 // alone.
 TEST_CASE(
-    "a form of --level 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
+    "a form of --remove-form 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
     "[stats-tool][law]") {
   const Grid grid{{128, 64}, 1e-5, 1e-5, true};
   auto wave = [](double x, double length) { return std::sin(2 * std::numbers::pi * x / length); };
@@ -126,9 +126,9 @@ TEST_CASE(
   set_field(data, "heights", sample(grid, [&](double x, double y) { return 1e3 * (x * x + y * y); }),
             {"m", "heights"});
   write_dataset(data, "waves.nc");
-  CHECK_THAT(shell("asperity-stats waves.nc --level 2").error, ContainsSubstring("zero to round-off"));
-  CHECK(shell("asperity-stats waves.nc --level 21").exit == 2);
-  CHECK(shell("asperity-stats waves.nc --level quadric").error.find("--level") != std::string::npos);
+  CHECK_THAT(shell("asperity-stats waves.nc --remove-form 2").error, ContainsSubstring("zero to round-off"));
+  CHECK(shell("asperity-stats waves.nc --remove-form 21").exit == 2);
+  CHECK(shell("asperity-stats waves.nc --remove-form quadric").error.find("--remove-form") != std::string::npos);
   CHECK(shell("asperity-stats waves.nc --lambda-c 10um").exit == 2);
   CHECK(run_on_surface("asperity-stats drawn.nc --lambda-c 1mm --correlation drawn").exit == 4);
 }
@@ -171,7 +171,7 @@ TEST_CASE("the statistics tools leave masked points out, and a mask of nothing c
   for (const char* command :
        {"asperity-stats --parameters all --quantiles 0.5 --json ", "asperity-acf --profiles --structure ",
         "asperity-acf --lengths ", "asperity-psd --radial ", "asperity-psd --profiles ", "asperity-pdf ",
-        "asperity-stats --level 3 --lambda-s 80um --lambda-c 0.5mm --json "}) {
+        "asperity-stats --remove-form 3 --lambda-s 80um --lambda-c 0.5mm --json "}) {
     CAPTURE(command);
     const std::string plain = run_on_surface(std::string(command) + "drawn.nc").out;
     CHECK(shell(std::string(command) + "unmasked.nc").out == plain);
@@ -225,7 +225,7 @@ TEST_CASE(
     "[stats-tool][law][slow]") {
   const std::string asked =
       "asperity-stats --json --parameters height,gaussianity,material,hybrid --quantiles 0,0.1,0.5,1 ";
-  for (const std::string level : {"", "--level 3 "}) {
+  for (const std::string level : {"", "--remove-form 3 "}) {
     const Json whole = json_of(asked + level + "drawn.nc");
     for (const char* input : {"--memory 200kB drawn.nc", "--memory 200kB < drawn.nc"}) {
       const Outcome run = shell(asked + level + input);
@@ -262,7 +262,7 @@ TEST_CASE("asperity-stats --profile in strips of rows or columns answers as on t
   set_flags(data, "mask", mask, "missing points", "present missing");
   write_dataset(data, "masked.nc");
   for (const std::string file : {"drawn.nc", "masked.nc"})
-    for (const std::string options : {"--profile x", "--profile y", "--profile x --level 2"}) {
+    for (const std::string options : {"--profile x", "--profile y", "--profile x --remove-form 2"}) {
       const Json whole = json_of("asperity-stats --json " + options + " " + file);
       const Outcome run = shell("asperity-stats --json --memory 200kB " + options + " " + file);
       CAPTURE(file, options, run.error);

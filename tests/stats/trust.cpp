@@ -147,7 +147,7 @@ TEST_CASE("a group that cannot be had leaves the others, and is refused where it
   CHECK(shell("asperity-report row.nc -o row.html").exit == 0);
 }
 
-// A plane of 1 mm above --level plane, and what --level 2 leaves of a sphere, are rounding's 1e-19 m.
+// A plane of 1 mm above --remove-form plane, and what --remove-form 2 leaves of a sphere, are rounding's 1e-19 m.
 TEST_CASE("what rounding leaves above a form is not presented as a surface", "[stats-tool][contract]") {
   const Field plane = sample(square, [](double x, double y) { return 1e-3 + 0.1 * x - 0.2 * y; }),
               cap = sample(square, [](double x, double y) { return (x * x + y * y) / 0.02; });
@@ -155,7 +155,7 @@ TEST_CASE("what rounding leaves above a form is not presented as a surface", "[s
     write_dataset(surface(square, z), "form.nc");
     for (const char* tool :
          {"asperity-stats", "asperity-stats --memory 100kB", "asperity-acf --lengths", "asperity-pdf"}) {
-      const Outcome run = shell(std::string(tool) + " form.nc --level " + form);
+      const Outcome run = shell(std::string(tool) + " form.nc --remove-form " + form);
       CAPTURE(tool, form, run.error);
       CHECK((run.exit == 4 && run.out.empty()));
       CHECK_THAT(run.error, ContainsSubstring("zero to round-off"));
@@ -187,9 +187,9 @@ TEST_CASE("angles beyond a turn, repeated words and more bins than points are re
   refused("asperity-acf drawn.nc --lengths --direction -361", 2, "--direction");
   refused("asperity-stats drawn.nc --parameters height,height", 2, "given twice");
   refused("asperity-stats drawn.nc --quantiles 0.5,0.50", 2, "given twice");
-  refused("asperity-acf drawn.nc --lengths --acf-level 0.1,1/e,0.10", 2, "given twice");
+  refused("asperity-acf drawn.nc --lengths --levels 0.1,1/e,0.10", 2, "given twice");
   refused("asperity-pdf drawn.nc --bins 7681", 2, "above the number of points, 7680");
-  refused("asperity-pdf drawn.nc --estimate kernel --points 2000000000", 2, "--points");
+  refused("asperity-pdf drawn.nc --estimate kernel --rows 2000000000", 2, "--rows");
   refused("asperity-pdf drawn.nc --estimate kernel --bandwidth 1e9", 2, "the range of heights");
 }
 

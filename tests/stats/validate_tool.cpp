@@ -60,7 +60,7 @@ TEST_CASE("asperity-validate reads names or one dataset from standard input, to 
   const Outcome one = shell("asperity-validate e_3.nc -q");
   CHECK(one.exit == 0);
   CHECK(shell("asperity-validate -q < e_3.nc").out == one.out);
-  CHECK(shell("asperity-validate e_*.nc -q --target e_0.nc").out == named);
+  CHECK(shell("asperity-validate e_*.nc -q --acf e_0.nc").out == named);
 }
 
 // Six surfaces: Student's t of 3.75 degrees.
@@ -105,7 +105,7 @@ TEST_CASE("asperity-validate refuses what it cannot judge in one line", "[valida
   write_ensemble(0.4e-6, 10e-6);
   const Outcome mixed = shell("asperity-validate e_0.nc coarse.nc");
   CHECK((mixed.exit == 4 && lines(mixed.error) == 1));
-  const Outcome target = shell("asperity-validate e_0.nc --target coarse.nc");
+  const Outcome target = shell("asperity-validate e_0.nc --acf coarse.nc");
   CHECK((target.exit == 4 && target.error.find("apart") != std::string::npos));
   CHECK(shell("echo | asperity-validate").exit == 2);
 }

@@ -23,10 +23,10 @@ TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]
   const std::string commands[] = {
       draw + "--length 3px --noise --skewness 0.5 --kurtosis 4",
       draw + "--length 3px --method filter --skewness 0.3 --kurtosis 3.5",
-      draw + "--length 3px --target matern",
-      draw + "--length 3px --target self-affine",
-      draw + "--length 3px --target stretched-exponential --exponent 1.5",
-      draw + "--length 3px --target exponential-cosine --wavelength 6px",
+      draw + "--length 3px --model matern",
+      draw + "--length 3px --model self-affine",
+      draw + "--length 3px --model stretched-exponential --exponent 1.5",
+      draw + "--length 3px --model exponential-cosine --wavelength 6px",
       draw + "--length 3px | asperity-acf --structure --quantiles --direction 30deg --max-lag 5x5 --dataset",
       draw +
           "--length 3px | asperity-acf --quantiles --dataset | asperity-kernel --acf - --infeasible nearest "

@@ -32,7 +32,7 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
       "asperity-contact s.nc --radius 1mm,inf --young 208GPa --poisson 0.3,0.25 --load 1mN --yield 1.2GPa "
       "--no-history",
       "asperity-stress pressed.nc --depths 0:1um:3 --section y=0 --maximum --no-history",
-      "asperity-plot s.nc s.nc --kind map --labels one,two --title 'a \"b\" \\ # [c] = d' --format svg -o -");
+      "asperity-plot s.nc s.nc --kind map --labels one,two --title 'a \"b\" \\ # [c] = d' --to svg -o -");
   const std::string tool = command.substr(0, command.find(' '));
   CAPTURE(command);
   const Outcome run = shell("export SOURCE_DATE_EPOCH=0; " + command + " --dump-config > a.toml; " + command +
@@ -48,12 +48,12 @@ TEST_CASE(
     "comments",
     "[config][contract]") {
   const Outcome run = shell(
-      "printf 'rq = \"2um\"\\nlevel = 0.25\\nperiodic = true\\n' > base.toml; "
-      "ASPERITY_COUNT=3 ASPERITY_RQ=1um " +
+      "printf 'rq = \"2um\"\\nlength-level = 0.25\\nperiodic = true\\n' > base.toml; "
+      "ASPERITY_GENERATE_COUNT=3 ASPERITY_GENERATE_RQ=1um " +
       draw + " --config base.toml --dump-config");
   CHECK(run.exit == 0);
   CHECK_THAT(run.out, ContainsSubstring("\nshape = \"16x12\"\n") && ContainsSubstring("\nrq = \"0.4nm\"\n") &&
-                          ContainsSubstring("\ncount = 3\n") && ContainsSubstring("\nlevel = 0.25\n") &&
+                          ContainsSubstring("\ncount = 3\n") && ContainsSubstring("\nlength-level = 0.25\n") &&
                           ContainsSubstring("\nperiodic = true\n") &&
                           ContainsSubstring("\n# tolerance = 1e-10\n"));
   CHECK(run.out.find("dump-config = ") == std::string::npos);
@@ -62,17 +62,17 @@ TEST_CASE(
 TEST_CASE("a file of options that cannot be meant is refused in a line that names it and the key",
           "[config][contract]") {
   CHECK_THAT(refused("sede = 1\\n"), ContainsSubstring("there is no option sede"));
-  CHECK_THAT(refused("level = \"1mm\"\\n"), ContainsSubstring("level: "));
-  CHECK_THAT(refused("level = 2\\n"),
-             ContainsSubstring("level: "));  // refused by the model, not by the reader
+  CHECK_THAT(refused("length-level = \"1mm\"\\n"), ContainsSubstring("length-level: "));
+  CHECK_THAT(refused("length-level = 2\\n"),
+             ContainsSubstring("length-level: "));  // refused by the model, not by the reader
   CHECK_THAT(refused("wavelength = 3mm\\n"),
              ContainsSubstring("wavelength: ") && ContainsSubstring("(line 1)"));
   CHECK_THAT(refused("count = 1\\ncount = 2\\n"), ContainsSubstring("count: "));
   CHECK_THAT(refused("periodic = 1\\n"), ContainsSubstring("periodic: is true or false"));
   CHECK_THAT(refused("[surface]\\n"), ContainsSubstring("surface: is a table"));
-  CHECK_THAT(refused("target = \"gaussian\\n"), ContainsSubstring("target: "));
+  CHECK_THAT(refused("model = \"gaussian\\n"), ContainsSubstring("model: "));
   CHECK_THAT(refused("target\\n"), ContainsSubstring("target: "));
-  CHECK_THAT(refused("level = 0.1 0.2\\n"), ContainsSubstring("level: "));
+  CHECK_THAT(refused("length-level = 0.1 0.2\\n"), ContainsSubstring("length-level: "));
   CHECK_THAT(refused("man = true\\n"), ContainsSubstring("man: "));
   const Outcome absent = shell(draw + " --config absent.toml -o bad.nc");
   CHECK(absent.exit == 2);
@@ -81,14 +81,14 @@ TEST_CASE("a file of options that cannot be meant is refused in a line that name
 
 // The regular expression that told a number recursed once a character.
 TEST_CASE("a number of a hundred thousand digits is dumped and read back", "[config][contract]") {
-  require(draw + " --level 0.$(printf '1%.0s' $(seq 100000)) --dump-config > c.toml");
+  require(draw + " --length-level 0.$(printf '1%.0s' $(seq 100000)) --dump-config > c.toml");
   CHECK(shell("asperity-generate --config c.toml --dump-config | cmp - c.toml").exit == 0);
 }
 
 TEST_CASE("a wrong value of the environment is named by its variable", "[config][contract]") {
-  const Outcome run = shell("ASPERITY_LEVEL=high " + draw + " -o bad.nc");
+  const Outcome run = shell("ASPERITY_GENERATE_LENGTH_LEVEL=high " + draw + " -o bad.nc");
   CHECK(run.exit == 2);
-  CHECK_THAT(run.error, ContainsSubstring("asperity-generate: ASPERITY_LEVEL: "));
+  CHECK_THAT(run.error, ContainsSubstring("asperity-generate: ASPERITY_GENERATE_LENGTH_LEVEL: "));
 }
 
 TEST_CASE("comments, literals and lists are read as TOML has them", "[config][contract]") {

@@ -9,7 +9,7 @@ using namespace asperity;
 using namespace asperity::test;
 
 TEST_CASE("a sweep prints a row a load, each the contact of its load alone", "[contact][law]") {
-  const std::vector<Row> table = rows(require(smooth + "--radius 50mm --loads 500N:5kN:9").out);
+  const std::vector<Row> table = rows(require(smooth + "--radius 50mm --sweep 500N:5kN:9").out);
   REQUIRE(table.size() == 9);
   CHECK(table.front().load == Approx(500).epsilon(1e-12));
   CHECK(table.back().load == Approx(5000).epsilon(1e-12));
@@ -29,7 +29,7 @@ TEST_CASE("a sweep prints a row a load, each the contact of its load alone", "[c
 }
 
 TEST_CASE("a sweep is JSON where asked, and takes a list as well", "[contact][contract]") {
-  const auto json = nlohmann::json::parse(require(smooth + "--radius 50mm --loads 500N,1kN,5kN --json").out);
+  const auto json = nlohmann::json::parse(require(smooth + "--radius 50mm --sweep 500N,1kN,5kN --json").out);
   CHECK(json["load"]["unit"] == "N");
   CHECK(json["stiffness"]["unit"] == "N/m");
   CHECK(json["load"]["values"].size() == 3);
@@ -39,7 +39,7 @@ TEST_CASE("a sweep is JSON where asked, and takes a list as well", "[contact][co
 TEST_CASE("each load of a sweep leaves the dataset that it alone would leave", "[contact][law]") {
   require(surface +
           " --seed 1 | asperity-contact --radius 50mm --yield 700MPa --tolerance 1e-9 --unload"
-          " --loads 500N,5kN --each press-%02d.nc -o table.tsv" +
+          " --sweep 500N,5kN --each press-%02d.nc -o table.tsv" +
           elastic);
   const Dataset each = read_dataset("press-02.nc");
   require(surface +
@@ -60,7 +60,7 @@ TEST_CASE("each load of a sweep leaves the dataset that it alone would leave", "
 TEST_CASE("a sweep with a load that does not converge exits with 3 and prints every row",
           "[contact][contract]") {
   const Outcome run = shell(surface +
-                            " --seed 1 | asperity-contact --radius 50mm --loads 500N:5kN:4 "
+                            " --seed 1 | asperity-contact --radius 50mm --sweep 500N:5kN:4 "
                             "--max-convolutions 3 --tolerance 1e-9" +
                             elastic);
   CHECK(run.exit == 3);
@@ -71,7 +71,7 @@ TEST_CASE("a sweep with a load that does not converge exits with 3 and prints ev
 // Once (10 N, 100 N, 1 kN) had -1.75e7 N/m. The outline's cells leave 0.2 Δx/a, 4 % of the least contact.
 TEST_CASE("the stiffness of a sweep's loads is that of each load alone, and Hertz's", "[contact][law]") {
   const std::string sphere = "asperity-contact --smooth --shape 128x128 --size 3mm --radius 50mm" + elastic;
-  const std::vector<Row> table = rows(require(sphere + "--loads 10N,100N,1kN --tolerance 1e-9").out);
+  const std::vector<Row> table = rows(require(sphere + "--sweep 10N,100N,1kN --tolerance 1e-9").out);
   REQUIRE(table.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
     const double q = std::pow(10, i + 1), modulus = 208e9 / (2 * 0.91),
@@ -87,7 +87,7 @@ TEST_CASE("the stiffness of a sweep's loads is that of each load alone, and Hert
   const Attributes sunk = attributes(sphere + "--approach 12um --stiffness");
   CHECK(relative_error(sunk.number("contact_stiffness", 0), 2 * 208e9 / 1.82 * std::sqrt(12e-6 * 25e-3)) <=
         0.01);
-  require(sphere + "--loads 10N,100N --each stiff-%d.nc -o stiff.tsv");
+  require(sphere + "--sweep 10N,100N --each stiff-%d.nc -o stiff.tsv");
   CHECK(read_dataset("stiff-2.nc").attributes.number("contact_stiffness", 0) > 0);
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("a stiffness that does not converge is no number, one line and exit 3"
 
 TEST_CASE("what makes a contact doubtful is told even with --quiet, in a sweep by each load",
           "[contact][contract]") {
-  const Outcome run = shell(smooth + "--radius 50mm --loads 5kN,50kN,500kN --quiet --json");
+  const Outcome run = shell(smooth + "--radius 50mm --sweep 5kN,50kN,500kN --quiet --json");
   CHECK(run.exit == 0);
   CHECK(lines(run.error) == 3);
   CHECK(nlohmann::json::parse(run.out)["load"]["values"].size() == 3);
@@ -126,7 +126,7 @@ TEST_CASE("what makes a contact doubtful is told even with --quiet, in a sweep b
                             ContainsSubstring("above the composite modulus, 1.14e+11 Pa"));
   // Each kind once, however many loads have it, and none hidden behind another: 31 lines on small contacts
   // once.
-  const Outcome many = shell(smooth + "--radius 50mm --loads 0.01N:50kN:30 -q");
+  const Outcome many = shell(smooth + "--radius 50mm --sweep 0.01N:50kN:30 -q");
   CHECK(lines(many.error) == 4);
   CHECK_THAT(many.error, ContainsSubstring("10mN: the contact has") &&
                              ContainsSubstring("the contact has few cells under ") &&
@@ -134,7 +134,7 @@ TEST_CASE("what makes a contact doubtful is told even with --quiet, in a sweep b
                              ContainsSubstring("to 50kN"));
   CHECK_THAT(shell(smooth + "--load 5N -q -o flat.nc").error,
              ContainsSubstring("periodic, or give a radius"));
-  const Outcome ball = shell(smooth + "--radius 1mm --loads 5kN,6kN -q");
+  const Outcome ball = shell(smooth + "--radius 1mm --sweep 5kN,6kN -q");
   CHECK_THAT(ball.error, ContainsSubstring(
                              "warning: the domain ends at x = 0.0015 m, beyond a body's radius of 0.001 m"));
   CHECK(lines(ball.error) == 1);

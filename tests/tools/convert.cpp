@@ -40,7 +40,7 @@ TEST_CASE("a surface comes back from every format the same, with its spacing", "
     CAPTURE(name);
     const bool bare = name == "text" || name == "npy";
     const Outcome run =
-        shell("asperity-convert surface.nc --to " + name + " -o there && asperity-convert there --format " +
+        shell("asperity-convert surface.nc --to " + name + " -o there && asperity-convert there --from " +
               name + (bare ? " --size 3mm,1mm" : "") + " -o back.nc");
     INFO(run.error);
     REQUIRE(run.exit == 0);
@@ -80,7 +80,7 @@ TEST_CASE("a missing point is filled by a membrane, the mean or the least height
 
 TEST_CASE("a matrix in text has the order, the size and the unit that it is given", "[convert][exact]") {
   write_text("matrix.txt", "1,2,3\n4,5,6\n");
-  REQUIRE(shell("asperity-convert matrix.txt --order yx --size 6mm,4mm --unit nm -o m.nc").exit == 0);
+  REQUIRE(shell("asperity-convert matrix.txt --from-order yx --size 6mm,4mm --unit nm -o m.nc").exit == 0);
   const Field z = heights_in("m.nc");
   REQUIRE(shape_of(z) == Shape{3, 2});
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
@@ -120,11 +120,11 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   CHECK(shape_of(converted("spaced.csv --separator comma --size 1mm")) == Shape{2, 6});
   CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
   CHECK(shape_of(converted("xyz.txt --heights --size 1mm")) == Shape{6, 3});
-  const Field z = converted("xyz.txt --points mm");
+  const Field z = converted("xyz.txt --xyz mm");
   REQUIRE(shape_of(z) == Shape{3, 2});
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
   CHECK(relative_error(grid_of(read_dataset("told.nc")).dy, 2e-3) <= 2 * epsilon);
-  CHECK(shape_of(converted("xz.txt --points um")) == Shape{3, 1});
+  CHECK(shape_of(converted("xz.txt --xyz um")) == Shape{3, 1});
 }
 
 TEST_CASE("what an option tells of a text is refused where the input is none, or says so itself",
@@ -132,10 +132,10 @@ TEST_CASE("what an option tells of a text is refused where the input is none, or
   REQUIRE(shell(surface + "asperity-convert surface.nc -o map.gsf").exit == 0);
   write_numbers();
   for (const char* arguments :
-       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --points um",
+       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --xyz um",
         "numbers.txt --heights", "surface.nc --heights", "numbers.txt --separator comma --decimal comma",
-        "numbers.txt --separator word", "numbers.txt --format text --points s",
-        "numbers.txt --format text --points um --heights"}) {
+        "numbers.txt --separator word", "numbers.txt --from text --xyz s",
+        "numbers.txt --from text --xyz um --heights"}) {
     const Outcome run = shell(std::string("asperity-convert ") + arguments + " -o out.nc");
     CAPTURE(arguments, run.error);
     CHECK(run.exit == 2);
@@ -246,8 +246,8 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
   const std::pair<const char*, std::pair<int, const char*>> cases[] = {
       {"matrix.txt", {4, "asperity-convert: x: the file does not say how large the map is"}},
       {"rubbish.gsf", {4, "asperity-convert: map: "}},
-      {"numbers.txt --format gsf", {4, "asperity-convert: "}},
-      {"numbers.txt --format word", {2, "asperity-convert: --format: "}},
+      {"numbers.txt --from gsf", {4, "asperity-convert: "}},
+      {"numbers.txt --from word", {2, "asperity-convert: --from: "}},
       {"numbers.txt --to word", {2, "asperity-convert: --to: "}},
       {"numbers.txt --crop 3:2,0:1",
        {2, "asperity-convert: --crop: '3:2' is no range A:B with 0 <= A < B <= 6"}},

@@ -35,9 +35,9 @@ TEST_CASE("a manual page has its sections and each option of --help", "[man][con
     CHECK_THAT(page.out, ContainsSubstring(std::string("\n.SH ") + name + "\n"));
   const Outcome missing =
       shell(tool + " --man | tr -d '\\\\' > page; " + tool +
-            " --help | sed '/^Example:/q' | grep -oE '^  (-., ?)?--[a-z-]+' | grep -oE -- '--[a-z-]+' |"
+            " --help | sed '/^Accuracy:/q' | grep -oE '^  (-., ?)?--[a-z-]+' | grep -oE -- '--[a-z-]+' |"
             "while read o; do grep -qF -- \"fB$o\" page || echo $o; done; " +
-            tool + " --help | grep -c '^  -'");
+            tool + " --help | sed '/^Accuracy:/q' | grep -cE '^  -'");
   CAPTURE(missing.out);
   CHECK(lines(missing.out) == 1);  // how many options there are
 }
@@ -68,9 +68,9 @@ TEST_CASE("roff takes nothing of a text for its own", "[man][contract]") {
 }
 
 TEST_CASE("bash completes options, the words of a choice and files", "[completion][contract]") {
-  CHECK(offered("generate", "--tar") == "--target\n");
-  CHECK(offered("generate", "--target m") == "matern\n");
-  CHECK(offered("generate", "--target = g") == "gaussian\n");
+  CHECK(offered("generate", "--mod") == "--model\n");
+  CHECK(offered("generate", "--model m") == "matern\n");
+  CHECK(offered("generate", "--model = g") == "gaussian\n");
   CHECK(offered("generate", "--form ''").empty() == false);
   CHECK(offered("generate", "--rq ''") == "\n");
   CHECK(offered("contact", "--boundary ''") == "free periodic\n");
@@ -94,7 +94,7 @@ TEST_CASE("completions are right by the grammar of their shells", "[completion][
   CHECK(shell(tool + " --completion fish").exit == 2);
 }
 
-// In a terminal of zsh's own module zpty; Tab behind "--tar" and "--target=mat".
+// In a terminal of zsh's own module zpty; Tab behind "--mod" and "--model=mat".
 TEST_CASE("zsh completes options and the words of a choice", "[completion][contract][slow]") {
   const Outcome zsh = shell(
       "command -v zsh >/dev/null || { echo SKIPPED: no zsh; exit; }; mkdir zsh;"
@@ -110,6 +110,6 @@ TEST_CASE("zsh completes options and the words of a choice", "[completion][contr
       "zsh -f ask.zsh");
   if (skipped(zsh)) return;
   CAPTURE(zsh.out, zsh.error);
-  CHECK_THAT(zsh.out, ContainsSubstring("--target"));
+  CHECK_THAT(zsh.out, ContainsSubstring("--model"));
   CHECK_THAT(zsh.out, ContainsSubstring("matern"));
 }

@@ -43,9 +43,9 @@ TEST_CASE("an empty value is named by where it came from", "[empty][contract]") 
   const std::string press = "asperity-contact s.nc" + bodies;
   CHECK(says_empty(shell(press + "--counter \"$UNSET\" -o p.nc"), "--counter"));
   CHECK(says_empty(shell(press + "-o ''"), "--output"));
-  CHECK(says_empty(shell("ASPERITY_COUNTER= " + press), "ASPERITY_COUNTER"));
-  CHECK(says_empty(shell("ASPERITY_STIFFNESS= " + press), "ASPERITY_STIFFNESS"));
-  CHECK(shell("ASPERITY_RADIUS= " + press + "-o p.nc").exit == 0);  // the command line comes first
+  CHECK(says_empty(shell("ASPERITY_CONTACT_COUNTER= " + press), "ASPERITY_CONTACT_COUNTER"));
+  CHECK(says_empty(shell("ASPERITY_CONTACT_STIFFNESS= " + press), "ASPERITY_CONTACT_STIFFNESS"));
+  CHECK(shell("ASPERITY_CONTACT_RADIUS= " + press + "-o p.nc").exit == 0);  // the command line comes first
   CHECK(says_empty(shell("asperity-contact ''" + bodies), "INPUT"));
   CHECK(says_empty(shell("asperity-stats s.nc ''"), "SURFACES"));
   CHECK(says_empty(shell("asperity-plot '' --kind map -o m.png"), "INPUT"));
@@ -62,13 +62,13 @@ TEST_CASE("an empty value is named by where it came from", "[empty][contract]") 
 
 TEST_CASE("a figure has no title where its title is empty, wherever that is said", "[empty][contract]") {
   REQUIRE(shell(generate + "-o s.nc").exit == 0);
-  const std::string plot = "asperity-plot s.nc --kind map --format svg -o - ";
+  const std::string plot = "asperity-plot s.nc --kind map --to svg -o - ";
   const Outcome none = shell(plot + "--title ''");
   if (none.error.find("gnuplot") != none.error.npos) return;  // not installed
   CHECK(none.exit == 0);
   CHECK(none.out != shell(plot).out);
   shell("echo 'title = \"\"' > plain.toml");
-  for (const std::string& same : {plot + "--title=", "ASPERITY_TITLE= " + plot, plot + "--config plain.toml"})
+  for (const std::string& same : {plot + "--title=", "ASPERITY_PLOT_TITLE= " + plot, plot + "--config plain.toml"})
     CHECK(shell(same).out == none.out);
 }
 
@@ -77,10 +77,10 @@ TEST_CASE("an empty input is bad data, and of a pipe the tool before it", "[empt
   for (const std::string& tool :
        {std::string("stats"), std::string("validate"), std::string("acf"), std::string("psd"),
         std::string("pdf"), std::string("report"), std::string("convert --to gsf"),
-        std::string("plot --kind map --format svg -o -"), "contact" + bodies,
+        std::string("plot --kind map --to svg -o -"), "contact" + bodies,
         std::string("stress --depths 0"), std::string("stress p.nc --points -"),
         "contact s.nc --counter -" + bodies, std::string("kernel --acf -"),
-        std::string("validate s.nc --target -"), std::string("generate --shape 8x8 --size 1mm --rq 1um"),
+        std::string("validate s.nc --acf -"), std::string("generate --shape 8x8 --size 1mm --rq 1um"),
         std::string("generate --shape 8x8 --size 1mm --rq 1um --kernel -"),
         generate.substr(9) + "--marginal -"}) {
     const std::string first = tool.substr(0, tool.find(' '));

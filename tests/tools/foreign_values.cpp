@@ -153,7 +153,7 @@ TEST_CASE("a surface whose x descends is turned around, which a note and the his
   CHECK(b.attributes.text("history").starts_with(line + "\n"));
   CHECK(shell("asperity-stats down-stress.nc").error.empty());
   // the same where the values stay in the file
-  const std::string strips = "asperity-stats --memory 8kB --level plane --parameters height,hybrid ";
+  const std::string strips = "asperity-stats --memory 8kB --remove-form plane --parameters height,hybrid ";
   const Outcome strip_one = shell(strips + "up.nc"), strip_other = shell(strips + "down.nc");
   CAPTURE(strip_one.error);
   REQUIRE(strip_one.exit == 0);

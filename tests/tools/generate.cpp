@@ -134,8 +134,8 @@ TEST_CASE("what is missing beside a kernel on standard input is named", "[genera
       {"asperity-generate --shape 8x8 --rq 1um -o absent.nc < samples.nc", "--size"},
       {"asperity-generate --shape 8x8 --rq 1um --size 3um -o absent.nc < spaced.nc", "--size"},
       {"asperity-generate --shape 8x8 --rq 1um --size 3um -o absent.nc < /dev/null", "--length"},
-      {"asperity-generate --shape 8x8 --rq 1um --level 0.5 -o absent.nc < spaced.nc", "--length"},
-      {"asperity-generate --shape 8x8 --rq 1um --kernel spaced.nc --level 0.5 -o absent.nc", "--level"},
+      {"asperity-generate --shape 8x8 --rq 1um --length-level 0.5 -o absent.nc < spaced.nc", "--length"},
+      {"asperity-generate --shape 8x8 --rq 1um --kernel spaced.nc --length-level 0.5 -o absent.nc", "--length-level"},
   };
   for (const auto& [line, option] : lacking) {
     const Outcome run = shell(line);

@@ -159,7 +159,7 @@ TEST_CASE("a skewness alone brings the kurtosis of the gamma family, a kurtosis 
   require(draw + "--kurtosis 5");
   CHECK(expected("skewness") == 0);
   CHECK(std::abs(expected("kurtosis") - 5) <= 1e-10);
-  require("ASPERITY_SKEWNESS=-0.4 " + draw + "--method filter");
+  require("ASPERITY_GENERATE_SKEWNESS=-0.4 " + draw + "--method filter");
   CHECK(std::abs(expected("kurtosis") - 3.24) <= 1e-9);
   require(draw + "-q --skewness -1 --kurtosis 3");
   CHECK(std::abs(expected("kurtosis") - 3) <= 1e-10);
@@ -199,7 +199,7 @@ TEST_CASE(
 TEST_CASE("a correlation that skewed heights cannot have is refused, or changed with a warning",
           "[heights][contract]") {
   const std::string draw = "asperity-generate" + grid +
-                           " --rq 0.4um --target exponential-cosine --length 120px,40px --wavelength 20px"
+                           " --rq 0.4um --model exponential-cosine --length 120px,40px --wavelength 20px"
                            " --skewness -2 --kurtosis 10 --lags 20x20 -q";
   refused(draw, 2, {"--marginal", "correlate no lower than -0.71"});
   const Outcome run = shell(draw + " --infeasible nearest --seed 1 -o s.nc");

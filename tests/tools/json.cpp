@@ -20,7 +20,7 @@ TEST_CASE("all that tools print with --json and --report is of the schema", "[js
       "asperity-convert s.nc --crop 0:1,0:48 -o row.nc && asperity-stats row.nc --parameters all --json > "
       "row.json 2> /dev/null;"  // without slopes, and of few independent heights
       "press='asperity-contact --radius 50mm --young 208GPa --poisson 0.3';"
-      "$press --load 50N --report contact.json s.nc -o p.nc && $press --loads 10N,20N --json s.nc > "
+      "$press --load 50N --report contact.json s.nc -o p.nc && $press --sweep 10N,20N --json s.nc > "
       "loads.json &&"
       "asperity-stress p.nc --maximum --report stress.json -o v.nc && echo 0 0 1um > places &&"
       "asperity-stress p.nc --points places --json > points.json; ls *.json | wc -l");

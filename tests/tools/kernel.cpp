@@ -9,7 +9,7 @@
 using namespace asperity;
 using namespace asperity::test;
 
-TEST_CASE("every target is at --level at its lengths, and its kernel has it over all lags", "[kernel][law]") {
+TEST_CASE("every target is at --length-level at its lengths, and its kernel has it over all lags", "[kernel][law]") {
   const std::pair<std::string, std::string> shapes[] = {
       {"exponential", ""},
       {"gaussian", ""},
@@ -17,7 +17,7 @@ TEST_CASE("every target is at --level at its lengths, and its kernel has it over
       {"stretched-exponential", " --exponent 0.7 --acf-tolerance 0.02"},
       {"self-affine", " --hurst 0.8 --acf-tolerance 0.02"}};
   for (const auto& [name, shape] : shapes) {
-    const Attributes a = solved("--target " + name + shape + " --length 6px,3px --level 0.3");
+    const Attributes a = solved("--model " + name + shape + " --length 6px,3px --length-level 0.3");
     const Dataset data = read_dataset("solved.nc");
     const Field target = table_of(data, "acf_target"), achieved = table_of(data, "acf_achieved");
     const Index middle = target.cols() / 2;
@@ -33,17 +33,17 @@ TEST_CASE("every target is at --level at its lengths, and its kernel has it over
 // 0.3 is its envelope's; at half a wavelength along the first axis the cosine is -1.
 TEST_CASE("exponential-cosine oscillates with its wavelength below the envelope", "[kernel][exact]") {
   const Field target = target_of(
-      "--target exponential-cosine --length 6px,4px --level 0.3 --wavelength 12px --acf-tolerance 1e-2");
+      "--model exponential-cosine --length 6px,4px --length-level 0.3 --wavelength 12px --acf-tolerance 1e-2");
   CHECK(std::abs(target(6, target.cols() / 2) + 0.3) <= 1e-12);
   CHECK(std::abs(target(0, target.cols() / 2 + 4) - 0.3) <= 1e-12);
 }
 
 TEST_CASE("the shape of a target is recorded beside its name", "[kernel][contract]") {
   const std::string length = " --length 4px --acf-tolerance 0.05";
-  CHECK(solved("--target matern --smoothness 2" + length).number("kernel_smoothness", 0) == 2);
-  CHECK(solved("--target stretched-exponential --exponent 1.5" + length).number("kernel_exponent", 0) == 1.5);
-  CHECK(solved("--target self-affine --hurst 0.7" + length).number("kernel_hurst", 0) == 0.7);
-  CHECK(solved("--target exponential-cosine --wavelength 9px" + length).number("kernel_wavelength", 0) == 9);
+  CHECK(solved("--model matern --smoothness 2" + length).number("kernel_smoothness", 0) == 2);
+  CHECK(solved("--model stretched-exponential --exponent 1.5" + length).number("kernel_exponent", 0) == 1.5);
+  CHECK(solved("--model self-affine --hurst 0.7" + length).number("kernel_hurst", 0) == 0.7);
+  CHECK(solved("--model exponential-cosine --wavelength 9px" + length).number("kernel_wavelength", 0) == 9);
   CHECK(solved("--length 4px").find("kernel_hurst") == nullptr);
 }
 
@@ -68,17 +68,17 @@ TEST_CASE("an option that the target does not use, or cannot, is exit 2 and name
   const std::string kernel = "asperity-kernel --length 4px ";
   const std::pair<std::string, std::string> bad[] = {
       {"--hurst 0.5", "--hurst"},
-      {"--target gaussian --smoothness 1", "--smoothness"},
-      {"--target matern --exponent 1", "--exponent"},
-      {"--target self-affine --wavelength 9px", "--wavelength"},
-      {"--target exponential-cosine", "--wavelength"},
-      {"--target exponential-cosine --wavelength 9um", "--wavelength"},
-      {"--target exponential-cosine --wavelength 9", "--wavelength"},
-      {"--target exponential-cosine --wavelength=-9px", "--wavelength"},
-      {"--target bessel", "--target"},
-      {"--target matern --smoothness 0", "--smoothness"},
-      {"--target stretched-exponential --exponent 2.1", "--exponent"},
-      {"--target self-affine --hurst nan", "--hurst"},
+      {"--model gaussian --smoothness 1", "--smoothness"},
+      {"--model matern --exponent 1", "--exponent"},
+      {"--model self-affine --wavelength 9px", "--wavelength"},
+      {"--model exponential-cosine", "--wavelength"},
+      {"--model exponential-cosine --wavelength 9um", "--wavelength"},
+      {"--model exponential-cosine --wavelength 9", "--wavelength"},
+      {"--model exponential-cosine --wavelength=-9px", "--wavelength"},
+      {"--model bessel", "--model"},
+      {"--model matern --smoothness 0", "--smoothness"},
+      {"--model stretched-exponential --exponent 2.1", "--exponent"},
+      {"--model self-affine --hurst nan", "--hurst"},
       {"--angle north", "--angle"},
       {"--angle 3mm", "--angle"},
       {"--angle inf", "--angle"},
@@ -87,7 +87,7 @@ TEST_CASE("an option that the target does not use, or cannot, is exit 2 and name
       {"--infeasible ignore", "--infeasible"},
       {"--acf-tolerance 0", "--acf-tolerance"},
       {"--tolerance 0", "--tolerance"},
-      {"--level 0", "--level"}};
+      {"--length-level 0", "--length-level"}};
   for (const auto& [options, words] : bad) refused(kernel + options, 2, words);
   refused("asperity-kernel", 2, "--length");
   refused("asperity-kernel --length 4px,2px --angle 20 --formulation symmetric", 2, "--formulation");
@@ -152,8 +152,8 @@ TEST_CASE("a target without a kernel of these lags is met by a wider one, or ref
 
 TEST_CASE("an iteration that ends in no kernel leaves its library silent", "[kernel][contract]") {
   refused(
-      "asperity-kernel --spacing 1um --formulation patir --target gaussian --lags 2x2 --length 2px,2px "
-      "--level 0.1 --infeasible error",
+      "asperity-kernel --spacing 1um --formulation patir --model gaussian --lags 2x2 --length 2px,2px "
+      "--length-level 0.1 --infeasible error",
       2, "no kernel of 2x2 lags");
 }
 

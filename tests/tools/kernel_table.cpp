@@ -82,7 +82,7 @@ TEST_CASE("a dataset whose table is none, or does not fit its grid, is exit 4", 
   write(acf, {"lag_x", 0, 1e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
   REQUIRE(shell("asperity-kernel --acf table.nc -o fits.nc").exit == 0);
   refused("asperity-kernel --acf table.nc --spacing 2um", 2, "--spacing");
-  for (const char* option : {"--length 4px", "--target gaussian", "--angle 3", "--level 0.2"})
+  for (const char* option : {"--length 4px", "--model gaussian", "--angle 3", "--length-level 0.2"})
     refused("asperity-kernel --acf table.nc " + std::string(option), 2, "--acf");
   refused("asperity-kernel --acf table.nc --lags 3x2", 2, "--lags");
   refused("asperity-generate --acf table.nc --kernel fits.nc --rq 1um", 2, "--acf");
@@ -125,7 +125,7 @@ TEST_CASE("a table that no surface has is exit 4, or the nearest with exit 3 and
 TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at every lag of the table",
           "[kernel][contract][slow]") {
   const std::string measured =
-      " " ASPERITY_TEST_DATA "/profiler-96x96.x3p --level 2 --lambda-s 1um --lambda-c 12um";
+      " " ASPERITY_TEST_DATA "/profiler-96x96.x3p --remove-form 2 --lambda-s 1um --lambda-c 12um";
   for (const std::string more : {" --biased", " --biased --max-lag 20x15"}) {
     REQUIRE(shell("asperity-acf" + measured + more + " -o a.nc").exit == 0);
     const Outcome run = shell("asperity-generate --acf a.nc --seed 1 -o t.nc");

@@ -243,7 +243,7 @@ TEST_CASE("an autocorrelation of the surface that is pressed stays, unless the p
 
 TEST_CASE("each dataset of a sweep is one case, and what went is said once", "[lineage][contract]") {
   write_everything();
-  const Outcome run = shell("asperity-contact all.nc --loads 1N,2N --each press-%d.nc" + bodies);
+  const Outcome run = shell("asperity-contact all.nc --sweep 1N,2N --each press-%d.nc" + bodies);
   INFO(run.error);
   REQUIRE(run.exit == 0);
   const std::size_t said = run.error.find("dropped");

@@ -10,12 +10,12 @@ TEST_CASE(
     "one pipe draws twins of a measured surface, by its quantiles, by its moments, or by the heights of a "
     "file",
     "[heights][statistics][slow]") {
-  require("asperity-acf " + measured + " --level plane --biased --quantiles -o acf.nc");
+  require("asperity-acf " + measured + " --remove-form plane --biased --quantiles -o acf.nc");
   const double skewness = attribute("acf.nc", "acf_skewness"), kurtosis = attribute("acf.nc", "acf_kurtosis");
   for (const std::string marginal : {"measured", "johnson", measured.c_str()}) {
     CAPTURE(marginal);
     require("asperity-acf " + measured +
-            " --level plane --biased --quantiles | asperity-generate --acf - --shape 256x256 --seed 2 "
+            " --remove-form plane --biased --quantiles | asperity-generate --acf - --shape 256x256 --seed 2 "
             "--marginal " +
             marginal + " -o twin.nc");
     CHECK(std::abs(attribute("twin.nc", "generate_skewness_expected") - skewness) <= 0.3);
@@ -28,9 +28,9 @@ TEST_CASE(
 
 TEST_CASE("the table of asperity-stats, text or JSON, gives a twin its skewness and kurtosis",
           "[heights][law]") {
-  require("asperity-acf " + measured + " --level plane --biased -o acf.nc");
+  require("asperity-acf " + measured + " --remove-form plane --biased -o acf.nc");
   for (const std::string json : {"", " --json"}) {
-    require("asperity-stats " + measured + " --level plane" + json +
+    require("asperity-stats " + measured + " --remove-form plane" + json +
             " | asperity-generate --acf acf.nc --shape 64x64 --seed 2 --marginal - -o twin.nc");
     CHECK(relative_error(attribute("twin.nc", "generate_skewness_expected"),
                          attribute("acf.nc", "acf_skewness")) <= 1e-12);

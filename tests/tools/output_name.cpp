@@ -60,7 +60,7 @@ TEST_CASE("a dataset is not written into a name of another format, nor computed 
     check_refused("asperity-psd s.nc -o " + file, file);
   }
   check_refused(draw + "--count 2 -o m_%d.tif", "m_%d.tif");
-  check_refused(press + "--loads 1N,2N --each m_%d.tif", "m_1.tif", "each");
+  check_refused(press + "--sweep 1N,2N --each m_%d.tif", "m_1.tif", "each");
   check_refused("asperity-convert s.nc -o map.tif", "map.tif");
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("a table is text, JSON with --json alone, a page is HTML", "[output][c
   for (const std::string file : {"t.nc", "t.x3p", "t.png", "t.json"}) {
     check_refused("asperity-stats s.nc -o " + file, file);
     check_refused("asperity-acf s.nc --lengths -o " + file, file);
-    check_refused(press + "--loads 1N,2N -o " + file, file);
+    check_refused(press + "--sweep 1N,2N -o " + file, file);
   }
   check_refused("asperity-report s.nc -o page.pdf", "page.pdf");
   check_refused(draw + "--report r.nc -o /dev/null", "r.nc", "report");

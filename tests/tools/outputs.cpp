@@ -138,7 +138,7 @@ TEST_CASE("two outputs of one run are two files, whatever they are called", "[ou
         generate + "-o same --report sym", generate + "-o hard --report hard2",
         generate + "-o same --report d/../same", generate + "--report -",
         generate + "-o /dev/fd/1 --report -", generate + "-o f --report ./f",
-        press + "--loads 1N,2N --each p%d -o p2", press + "--load 1N -o q --report $PWD/q"}) {
+        press + "--sweep 1N,2N --each p%d -o p2", press + "--load 1N -o q --report $PWD/q"}) {
     const Outcome out = shell(run + " | cat");
     CAPTURE(run, out.error);
     CHECK(out.exit == 2);
@@ -174,7 +174,7 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
                                  std::string("asperity-acf own --lengths -o own"),
                                  std::string("asperity-psd own --radial -o own"),
                                  std::string("asperity-report own -o own"),
-                                 std::string("asperity-plot own --kind map --format svg -o own"),
+                                 std::string("asperity-plot own --kind map --to svg -o own"),
                                  std::string("asperity-convert own --to gsf -o own"),
                                  std::string("asperity-convert text -o text"),
                                  "asperity-contact own" + bodies + "-o p.nc --report own",
@@ -182,7 +182,7 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
                                  "asperity-contact text" + bodies + "-o text",
                                  std::string("asperity-stress pressed.nc --points points -o points"),
                                  generate + "--marginal own -o own",
-                                 std::string("asperity-validate own.nc --target acf -o acf")}) {
+                                 std::string("asperity-validate own.nc --acf acf -o acf")}) {
     const Outcome out = shell(run);
     CAPTURE(run, out.error, out.out);
     CHECK(out.exit == 2);
@@ -232,7 +232,7 @@ TEST_CASE("a figure beyond a limit on the size of files is an error, not a part 
           "[outputs][contract]") {
   drawn();
   const Outcome run =
-      shell("(ulimit -f 8; asperity-plot own.nc --kind map --format svg -o - 2> why) | wc -c; cat why");
+      shell("(ulimit -f 8; asperity-plot own.nc --kind map --to svg -o - 2> why) | wc -c; cat why");
   CAPTURE(run.out);
   CHECK(run.out.starts_with("0\nasperity-plot: "));
   CHECK(lines(run.out) == 2);

@@ -66,7 +66,7 @@ TEST_CASE("surfaces that their correlation reaches around have the rms height as
           "[periodic][statistics][slow]") {
   for (const std::string options :
        {"--shape 64x64 --size 1mm --length 32px",
-        "--shape 64x64 --size 1mm --length 40px,30px --target self-affine",
+        "--shape 64x64 --size 1mm --length 40px,30px --model self-affine",
         "--shape 1x4096 --size 1mm,1mm --length 20px", "--shape 4096x1 --size 1mm,1mm --length 20px",
         "--shape 47x62 --size 1mm --length 18px,11px --angle 30",
         "--shape 64x64 --size 1mm --length 24px --skewness 1 --kurtosis 5",

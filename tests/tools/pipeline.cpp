@@ -116,7 +116,7 @@ TEST_CASE("wrong usage is exit 2 and one line that names the tool and the option
       {"asperity-generate --shape 0x32 --size 3mm --rq 1um --length 4px", "--shape"},
       {"asperity-generate --shape 32x32 --size 3 --rq 1um --length 4px", "--size"},
       {"asperity-generate --shape 32x32 --size 3mm --rq 1um --length 4px --seed=-1", "--seed"},
-      {"asperity-kernel --length 4px --level 1.5", "--level"},
+      {"asperity-kernel --length 4px --length-level 1.5", "--length-level"},
       {generate + " | asperity-contact --radius 50 --young 208GPa --poisson 0.3 --load 5000N", "--radius"},
       {generate + " | asperity-contact --radius 50mm --young 208GPa --poisson 0.6 --load 5000N", "--poisson"},
       {generate + " | asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load=-1N", "--load"},
@@ -200,8 +200,8 @@ TEST_CASE("the command line comes before the environment, and that before the fi
     return read_dataset("s.nc").attributes.number("generate_seed", -1);
   };
   CHECK(seed("", "--config three.toml") == 1);
-  CHECK(seed("ASPERITY_SEED=2 ", "--config three.toml") == 2);
-  CHECK(seed("ASPERITY_SEED=2 ", "--config three.toml --seed 3") == 3);
+  CHECK(seed("ASPERITY_GENERATE_SEED=2 ", "--config three.toml") == 2);
+  CHECK(seed("ASPERITY_GENERATE_SEED=2 ", "--config three.toml --seed 3") == 3);
   CHECK(shell("echo 'sede = 1' > bad.toml; " + base + "--config bad.toml").exit == 2);
 }
 

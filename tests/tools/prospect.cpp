@@ -40,7 +40,7 @@ TEST_CASE("a surface that would be an offset more than rough is refused before i
           "[prospect][contract]") {
   refused_before_any_step(square + "--length 5mm", {"--length", "79 %"});
   refused_before_any_step(square + "--length 320px", {"--length", "79 %"});
-  refused_before_any_step(square + "--target gaussian --length 5mm", {"--length"});
+  refused_before_any_step(square + "--model gaussian --length 5mm", {"--length"});
   refused_before_any_step("asperity-kernel --shape 64x64 --size 1mm --length 5mm -o s.nc", {"--length"});
   refused_before_any_step("asperity-generate --shape 1x64 --size 1mm --rq 1um --length 5mm -o s.nc",
                           {"--length"});
@@ -69,7 +69,7 @@ TEST_CASE("a kernel or a drawing that the memory does not hold is refused before
 // It falls from 5e-3 to 1e-3 over nearly as many lags again, all of which are tried in turn, for minutes.
 TEST_CASE("a correlation that falls slowly is told what it may take before it is solved for",
           "[prospect][contract][slow]") {
-  const Outcome slow = shell("asperity-kernel -q --target self-affine --length 77px --memory 190MB -o s.nc");
+  const Outcome slow = shell("asperity-kernel -q --model self-affine --length 77px --memory 190MB -o s.nc");
   CAPTURE(slow.error);
   CHECK(slow.exit == 2);
   CHECK_THAT(slow.error, Catch::Matchers::StartsWith(
@@ -116,7 +116,7 @@ TEST_CASE("a correlation that ends within a sample is warned of as white noise",
 
 TEST_CASE("a wave of less than two samples along an axis is refused, for it would look like a longer one",
           "[prospect][contract]") {
-  const std::string cosine = "--target exponential-cosine --length 6px --lags 8x8 ";
+  const std::string cosine = "--model exponential-cosine --length 6px --lags 8x8 ";
   refused_before_any_step(square + cosine + "--wavelength 1.5px", {"--wavelength", "1.5", "at least 2"});
   refused_before_any_step(square + cosine + "--wavelength 20um", {"--wavelength", "1.28 samples"});
   refused_before_any_step("asperity-kernel --spacing 2um,1um -o s.nc " + cosine + "--wavelength 3um",

@@ -116,7 +116,7 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
        {"asperity-kernel --length 6px --lags 9x9 --method conjugate-gradient -o a.nc",
         ", conjugate gradients"},
        {press + "s.nc -o a.nc", "64x48"},
-       {press.substr(0, press.find("--load")) + "--loads 2kN,5kN s.nc", " of 2 loads"},
+       {press.substr(0, press.find("--load")) + "--sweep 2kN,5kN s.nc", " of 2 loads"},
        {"asperity-stats s.nc s.nc s.nc", " of 3 surfaces"},
        {"asperity-stress smooth.nc --maximum -o a.nc", " layers of the search"},
        {"asperity-stress smooth.nc --depths 0:1mm:30 -o a.nc", " of 30 layers, "}}));

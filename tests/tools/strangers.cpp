@@ -40,7 +40,7 @@ TEST_CASE("an ensemble takes the place neither of what it is drawn from nor of i
 }
 
 TEST_CASE("a file of options is not written over", "[strangers][outputs][contract]") {
-  REQUIRE(shell("echo 'level = \"plane\"' > options.txt; " + draw + "-o g.nc").exit == 0);
+  REQUIRE(shell("echo 'remove-form = \"plane\"' > options.txt; " + draw + "-o g.nc").exit == 0);
   refused("asperity-stats --config options.txt g.nc -o options.txt", 2, "'options.txt' is read by this run");
   REQUIRE(shell("echo 'seed = 3' > seed.json").exit == 0);
   refused(
@@ -49,15 +49,15 @@ TEST_CASE("a file of options is not written over", "[strangers][outputs][contrac
       2, "--report: 'seed.json' is read by this run");
 }
 
-TEST_CASE("ASPERITY_CONFIG names a file of options as --config does", "[strangers][config][contract]") {
-  REQUIRE(shell("echo 'level = \"plane\"' > plane.toml; " + draw + "-o g.nc").exit == 0);
+TEST_CASE("ASPERITY_STATS_CONFIG names a file of options as --config does", "[strangers][config][contract]") {
+  REQUIRE(shell("echo 'remove-form = \"plane\"' > plane.toml; " + draw + "-o g.nc").exit == 0);
   const Outcome by_option = shell("asperity-stats g.nc --config plane.toml"),
-                by_variable = shell("ASPERITY_CONFIG=plane.toml asperity-stats g.nc");
+                by_variable = shell("ASPERITY_STATS_CONFIG=plane.toml asperity-stats g.nc");
   CHECK(by_option.out == by_variable.out);
   CHECK(by_option.out != shell("asperity-stats g.nc").out);
-  refused("ASPERITY_CONFIG=absent.toml asperity-stats g.nc", 2,
-          "ASPERITY_CONFIG: 'absent.toml' cannot be read");
-  refused("ASPERITY_CONFIG= asperity-stats g.nc", 2, "is empty");
+  refused("ASPERITY_STATS_CONFIG=absent.toml asperity-stats g.nc", 2,
+          "ASPERITY_STATS_CONFIG: 'absent.toml' cannot be read");
+  refused("ASPERITY_STATS_CONFIG= asperity-stats g.nc", 2, "is empty");
 }
 
 TEST_CASE("texts that look like numbers come back from --dump-config as they were",

@@ -160,9 +160,9 @@ TEST_CASE("messages count as people do, and a number in them has no more digits 
   for (const char* line :
        {"asperity-stats s.nc --lambda-c 1e300m", "asperity-stats s.nc --profile x --lambda-c 1e300m",
         "asperity-stats s.nc --parameters material --material-ratio 1e300,0.8",
-        "asperity-stats s.nc --acf-level 1e300 --parameters spatial",
+        "asperity-stats s.nc --sal-level 1e300 --parameters spatial",
         "asperity-validate s.nc --kurtosis -1e300", "asperity-validate s.nc --significance 1e300",
-        "asperity-generate --shape 8x8 --size 1mm --length 1px --rq 1um --level 1e300",
+        "asperity-generate --shape 8x8 --size 1mm --length 1px --rq 1um --length-level 1e300",
         "asperity-generate --shape 8x8 --size 1mm --length 1e300m --rq 1um"}) {
     const Outcome run = shell(std::string(line) + " > /dev/null");
     CAPTURE(line, run.error);

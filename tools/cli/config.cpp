@@ -175,9 +175,4 @@ std::string config_text(const CLI::App& app) {
   return out;
 }
 
-std::string in_words(const CLI::ConfigError& error) {
-  const std::string what = error.what(), unknown = "INI was not able to parse ";
-  return what.starts_with(unknown) ? "there is no option " + what.substr(unknown.size()) : what;
-}
-
 }  // namespace asperity::cli

@@ -16,7 +16,6 @@
 namespace CLI {
 class App;
 class Config;
-class ConfigError;
 }  // namespace CLI
 
 namespace asperity::cli {
@@ -25,8 +24,5 @@ namespace asperity::cli {
 std::shared_ptr<CLI::Config> config_reader();
 /// The options that were given, and as comments the defaults of others: read back, they give the same run.
 std::string config_text(const CLI::App& app);
-
-/// The message of an error in a file.
-std::string in_words(const CLI::ConfigError& error);
 
 }  // namespace asperity::cli

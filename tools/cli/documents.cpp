@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tools/cli/record.hpp"
+#include "tools/cli/toolbox.hpp"
 
 namespace asperity::cli {
 
@@ -33,11 +34,25 @@ std::string flowing(const std::string& text, std::size_t width, const std::strin
   return out + line;
 }
 
+std::string kind_of(const CLI::Option& option) {
+  constexpr std::size_t longest_list = 40;
+  const std::string kind = option.get_type_name();
+  return kind.size() > longest_list && kind.find('|') != kind.npos ? "WORD" : kind;
+}
+
+std::string text_of(const CLI::Option& option) {
+  std::string text = flowing(option.get_description());
+  if (text.ends_with('.')) text.pop_back();
+  if (const std::string kind = option.get_type_name(); kind != kind_of(option))
+    text += fmt::format(". One of {}", fmt::join(split(kind, '|'), ", "));
+  if (option.get_required()) text += ". Required";
+  const std::string usual = option.get_default_str();
+  return usual.empty() ? text : text + ". Default: " + usual;
+}
+
 // ---- the manual page ----
 
 namespace {
-
-constexpr const char* siblings = ASPERITY_TOOLS;  // their names, a blank between them
 
 std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
@@ -57,15 +72,7 @@ std::string head_of(const CLI::Option& option) {
   if (option.get_positional()) return italic(option.get_single_name());
   std::string out;
   for (const std::string& name : names_of(option)) out += (out.empty() ? "" : ", ") + bold(name);
-  return is_flag(option) ? out : out + " " + italic(option.get_type_name());
-}
-
-std::string text_of(const CLI::Option& option) {
-  std::string text = flowing(option.get_description());
-  if (!text.ends_with('.')) text += ".";
-  if (option.get_required()) text += " Required.";
-  const std::string usual = option.get_default_str();
-  return usual.empty() ? text : text + " Default: " + usual + ".";
+  return is_flag(option) ? out : out + " " + italic(kind_of(option));
 }
 
 std::string options_by_group(const CLI::App& app) {
@@ -73,7 +80,7 @@ std::string options_by_group(const CLI::App& app) {
   for (const std::string& group : app.get_groups()) {
     out += ".SS " + roff(group == "Options" ? "Arguments" : group) + "\n";
     for (const CLI::Option* option : app.get_options())
-      if (option->get_group() == group) out += entry(head_of(*option), text_of(*option));
+      if (option->get_group() == group) out += entry(head_of(*option), text_of(*option) + ".");
   }
   return out;
 }
@@ -85,26 +92,26 @@ std::string synopsis(const CLI::App& app) {
   return out + "\n";
 }
 
-std::string statuses() {
+std::string statuses(const std::vector<ExitStatus>& all) {
   std::string out;
-  for (const auto& [code, meaning] : exit_statuses) out += entry(bold(std::to_string(code)), meaning);
+  for (const auto& [code, meaning] : all) out += entry(bold(std::to_string(code)), meaning);
   return out;
 }
 
-std::string environment() {
-  return entry(bold("ASPERITY_OPTION"),
-               "Any option, in upper case and with underscores for hyphens, such as ASPERITY_THREADS; the "
-               "command line comes first, the file of --config last.") +
+std::string environment(const std::string& tool) {
+  return entry(bold(environment_name(tool, "OPTION")),
+               "An option, in upper case and with underscores for hyphens, such as " +
+                   environment_name(tool, "memory") +
+                   "; the command line comes first, the file of --config last.") +
          entry(bold("SOURCE_DATE_EPOCH"),
-               "The time that goes into a dataset's history, in seconds since 1970; no times of computation "
-               "are recorded then, so that the same command gives the same bytes.");
+               "The time in a dataset's history, in seconds since 1970. No times of computation are recorded "
+               "then, so that the same command gives the same bytes.");
 }
 
 std::string see_also(const std::string& self) {
-  std::istringstream names(siblings);
   std::string out;
-  for (std::string name; names >> name;)
-    if (name != self) out += (out.empty() ? "" : ",\n") + bold(name) + "(1)";
+  for (const Summary& other : toolbox)
+    if (other.tool != self) out += (out.empty() ? "" : ",\n") + bold(std::string(other.tool)) + "(1)";
   return out + "\n";
 }
 
@@ -141,21 +148,21 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-std::string man_page(const CLI::App& app, const std::string& example, const std::string& accuracy) {
+std::string man_page(const CLI::App& app, const Documents& more) {
   const std::string name = app.get_name(), description = flowing(app.get_description());
-  const std::string summary = description.substr(0, std::min(description.find(". "), description.find(": ")));
   std::string title = name;
   std::ranges::transform(title, title.begin(), [](unsigned char c) { return std::toupper(c); });
   return ".TH " + title + " 1 " + timestamp().substr(0, 10) + " \"Asperity " + version() +
-         "\" \"Asperity\"\n" + section("NAME", roff(name) + " \\- " + roff(summary) + "\n") +
+         "\" \"Asperity\"\n" +
+         section("NAME", roff(name) + " \\- " + roff(std::string(summary_of(name))) + "\n") +
          section("SYNOPSIS", synopsis(app)) +
          section("DESCRIPTION", paragraph(description.ends_with('.') ? description : description + ".")) +
-         section("OPTIONS", paragraph("Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts "
-                                      "samples.") +
-                                options_by_group(app)) +
-         section("EXAMPLES", example.empty() ? "" : ".nf\n" + roff(example) + "\n.fi\n") +
-         section("ACCURACY", paragraph(accuracy)) + section("ENVIRONMENT", environment()) +
-         section("EXIT STATUS", statuses()) + section("SEE ALSO", see_also(name));
+         section("OPTIONS",
+                 paragraph("A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg; px counts samples.") +
+                     options_by_group(app)) +
+         section("EXAMPLES", more.example.empty() ? "" : ".nf\n" + roff(more.example) + "\n.fi\n") +
+         section("ACCURACY", paragraph(more.accuracy)) + section("ENVIRONMENT", environment(name)) +
+         section("EXIT STATUS", statuses(more.statuses)) + section("SEE ALSO", see_also(name));
 }
 
 // ---- completions ----

@@ -1,5 +1,5 @@
-/// What a tool tells of itself from CLI11's list of its options: its manual page, and completions for shells,
-/// of options, the words of a choice and names of files.
+/// What a tool prints about itself, from CLI11's list of its options: two lengths of help, the manual page, and
+/// completions for shells.
 #pragma once
 
 #include <string>
@@ -13,26 +13,25 @@ class App;
 
 namespace asperity::cli {
 
-struct ExitStatus {
-  Exit code;
-  const char* meaning;
-};
-inline constexpr ExitStatus exit_statuses[] = {{done, "done"},
-                                               {runtime_error, "input or output failed"},
-                                               {usage_error, "wrong usage"},
-                                               {not_converged, "not converged"},
-                                               {bad_data, "bad input data"}};
-
-/// "-o", "--output"; none where its place tells what it is.
+/// "-o", "--output"; none for a positional argument.
 std::vector<std::string> names_of(const CLI::Option& option);
 /// It stands alone, without a value.
 bool is_flag(const CLI::Option& option);
-/// Words with a blank between them, in lines of at most `width`, each but the first behind `indent`.
+/// What stands behind its name: "FILE", "x|y", or "WORD" of a long list of words, which text_of() has.
+std::string kind_of(const CLI::Option& option);
+/// Its text, a list of words that is too long for its kind, and its default.
+std::string text_of(const CLI::Option& option);
+/// Words with a blank between them, in lines of at most `width` columns, each but the first after `indent`.
 std::string flowing(const std::string& text, std::size_t width = std::string::npos,
                     const std::string& indent = "");
 
+/// All options, by their headings, for lines of `width` columns.
+std::string long_help(const CLI::App& app, const Documents& more, std::size_t width);
+/// Usage, example, and the first clause of the options that most need.
+std::string short_help(const CLI::App& app, const Documents& more, std::size_t width);
+
 /// In the man macros of roff.
-std::string man_page(const CLI::App& app, const std::string& example, const std::string& accuracy);
+std::string man_page(const CLI::App& app, const Documents& more);
 /// A text as roff prints it: \ - ' ` ^ ~ and a period that begins a line are escaped, what is not ASCII
 /// stands by its code point.
 std::string roff(const std::string& text);

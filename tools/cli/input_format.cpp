@@ -24,14 +24,14 @@ bool InputFormat::known(std::string_view bytes) const {
 
 std::string_view InputFormat::found(std::string_view bytes, const std::string& name) const {
   if (netcdf(bytes)) return "netcdf";
-  return format == "auto" ? format_of(bytes, name).name : format_named(format, "format").name;
+  return format == "auto" ? format_of(bytes, name).name : format_named(format, "from").name;
 }
 
 Map InputFormat::map(std::string_view bytes, const std::string& name, const MemoryBound& memory) const {
   Reading told = reading;
   told.memory = memory.beside(bytes.size());
   told.order = order == "yx" ? Order::yx : Order::xy;
-  return format_named(found(bytes, name), "format").decode(bytes, told);
+  return format_named(found(bytes, name), "from").decode(bytes, told);
 }
 
 Dataset InputFormat::dataset(std::string_view bytes, const std::string& name,

@@ -19,7 +19,7 @@ struct InputFormat {
 
   /// Whether bytes are taken for NetCDF.
   bool netcdf(std::string_view bytes) const;
-  /// Whether they tell by themselves, or by --format, that they are a map and no list of names.
+  /// Whether they tell by themselves, or by --from, that they are a map and no list of names.
   bool known(std::string_view bytes) const;
   /// The name of the format that bytes are read in.
   std::string_view found(std::string_view bytes, const std::string& name) const;

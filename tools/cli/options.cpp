@@ -12,29 +12,13 @@
 #include "tools/cli/config.hpp"
 #include "tools/cli/documents.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 namespace {
 
 constexpr const char* common = "Common";
-constexpr std::size_t option_width = 34;
-
-// CLI11 would also print which options exclude or need each other, and would not wrap texts.
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option_opts(const CLI::Option* option) const override {
-    std::string out;
-    if (option->get_type_size() != 0 && !option->get_type_name().empty())
-      out += " " + option->get_type_name();
-    if (!option->get_default_str().empty()) out += "=" + option->get_default_str();
-    return out + (option->get_required() ? " (required)" : "");
-  }
-
-  std::string make_option_desc(const CLI::Option* option) const override {
-    return flowing(option->get_description(), 110 - option_width);
-  }
-};
 
 // In place of running.
 [[noreturn]] void tell(const std::string& text) { throw CLI::Success(text, CLI::ExitCodes::Success); }
@@ -60,9 +44,11 @@ Tool::Tool(std::string name, std::string description)
     : app_(std::make_unique<CLI::App>(std::move(description), name)),
       name_(std::move(name)),
       memory_(half_of_memory()) {
-  auto formatter = std::make_shared<HelpFormatter>();
-  formatter->column_width(option_width);
-  app_->formatter(formatter);
+  documents_.statuses = {{done, "done"},
+                         {runtime_error, "input or output failed"},
+                         {usage_error, "wrong usage"},
+                         {not_converged, "not converged"},
+                         {bad_data, "bad input data"}};
   app_->set_help_flag();
   app_->allow_config_extras(CLI::config_extras_mode::error);
 }
@@ -169,11 +155,11 @@ void Tool::memory(const std::string& text) {
       .without_default();
 }
 
-void Tool::input_format(const std::string& name) {
+void Tool::input_format() {
   reads_ = true;
-  choice(name, format_.format, InputFormat::names(),
+  choice("--from", format_.format, InputFormat::names(),
          "What the input is; auto: by its first bytes, else the extension of its name", "Input");
-  choice("--order", format_.order, {"xy", "yx"},
+  choice("--from-order", format_.order, {"xy", "yx"},
          "Of a bare matrix (text, npy): xy has a line for each x, yx one for each y", "Input");
 }
 
@@ -220,7 +206,7 @@ void Tool::add_documents() {
        common)
       .of->configurable(false);
   app_->add_flag_callback(
-          "--man", [this] { tell(man_page(*app_, example_, accuracy_)); },
+          "--man", [this] { tell(man_page(*app_, documents_)); },
           "Print the manual page, for man -l, and exit")
       ->group(common)
       ->configurable(false);
@@ -235,7 +221,14 @@ void Tool::add_documents() {
                          "Print the versions of the tool and its libraries and exit")
       ->group(common)
       ->configurable(false);
-  app_->set_help_flag("-h,--help", "Print this help and exit")->group(common)->configurable(false);
+  const auto help = [this](const std::string& name, auto of, const std::string& what) {
+    app_->add_flag_callback(
+            name, [this, of] { tell(of(*app_, documents_, columns_of(STDOUT_FILENO))); }, what)
+        ->group(common)
+        ->configurable(false);
+  };
+  help("-h", short_help, "Print the most used options and exit");
+  help("--help", long_help, "Print all options and exit");
 }
 
 void Tool::add_seed() {
@@ -251,20 +244,6 @@ void Tool::add_seed() {
       "Number of the ensemble: of one seed, those of different streams have no surface in common, so that "
       "parallel jobs may share the seed and differ in the stream",
       common);
-}
-
-std::string Tool::footer() const {
-  std::string out = "\n";
-  if (!example_.empty()) out += "Example:\n  " + example_ + "\n\n";
-  if (!accuracy_.empty()) out += "Accuracy:\n  " + flowing(accuracy_, 108, "  ") + "\n\n";
-  out +=
-      "Quantities carry their unit (3mm, 0.4um, 208GPa, 5000N); px counts samples. Any option may also be "
-      "given\n"
-      "as an environment variable ASPERITY_OPTION or in the --config file; the command line comes first.\n";
-  std::string statuses;
-  for (const auto& [code, meaning] : exit_statuses)
-    statuses += (statuses.empty() ? "" : ", ") + std::to_string(code) + " " + meaning;
-  return out + "Exit status: " + statuses + ".";
 }
 
 }  // namespace asperity::cli

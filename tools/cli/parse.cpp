@@ -2,23 +2,19 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <cstring>
 #include <iterator>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/documents.hpp"
+#include "tools/cli/hints.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 namespace {
-
-std::string environment_name(const std::string& option) {
-  std::string out = "ASPERITY_";
-  for (char c : option)
-    out += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return out;
-}
 
 // Whether the arguments name the option, as "--size 3mm", "--size=3mm", "-o x" or "-ox".
 bool have(const std::vector<std::string>& arguments, const CLI::Option& option) {
@@ -35,6 +31,12 @@ bool have(const std::vector<std::string>& arguments, const CLI::Option& option) 
 }
 
 }  // namespace
+
+std::string environment_name(const std::string& tool, const std::string& option) {
+  std::string out = tool + "_" + option;
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return c == '-' ? '_' : std::toupper(c); });
+  return out;
+}
 
 bool Tool::given(const std::string& name) const {
   const CLI::Option* option = app_->get_option_no_throw(name);
@@ -56,18 +58,43 @@ std::vector<std::string> Tool::environment() const {
     const std::string key = option->get_single_name();
     const bool settable = !option->get_positional() && (option->get_configurable() || key == "config");
     if (!settable || have(arguments_, *option)) continue;
-    if (const char* value = std::getenv(environment_name(key).c_str()))
+    if (const char* value = std::getenv(environment_name(name_, key).c_str()))
       out.push_back("--" + key + "=" + value);
   }
   return out;
 }
 
+// A variable of this tool that stands for no option is a slip of the pen.
+void Tool::check_environment() const {
+  const std::string prefix = environment_name(name_, "");
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view variable(*entry, std::strcspn(*entry, "="));
+    if (!variable.starts_with(prefix)) continue;
+    std::string option(variable.substr(prefix.size()));
+    std::ranges::transform(option, option.begin(),
+                           [](unsigned char c) { return c == '_' ? '-' : std::tolower(c); });
+    const CLI::Option* known = app_->get_option_no_throw("--" + option);
+    if (!known || !(known->get_configurable() || option == "config"))
+      throw ParameterError(std::string(variable), unknown_option(*app_, "--" + option));
+  }
+}
+
+// The first word on the command line that is neither an option nor a value of one.
+std::string Tool::unexpected() const {
+  const std::vector<std::string> left = app_->remaining();
+  const auto first = std::ranges::find_if(
+      arguments_, [&](const std::string& a) { return std::ranges::find(left, a) != left.end(); });
+  const std::string word = first == arguments_.end() ? left.front() : *first;
+  if (word.starts_with("-") && word != "-") return unknown_option(*app_, word);
+  return "'" + word + "' is one word too many: " + name_ + " -h shows what it takes";
+}
+
 void Tool::parse(int argc, char** argv) {
   add_common();
-  app_->footer(footer());
   arguments_.assign(argv + 1, argv + argc);
   command_line_ = name_;
   for (const std::string& a : arguments_) command_line_ += " " + shell_word(a);
+  check_environment();
   environment_ = environment();
   for (CLI::Option* option : app_->get_options({}))
     if (!is_flag(*option) && option != may_be_empty_)
@@ -108,7 +135,7 @@ std::string Tool::origin(const std::string& key) const {
   if (!option && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
   if (!option) return (app_->get_option_no_throw(key) ? "" : "--") + key;
   if (have(arguments_, *option)) return "--" + key;
-  if (have(environment_, *option)) return environment_name(key);
+  if (have(environment_, *option)) return environment_name(name_, key);
   return config_file().empty() || option->count() == 0 ? "--" + key : config_file() + ": " + key;
 }
 

@@ -17,6 +17,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "tools/cli/config.hpp"
+#include "tools/cli/hints.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
@@ -89,11 +90,8 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   if (!report_.empty()) writes("report", report_);
   if (!config_file().empty()) reads(config_file());
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
-    return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " --help tells more)");
+    return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " -h shows how)");
   return body();
-} catch (const CLI::CallForHelp&) {
-  write_all("-", app_->help());
-  return done;
 } catch (const CLI::Success& told) {  // by an option that asks for a text and no run
   write_all("-", told.what());
   return done;
@@ -104,12 +102,14 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
   gsl_set_error_handler_off();  // called for want of memory alone: a line in place of an abort
   return answer(argc, argv, body);
 } catch (const CLI::ConfigError& e) {
-  return fail(usage_error, config_file() + ": " + in_words(e));
+  return fail(usage_error, config_file() + ": " + in_words(*app_, e));
 } catch (const CLI::FileError&) {
   return fail(usage_error,
               origin("config") + ": '" + config_file() + "' cannot be read: name a file that is there");
+} catch (const CLI::ExtrasError&) {
+  return fail(usage_error, unexpected());
 } catch (const CLI::Error& e) {
-  return fail(usage_error, e.what());
+  return fail(usage_error, in_words(e));
 } catch (const ParameterError& e) {
   return fail(usage_error, origin(e.name) + ": " + e.what());
 } catch (const DataError& e) {

@@ -3,8 +3,8 @@
 ///     cli::Tool tool("asperity-flatten", "Subtracts the mean plane");
 ///     tool.input();
 ///     tool.output();
-///     double level = 0;
-///     tool.quantity("--level", level, "m", "Height of the plane left behind", "Plane");
+///     double offset = 0;
+///     tool.quantity("--offset", offset, "m", "Height of the plane left behind", "Plane");
 ///     return tool.run(argc, argv, [&] {
 ///       Dataset data = tool.read();
 ///       ...
@@ -13,8 +13,8 @@
 ///     });
 ///
 /// Exit codes, messages of errors, common options, the environment and history are the same for all and live
-/// here. A value comes from the command line, else the environment variable ASPERITY_<OPTION> (upper case,
-/// hyphens as underscores), else the --config file (cli/config.hpp), else its default; a wrong one is named
+/// here. A value comes from the command line, else the environment variable ASPERITY_<TOOL>_<OPTION>
+/// (upper case, hyphens as underscores), else the --config file (cli/config.hpp), else its default; a wrong one is named
 /// by where it came from.
 #pragma once
 
@@ -44,6 +44,21 @@ namespace asperity::cli {
 /// Exit codes.
 enum Exit : int { done = 0, runtime_error = 1, usage_error = 2, not_converged = 3, bad_data = 4 };
 
+struct ExitStatus {
+  int code;
+  std::string meaning;
+};
+
+/// What help and the manual page say besides the options.
+struct Documents {
+  std::string example, accuracy;
+  std::vector<std::string> essential;  ///< options of the short help, in its order
+  std::vector<ExitStatus> statuses;
+};
+
+/// "ASPERITY_STATS_LAMBDA_C" of asperity-stats and lambda-c.
+std::string environment_name(const std::string& tool, const std::string& option);
+
 /// An option, to which its declaration may add; each function returns the option itself.
 struct Option {
   CLI::Option* of;
@@ -59,14 +74,21 @@ using UsageError = ParameterError;
 
 class Tool {
  public:
-  /// `accuracy` is the last paragraph of --help, `example` a command line that works as it stands.
+  /// One of the toolbox (cli/toolbox.hpp).
   Tool(std::string name, std::string description);
   ~Tool();
   Tool(const Tool&) = delete;
   Tool& operator=(const Tool&) = delete;
 
-  void example(std::string command) { example_ = std::move(command); }
-  void accuracy(std::string text) { accuracy_ = std::move(text); }
+  /// A command line that works as it stands.
+  void example(std::string command) { documents_.example = std::move(command); }
+  void accuracy(std::string text) { documents_.accuracy = std::move(text); }
+  /// The options of the short help, -h, in its order.
+  void essential(std::vector<std::string> options) { documents_.essential = std::move(options); }
+  /// Besides those that all tools have.
+  void exit_status(int code, std::string meaning) {
+    documents_.statuses.push_back({code, std::move(meaning)});
+  }
 
   const std::string& name() const { return name_; }
 
@@ -106,8 +128,8 @@ class Tool {
 
   // What the tool has of the options that several tools share.
   void input();  ///< positional INPUT, "-" unless given, and input_format()
-  /// --format, or another name where that is taken, and --order, of what read() reads.
-  void input_format(const std::string& name = "--format");
+  /// --from and --from-order, of what read() reads.
+  void input_format();
   void output() { writes_dataset_ = true; }                              ///< -o, --output of a dataset
   void output_of_any_format() { writes_dataset_ = writes_any_ = true; }  ///< the same, text perhaps
   void table() { writes_table_ = true; }                                 ///< -o, --output of a table, --json
@@ -178,13 +200,15 @@ class Tool {
   std::vector<std::string> environment() const;
   std::string origin(const std::string& option) const;
   std::string config_file() const;
-  std::string footer() const;
+  std::string unexpected() const;
+  void check_environment() const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
   static void say(const std::string& line);
   int fail(Exit code, const std::string& message) const;
 
   std::unique_ptr<CLI::App> app_;
-  std::string name_, example_, accuracy_, command_line_;
+  std::string name_, command_line_;
+  Documents documents_;
   std::vector<std::string> arguments_, environment_;  ///< of the command line; those that variables stand for
   std::string input_ = "-", output_ = "-", report_, progress_ = "auto";
   struct Output {

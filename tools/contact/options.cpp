@@ -12,8 +12,8 @@ namespace asperity::cli {
 namespace {
 
 double parse_load(const std::string& text) {
-  const double load = parse_quantity("loads", text, "N");
-  if (!(load > 0 && std::isfinite(load))) throw UsageError("loads", "'" + text + "' is not above 0");
+  const double load = parse_quantity("sweep", text, "N");
+  if (!(load > 0 && std::isfinite(load))) throw UsageError("sweep", "'" + text + "' is not above 0");
   return load;
 }
 
@@ -88,7 +88,7 @@ void ContactOptions::declare_load(Tool& tool) {
             load);
 
   tool.text(
-      "--loads", loads_, "LOADS",
+      "--sweep", loads_, "LOADS",
       "FROM:TO:COUNT, such as 10N:5kN:20 at equal ratios (10N:5kN:20:uniform: equal steps), or 10N,20N,50N: "
       "one load after the other, each "
       "started from the last. Prints a table, a row a load, with the stiffness of each",
@@ -114,14 +114,14 @@ void ContactOptions::check(Tool& tool) {
 }
 
 void ContactOptions::check_load(const Tool& tool) {
-  const int given = tool.given("--load") + tool.given("--approach") + tool.given("--loads");
+  const int given = tool.given("--load") + tool.given("--approach") + tool.given("--sweep");
   if (given != 1)
-    throw UsageError("load", given == 0 ? "is needed, or --approach or --loads"
-                                        : "only one of --load, --approach and --loads can be given");
+    throw UsageError("load", given == 0 ? "is needed, or --approach or --sweep"
+                                        : "only one of --load, --approach and --sweep can be given");
   if (tool.given("--load")) contact.load = load_;
   if (tool.given("--approach")) contact.approach = approach_;
-  if (tool.given("--loads"))
-    contact.load = (loads = parse_series("loads", loads_, Steps::geometric, parse_load)).front();
+  if (tool.given("--sweep"))
+    contact.load = (loads = parse_series("sweep", loads_, Steps::geometric, parse_load)).front();
   if (sweeps()) contact.stiffness = true;
   if (tool.given("--yield")) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("{} Pa is not above 0", yield_));
@@ -137,17 +137,17 @@ void ContactOptions::check_streams(Tool& tool) const {
   if (!smooth && input == "-" && counter == "-")
     throw UsageError("counter", "standard input is the first body already");
   if (!sweeps()) refuse_terminal(tool.output_name());
-  if (!sweeps() && tool.json()) throw UsageError("json", "prints the table of --loads, which is not given");
-  if (!sweeps() && !each.empty()) throw UsageError("each", "is for each of --loads, which are not given");
+  if (!sweeps() && tool.json()) throw UsageError("json", "prints the table of --sweep, which is not given");
+  if (!sweeps() && !each.empty()) throw UsageError("each", "is for each of --sweep, which are not given");
   tool.writes_dataset(!sweeps());
   sweeps() ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!each.empty()) check_dataset_name(numbered("each", each, 1), "each");
   for (std::size_t k = 1; !each.empty() && k <= loads.size(); ++k)
     tool.writes("each", numbered("each", each, static_cast<std::int64_t>(k)));
   if (sweeps() && tool.given("--report"))
-    throw UsageError("report", "is of one load; of --loads, each dataset carries its own (--each)");
+    throw UsageError("report", "is of one load; of --sweep, each dataset carries its own (--each)");
   if (sweeps() && unload && each.empty())
-    throw UsageError("unload", "of --loads needs --each: the table has no surfaces");
+    throw UsageError("unload", "of --sweep needs --each: the table has no surfaces");
 }
 
 }  // namespace asperity::cli

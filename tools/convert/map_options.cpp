@@ -50,9 +50,9 @@ double coordinate_of(const std::string& unit) {
   try {
     metres = unit_factor(unit, "m");
   } catch (const std::invalid_argument& error) {
-    throw UsageError("points", error.what());
+    throw UsageError("xyz", error.what());
   }
-  if (!(metres > 0)) throw UsageError("points", "'" + unit + "' is no length");
+  if (!(metres > 0)) throw UsageError("xyz", "'" + unit + "' is no length");
   return metres;
 }
 
@@ -79,7 +79,7 @@ void MapOptions::declare(Tool& tool) {
               "What marks the decimals of a text; auto: a point, or a comma that cannot be anything else",
               "Input");
   tool.text(
-      "--points", points_, "UNIT",
+      "--xyz", points_, "UNIT",
       "The lines of a text are points of a grid in any order, x z or x y z, with x and y in this unit: um",
       "Input");
   tool.flag("--heights", heights_,
@@ -100,7 +100,7 @@ void MapOptions::declare(Tool& tool) {
 }
 
 Reading MapOptions::reading(std::string_view bytes, std::string_view format) const {
-  if (!points_.empty() && heights_) throw UsageError("points", "it cannot be given with --heights");
+  if (!points_.empty() && heights_) throw UsageError("xyz", "it cannot be given with --heights");
   if (decimal_ == "comma" && separator_ == "comma")
     throw UsageError("decimal", "a comma cannot separate numbers and mark their decimals at once");
   const auto refuse = [&](const char* option) {
@@ -108,7 +108,7 @@ Reading MapOptions::reading(std::string_view bytes, std::string_view format) con
   };
   if (separator_ != "auto" && !is_text(bytes)) refuse("separator");
   if (decimal_ != "auto" && !is_text(bytes)) refuse("decimal");
-  if (!points_.empty() && format != "text") refuse("points");
+  if (!points_.empty() && format != "text") refuse("xyz");
   if (heights_ && format != "text") refuse("heights");
   Reading out;
   out.separator = chosen<Separator>(separators, separator_);

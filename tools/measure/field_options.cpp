@@ -20,7 +20,7 @@ std::string metres(double length) { return format_quantity(length, "m"); }
 int form_degree(const std::string& level) {
   if (level == "mean" || level == "plane") return level == "plane";
   if (const auto degree = to_number<int>(level)) return *degree;
-  throw UsageError("level", "'" + level + "' is neither mean nor plane nor a degree");
+  throw UsageError("remove-form", "'" + level + "' is neither mean nor plane nor a degree");
 }
 
 // λs < λc, both within the longer side of the field, beyond which a filter separates nothing.
@@ -58,7 +58,7 @@ void FieldOptions::declare_field(Tool& tool) {
   tool.text("--variable", variable, "NAME",
             "The field on (x, y) that is measured, its missing points (mask, _FillValue, NaN) left out",
             "Field");
-  tool.text("--level", level, "FORM",
+  tool.text("--remove-form", level, "FORM",
             "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
             "Field");
   tool.quantity(

@@ -21,7 +21,7 @@ struct FieldOptions {
   /// Without --correlation, for a tool whose errors rest on none.
   void declare_field(Tool& tool);
 
-  /// Throws UsageError("level", …) unless it is a word or a number.
+  /// Throws UsageError("remove-form", …) unless it is a word or a number.
   Preparation preparation() const;
   /// All but the heights of a surface.
   Surface without_heights(const Dataset& data) const;

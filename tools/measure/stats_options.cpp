@@ -49,11 +49,11 @@ void StatsOptions::declare(Tool& tool) {
             "Heights below which these shares of the surface lie, 0.5 the median", "Parameters");
   tool.quantities("--material-ratio", measured.material_ratios, "1",
                   "Shares p,q that bound the core in Vmp, Vmc, Vvc, Vvv, and of Smc_p, Smc_q", "Parameters");
-  tool.number("--acf-level", measured.acf_level, "Level of R / R(0,0) to which Sal and Str are measured",
+  tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) to which Sal and Str are measured",
               "Parameters");
   tool.memory(
       "Largest memory for the field. A file of more than an eighth of it is read in strips, above any "
-      "--level, for all but spatial and the filters, which need the whole field and are refused if the bound "
+      "--remove-form, for all but spatial and the filters, which need the whole field and are refused if the bound "
       "was given. The order of the heights takes 25 MB more. Errors then rest on the correlation within the "
       "strips, where the dataset carries none");
   tool.text("--direction", direction, "ANGLE",
@@ -94,11 +94,11 @@ std::set<Group> StatsOptions::asked_groups() const {
 }
 
 void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
-  for (const char* areal : {"parameters", "quantiles", "material-ratio", "acf-level", "direction"})
+  for (const char* areal : {"parameters", "quantiles", "material-ratio", "sal-level", "direction"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "is of the surface, and does not go together with --profile");
   for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
-                                            {"acf-level", Group::spatial, "spatial"},
+                                            {"sal-level", Group::spatial, "spatial"},
                                             {"direction", Group::hybrid, "hybrid"}})
     if (tool.given(std::string("--") + option) && !asked.contains(group))
       throw UsageError(option, std::string("belongs to --parameters ") + name + ", which is not asked for");

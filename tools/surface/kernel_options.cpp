@@ -40,12 +40,12 @@ void KernelOptions::declare(Tool& tool, bool draws) {
 
 void KernelOptions::declare_target(Tool& tool) {
   const std::string group = "Autocorrelation";
-  tool.choice("--target", target, words(Model{}), "Its form, made elliptic by two lengths", group);
+  tool.choice("--model", target, words(Model{}), "Its form, made elliptic by two lengths", group);
   tool.lengths("--length", length,
-               "Lengths at which it, or its envelope, has fallen to --level, along its two axes: 17px,4px or "
+               "Lengths at which it, or its envelope, has fallen to --length-level, along its two axes: 17px,4px or "
                "0.4mm; px of x and of y",
                group);
-  tool.number("--level", shape.level, "What is left of it at --length; 0.3678794 makes them 1/e lengths",
+  tool.number("--length-level", shape.level, "What is left of it at --length; 0.3678794 makes them 1/e lengths",
               group);
   tool.text("--angle", angle, "ANGLE", "From x towards y to the axis of the first length: 30, 30deg, 0.5rad",
             group);
@@ -102,7 +102,7 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
 EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) const {
   refuse_unused(tool);
   EllipticTarget out = shape;
-  out.model = enum_named<Model>(target, "target");
+  out.model = enum_named<Model>(target, "model");
   out.spacing_x = spacing ? (*spacing)[0] : 1;
   out.spacing_y = spacing ? (*spacing)[1] : 1;
   out.length_x = metres("length", length[0], spacing, 0);
@@ -119,14 +119,14 @@ void KernelOptions::refuse_unused(const Tool& tool) const {
   if (!tool.given("--length")) throw UsageError("length", "is required");
   for (const ShapeParameter& parameter : shape_parameters)
     if (const std::string owner(name_of(parameter.model)); given(tool, parameter.name) && target != owner)
-      throw UsageError(parameter.name, "belongs to --target " + owner + ", not to " + target);
+      throw UsageError(parameter.name, "belongs to --model " + owner + ", not to " + target);
   if (target == "exponential-cosine" && wavelength.empty())
-    throw UsageError("wavelength", "is required by --target exponential-cosine");
+    throw UsageError("wavelength", "is required by --model exponential-cosine");
 }
 
 void KernelOptions::refuse_model(const Tool& tool) const {
   for (const char* option :
-       {"target", "length", "level", "angle", "smoothness", "exponent", "hurst", "wavelength"})
+       {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst", "wavelength"})
     if (given(tool, option))
       throw UsageError(option, "does not go together with --acf, which is the whole autocorrelation");
 }

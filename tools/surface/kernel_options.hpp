@@ -28,7 +28,7 @@ struct KernelOptions {
   void declare(Tool& tool, bool draws = false);
   bool filters() const { return method == "filter"; }
 
-  /// The model of --target, its lengths in metres, or in samples where no spacing is known. Throws UsageError
+  /// The model of --model, its lengths in metres, or in samples where no spacing is known. Throws UsageError
   /// for options that it does not use.
   EllipticTarget model(const Tool& tool, const Spacing& spacing) const;
   /// Throws UsageError for an option that a table has no use for.

@@ -130,11 +130,11 @@ def netcdf4_that_is_huge(case):
     return ends(case, tool[0], "in.nc", *tool[1:], codes=(RUNTIME, BAD_DATA))
 
 
-ENDLESS = [("contact", "--loads", "1N:5N:1000000000"), ("stress", "--depths", "0:1mm:1000000000"), ("pdf", "--bins",
+ENDLESS = [("contact", "--sweep", "1N:5N:1000000000"), ("stress", "--depths", "0:1mm:1000000000"), ("pdf", "--bins",
                                                                                                     "100000000"),
-           ("plot", "--pixels", "30000x30000"), ("contact", "--loads", "1N:5N:2147483647"), ("stress", "--depths",
+           ("plot", "--pixels", "30000x30000"), ("contact", "--sweep", "1N:5N:2147483647"), ("stress", "--depths",
                                                                                              "0:1mm:99999999"),
-           ("pdf", "--estimate=kernel", "--points", "100000000"), ("pdf", "--estimate=quantiles", "--points", "1000000000"),
+           ("pdf", "--estimate=kernel", "--rows", "100000000"), ("pdf", "--estimate=quantiles", "--rows", "1000000000"),
            ("pdf", "--bins", "2147483647"), ("plot", "--pixels", "1x2000000000"), ("plot", "--columns", "2000000000"),
            ("stats", "--threads", "1000000000"), ("generate", "--shape", "2000000000x2000000000"), ("kernel", "--lags",
                                                                                                     "100000x100000"),
@@ -149,7 +149,7 @@ def endless(case, number=None):
     if given[-2] == "--shape" or given[-2] == "--depths" or given[-2] == "--length":
         at = arguments.index(given[-2]) if given[-2] in arguments else None
         arguments = arguments if at is None else arguments[:at] + arguments[at + 2:]
-    if "--loads" in given:
+    if "--sweep" in given:
         at = arguments.index("--load")
         arguments = arguments[:at] + arguments[at + 2:-2] + ["-o", "out.tsv"]
     if given[-2:] == ["--pixels", "30000x30000"]:
@@ -241,12 +241,12 @@ def many_members(case):
 
 def long_lists(case):
     """A list of very many values on the command line, or in a file, is read in its own size."""
-    tool, name, item = case.one_of(("stress", "--depths", "1um"), ("contact", "--loads", "1mN"), ("stats", "--quantiles",
+    tool, name, item = case.one_of(("stress", "--depths", "1um"), ("contact", "--sweep", "1mN"), ("stats", "--quantiles",
                                                                                                   "0.5"),
-                                   ("acf", "--acf-level", "0.5"), ("stats", "--parameters", "height"), ("plot", "--labels",
+                                   ("acf", "--levels", "0.5"), ("stats", "--parameters", "height"), ("plot", "--labels",
                                                                                                         "a"))
     arguments = list(BASE[tool])
-    if name == "--loads":
+    if name == "--sweep":
         at = arguments.index("--load")
         arguments = arguments[:at] + arguments[at + 2:-2] + ["-o", "out.tsv"]
     if name in arguments:

@@ -17,9 +17,9 @@ THREADED = [t for t in TOOLS if t not in ("convert", "kernel", "plot", "report")
 def command(case, tool):
     """A command of this tool with some of its options, less its output."""
     more = {"contact": [[], ["--limit-pressure", "3GPa"], ["--stiffness"], ["--unload", "--limit-pressure", "2GPa"]],
-            "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--target", "gaussian"], ["--noise"], ["--exact-rq"]],
-            "kernel": [[], ["--target", "matern"], ["--formulation", "oriented"], ["--method", "spectral"]],
-            "stats": [[], ["--level", "plane"], ["--lambda-c", "10um"], ["--profile", "x", "--json"]],
+            "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--model", "gaussian"], ["--noise"], ["--exact-rq"]],
+            "kernel": [[], ["--model", "matern"], ["--formulation", "oriented"], ["--method", "spectral"]],
+            "stats": [[], ["--remove-form", "plane"], ["--lambda-c", "10um"], ["--profile", "x", "--json"]],
             "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--structure"],
                                                                                         ["--quantiles"]],
             "stress": [[], ["--friction", "0.3"], ["--maximum"], ["--resolution", "full"]]}.get(tool, [[]])
@@ -62,7 +62,7 @@ def through_pipes(case):
     if tool in ("plot", "report"):  # which name their input
         arguments += ["--title", "same"]
     first = made(case, tool, arguments, "one")
-    rest = arguments[1:] + (["--format", "svg", "-o", "-"] if tool == "plot" else [])
+    rest = arguments[1:] + (["--to", "svg", "-o", "-"] if tool == "plot" else [])
     run = case.done(tool, *rest, stdin=case.path(arguments[0]).read_bytes(), env=STILL)
     if tool != "report":
         check(run.out == first, "the same bytes through pipes")
@@ -138,7 +138,7 @@ def strips_that_are_read(case):
                       extra={"_FillValue": -5.0} if holes else None, down=case.one_of((), (), "x", "y"),
                       length=case.one_of("right", "none", "stale"), format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF4"))
     groups = ["--json", "--parameters", case.one_of("height", "height,hybrid", "material", "height,material,hybrid"),
-              *case.one_of([], ["--level", "plane"], ["--level", "2"])]
+              *case.one_of([], ["--remove-form", "plane"], ["--remove-form", "2"])]
     whole = strict_json(case.done("stats", "in.nc", *groups).out)
     run = case.run("stats", "in.nc", *groups, "--memory", case.one_of("100kB", "300kB", "1MB"))
     if run.code != 0:

@@ -51,7 +51,7 @@ def ensemble(case):
     """The ensemble has rq, and its autocorrelation is that of the kernel."""
     length = float(case.rng.uniform(1.5, 8))
     target = case.one_of("exponential", "gaussian", "matern", "self-affine")
-    run, fields = drawn(case, "--target", target, "--length", f"{length:.2f}px,{length * case.rng.uniform(0.5, 1):.2f}px")
+    run, fields = drawn(case, "--model", target, "--length", f"{length:.2f}px,{length * case.rng.uniform(0.5, 1):.2f}px")
     check(fields is not None, f"surfaces: {run.err!r}")
     achieved, _ = kernel_is_its_correlation(case)
     rho = achieved / achieved[0, achieved.shape[1] // 2]
@@ -182,7 +182,7 @@ def load_and_approach(case):
     case.done("contact", *common, "--approach", f"{float(said['contact_approach'])!r}m", "-o", "two.nc")
     _, again = maps.read(case.path("two.nc"))
     check(close(again["contact_load"], 4e-3, 1e-5), f"a load of 4 mN, not {again['contact_load']!r} N")
-    table = strict_json(case.done("contact", *common, "--loads", "2mN,4mN,8mN", "--json").out)
+    table = strict_json(case.done("contact", *common, "--sweep", "2mN,4mN,8mN", "--json").out)
     check(close(table["load"]["values"][1], 4e-3, 1e-12), "the loads that were asked for")
     check(close(table["approach"]["values"][1], said["contact_approach"], 1e-5, 1e-15),
           "the approach of that load in a sweep")

@@ -186,7 +186,7 @@ def beyond_all_heights(case):
 def aliased(case):
     """Waves below two samples are not drawn as what they are not, without a word."""
     length = case.one_of("1.5px", "1.1px", "0.5px", "1.9px")
-    run = case.run("kernel", "--target", "exponential-cosine", "--length", "8px", "--wavelength", length, "-o", "out.nc")
+    run = case.run("kernel", "--model", "exponential-cosine", "--length", "8px", "--wavelength", length, "-o", "out.nc")
     if run.code != 0:
         return case.refused(run, (USAGE, NOT_CONVERGED, BAD_DATA), "wavelength")
     check(run.told() and run.says("wavelength"), f"a warning that names the wavelength: {run.err!r}")

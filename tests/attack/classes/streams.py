@@ -19,7 +19,7 @@ WRITES_DATASET = [("generate", *DRAW[1:]), ("kernel", "--length", "4px"), ("cont
                   ("psd", "g.nc", "--dataset"), ("convert", "g.nc"), ("stress", "c.nc", "--depths", "1um,2um")]
 WRITES_TEXT = [("stats", "g.nc"), ("acf", "g.nc", "--lengths"), ("psd", "g.nc", "--radial"), ("pdf", "g.nc"), ("report",
                                                                                                                "g.nc"),
-               ("plot", "g.nc", "--kind", "map", "--format", "svg"), ("validate", "s.nc")]
+               ("plot", "g.nc", "--kind", "map", "--to", "svg"), ("validate", "s.nc")]
 
 
 def inputs(case, command=("g.nc", "c.nc", "s.nc")):
@@ -143,7 +143,7 @@ def shared_memory(case):
 def one_of_them(case):
     """Nothing speaks of "1 surfaces", which run() asks of all."""
     inputs(case, "s.nc")
-    for command in (("validate", "s.nc"), ("stats", "s.nc", "s.nc"), ("contact", "s.nc", *PRESS, "--loads", "1mN")):
+    for command in (("validate", "s.nc"), ("stats", "s.nc", "s.nc"), ("contact", "s.nc", *PRESS, "--sweep", "1mN")):
         case.run(*command)
     return RIGHT
 
@@ -173,7 +173,7 @@ def truncated_pipe(case):
     part = whole[:int(case.rng.integers(0, len(whole)))]
     command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",
                                                                                                                  ),
-                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--format", "svg", "-o",
+                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--to", "svg", "-o",
                                                                        "-"))
     return case.refused(case.run(*command, stdin=part), BAD_DATA)
 
@@ -318,7 +318,7 @@ def unwritable(case):
     case.path("folder").mkdir()
     extension = {"plot": ".png", "report": ".html"}.get(command[0], "")
     name = case.one_of("nowhere/out" + extension, "folder", "folder/", "g.nc/out" + extension)
-    arguments = [a for a in command if a not in ("--format", "svg")] if command[0] == "plot" else command
+    arguments = [a for a in command if a not in ("--to", "svg")] if command[0] == "plot" else command
     run = case.run(*arguments, "-o", name)
     no_litter(case, "folder")
     check(not os.listdir(case.path("folder")), "an empty folder")
@@ -329,7 +329,7 @@ def empty_input(case):
     """Nothing at all, through a pipe, from /dev/null or from an empty file."""
     command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",
                                                                                                                  ),
-                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--format", "svg", "-o",
+                          ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--to", "svg", "-o",
                                                                        "-"))
     case.path("empty.nc").write_bytes(b"")
     run = case.run(*command, "empty.nc") if case.chance(0.5) else case.run(*command, stdin=b"")

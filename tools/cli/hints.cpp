@@ -1,0 +1,100 @@
+#include "tools/cli/hints.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/cli/documents.hpp"
+#include "tools/cli/plain_text.hpp"
+
+namespace asperity::cli {
+namespace {
+
+struct Entry {
+  std::string_view option, tools, now;  ///< tools without "asperity-", a blank between them
+};
+
+constexpr Entry entries[] = {
+#include "option_names.inc"  // of docs/options.md
+};
+
+std::string_view short_name(const CLI::App& app) {
+  constexpr std::string_view prefix = "asperity-";
+  const std::string_view name = app.get_name();
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
+// Insertions, deletions, replacements and exchanges of neighbours that make one word of another.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  std::iota(d[0].begin(), d[0].end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+// The option of the tool that is spelt most nearly so, or that alone begins so; "" where none is near.
+std::string nearest(const CLI::App& app, const std::string& word) {
+  constexpr std::size_t least_prefix = 5;  // of "--" and three letters
+  std::string best, longer;
+  std::size_t least = word.size() / 3 + 1, begun = 0;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = "--" + option->get_single_name();
+    if (option->get_positional()) continue;
+    if (word.size() >= least_prefix && name.starts_with(word)) longer = name, ++begun;
+    if (const std::size_t d = distance(word, name); d < least) best = name, least = d;
+  }
+  return begun == 1 ? longer : best;
+}
+
+// "asperity-contact and asperity-stress"
+std::string in_words(std::string_view tools) {
+  const std::vector<std::string_view> names = words_of(tools);
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + ("asperity-" + std::string(names[i]));
+  return out;
+}
+
+std::string hint(const CLI::App& app, const std::string& option) {
+  const Entry* elsewhere = nullptr;
+  for (const Entry& entry : entries) {
+    if (entry.option != option) continue;
+    const std::vector<std::string_view> tools = words_of(entry.tools);
+    const bool own = std::ranges::find(tools, short_name(app)) != tools.end();
+    if (own && !entry.now.empty()) return ": it is now " + std::string(entry.now);
+    if (!own && entry.now.empty()) elsewhere = &entry;
+  }
+  const std::string near = nearest(app, option);
+  if (elsewhere) return ": it belongs to " + in_words(elsewhere->tools);
+  return near.empty() ? "" : ": did you mean " + near + "?";
+}
+
+}  // namespace
+
+std::string unknown_option(const CLI::App& app, const std::string& option) {
+  const std::string dashed = option.starts_with("-") ? option : "--" + option;
+  return "there is no option " + option + hint(app, dashed.substr(0, dashed.find('=')));
+}
+
+std::string in_words(const CLI::Error& error) {
+  const std::string what = error.what();
+  const std::size_t end = what.find(": ");
+  const bool mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
+  return mismatch && end != what.npos ? what.substr(0, end) + " needs a value" : what;
+}
+
+std::string in_words(const CLI::App& app, const CLI::ConfigError& error) {
+  const std::string what = error.what(), unknown = "INI was not able to parse ";
+  return what.starts_with(unknown) ? unknown_option(app, what.substr(unknown.size())) : what;
+}
+
+}  // namespace asperity::cli

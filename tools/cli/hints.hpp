@@ -1,0 +1,22 @@
+/// What someone meant who wrote an option that a tool does not have: one of its former name, one of another tool, or one
+/// that is spelt nearly so. docs/options.md lists all options and the former names.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+class ConfigError;
+class Error;
+}  // namespace CLI
+
+namespace asperity::cli {
+
+/// "there is no option --lenght: did you mean --length?", of "--lenght" or, in a file, "lenght".
+std::string unknown_option(const CLI::App& app, const std::string& option);
+
+/// The message of an error of CLI11.
+std::string in_words(const CLI::Error& error);
+std::string in_words(const CLI::App& app, const CLI::ConfigError& error);
+
+}  // namespace asperity::cli
