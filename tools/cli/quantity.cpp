@@ -129,9 +129,9 @@ Shape parse_counts(const std::string& option, const std::string& text, const Bou
 
 double parse_angle(const std::string& option, const std::string& text) {
   const auto [number, given] = number_and_unit(option, text);
+  if (given.empty()) refuse(option, text, "needs a unit: " + std::string(text) + "deg, or 0.5rad");
   // UDUNITS has no "deg".
-  const double angle =
-      given.empty() || given == "deg" ? number * std::numbers::pi / 180 : parse_quantity(option, text, "rad");
+  const double angle = given == "deg" ? number * std::numbers::pi / 180 : parse_quantity(option, text, "rad");
   if (!(std::abs(angle) <= 2 * std::numbers::pi * (1 + 1e-12)))
     refuse(option, text, "is more than a turn: at most 360 degrees either way");
   return angle;

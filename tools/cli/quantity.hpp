@@ -49,7 +49,7 @@ Index parse_count(const std::string& option, const std::string& text, const Boun
 /// "AxB", each at most 2^20.
 Shape parse_counts(const std::string& option, const std::string& text, const Bounds& bounds);
 
-/// An angle in radians, at most a turn: a bare number and "30deg" count degrees, "0.5rad" does not.
+/// An angle in radians, at most a turn: "30deg", "0.5rad".
 double parse_angle(const std::string& option, const std::string& text);
 
 /// "a,b,,c" at ',' is a, b, an empty word and c; an empty text is one empty word.
