@@ -24,7 +24,7 @@ bool says_empty(const Outcome& run, const std::string& name) {
 TEST_CASE("an empty value is a usage error of every option of every tool", "[empty][contract][slow]") {
   const Outcome run = shell(
       "for tool in kernel generate stats acf psd pdf validate contact stress convert plot report; do\n"
-      "  for option in $(asperity-$tool --help | sed '/^Example:/q' | grep -oE '^  (-.,)?--[a-z0-9-]+' | "
+      "  for option in $(asperity-$tool --help | sed '/^Accuracy:/q' | grep -oE '^  (-., )?--[a-z0-9-]+' | "
       "grep -oE '\\-\\-.*'); "
       "do\n"
       "    [ $tool$option = plot--title ] && continue\n"

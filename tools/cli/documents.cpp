@@ -175,8 +175,9 @@ enum class Value { none, file, word, other };
 Value value_of(const CLI::Option& option) {
   if (is_flag(option)) return Value::none;
   const std::string kind = option.get_type_name();
-  if (kind.starts_with("FILE") || kind == "PATTERN" || option.get_positional()) return Value::file;
-  return kind.find('|') != kind.npos ? Value::word : Value::other;
+  if (kind.find('|') != kind.npos) return Value::word;
+  return kind.starts_with("FILE") || kind == "PATTERN" || option.get_positional() ? Value::file
+                                                                                  : Value::other;
 }
 
 // "exponential|gaussian" as "exponential gaussian"
@@ -223,7 +224,7 @@ std::string argument(const CLI::Option& option) {
                            : fmt::format("'({})'{{{}}}'{}'", all, fmt::join(names, ","), rest);
 }
 
-// Of the function's name, the tool's, branches for values, all names.
+// Of the function's name, the tool's, branches for values, all names, what completes an argument.
 constexpr const char* bash_script = R"(# bash completion of {1}, printed by {1} --completion bash
 {0}() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
@@ -239,7 +240,7 @@ constexpr const char* bash_script = R"(# bash completion of {1}, printed by {1} 
     mapfile -t COMPREPLY < <(compgen -W '{3}' -- "$current")
   else
     compopt -o filenames 2>/dev/null
-    mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    mapfile -t COMPREPLY < <(compgen {4} -- "$current")
   fi
 }}
 complete -F {0} {1}
@@ -251,8 +252,11 @@ std::string bash_completion(const CLI::App& app) {
   using enum Value;
   std::string function = "_" + app.get_name(), branches;
   std::ranges::replace(function, '-', '_');
+  std::string arguments = "-f";
   for (const CLI::Option* option : app.get_options())
-    if (value_of(*option) == word)
+    if (value_of(*option) == word && option->get_positional())
+      arguments = "-W '" + words_of(*option) + "'";
+    else if (value_of(*option) == word)
       branches += branch(names_of(*option),
                          "mapfile -t COMPREPLY < <(compgen -W '" + words_of(*option) + "' -- \"$current\")");
   branches += branch(all_names(app, {file}),
@@ -260,18 +264,20 @@ std::string bash_completion(const CLI::App& app) {
                      "      mapfile -t COMPREPLY < <(compgen -f -- \"$current\")");
   branches += branch(all_names(app, {other}), ":");
   return fmt::format(fmt::runtime(bash_script), function, app.get_name(), branches,
-                     fmt::join(all_names(app, {none, file, word, other}), " "));
+                     fmt::join(all_names(app, {none, file, word, other}), " "), arguments);
 }
 
 std::string zsh_completion(const CLI::App& app) {
   std::string out =
       fmt::format("#compdef {0}\n# printed by {0} --completion zsh\n_arguments -S", app.get_name());
-  bool reads = false;
-  for (const CLI::Option* option : app.get_options()) {
-    reads = reads || option->get_positional();
-    if (!option->get_positional()) out += " \\\n  " + argument(*option);
-  }
-  return out + (reads ? " \\\n  '*:file:_files'\n" : "\n");
+  std::string arguments;
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_positional())
+      out += " \\\n  " + argument(*option);
+    else
+      arguments =
+          value_of(*option) == Value::word ? "':word:(" + words_of(*option) + ")'" : "'*:file:_files'";
+  return out + (arguments.empty() ? "" : " \\\n  " + arguments) + "\n";
 }
 
 }  // namespace asperity::cli

@@ -40,15 +40,30 @@ std::string first_clause(const std::string& text) {
   return text.substr(0, std::min({text.find(". "), text.find("; "), text.find(": ")}));
 }
 
-// A pipe that is too long for a line goes on in the next.
-std::string example_of(const Documents& more, std::size_t width) {
-  std::string command = more.example;
-  for (std::size_t line = 0, bar = 0; command.size() - line + 2 > width; line = bar + 2) {
-    bar = command.find(" | ", line);
-    if (bar == command.npos) break;
-    command.replace(bar, 3, " |\n    ");
+// A command of one line in lines of at most `width` columns, which a shell takes as one.
+std::string broken_command(const std::string& command, std::size_t width) {
+  std::istringstream words(command);
+  std::vector<std::string> parts(1);  // each a place where a line may begin
+  for (std::string word, before; words >> word; before = word) {
+    if (word == "\\") continue;  // it was in lines before
+    if (before == "|" || (word.starts_with("-") && word != "-")) parts.emplace_back();
+    parts.back() += (parts.back().empty() ? "" : " ") + word;
   }
-  return command.empty() ? "" : "\nExample:\n  " + command + "\n";
+  std::string out, line;
+  for (const std::string& part : parts) {
+    const bool full = !line.empty() && line.size() + part.size() + 3 > width;  // with " \\" behind it
+    if (full) out += line + (line.ends_with("|") ? "\n" : " \\\n"), line = "  ";
+    line += (line.empty() || full ? "" : " ") + part;
+  }
+  return out + line;
+}
+
+std::string example_of(const Documents& more, std::size_t width) {
+  if (more.example.empty()) return "";
+  std::string out = "\nExample:\n";
+  std::istringstream lines(broken_command(more.example, width - 2));
+  for (std::string line; std::getline(lines, line);) out += "  " + line + "\n";
+  return out;
 }
 
 }  // namespace
@@ -64,14 +79,14 @@ std::string long_help(const CLI::App& app, const Documents& more, std::size_t wi
   std::string statuses;
   for (const auto& [code, meaning] : more.statuses)
     statuses += fmt::format("{}{} {}", statuses.empty() ? "" : ", ", code, meaning);
-  return out + "\n" +
-         flowing(
-             "A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg; px counts samples. An option may "
-             "also stand in the environment, as " +
-                 environment_name(app.get_name(), "OPTION") +
-                 ", or in the file of --config; the command line comes first.",
-             width) +
-         "\n" + flowing("Exit status: " + statuses + ".", width) + "\n";
+  const std::string values =
+      "A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg; px counts samples. An option may also stand "
+      "in "
+      "the environment, as " +
+      environment_name(app.get_name(), "OPTION") +
+      ", or in the file of --config; the command line comes first.";
+  if (app.get_option_no_throw("--config")) out += "\n" + flowing(values, width) + "\n";
+  return out + flowing("Exit status: " + statuses + ".", width) + "\n";
 }
 
 std::string short_help(const CLI::App& app, const Documents& more, std::size_t width) {

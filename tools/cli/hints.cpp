@@ -9,6 +9,7 @@
 
 #include "tools/cli/documents.hpp"
 #include "tools/cli/plain_text.hpp"
+#include "tools/cli/toolbox.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -83,6 +84,16 @@ std::string hint(const CLI::App& app, const std::string& option) {
 std::string unknown_option(const CLI::App& app, const std::string& option) {
   const std::string dashed = option.starts_with("-") ? option : "--" + option;
   return "there is no option " + option + hint(app, dashed.substr(0, dashed.find('=')));
+}
+
+std::string nearest_tool(const std::string& word) {
+  std::string_view best;
+  std::size_t least = word.size() / 3 + 2;
+  for (const Summary& s : toolbox) {
+    const std::string_view name = s.tool.substr(s.tool.find('-') + 1);
+    if (const std::size_t d = distance(word, name); d < least) best = name, least = d;
+  }
+  return best.empty() ? "" : ": did you mean " + std::string(best) + "?";
 }
 
 std::string in_words(const CLI::Error& error) {

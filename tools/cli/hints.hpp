@@ -15,6 +15,9 @@ namespace asperity::cli {
 /// "there is no option --lenght: did you mean --length?", of "--lenght" or, in a file, "lenght".
 std::string unknown_option(const CLI::App& app, const std::string& option);
 
+/// ": did you mean contact?" of "contct"; "" where no tool is called nearly so.
+std::string nearest_tool(const std::string& word);
+
 /// The message of an error of CLI11.
 std::string in_words(const CLI::Error& error);
 std::string in_words(const CLI::App& app, const CLI::ConfigError& error);

@@ -181,7 +181,7 @@ void Tool::add_common() {
             "Threads to use; 0 is all that there are", common);
   if (writes_dataset_)
     flag("--no-history", no_history_, "Leave the command out of the dataset's history", common);
-  add_running();
+  if (computes_) add_running();
   add_documents();
 }
 
@@ -196,15 +196,15 @@ void Tool::add_running() {
          "A line on standard error that tells how far a long computation is; auto: on a terminal, without "
          "--quiet and --verbose",
          common);
-  flag("--time", time_, "Tell in the end the time and the peak memory of the run on standard error", common);
-}
-
-void Tool::add_documents() {
   flag("--dump-config", dump_config_,
        "Print the options given here, in the environment and in --config as a file for --config, the "
        "defaults as comments, and exit",
        common)
       .of->configurable(false);
+  flag("--time", time_, "Tell in the end the time and the peak memory of the run on standard error", common);
+}
+
+void Tool::add_documents() {
   app_->add_flag_callback(
           "--man", [this] { tell(man_page(*app_, documents_)); },
           "Print the manual page, for man -l, and exit")

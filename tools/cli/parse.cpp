@@ -54,6 +54,7 @@ std::vector<std::string> Tool::given_under(const std::vector<std::string>& headi
 // The arguments that variables stand for, where none on the command line is for the same option.
 std::vector<std::string> Tool::environment() const {
   std::vector<std::string> out;
+  if (!computes_) return out;
   for (const CLI::Option* option : app_->get_options({})) {
     const std::string key = option->get_single_name();
     const bool settable = !option->get_positional() && (option->get_configurable() || key == "config");
@@ -66,6 +67,7 @@ std::vector<std::string> Tool::environment() const {
 
 // A variable of this tool that stands for no option is a slip of the pen.
 void Tool::check_environment() const {
+  if (!computes_) return;
   const std::string prefix = environment_name(name_, "");
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view variable(*entry, std::strcspn(*entry, "="));

@@ -77,6 +77,13 @@ int Tool::fail(Exit code, const std::string& message) const {
   return code;
 }
 
+// "rough.nc: heights: ...", "map.txt: line 3 ..."
+std::string Tool::in_file(const DataError& error) const {
+  const std::string line = error.name + ": " + error.what();
+  const bool named = reading_.empty() || reading_ == "-" || line.starts_with(reading_ + ": ");
+  return named ? line : reading_ + ": " + line;
+}
+
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   parse(argc, argv);
   source_date();  // refused before the work, not after
@@ -89,6 +96,7 @@ int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   if (writes_dataset_ || writes_table_) writes("output", output_);
   if (!report_.empty()) writes("report", report_);
   if (!config_file().empty()) reads(config_file());
+  reading_.clear();
   if (takes_input_ && input_ == "-" && stdin_is_terminal())
     return fail(usage_error, "no input: pipe a dataset in or name a file (" + name_ + " -h shows how)");
   return body();
@@ -106,14 +114,12 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::FileError&) {
   return fail(usage_error,
               origin("config") + ": '" + config_file() + "' cannot be read: name a file that is there");
-} catch (const CLI::ExtrasError&) {
-  return fail(usage_error, unexpected());
 } catch (const CLI::Error& e) {
-  return fail(usage_error, in_words(e));
+  return fail(usage_error, app_->remaining().empty() ? in_words(e) : unexpected());
 } catch (const ParameterError& e) {
   return fail(usage_error, origin(e.name) + ": " + e.what());
 } catch (const DataError& e) {
-  return fail(bad_data, e.name + ": " + e.what());
+  return fail(bad_data, in_file(e));
 } catch (const std::bad_alloc&) {
   return fail(runtime_error, "out of memory");
 } catch (const std::exception& e) {
@@ -168,6 +174,7 @@ void Tool::writes(const std::string& option, const std::string& name) {
 }
 
 void Tool::reads(const std::string& name, bool passed_on) const {
+  reading_ = name;
   const Identity own = identity_of_input(name);
   const auto same = outputs_.find(own);
   if (own.empty() || same == outputs_.end()) return;

@@ -138,6 +138,8 @@ class Tool {
   /// --memory SIZE; `text` tells what else than an input it bounds. A tool that reads has it without asking.
   void memory(const std::string& text);
   void seed() { seeded_ = true; }  ///< --seed N and --stream K
+  /// No other options than those that print a text, and no variables: a program that computes nothing.
+  void documents_only() { computes_ = false; }
 
   bool given(const std::string& option) const;  ///< false of one that the tool does not have
   std::vector<std::string> given_under(const std::vector<std::string>& headings) const;  ///< their names
@@ -158,8 +160,8 @@ class Tool {
   void writes_dataset(bool dataset) { result_is_dataset_ = dataset; }
   /// Of an output that the tool has besides; throws UsageError(option, …) where it is another output's file.
   void writes(const std::string& option, const std::string& name);
-  /// Throws UsageError where an output would replace this file, which is read. `passed_on`: --output may, for
-  /// all that the file holds goes there.
+  /// This file is read from here on: errors in data name it. Throws UsageError where an output would replace it.
+  /// `passed_on`: --output may, for all that the file holds goes there.
   void reads(const std::string& name, bool passed_on = false) const;
 
   /// Parses and runs `body`, which returns an exit code; an exception becomes one line on stderr and a code.
@@ -200,6 +202,7 @@ class Tool {
   std::vector<std::string> environment() const;
   std::string origin(const std::string& option) const;
   std::string config_file() const;
+  std::string in_file(const DataError& error) const;
   std::string unexpected() const;
   void check_environment() const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
@@ -221,10 +224,11 @@ class Tool {
   Stopwatch clock_;
   int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;
+  mutable std::string reading_;  ///< the last file that was
   bool result_is_dataset_ = false;
   bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,
        writes_table_ = false, reports_ = false, threaded_ = false, seeded_ = false;
-  bool quiet_ = false, verbose_ = false, json_ = false, no_history_ = false, time_ = false,
+  bool computes_ = true, quiet_ = false, verbose_ = false, json_ = false, no_history_ = false, time_ = false,
        dump_config_ = false;
 };
 

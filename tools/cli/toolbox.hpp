@@ -9,6 +9,8 @@ struct Summary {
   std::string_view tool, text;
 };
 
+inline constexpr Summary umbrella = {"asperity", "rough surfaces: list of the tools, their manual and pages"};
+
 inline constexpr Summary toolbox[] = {
     {"asperity-kernel", "solve the autocorrelation equations for a kernel"},
     {"asperity-generate", "draw random rough surfaces"},
@@ -26,6 +28,7 @@ inline constexpr Summary toolbox[] = {
 
 /// Empty for what is no tool.
 constexpr std::string_view summary_of(std::string_view tool) {
+  if (tool == umbrella.tool) return umbrella.text;
   for (const Summary& s : toolbox)
     if (s.tool == tool) return s.text;
   return {};

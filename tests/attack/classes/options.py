@@ -55,9 +55,9 @@ NASTY = ["'; touch pwned; '", "$(touch pwned)", "`touch pwned`", "\"; system(\"t
 def options(folder, tool):
     """(name, kind) of every option that --help lists; the kind of a flag is empty."""
     text = subprocess.run([f"{folder}/asperity-{tool}", "--help"], capture_output=True, text=True, check=True).stdout
-    text = text[:text.index("\nExample:")]
-    found = re.findall(r"^  (?:-\w,)?(--[a-z-]+)(?: (\S+))?", text, re.M)
-    return [(name, re.sub("=.*", "", kind)) for name, kind in found if name not in DOCUMENTS]
+    text = text[text.index("\nExample:"):text.index("\nAccuracy:")]
+    found = re.findall(r"^  (?:-\w, )?(--[a-z-]+)(?: (\S+))?", text, re.M)
+    return [(name, kind) for name, kind in found if name not in DOCUMENTS]
 
 
 def value(case, kind):
@@ -66,6 +66,8 @@ def value(case, kind):
         kind = case.one_of("N", "QUANTITY", "AxB", "LIST", "TEXT")
     if "|" in kind and "." not in kind and case.chance(0.7):
         return case.one_of(*kind.split("|"))
+    if kind == "WORD":  # a long list of them
+        return case.one_of("netcdf", "text", "gsf", "exponential", "matern", "map", "section", "nearest")
     if kind in ("N", "NUMBER"):
         return case.one_of(*NUMBERS)
     if kind in ("QUANTITY", "A[,B]", "LENGTH", "ANGLE", "SIZE", "LOW,HIGH"):
