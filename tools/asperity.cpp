@@ -108,7 +108,7 @@ int run(const std::vector<std::string>& words) {
     throw cli::UsageError("COMMAND", "there is no tool '" + words[0] + "'" + cli::nearest_tool(words[0]) +
                                          "; asperity lists them");
   else if (words.size() > 2)
-    throw cli::UsageError("COMMAND", "'" + words[2] + "' is one word too many: name one page");
+    throw cli::UsageError("COMMAND", "'" + words[2] + "' is one argument too many: name one page");
   else if (words.size() == 2)
     return help_on(words[1]);
   else

@@ -100,7 +100,7 @@ TEST_CASE("a file of options that is deep, large, endless or none is refused", "
         "b = { " + deep + " = 1 }", "# a comment\n\"a\".'b' . " + deep + " = 1"}) {
     const Outcome written = shell("cat > deep.toml <<END\n" + content + "\nEND");
     REQUIRE(written.exit == 0);
-    refused("asperity-stats x.nc --config deep.toml", 2, {"deep.toml: line ", "a table in tables"});
+    refused("asperity-stats x.nc --config deep.toml", 2, {"deep.toml: line ", "nested too deeply"});
   }
   refused("asperity-stats x.nc --config /dev/zero", 2, {"/dev/zero: it is larger than 1 MiB"});
   refused("asperity-stats x.nc --config .", 2, {"--config: '.' cannot be read"});

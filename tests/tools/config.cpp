@@ -68,7 +68,7 @@ TEST_CASE("a file of options that cannot be meant is refused in a line that name
   CHECK_THAT(refused("wavelength = 3mm\\n"),
              ContainsSubstring("wavelength: ") && ContainsSubstring("(line 1)"));
   CHECK_THAT(refused("count = 1\\ncount = 2\\n"), ContainsSubstring("count: "));
-  CHECK_THAT(refused("periodic = 1\\n"), ContainsSubstring("periodic: is true or false"));
+  CHECK_THAT(refused("periodic = 1\\n"), ContainsSubstring("periodic: must be true or false"));
   CHECK_THAT(refused("[surface]\\n"), ContainsSubstring("surface: is a table"));
   CHECK_THAT(refused("model = \"gaussian\\n"), ContainsSubstring("model: "));
   CHECK_THAT(refused("target\\n"), ContainsSubstring("target: "));

@@ -85,7 +85,7 @@ TEST_CASE("an empty input is bad data, and of a pipe the tool before it", "[empt
         generate.substr(9) + "--marginal -"}) {
     const std::string first = tool.substr(0, tool.find(' '));
     const std::string words =
-        "asperity-" + first + ": standard input: it is empty: the tool before it wrote nothing\n";
+        "asperity-" + first + ": standard input: it is empty: the tool before this one wrote nothing\n";
     for (const std::string& line :
          {"set +o pipefail; false | asperity-" + tool, "asperity-" + tool + " < none"}) {
       const Outcome run = shell(line);

@@ -70,7 +70,7 @@ TEST_CASE("an option that is not there is told by what was meant", "[help][contr
   CHECK_THAT(refusal("asperity-contact --one --two"),
              ContainsSubstring("--one"));  // the first that was typed
   CHECK_THAT(refusal("asperity-acf one.nc two.nc three.nc"),
-             ContainsSubstring("'two.nc' is one word too many"));
+             ContainsSubstring("'two.nc' is one argument too many"));
   CHECK_THAT(refusal("asperity-stats --lambda-c"), EndsWith("--lambda-c needs a value\n"));
   CHECK_THAT(refusal("echo 'lenght = \"3px\"' > o.toml; asperity-generate --config o.toml"),
              EndsWith("o.toml: there is no option lenght: did you mean --length?\n"));

@@ -165,7 +165,7 @@ TEST_CASE("what went is said in one line, which --quiet silences, and where noth
   for (const Case& c : cases()) {
     const Outcome run = run_into(c.command, "now.nc"), quiet = run_into(c.command + " --quiet", "now.nc");
     CAPTURE(c.command, run.error);
-    const std::string start = c.tool + ": dropped what does not belong to the new ";
+    const std::string start = c.tool + ": dropped results of the former ";
     const bool any = !cli::Inventory(before).missing_in(read_dataset("now.nc")).empty();
     const std::size_t at = run.error.find(start);
     CHECK((at != run.error.npos) == any);
@@ -175,7 +175,7 @@ TEST_CASE("what went is said in one line, which --quiet silences, and where noth
   const Outcome pressed = run_into(cases().front().command, "now.nc");
   CHECK_THAT(pressed.error,
              ContainsSubstring(
-                 "asperity-contact: dropped what does not belong to the new pressure: displacement_plastic, "
+                 "asperity-contact: dropped results of the former pressure: displacement_plastic, "
                  "heights_residual, stress (von_mises and 20 more)\n"));
 }
 

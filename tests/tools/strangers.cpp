@@ -32,21 +32,21 @@ TEST_CASE("an ensemble takes the place neither of what it is drawn from nor of i
   refused(
       "asperity-generate --marginal s_1.nc --length 3px --rq 1um --size 1mm --shape 24x20 --seed 1 --count 2 "
       "-o s_%d.nc",
-      2, "'s_1.nc' is read by this run");
+      2, "'s_1.nc' is an input of this run");
   refused("asperity-generate --kernel k_0.nc --rq 1um --size 1mm --shape 24x20 --seed 1 --count 2 -o k_%d.nc",
-          2, "'k_0.nc' is read by this run");
-  refused(draw + "--count 2 -o t%d.nc", 2, "'t1.nc' is where --count goes too");
+          2, "'k_0.nc' is an input of this run");
+  refused(draw + "--count 2 -o t%d.nc", 2, "'t1.nc' is the file of --count too");
   CHECK(shell("cmp s_1.nc kept.nc").exit == 0);
 }
 
 TEST_CASE("a file of options is not written over", "[strangers][outputs][contract]") {
   REQUIRE(shell("echo 'remove-form = \"plane\"' > options.txt; " + draw + "-o g.nc").exit == 0);
-  refused("asperity-stats --config options.txt g.nc -o options.txt", 2, "'options.txt' is read by this run");
+  refused("asperity-stats --config options.txt g.nc -o options.txt", 2, "'options.txt' is an input of this run");
   REQUIRE(shell("echo 'seed = 3' > seed.json").exit == 0);
   refused(
       "asperity-generate --shape 8x8 --size 1mm --rq 1um --length 3px -o h.nc --report seed.json --config "
       "seed.json",
-      2, "--report: 'seed.json' is read by this run");
+      2, "--report: 'seed.json' is an input of this run");
 }
 
 TEST_CASE("ASPERITY_STATS_CONFIG names a file of options as --config does", "[strangers][config][contract]") {

@@ -22,7 +22,7 @@ std::string text_in(std::istream& in) {
   std::string out(most_bytes + 1, '\0');
   in.read(out.data(), static_cast<std::streamsize>(out.size()));
   out.resize(static_cast<std::size_t>(in.gcount()));
-  if (out.size() > most_bytes) throw CLI::ConfigError("it is larger than 1 MiB, which no file of options is");
+  if (out.size() > most_bytes) throw CLI::ConfigError("it is larger than 1 MiB: not a file of options");
   return out;
 }
 
@@ -58,7 +58,7 @@ void refuse_deep_keys(std::string_view text) {
     dots = c == '.' ? dots + 1 : std::string_view("\n#=,[{").find(c) != std::string_view::npos ? 0 : dots;
     if (dots > most_dots)
       throw CLI::ConfigError("line " + std::to_string(line) +
-                             ": its key is a table in tables, which no option is");
+                             ": the key is nested too deeply: write one `key = value` per option");
     ++at;
   }
 }
@@ -68,7 +68,7 @@ std::string text_of(const std::string& key, const toml::node& node) {
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
   if (const auto* number = node.as_floating_point()) return shortest(number->get());
-  throw CLI::ConfigError(key + ": is a table or a date, which no option is");
+  throw CLI::ConfigError(key + ": is a table or a date: write one `key = value` per option");
 }
 
 std::vector<std::string> texts_of(const std::string& key, const toml::node& node) {
@@ -157,7 +157,7 @@ std::vector<CLI::ConfigItem> ConfigReader::from_config(std::istream& in) const {
 std::string ConfigReader::to_flag(const CLI::ConfigItem& item) const {
   if (item.inputs.size() == 1 && (item.inputs[0] == "true" || item.inputs[0] == "false"))
     return item.inputs[0];
-  throw CLI::ConfigError(item.name + ": is true or false");
+  throw CLI::ConfigError(item.name + ": must be true or false");
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ std::string ConfigReader::to_flag(const CLI::ConfigItem& item) const {
 std::shared_ptr<CLI::Config> config_reader() { return std::make_shared<ConfigReader>(); }
 
 std::string config_text(const CLI::App& app) {
-  std::string out = "# Options of " + app.get_name() + ", for --config; behind # what is so by default.\n";
+  std::string out = "# Options of " + app.get_name() + ", for --config. Lines that begin with # are the defaults.\n";
   for (const std::string& group : app.get_groups()) {
     std::string lines;
     for (const CLI::Option* option : app.get_options())

@@ -6,8 +6,8 @@
 ///     periodic = true         a flag
 ///     SURFACES = ["a.nc", "b.nc"]
 ///
-/// Tables, dates and what is no TOML are errors that name the key or the line. toml++, which reads it, calls
-/// itself for each part of a dotted key: no key has more than 8, and a file at most 1 MiB.
+/// Tables, dates and text that is not TOML are errors that name the key or the line. toml++ recurses once per
+/// part of a dotted key: a key has at most 8 parts, a file at most 1 MiB.
 #pragma once
 
 #include <memory>

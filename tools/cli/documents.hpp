@@ -1,5 +1,5 @@
-/// What a tool prints about itself, from CLI11's list of its options: two lengths of help, the manual page, and
-/// completions for shells.
+/// What a tool prints about itself, from CLI11's list of its options: two lengths of help, the manual page,
+/// and completions for shells.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// A dataset from whatever file a user has: NetCDF, or a map of another program (formats/format.hpp).
+/// A dataset from a file of any known format: NetCDF, or a map of another program (formats/format.hpp).
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@ namespace asperity::cli {
 struct InputFormat {
   std::string format = "auto";  ///< by the first bytes, then the name; or "netcdf", or that of a map
   std::string order = "xy";     ///< of a bare matrix
-  Reading reading = {};         ///< what else a user tells; its order is that above
+  Reading reading = {};         ///< further options of the reader; `order` is the one above
 
   /// "auto", "netcdf" and the names of all formats of maps.
   static std::vector<std::string> names();
 
   /// Whether bytes are taken for NetCDF.
   bool netcdf(std::string_view bytes) const;
-  /// Whether they tell by themselves, or by --from, that they are a map and no list of names.
+  /// Whether the bytes, or --from, identify a dataset or a map, not a list of names.
   bool known(std::string_view bytes) const;
   /// The name of the format that bytes are read in.
   std::string_view found(std::string_view bytes, const std::string& name) const;
-  /// The map that bytes which are no NetCDF hold. Of what is allowed, the bytes themselves are taken.
+  /// The map in bytes that are not NetCDF; the bytes count towards the memory bound.
   Map map(std::string_view bytes, const std::string& name, const MemoryBound& memory) const;
   Dataset dataset(std::string_view bytes, const std::string& name, const MemoryBound& memory) const;
 };

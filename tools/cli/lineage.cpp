@@ -112,7 +112,7 @@ void Inventory::tell(const Tool& tool, const Dataset& now, const std::string& re
   std::erase_if(gone, [&](const std::string& name) {
     return std::ranges::any_of(written, [&](std::string_view word) { return fits(word, name); });
   });
-  if (!gone.empty()) tool.note("dropped what does not belong to the new " + replaced + ": " + in_short(gone));
+  if (!gone.empty()) tool.note("dropped results of the former " + replaced + ": " + in_short(gone));
 }
 
 }  // namespace asperity::cli

@@ -1,12 +1,14 @@
-/// A result that is replaced takes with it all that was computed from it (dataset/catalogue.hpp), from
-/// heights or the field that contact_variable, acf_variable or psd_variable names, and what is gone is told:
+/// A new result replaces the former one together with everything computed from it (dataset/catalogue.hpp):
+/// from heights, or from the field that contact_variable, acf_variable or psd_variable names. A note lists
+/// what was dropped:
 ///
 ///     const Inventory before(data);
 ///     drop_results(data, "contact", "heights_residual");     // which is pressed, and stays
 ///     ...                                                     // the new pressure
 ///     before.tell(tool, data, "pressure");
 ///
-/// What the catalogue does not name is a user's own and stays, unless its surface or its grid is another.
+/// Variables that the catalogue does not name are the user's own. They stay, unless the surface or the grid
+/// changes.
 #pragma once
 
 #include <string>
@@ -17,21 +19,22 @@
 
 namespace asperity::cli {
 
-/// Removes a result that is to be replaced and all that rests on it, directly or not. `input`, which the new
-/// one is computed from, stays with what rests on it.
+/// Removes a result and everything computed from it, directly or not. `input`, from which the new result is
+/// computed, stays, and so does what was computed from it.
 void drop_results(Dataset& data, std::string_view result, std::string_view input = {});
-/// The same where another surface is to come: whatever lies on (x, y) belongs to the former one.
+/// The same before a new surface: every variable on (x, y) belongs to the former one.
 void drop_surface(Dataset& data, std::string_view result = "heights");
 
-/// The names in a dataset, coordinates apart, so that a tool can tell in the end which of them are gone.
+/// The names in a dataset, without coordinates, so that a tool can list at the end which of them were
+/// dropped.
 class Inventory {
  public:
   Inventory() = default;
   explicit Inventory(const Dataset& data);
 
   std::vector<std::string> missing_in(const Dataset& now) const;
-  /// Notes what is missing in `now` but for `coming`, a list between blanks, which is yet to be written.
-  /// `replaced` says what is new: "pressure".
+  /// Notes what is missing in `now`. `coming`, names between blanks, is still to be written; `replaced` names
+  /// the new result: "pressure".
   void tell(const Tool& tool, const Dataset& now, const std::string& replaced,
             std::string_view coming = {}) const;
 

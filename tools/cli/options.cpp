@@ -144,13 +144,13 @@ Option Tool::arguments(const std::string& name, std::vector<std::string>& values
 
 void Tool::input() {
   takes_input_ = true;
-  argument("INPUT", input_, "FILE", "Dataset to read; - is standard input");
+  argument("INPUT", input_, "FILE", "Dataset or map to read; - is standard input");
   input_format();
 }
 
 void Tool::memory(const std::string& text) {
   bytes("--memory", memory_,
-        text + ". An input that takes more is refused, but for 16 MiB. Absent: half of the machine's",
+        text + ". A larger input is refused; 16 MiB are always allowed. Default: half of the machine's memory",
         "Resources")
       .without_default();
 }
@@ -158,50 +158,50 @@ void Tool::memory(const std::string& text) {
 void Tool::input_format() {
   reads_ = true;
   choice("--from", format_.format, InputFormat::names(),
-         "What the input is; auto: by its first bytes, else the extension of its name", "Input");
+         "Format of the input; auto: by its first bytes, else by the extension of its name", "Input");
   choice("--from-order", format_.order, {"xy", "yx"},
-         "Of a bare matrix (text, npy): xy has a line for each x, yx one for each y", "Input");
+         "Order of a bare matrix (text, npy); xy: a line for each x, yx: a line for each y", "Input");
 }
 
-// The options that all or several tools have stand last in --help, in one order.
+// Options of several tools come last in --help, in one order.
 void Tool::add_common() {
   if (reads_ && !app_->get_option_no_throw("--memory"))
-    memory("Largest memory that reading may take: an input's bytes and three times its map");
+    memory("Memory limit for reading: the bytes of an input and three times its map");
   if (writes_dataset_ || writes_table_)
     text("-o,--output", output_, "FILE",
-         std::string("Where the result goes; - is standard output") +
+         std::string("Output file; - is standard output") +
              (writes_any_ || !writes_dataset_ ? ""
-                                              : ". A dataset is NetCDF: FILE.nc, or without an extension"),
+                                              : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
          common);
   if (writes_table_) flag("--json", json_, "Print one JSON object instead of a table", common);
-  if (reports_) text("--report", report_, "FILE.json", "Write what was achieved as one JSON object", common);
+  if (reports_) text("--report", report_, "FILE.json", "Write residuals and other figures of the run as one JSON object", common);
   if (seeded_) add_seed();
   if (threaded_)
     integer("--threads", threads_, {0, 4096, "more than a machine has"},
-            "Threads to use; 0 is all that there are", common);
+            "Number of threads; 0: all of the machine", common);
   if (writes_dataset_)
-    flag("--no-history", no_history_, "Leave the command out of the dataset's history", common);
+    flag("--no-history", no_history_, "Do not record the command in the dataset's history", common);
   if (computes_) add_running();
   add_documents();
 }
 
 void Tool::add_running() {
   app_->config_formatter(config_reader());
-  app_->set_config("--config", "", "Read options from a TOML file, such as --dump-config writes")
+  app_->set_config("--config", "", "Read options from a TOML file, as --dump-config writes it")
       ->group(common)
       ->type_name("FILE.toml");
-  flag("-q,--quiet", quiet_, "Say nothing but warnings and errors", common);
-  flag("-v,--verbose", verbose_, "Say more on standard error: a line for each step of an iteration", common);
+  flag("-q,--quiet", quiet_, "Print warnings and errors only", common);
+  flag("-v,--verbose", verbose_, "Print details on standard error: a line for each step of an iteration", common);
   choice("--progress", progress_, {"auto", "always", "never"},
-         "A line on standard error that tells how far a long computation is; auto: on a terminal, without "
-         "--quiet and --verbose",
+         "Show the progress of a long computation on standard error; auto: on a terminal, without --quiet and "
+         "--verbose",
          common);
   flag("--dump-config", dump_config_,
-       "Print the options given here, in the environment and in --config as a file for --config, the "
+       "Print the options given here, in the environment and by --config as a file for --config, with the "
        "defaults as comments, and exit",
        common)
       .of->configurable(false);
-  flag("--time", time_, "Tell in the end the time and the peak memory of the run on standard error", common);
+  flag("--time", time_, "Print time and peak memory on standard error at the end", common);
 }
 
 void Tool::add_documents() {
@@ -210,7 +210,7 @@ void Tool::add_documents() {
           "Print the manual page, for man -l, and exit")
       ->group(common)
       ->configurable(false);
-  parsed("--completion", "bash|zsh", "Print the completion of this command for a shell and exit", common, "",
+  parsed("--completion", "bash|zsh", "Print the completion script for a shell and exit", common, "",
          [this](const std::string& key, const std::string& shell) {
            if (shell != "bash" && shell != "zsh")
              throw ParameterError(key, "'" + shell + "' is none of bash|zsh");
@@ -232,17 +232,17 @@ void Tool::add_documents() {
 }
 
 void Tool::add_seed() {
-  parsed("--seed", "N", "Seed of the random numbers, 0 to 2^53; absent: from entropy. Always recorded",
+  parsed("--seed", "N", "Seed of the random numbers, 0 to 2^53; without it a random seed. The seed is always recorded",
          common, "", [this](const std::string& key, const std::string& given) {
            seed_ = to_number<std::uint64_t>(given);
            if (!seed_ || *seed_ > std::uint64_t{1} << 53)
              throw ParameterError(key,
-                                  "'" + given + "' is no whole number from 0 to 2^53 = 9007199254740992");
+                                  "'" + given + "' is not a whole number from 0 to 2^53 = 9007199254740992");
          });
   integer(
       "--stream", stream_, 0,
-      "Number of the ensemble: of one seed, those of different streams have no surface in common, so that "
-      "parallel jobs may share the seed and differ in the stream",
+      "Number of the ensemble; streams of one seed never share a surface, so that parallel jobs may share the seed "
+      "and differ in the stream",
       common);
 }
 

@@ -56,23 +56,23 @@ bool names_dataset(const std::string& extension) {
 void check_dataset_name(const std::string& name, const std::string& option) {
   if (!names_dataset(extension_of(name)))
     refuse(option, name,
-           "names another format, and a dataset is written as NetCDF: end it in .nc, and make other formats "
-           "of it with asperity-convert");
+           "names another format, but a dataset is NetCDF: end the name in .nc, or export other formats "
+           "with asperity-convert");
 }
 
 void check_table_name(const std::string& name, bool json, const std::string& option) {
   const std::string extension = extension_of(name);
   if (extension == "json" && !json)
-    refuse(option, name, "names JSON, which --json prints, and this is a table");
+    refuse(option, name, "names JSON, but this is a table: add --json");
   if (!extension.empty() && !is_text_name(extension))
     refuse(option, name,
-           json ? "names another format, and JSON is text: end it in .json"
+           json ? "names another format: end the name of JSON in .json"
                 : "names another format: end a table in .tsv or .txt, a dataset in .nc");
 }
 
 void check_page_name(const std::string& name) {
   constexpr std::string_view html[] = {"", "html", "htm", "xhtml"};
-  if (!among(html, extension_of(name))) refuse("output", name, "does not end in .html, and the page is HTML");
+  if (!among(html, extension_of(name))) refuse("output", name, "names another format: end the name of a page in .html");
 }
 
 }  // namespace asperity::cli

@@ -88,7 +88,7 @@ std::string Tool::unexpected() const {
       arguments_, [&](const std::string& a) { return std::ranges::find(left, a) != left.end(); });
   const std::string word = first == arguments_.end() ? left.front() : *first;
   if (word.starts_with("-") && word != "-") return unknown_option(*app_, word);
-  return "'" + word + "' is one word too many: " + name_ + " -h shows what it takes";
+  return "'" + word + "' is one argument too many: " + name_ + " -h shows the usage";
 }
 
 void Tool::parse(int argc, char** argv) {

@@ -1,7 +1,7 @@
-/// What the name of a file leads to, by what is there and not by how it is spelt.
+/// The file behind a name, whatever its spelling.
 ///
-/// Symbolic links are followed to their end, but for those of /proc: each stands for an open file, as
-/// /dev/stdout and /dev/fd/63 of a process substitution do, and what they say of its name may be none.
+/// Symbolic links are followed to their end, except those of /proc: each is an open file, as in /dev/stdout
+/// or /dev/fd/63 of a process substitution, and its target need not be a file name.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct Place {
 /// Of an output: "-" is standard output.
 Place place_of(const std::string& name);
 
-/// Of a regular file or a pipe, the same for all its names; empty for devices and an input that is not there.
+/// The same for all names of a regular file or a pipe; empty for devices and for a missing input.
 using Identity = std::string;
 Identity identity_of_output(const Place& place);
 Identity identity_of_input(const std::string& name);  ///< "-" is standard input

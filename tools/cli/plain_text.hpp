@@ -27,7 +27,7 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
 inline double number_of(std::string_view word, std::size_t line, const std::string& variable) {
   const auto value = to_number<double>(word);
   if (!value || !std::isfinite(*value))
-    throw DataError(variable, "line " + std::to_string(line) + " does not hold finite numbers alone");
+    throw DataError(variable, "line " + std::to_string(line) + " must hold finite numbers only");
   return *value;
 }
 

@@ -48,9 +48,9 @@ std::array<T, 2> pair_of(const std::string& option, const std::string& text, Par
 
 std::vector<double> spaced(const std::string& option, double from, double to, const std::string& number,
                            Steps steps) {
-  const Bounds bounds(std::numeric_limits<Index>::min(), most_values, "as many as a series may have");
+  const Bounds bounds(std::numeric_limits<Index>::min(), most_values, "the most values of a series");
   const Index count = parse_count(option, number, bounds);
-  if (count < 2) refuse(option, number, "is no number of values from 2 on");
+  if (count < 2) refuse(option, number, "is not a number of values, 2 or more");
   std::vector<double> out;
   for (Index i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -89,7 +89,7 @@ std::array<double, 2> parse_quantities(const std::string& option, const std::str
   if (unit.empty() || unit == "1")
     return pair_of<double>(option, text, [&](const std::string& t) {
       const auto [number, given] = number_and_unit(option, t);
-      if (!given.empty()) refuse(option, text, "is a pure number and takes no unit");
+      if (!given.empty()) refuse(option, text, "is a pure number: leave the unit out");
       return number;
     });
   return pair_of<double>(option, text, [&](const std::string& t) { return parse_quantity(option, t, unit); });
@@ -101,7 +101,7 @@ std::array<SampledLength, 2> parse_lengths(const std::string& option, const std:
 
 Index parse_count(const std::string& option, const std::string& text, const Bounds& bounds) {
   const auto [value, rest, found, in_range] = leading_number<Index>(text);
-  if (!found || !rest.empty()) refuse(option, text, "is no whole number");
+  if (!found || !rest.empty()) refuse(option, text, "is not a whole number");
   if (value < bounds.least) throw ParameterError(option, text + " is below " + std::to_string(bounds.least));
   if (value > bounds.greatest)
     throw ParameterError(option, text + " is above " + std::to_string(bounds.greatest) +
@@ -133,7 +133,7 @@ double parse_angle(const std::string& option, const std::string& text) {
   // UDUNITS has no "deg".
   const double angle = given == "deg" ? number * std::numbers::pi / 180 : parse_quantity(option, text, "rad");
   if (!(std::abs(angle) <= 2 * std::numbers::pi * (1 + 1e-12)))
-    refuse(option, text, "is more than a turn: at most 360 degrees either way");
+    refuse(option, text, "is more than a full turn: give at most 360deg");
   return angle;
 }
 
@@ -156,7 +156,7 @@ std::vector<double> parse_series(const std::string& option, const std::string& t
     if (range.size() != 3 && range.size() != 4) refuse(option, text, "is not of the form FROM:TO:COUNT");
     if (range.size() == 4) {
       if (range[3] != "uniform" && range[3] != "geometric")
-        refuse(option, range[3], "is none of uniform, geometric");
+        refuse(option, range[3], "is neither uniform nor geometric");
       steps = range[3] == "uniform" ? Steps::uniform : Steps::geometric;
     }
     const double from = value(range[0]);
@@ -174,7 +174,7 @@ std::size_t parse_bytes(const std::string& option, const std::string& text) {
   if (given.empty()) refuse(option, text, "has no unit: append MB or GiB");
   const auto* unit = std::ranges::find(byte_units, given, &ByteUnit::first);
   if (unit == std::end(byte_units))
-    refuse(option, text, "is no size in B, kB, MB, GB, TB, KiB, MiB, GiB or TiB");
+    refuse(option, text, "is not a size in B, kB, MB, GB, TB, KiB, MiB, GiB or TiB");
   const double bytes = number * unit->second;
   if (!(bytes >= 1 && bytes < 0x1p63)) refuse(option, text, "must lie between 1B and 8388607TiB");
   return static_cast<std::size_t>(bytes);

@@ -36,15 +36,15 @@ std::array<double, 2> parse_quantities(const std::string& option, const std::str
                                        const std::string& unit);
 std::array<SampledLength, 2> parse_lengths(const std::string& option, const std::string& text);
 
-/// What a number of things may be, so that none takes memory or time without end.
+/// Bounds of a count, so that none takes memory or time without end.
 struct Bounds {
   Bounds(Index least_, Index greatest_ = std::numeric_limits<int>::max(), std::string reason_ = {})
       : least(least_), greatest(greatest_), reason(std::move(reason_)) {}
 
   Index least, greatest;
-  std::string reason;  ///< why not more, where that is not evident
+  std::string reason;  ///< of the upper bound, where it is not evident
 };
-/// A whole number of things. Throws ParameterError(option, …) for what is none, or out of bounds.
+/// A whole number within bounds; throws ParameterError(option, …) otherwise.
 Index parse_count(const std::string& option, const std::string& text, const Bounds& bounds);
 /// "AxB", each at most 2^20.
 Shape parse_counts(const std::string& option, const std::string& text, const Bounds& bounds);

@@ -76,7 +76,7 @@ std::optional<std::time_t> source_date() {
   if (!out || *out < 0 || *out > latest)
     throw ParameterError("SOURCE_DATE_EPOCH",
                          "\"" + one_line(text, 64) +
-                             "\" is no whole number of seconds from 0, the year 1970, to " +
+                             "\" is not a whole number of seconds from 0, the year 1970, to " +
                              std::to_string(latest) + ", the end of 9999; correct it or unset it");
   return out;
 }

@@ -1,4 +1,4 @@
-/// What a run leaves on record: who computed it, when, with which command, what it achieved and took.
+/// The record of a run: program, time, command, residuals and cost.
 #pragma once
 
 #include <ctime>
@@ -20,7 +20,7 @@ std::string shell_word(const std::string& argument);
 std::optional<std::time_t> source_date();
 /// The time of the run in UTC, as ISO 8601, or the one that SOURCE_DATE_EPOCH asks for.
 std::string timestamp();
-/// What a run says of the seconds that it took: 0 where SOURCE_DATE_EPOCH is set.
+/// Seconds as a dataset records them: 0 where SOURCE_DATE_EPOCH is set.
 double on_record(double seconds);
 
 /// For --time, "1.52 s, CPU 2.9 s (2.7 s user, 0.2 s system), peak memory 61 MB", with finished children.

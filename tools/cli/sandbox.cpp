@@ -120,13 +120,13 @@ int status_of(pid_t child) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == refused)
     throw DataError(variable, std::string(out.substr(out.rfind('\0') + 1)));
   if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory)
-    throw DataError(variable, "reading it takes more memory than the " +
+    throw DataError(variable, "reading it needs more memory than the " +
                                   std::to_string(limits.memory / 1'000'000) +
-                                  "MB that its size warrants and --memory allows");
+                                  "MB that its size and --memory allow");
   if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
     throw DataError(variable, "reading it takes longer than " + std::to_string(limits.seconds) +
-                                  " s: it is damaged, or larger than its size tells");
-  throw DataError(variable, "it is damaged: the library that reads it fails");
+                                  " s: the file is damaged");
+  throw DataError(variable, "the file is damaged: the NetCDF library cannot read it");
 }
 
 }  // namespace

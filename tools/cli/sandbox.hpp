@@ -1,10 +1,10 @@
 /// Work that may hang, crash or take all memory, done in a process of its own.
 ///
-/// What a library makes of a hostile file cannot be bounded from within. A forked process does the work under
-/// limits and hands back bytes; whatever becomes of it, the process that asked goes on. The child runs the
-/// work alone: no handler of signals, nothing at exit, no flush of buffers; it ends with its parent, and its
-/// standard error is not heard. The work must not need a lock that another thread may hold (malloc's are
-/// safe). One thread at a time may ask; while it waits, the process hears of the end of its children.
+/// No library bounds what it does with a hostile file. A forked process does the work under limits and
+/// returns bytes; if it fails, the parent goes on. The child runs the work only: no signal handlers, no exit
+/// handlers, no flush of buffers, no standard error; it ends with its parent. The work must not need a lock
+/// that another thread may hold (malloc's are safe). One thread at a time may call; during the call the
+/// process receives SIGCHLD.
 ///
 /// Cost      about a millisecond, and the bytes once in memory.
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace asperity::cli {
 
-/// The bytes that the work hands to its sink. Throws DataError(variable, …) with the work's own words where
-/// it threw one, and where it broke a limit, that of memory not under the address sanitizer, or the process.
+/// The bytes that the work hands to its sink. Throws DataError(variable, …): the work's own, or one for a
+/// broken limit (memory not under the address sanitizer) or a crash.
 Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable);
 
 }  // namespace asperity::cli

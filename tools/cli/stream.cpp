@@ -92,7 +92,7 @@ Bytes read_all(const std::string& name, const MemoryBound& memory) {
   if (file.fd < 0) fail(words);
   Bytes bytes = read_to_end(file.fd, words, memory);
   if (bytes.size() == 0)
-    throw DataError(words, piped ? "it is empty: the tool before it wrote nothing" : "it is empty");
+    throw DataError(words, piped ? "it is empty: the tool before this one wrote nothing" : "it is empty");
   return bytes;
 }
 
@@ -210,7 +210,7 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
 void refuse_terminal(const std::string& output, const std::string& what) {
   if (output == "-" && stdout_is_terminal())
     throw ParameterError("output",
-                         what + " is binary and standard output is a terminal; pipe it on or name a file");
+                         what + " is binary and standard output is a terminal: pipe it or name a file with -o");
 }
 
 bool stdin_is_device() {

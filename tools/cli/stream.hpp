@@ -1,11 +1,10 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
-/// A named file comes into being when it is whole: until then it has no name, or, where the system has no
-/// such files, a temporary one beside its own. Nobody sees half of it, and who is
-/// interrupted leaves nothing behind. It takes the place of a former file with its mode, and its owner and
-/// group where that is permitted; one that is write-protected stays, as of cp. What is no file
-/// (cli/place.hpp), a device, a pipe or what is open already, is written from where it stands. Every write is
-/// checked, the last flush too; failures are std::system_error with the name.
+/// A file gets its name when it is complete. Until then it has none, or a temporary one beside its own where
+/// the system has no unnamed files: nobody sees half of it, and an interrupted run leaves nothing behind. It
+/// replaces a former file with its mode, and its owner and group where permitted; a write-protected file is
+/// not replaced, as with cp. A device, a pipe or an open file (cli/place.hpp) is written from its present
+/// position. Every write is checked, the last flush too; failures are std::system_error with the name.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +25,13 @@ Bytes read_all(const std::string& name, const MemoryBound& memory);
 /// The same of an open file, which may be empty.
 Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory);
 void write_to(int fd, std::string_view bytes, const std::string& name);
-/// Throws as OutputFile would where it cannot take this name, but opens nothing: before the work.
+/// Before the work: throws where OutputFile would refuse this name, but opens nothing.
 void require_writable(const std::string& name);
 void write_all(const std::string& name, std::string_view bytes);
 
-/// The temporary name of a file that is to replace another: it does not outlive the process. The signals that
-/// end one (HUP, INT, QUIT, PIPE, TERM, XCPU, XFSZ) remove it first, unless they are ignored or handled
-/// already. Only SIGKILL and a crash leave it.
+/// The temporary name of a file that will replace another; it does not outlive the process. The signals HUP,
+/// INT, QUIT, PIPE, TERM, XCPU and XFSZ remove it first, unless they are ignored or handled already. Only
+/// SIGKILL and a crash leave it.
 class TemporaryName {
  public:
   /// The name is free to be given to a file from now on.
@@ -82,8 +81,7 @@ class OutputFile {
   bool rewritable_ = false;
 };
 
-/// One of several files: "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) where
-/// the number has no place.
+/// "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) for a pattern without %d.
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
 /// Throws ParameterError("output", …) where `what`, which is binary, would go to a terminal.

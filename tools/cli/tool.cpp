@@ -113,7 +113,7 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
   return fail(usage_error, config_file() + ": " + in_words(*app_, e));
 } catch (const CLI::FileError&) {
   return fail(usage_error,
-              origin("config") + ": '" + config_file() + "' cannot be read: name a file that is there");
+              origin("config") + ": '" + config_file() + "' cannot be read: name an existing file");
 } catch (const CLI::Error& e) {
   return fail(usage_error, app_->remaining().empty() ? in_words(e) : unexpected());
 } catch (const ParameterError& e) {
@@ -159,7 +159,7 @@ void Tool::require_memory(double bytes, const std::string& option, const std::st
   const auto megabytes = [](double size) {
     return std::to_string(std::llround(std::ceil(size / 1e6))) + "MB";
   };
-  throw UsageError(option, what + " takes some " + megabytes(bytes) + ", more than the " +
+  throw UsageError(option, what + " needs some " + megabytes(bytes) + ", more than the " +
                                megabytes(static_cast<double>(memory_bound().bytes)) +
                                " that --memory allows");
 }
@@ -169,7 +169,7 @@ void Tool::writes(const std::string& option, const std::string& name) {
   if (own.empty() && name == "-") own = name;
   const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
   if (!alone && !own.empty())
-    refuse(option, name, "is where --" + other->second.option + " goes too: give it another name");
+    refuse(option, name, "is the file of --" + other->second.option + " too: give it another name");
   require_writable(name);
 }
 
@@ -181,7 +181,7 @@ void Tool::reads(const std::string& name, bool passed_on) const {
   const auto& [option, output] = same->second;
   const bool replaced = place_of(output).kind == Place::Kind::file;
   if (passed_on && replaced && option == "output") return;
-  refuse(option, output, "is read by this run, and would be lost: give it another name");
+  refuse(option, output, "is an input of this run: give the output another name");
 }
 
 void Tool::write(Dataset& dataset) { write(dataset, output_); }

@@ -12,10 +12,10 @@
 ///       return cli::done;
 ///     });
 ///
-/// Exit codes, messages of errors, common options, the environment and history are the same for all and live
-/// here. A value comes from the command line, else the environment variable ASPERITY_<TOOL>_<OPTION>
-/// (upper case, hyphens as underscores), else the --config file (cli/config.hpp), else its default; a wrong one is named
-/// by where it came from.
+/// Exit codes, error messages, common options, the environment and history are the same for all tools. A
+/// value comes from the command line, else the environment variable ASPERITY_<TOOL>_<OPTION> (upper case,
+/// hyphens as underscores), else the --config file (cli/config.hpp), else its default; an error names where a
+/// wrong value came from.
 #pragma once
 
 #include <array>
@@ -66,10 +66,10 @@ struct Option {
   Option required() const;
   Option needs(Option other) const;
   Option excludes(Option other) const;
-  Option without_default() const;  ///< its text tells the default
+  Option without_default() const;  ///< its text states the default
 };
 
-/// A wrong command line that only the whole of it shows: "TOOL: --OPTION: message", exit 2.
+/// A command line whose options contradict each other: "TOOL: --OPTION: message", exit 2.
 using UsageError = ParameterError;
 
 class Tool {
@@ -119,14 +119,14 @@ class Tool {
   Option arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
                    const std::string& text);
 
-  /// An empty value is a usage error but of this option.
+  /// The one option that may have an empty value.
   void may_be_empty(Option option) { may_be_empty_ = option.of; }
 
   /// A size of memory: "512MB", "2GiB".
   Option bytes(const std::string& name, std::size_t& value, const std::string& text,
                const std::string& group);
 
-  // What the tool has of the options that several tools share.
+  // Options that several tools share.
   void input();  ///< positional INPUT, "-" unless given, and input_format()
   /// --from and --from-order, of what read() reads.
   void input_format();
@@ -135,7 +135,7 @@ class Tool {
   void table() { writes_table_ = true; }                                 ///< -o, --output of a table, --json
   void report() { reports_ = true; }    ///< --report FILE.json: attributes with the tool's prefix
   void threads() { threaded_ = true; }  ///< --threads N
-  /// --memory SIZE; `text` tells what else than an input it bounds. A tool that reads has it without asking.
+  /// --memory SIZE; `text` says what it bounds besides an input. A tool that reads has the option anyway.
   void memory(const std::string& text);
   void seed() { seeded_ = true; }  ///< --seed N and --stream K
   /// No other options than those that print a text, and no variables: a program that computes nothing.
@@ -147,7 +147,7 @@ class Tool {
   const std::string& output_name() const { return output_; }
   int thread_count() const;                       ///< resolved: at least 1
   std::size_t memory() const { return memory_; }  ///< that the run may take [byte]
-  /// What reading may take of it, `held` of which is taken.
+  /// The part of it for reading; `held` is in use.
   MemoryBound memory_bound(std::size_t held = 0) const;
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
   std::uint64_t stream_value() const { return static_cast<std::uint64_t>(stream_); }
@@ -155,13 +155,13 @@ class Tool {
   bool verbose() const { return verbose_; }
   bool shows_progress() const;  ///< a line of progress on standard error is wanted
 
-  // What this run reads and writes, so that it does not take a file of its own for another.
-  /// Of a tool that writes a dataset or a table: which of them this run writes to --output.
+  // Files that this run reads and writes, so that no output replaces an input or another output.
+  /// Of a tool that writes a dataset or a table: which of them goes to --output in this run.
   void writes_dataset(bool dataset) { result_is_dataset_ = dataset; }
-  /// Of an output that the tool has besides; throws UsageError(option, …) where it is another output's file.
+  /// A further output; throws UsageError(option, …) where it is another output's file.
   void writes(const std::string& option, const std::string& name);
-  /// This file is read from here on: errors in data name it. Throws UsageError where an output would replace it.
-  /// `passed_on`: --output may, for all that the file holds goes there.
+  /// This file is read from here on: errors in data name it. Throws UsageError where an output would replace
+  /// it. `passed_on`: --output may, because the whole content goes there.
   void reads(const std::string& name, bool passed_on = false) const;
 
   /// Parses and runs `body`, which returns an exit code; an exception becomes one line on stderr and a code.
@@ -169,14 +169,15 @@ class Tool {
 
   // Inside the body.
   Dataset read() const;  ///< the dataset named by INPUT
-  /// Of any name; "-" is stdin. What is `held` of others counts as taken.
+  /// "-" is stdin. `held` bytes are in use by other inputs.
   Dataset read(const std::string& name, std::size_t held = 0) const;
   const InputFormat& format() const { return format_; }
-  /// Settles lengths (dataset/layout.hpp) and says what was settled; `name` is the file's among others.
+  /// Settles lengths (dataset/layout.hpp) and notes what was settled; `name` is that of one file among
+  /// several.
   void settle(Dataset& dataset, const std::string& name = "-") const;
   void write(Dataset& dataset);                           ///< to --output, after history, source and --report
   void write(Dataset& dataset, const std::string& name);  ///< to another file
-  /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", takes more than --memory allows.
+  /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", needs more than --memory allows.
   void require_memory(double bytes, const std::string& option, const std::string& what) const;
   // The parts of write(), for a tool that writes its dataset piece by piece.
   void sign(Dataset& dataset) const;                ///< Conventions, source and history
