@@ -32,7 +32,7 @@ class ProgressCounter {
     const std::string grid = fmt::format("{}x{}", p.shape.nx, p.shape.ny);
     if (loads_ > 0)
       progress_.count(static_cast<double>(load_) + (p.finest ? cli::decades_done(p.residual, tolerance_) : 0),
-                      static_cast<double>(loads_), "sweep");
+                      static_cast<double>(loads_), "loads");
     else
       progress_.iterate({.stage = grid,
                          .residual = p.residual,

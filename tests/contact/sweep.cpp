@@ -48,10 +48,10 @@ TEST_CASE("loads pressed in turn end in the solutions of each alone, the first a
 
 TEST_CASE("loads that do not increase or that nothing carries are refused before the first",
           "[sweep][contract]") {
-  CHECK(refusal({10, 10}).starts_with("loads: "));
-  CHECK(refusal({10, 5}).starts_with("loads: "));
-  CHECK(refusal({10, INFINITY}).starts_with("loads: "));
-  CHECK(refusal({10, 5000}, {.limit_pressure = 1e8}).starts_with("loads: "));
+  CHECK(refusal({10, 10}).starts_with("sweep: "));
+  CHECK(refusal({10, 5}).starts_with("sweep: "));
+  CHECK(refusal({10, INFINITY}).starts_with("sweep: "));
+  CHECK(refusal({10, 5000}, {.limit_pressure = 1e8}).starts_with("sweep: "));
   CHECK(refusal({-1, 5}).starts_with("load: "));
   CHECK(refusal({10, 500}, {.limit_pressure = 1e8}).empty());
 }

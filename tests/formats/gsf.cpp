@@ -58,7 +58,7 @@ TEST_CASE("a GSF that lies about itself is refused with what is wrong", "[format
   refused("Gwyddion", "does not begin");
   refused("Gwyddion Simple Field 1.0\nXRes=1\n", "no end");
   refused(file("XRes=2\n"), "does not state YRes");
-  refused(file("XRes=2\nYRes=1.5\n"), "YRes, '1.5', is not a whole number");
+  refused(file("XRes=2\nYRes=1.5\n"), "YRes, '1.5', is no whole number");
   refused(file("XRes=-2\nYRes=-1\n"), "no whole number");
   refused(file("XRes=0\nYRes=1\n"), "holds no point");
   refused(file("XRes=2\nYRes=2\n"), "cut short");

@@ -132,13 +132,13 @@ TEST_CASE("a number of things that takes memory or time without end is refused w
                     draw = "asperity-generate --size 1mm --rq 1um --length 3px -o s_%d.nc ";
   const std::pair<std::string, std::string> cases[] = {
       {"asperity-stress p.nc --depths 0:1mm:1000000000 -o o.nc", "--depths: 1000000000 is above 100000"},
-      {"asperity-stress p.nc --depths 0:1mm:99999999999999999999 -o o.nc", "is above 100000, as many as"},
+      {"asperity-stress p.nc --depths 0:1mm:99999999999999999999 -o o.nc", "is above 100000, the most"},
       {"asperity-stress p.nc --maximum --body 3 -o o.nc", "--body: 3 is above 2"},
       {press + "--sweep 1mN:2mN:1000000000", "--sweep: 1000000000 is above 100000"},
       {press + "--load 1mN --threads 1000000000", "--threads: 1000000000 is above 4096"},
       {press + "--load 1mN --max-convolutions 99999999999", "--max-convolutions: 99999999999 is above"},
       {smooth + "--shape 1000000x1000000",
-       "--shape: a contact of 1000000x1000000 cells takes some 120000000MB"},
+       "--shape: a contact of 1000000x1000000 cells needs some 120000000MB"},
       {smooth + "--shape 99999999999999999999x3", "--shape: '99999999999999999999x3'"},
       {"asperity-pdf s.nc --bins 100000000", "--bins: 100000000 is above 1048576"},
       {"asperity-pdf s.nc --estimate kernel --rows 100000000", "--rows: 100000000 is above 1048576"},

@@ -58,7 +58,7 @@ TEST_CASE("a manual page shows the help's words as they are", "[man][law]") {
       "tr -s '[:space:]' ' '; else echo SKIPPED: no mandoc; fi");
   if (skipped(seen)) return;
   CHECK_THAT(seen.out, ContainsSubstring("Of stretched-exponential, exp(-r^EXPONENT), up to 2.") &&
-                           ContainsSubstring("-o, --output FILE Where the result goes"));
+                           ContainsSubstring("-o, --output FILE Output file"));
 }
 
 TEST_CASE("roff takes nothing of a text for its own", "[man][contract]") {

@@ -89,7 +89,7 @@ TEST_CASE("the default of --memory is told in words that are the same on every m
     const Outcome help = shell(std::string("asperity-") + tool + " --help | tr -s ' \\n' ' '");
     CAPTURE(tool);
     CHECK_THAT(help.out, ContainsSubstring("--memory SIZE Largest"));
-    CHECK_THAT(help.out, ContainsSubstring("Absent: half of the machine's"));
+    CHECK_THAT(help.out, ContainsSubstring("Default: half of the machine's"));
   }
 }
 

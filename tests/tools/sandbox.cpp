@@ -64,7 +64,7 @@ TEST_CASE("work that breaks, throws or ends is refused, without the handlers of 
       [](const Sink&) { std::raise(SIGABRT); },
       [](const Sink&) { throw 1; },
   };
-  for (const auto& work : works) CHECK_THAT(refusal_of(work), ContainsSubstring("it is damaged"));
+  for (const auto& work : works) CHECK_THAT(refusal_of(work), ContainsSubstring("the file is damaged"));
   std::signal(SIGABRT, former);
   CHECK(handled == 0);
 }
