@@ -103,7 +103,7 @@ TEST_CASE("zsh completes options and the words of a choice", "[completion][contr
       "zpty shell 'zsh -f -i'\n"
       "zpty -w shell \"PS1=; fpath=(\\$PWD/zsh \\$fpath); autoload -U compinit; compinit -u -D; bindkey '^I' "
       "complete-word\"\n"
-      "sleep 1.5; zpty -n -w shell $'asperity-generate --tar\\t'; sleep 1\n"
+      "sleep 1.5; zpty -n -w shell $'asperity-generate --mod\\t'; sleep 1\n"
       "zpty -n -w shell $'mat\\t'; sleep 1\n"
       "while zpty -r -t shell part; do print -rn -- $part; done\n"
       "ASK\n"
