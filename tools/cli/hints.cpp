@@ -56,16 +56,19 @@ std::string nearest(const CLI::App& app, const std::string& word) {
   return begun == 1 ? longer : best;
 }
 
-// "asperity-contact and asperity-stress"
+// "asperity-contact and asperity-stress"; of many, three.
 std::string in_words(std::string_view tools) {
+  constexpr std::size_t few = 3;
   const std::vector<std::string_view> names = words_of(tools);
+  const std::size_t shown = names.size() > few + 1 ? few : names.size();
   std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i)
+  for (std::size_t i = 0; i < shown; ++i)
     out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + ("asperity-" + std::string(names[i]));
-  return out;
+  return shown == names.size() ? out : out + " and " + std::to_string(names.size() - shown) + " other tools";
 }
 
 std::string hint(const CLI::App& app, const std::string& option) {
+  if (app.get_name() == umbrella.tool) return ": the options of a tool follow its name";
   const Entry* elsewhere = nullptr;
   for (const Entry& entry : entries) {
     if (entry.option != option) continue;
@@ -82,7 +85,7 @@ std::string hint(const CLI::App& app, const std::string& option) {
 }  // namespace
 
 std::string unknown_option(const CLI::App& app, const std::string& option) {
-  const std::string dashed = option.starts_with("-") ? option : "--" + option;
+  const std::string dashed = "--" + option.substr(std::min(option.find_first_not_of('-'), option.size()));
   return "there is no option " + option + hint(app, dashed.substr(0, dashed.find('=')));
 }
 
