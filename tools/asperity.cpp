@@ -38,6 +38,12 @@ fs::path pages() { return own_folder().parent_path() / "share" / "doc" / "asperi
   throw std::system_error(errno, std::generic_category(), program);
 }
 
+// $0 is the page, or the program.
+constexpr const char* show_page =
+    "for p in \"$PAGER\" less more; do command -v $p >/dev/null && exec $p \"$0\"; done; exec cat \"$0\"";
+constexpr const char* show_manual =
+    "if command -v man >/dev/null; then \"$0\" --man | man -l -; else \"$0\" --help; fi";
+
 // ---- help ----
 
 std::string text_of(const fs::path& page) {
@@ -84,9 +90,7 @@ std::string list_of_words() {
 int open_manual(const std::string& tool) {
   const std::string program = own_folder() / (prefix + tool);
   if (!cli::stdout_is_terminal()) become(program, {program, "--help"});
-  become("/bin/sh",
-         {"sh", "-c", "if command -v man >/dev/null; then \"$0\" --man | man -l -; else \"$0\" --help; fi",
-          program});
+  become("/bin/sh", {"sh", "-c", show_manual, program});
 }
 
 int help_on(const std::string& topic) {
@@ -96,7 +100,7 @@ int help_on(const std::string& topic) {
   if (std::ranges::find(all, name) == all.end())
     throw cli::UsageError("COMMAND", "there is no page '" + topic + "': asperity help lists them");
   const std::string page = pages() / (name + ".md");
-  if (cli::stdout_is_terminal()) become("/bin/sh", {"sh", "-c", "exec ${PAGER:-less} \"$0\"", page});
+  if (cli::stdout_is_terminal()) become("/bin/sh", {"sh", "-c", show_page, page});
   cli::write_all("-", text_of(page));
   return cli::done;
 }

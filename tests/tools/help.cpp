@@ -101,6 +101,7 @@ TEST_CASE("asperity lists the tools, runs one and opens pages", "[help][contract
     CHECK_THAT(shell("asperity help").out, ContainsSubstring("\n  " + topic));
     CHECK_THAT(shell("asperity help " + topic).out, StartsWith("# "));
   }
+  CHECK_THAT(shell("PAGER=cat script -qec 'asperity help glossary' /dev/null").out, StartsWith("# Glossary"));
   CHECK_THAT(refusal("asperity contct"), ContainsSubstring("did you mean contact?"));
   CHECK_THAT(refusal("asperity help nothing"), ContainsSubstring("there is no page 'nothing'"));
   CHECK(shell("source <(asperity --completion bash); COMP_WORDS=(asperity con); COMP_CWORD=1; _asperity; "
