@@ -88,7 +88,9 @@ std::string options_by_group(const CLI::App& app) {
 std::string synopsis(const CLI::App& app) {
   std::string out = bold(app.get_name()) + " [" + italic("OPTION") + "]...";
   for (const CLI::Option* option : app.get_options())
-    if (option->get_positional()) out += " [" + italic(option->get_single_name()) + "]";
+    if (option->get_positional())
+      out += " [" + italic(option->get_single_name()) + "]" +
+             (option->get_items_expected_max() > 1 ? "..." : "");
   return out + "\n";
 }
 

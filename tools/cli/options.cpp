@@ -102,6 +102,20 @@ Option Tool::choice(const std::string& name, std::string& value, const std::vect
   return parsed(name, list, text, group, value, into(value, read));
 }
 
+Option Tool::words(const std::string& name, std::vector<std::string>& value,
+                   const std::vector<std::string>& among, const std::string& text, const std::string& group) {
+  const auto read = [among](const std::string& key, const std::string& given) {
+    std::vector<std::string> out = split(given, ',');
+    for (const std::string& word : out) {
+      if (std::ranges::find(among, word) == among.end())
+        refuse(key, word, "is none of " + fmt::format("{}", fmt::join(among, "|")));
+      if (std::ranges::count(out, word) > 1) refuse(key, word, "is given twice");
+    }
+    return out;
+  };
+  return parsed(name, "WORD,...", text, group, fmt::format("{}", fmt::join(value, ",")), into(value, read));
+}
+
 Option Tool::quantity(const std::string& name, double& value, const std::string& unit,
                       const std::string& text, const std::string& group) {
   return parsed(name, "QUANTITY", text, group, std::isnan(value) ? "" : format_quantity(value, unit),

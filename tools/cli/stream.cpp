@@ -207,10 +207,11 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
   return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
-void refuse_terminal(const std::string& output, const std::string& what) {
+void refuse_terminal(const std::string& output, const std::string& what, const std::string& hint) {
   if (output == "-" && stdout_is_terminal())
-    throw ParameterError("output",
-                         what + " is binary and standard output is a terminal: pipe it or name a file with -o");
+    throw ParameterError(
+        "output",
+        what + " is binary and standard output is a terminal: pipe it or name a file with -o" + hint);
 }
 
 bool stdin_is_device() {
