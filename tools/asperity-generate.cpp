@@ -9,8 +9,7 @@ using namespace asperity;
 
 namespace {
 
-// What the tables of the kernel take while surfaces are drawn, once and once more for each of several
-// datasets.
+// Memory of the tables of the kernel while surfaces are drawn: once, and once more for each of several datasets.
 std::size_t standing(const Dataset& base, int surfaces) {
   std::size_t values = 0;
   for (const Variable& v : base.variables) values += count(v.values);
@@ -29,7 +28,7 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
     const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(o.number(k)), tool.stream_value(),
                            distribution.noise);
     auto advanced = [&](double share) { progress.count(k + share, o.count, o.count > 1 ? "surfaces" : ""); };
-    const cli::Drawing drawing{synthesis, noise, rms, o.exact_rq, o.noise, tool.memory(), advanced};
+    const cli::Drawing drawing{synthesis, noise, rms, o.exact_rq, o.adds_noise(), tool.memory(), advanced};
     const bool last = k + 1 == o.count;
     drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
   }
@@ -38,7 +37,10 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-generate", "Random rough surfaces with a prescribed autocorrelation");
+  cli::Tool tool("asperity-generate",
+                 "Draws random rough surfaces with a prescribed autocorrelation and height distribution: "
+                 "white noise convolved "
+                 "with the kernel that solves the autocorrelation equations.");
   cli::GenerateOptions options;
   options.declare(tool);
 
@@ -47,7 +49,7 @@ int main(int argc, char** argv) {
     cli::SurfaceKernel kernel = cli::surface_kernel(tool, options);
     const cli::HeightDistribution heights = cli::height_distribution(tool, options, kernel);
     kernel.before.tell(tool, kernel.data, "surface",
-                       options.noise ? "heights generate_* noise" : "heights generate_*");
+                       options.adds_noise() ? "heights generate_* noise" : "heights generate_*");
 
     const cli::Exit code = kernel.code;
     draw(tool, options, std::move(kernel), heights);

@@ -5,29 +5,34 @@
 using namespace asperity;
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-kernel",
-                 "The moving-average kernel of a random surface with the autocorrelation asked for: that of "
-                 "a model, or a table, such as the one that asperity-acf measures");
+  cli::Tool tool(
+      "asperity-kernel",
+      "Solves the autocorrelation equations: the moving-average kernel that gives random surfaces the "
+      "autocorrelation of a model, or of a table such as that of asperity-acf. asperity-generate "
+      "--kernel draws from it.");
   cli::KernelOptions options;
   Shape shape;
   std::array<double, 2> size{NAN, NAN}, spacing{NAN, NAN};
   options.declare(tool);
-  tool.quantity("--rq", options.rms, "m",
-                "Rms height; absent: that of the table of --acf, else a kernel of unit variance",
-                "Autocorrelation");
-  tool.quantities("--spacing", spacing, "m", "Between samples in x and y; or --shape and --size", "Sampling");
-  tool.counts("--shape", shape, 1, "Samples in x and y on --size", "Sampling");
-  tool.quantities("--size", size, "m", "Size of the surface in x and y", "Sampling");
+  tool.quantity("--rq", options.rms, "m", "Rms height. Default: that of --acf, else 1", "Autocorrelation");
+  tool.quantities("--spacing", spacing, "m", "Distance of samples in x and y, or --shape and --size",
+                  "Sampling");
+  tool.counts("--shape", shape, 1, "Samples in x and y", "Sampling");
+  tool.quantities("--size", size, "m", "Side lengths in x and y", "Sampling");
   tool.memory(
-      "Largest memory of the solution, beside the program's own 20 MB; what may take more is refused");
+      "Memory limit for the solution, besides 20 MB of the program. A problem that may need more is refused");
   tool.output();
   tool.report();
+  tool.essential({"--length", "--model", "--length-level", "--angle", "--acf", "--rq", "--spacing", "--lags",
+                  "--acf-tolerance", "--method", "--report", "--output"});
   tool.example("asperity-kernel --length 17px,4px --report kernel.json -o kernel.nc");
   tool.accuracy(
-      "Residual at the prescribed lags below --tolerance; over all lags of the plane below --acf-tolerance, "
-      "where --lags is absent and no table ends: see kernel_error. Patir's formulation is wrong by about 0.1 "
-      "at the mirrored lags (p,-q): see kernel_mirrored_error. A change made to a target that has no kernel "
-      "is kernel_change, with a warning.");
+      "The residual at the prescribed lags is below --tolerance. Without --lags, and unless a table ends, "
+      "the error "
+      "over all lags of the plane is below --acf-tolerance: kernel_error. Patir's formulation is wrong by "
+      "about "
+      "0.1 at the mirrored lags (p,-q): kernel_mirrored_error. If a target has no kernel, a warning and "
+      "kernel_change state how it was changed.");
 
   return tool.run(argc, argv, [&] {
     const bool sized = tool.given("--shape") && tool.given("--size");

@@ -16,7 +16,7 @@ smooth() { press "$1" --smooth "${grid[@]}"; }
 # rough CASE OPTION...: the same with a roughness of the autocorrelation that these options of asperity-kernel ask for
 rough() {
   asperity-kernel "${grid[@]}" --rq 0.4um "${@:2}" --report "$1.kernel.json" |
-    asperity-generate --kernel - --shape 128x128 --exact-rq --seed 7 --noise -o "$1.surface.nc" \
+    asperity-generate --kernel - --shape 128x128 --exact-rq --seed 7 --add noise -o "$1.surface.nc" \
       --report "$1.generate.json"
   press "$1" "$1.surface.nc"
 }

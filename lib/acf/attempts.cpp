@@ -41,9 +41,9 @@ NewtonOptions newton_options(const KernelProblem& problem) {
 std::string beyond_limits(const KernelProblem& problem, Index torus) {
   const double memory = wider_kernel_cost(problem.lags, torus).memory;
   if (memory > problem.request.memory)
-    return "a kernel wide enough takes some " + number(memory / 1e6) + "MB, more than memory allows";
+    return "a wide enough kernel needs some " + number(memory / 1e6) + "MB, more than memory allows";
   const double points = static_cast<double>(torus * torus) * static_cast<double>(problem.lags.cells());
-  return points > solver::most_torus_points ? "a kernel wide enough takes more than 2^24 points" : "";
+  return points > solver::most_torus_points ? "a wide enough kernel needs more than 2^24 points" : "";
 }
 
 // The kernel that a torus leads to, and what the torus itself leaves of the change.

@@ -158,8 +158,8 @@ Shape more(Shape lags) {
 
 void refuse_too_many(const KernelRequest& request, Shape lags) {
   if (unknowns(lags) > solver::most_unknowns)
-    throw ParameterError("acf-tolerance", number(request.acf_tolerance) + ": would take lags of " +
-                                              too_many(lags) + "; lags may ask for fewer");
+    throw ParameterError("acf-tolerance", number(request.acf_tolerance) + ": needs lags of " +
+                                              too_many(lags) + "; prescribe fewer lags");
 }
 
 // Whether the spectrum of a target is negative however many lags it is taken from.
@@ -238,7 +238,7 @@ void KernelRequest::check() const {
   check_parameter(lags.nx <= known.nx && lags.ny <= known.ny, "lags",
                   text(lags) + ": the table of the autocorrelation has " + text(known));
   check_parameter(formulation != Formulation::symmetric || !target.oriented, "formulation",
-                  "symmetric: R(p,-q) differs from R(p,q), which takes the oriented one");
+                  "symmetric: R(p,-q) differs from R(p,q): choose oriented");
 }
 
 Kernel solve_kernel(const KernelRequest& request) {

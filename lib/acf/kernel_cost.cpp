@@ -21,7 +21,7 @@ Shape first_lags(const KernelRequest& request) {
   if (request.lags != Shape{}) return request.lags;
   if (request.target.known) return *request.target.known;
   if (!request.target.reach)
-    throw ParameterError("lags", "are required: how far this target reaches is not known");
+    throw ParameterError("lags", "are required: the reach of this target is not known");
   return request.target.reach(std::min(calibration::acf::cut_over_error * request.acf_tolerance, 0.5));
 }
 
@@ -42,9 +42,9 @@ void check_memory(KernelCost cost, double memory, Shape torus) {
 void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
   if (cost.memory <= request.memory) return;
   throw ParameterError("memory", megabytes(request.memory) + ": a kernel of " + text(lags) +
-                                     " lags takes some " + megabytes(cost.memory) +
+                                     " lags needs some " + megabytes(cost.memory) +
                                      "; shorter lengths, wider samples, fewer lags or a "
-                                     "larger acf-tolerance take less");
+                                     "larger acf-tolerance need less");
 }
 
 }  // namespace asperity

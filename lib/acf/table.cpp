@@ -30,13 +30,13 @@ void check(const Field& table) {
   for (Index p = 0; p < table.rows(); ++p)
     for (Index q = -middle; q <= middle; ++q)
       if (std::isnan(table(p, middle + q)))
-        refuse("there is no number " + at(p, q) + ", within lags that have one: take fewer lags");
+        refuse("a number is missing " + at(p, q) + " between lags that have one: use fewer lags");
       else if (!(std::abs(table(p, middle + q)) <= variance * (1 + oriented_beyond)))
         refuse("R/R(0,0) is " + number(table(p, middle + q) / variance) + " " + at(p, q) +
                ": it cannot exceed 1");
   for (Index q = 1; q <= middle; ++q)
     if (!(std::abs(table(0, middle + q) - table(0, middle - q)) <= agree_within * variance))
-      refuse("R(0,-q) differs from R(0,q) at q = " + std::to_string(q) + ": no autocorrelation does that");
+      refuse("R(0,-q) differs from R(0,q) at q = " + std::to_string(q) + ": not an autocorrelation");
 }
 
 // Largest |R(p,-q) - R(p,q)|.
@@ -60,7 +60,7 @@ double steps_in(double lag, double step, const char* name) {
   if (lag == 0) return 0;
   const double steps = std::round(lag / step);
   if (!(std::abs(lag / step - steps) <= rounded_within))
-    refuse(std::string(name) + " " + number(lag) + " is no multiple of the step " + number(step) +
+    refuse(std::string(name) + " " + number(lag) + " is not a multiple of the step " + number(step) +
            ": lags must be evenly spaced from 0");
   return steps;
 }
@@ -72,7 +72,7 @@ struct WholeLag {
 Field filled(const std::vector<WholeLag>& values, double most_p, double most_q, double largest) {
   // A quadrant fills half of the half plane, and a little more.
   if (!((most_p + 1) * (2 * most_q + 1) <= 2 * static_cast<double>(values.size())))
-    refuse("values are missing: lags up to (" + number(most_p) + ", " + number(most_q) + ") take more than " +
+    refuse("values are missing: lags up to (" + number(most_p) + ", " + number(most_q) + ") need more than " +
            std::to_string(values.size()));
   const auto middle = static_cast<Index>(most_q);
   Field table = Field::Constant(static_cast<Index>(most_p) + 1, 2 * middle + 1, unknown);

@@ -116,7 +116,7 @@ template <class Correlation, class Last>
 Target tabulated(const EllipticTarget& t, const Ellipse& ellipse, Correlation correlation, Last last) {
   const auto rho = std::make_shared<const Correlation>(std::move(correlation));
   const double radius = falls_to(*rho, t.level);
-  require(radius > 0, "length-level", t.level, ": passed at no lag above zero that could be told from it");
+  require(radius > 0, "length-level", t.level, ": reached at a lag too near zero; choose a lower level");
   Target out([=](double p, double q) { return (*rho)(radius * std::sqrt(ellipse.squared(p, q))); });
   out.reach = reach(ellipse, [=](double u) { return last(*rho, u) / radius; });
   return out;

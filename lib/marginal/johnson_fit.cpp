@@ -152,8 +152,7 @@ void check_kurtosis(double skewness, double kurtosis) {
   std::string message = text(kurtosis) + ": must lie in " + text(least) + " ... " + text(largest_kurtosis) +
                         " at skewness " + text(skewness);
   if (kurtosis < least)
-    message += " (no heights have less than skewness^2 + 1 = " + text(skewness * skewness + 1) +
-               ", where they are two-valued)";
+    message += " (heights of two values have the least, skewness^2 + 1 = " + text(skewness * skewness + 1) + ")";
   throw ParameterError("kurtosis", message);
 }
 

@@ -26,7 +26,7 @@ double quantile(const std::vector<double>& sorted, double p) {
 
 void standardise(MeasuredHeights& g) {
   const HeightMoments moments = height_moments(g.translation());
-  if (!(moments.variance > 0)) throw DataError("marginal", "its heights are all the same");
+  if (!(moments.variance > 0)) throw DataError("marginal", "all its heights are equal");
   g.quantiles = (g.quantiles - moments.mean) / std::sqrt(moments.variance);
 }
 
@@ -35,12 +35,13 @@ void standardise(MeasuredHeights& g) {
 MeasuredHeights MeasuredHeights::of(std::vector<double> sample) {
   if (sample.size() < least_sample)
     throw DataError("marginal", counted(static_cast<std::int64_t>(sample.size()), "height") +
-                                    " tell no distribution: at least " + std::to_string(least_sample));
+                                    " are too few for a distribution: at least " +
+                                    std::to_string(least_sample));
   if (!std::ranges::all_of(sample, [](double z) { return std::isfinite(z); }))
     throw DataError("marginal", "a height is not finite");
   std::ranges::sort(sample);
   const double size = sample.back() - sample.front(), middle = sample[sample.size() / 2];
-  if (!(size > 0)) throw DataError("marginal", "its heights are all the same");
+  if (!(size > 0)) throw DataError("marginal", "all its heights are equal");
   const double last = gsl_cdf_ugaussian_Qinv(0.5 / static_cast<double>(sample.size()));
   MeasuredHeights out{last / static_cast<double>(half), Eigen::ArrayXd(2 * half + 1)};
   for (Eigen::Index j = -half; j <= half; ++j)

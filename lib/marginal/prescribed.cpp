@@ -33,18 +33,17 @@ Translation PrescribedHeights::noise(const Field& kernel) const {
   const double skewness_of_noise = skewness == 0 ? 0 : skewness / f.third,
                kurtosis_of_noise = 3 + (kurtosis - 3) / f.fourth;
   check_parameter(std::abs(skewness_of_noise) <= largest_skewness, "skewness",
-                  number(skewness) + ": would take noise of skewness " + number(skewness_of_noise) +
-                      ", beyond " + number(largest_skewness) + "; the kernel leaves " + number(f.third) +
-                      " of it");
+                  number(skewness) + ": needs noise of skewness " + number(skewness_of_noise) + ", beyond " +
+                      number(largest_skewness) + "; the kernel leaves " + number(f.third) + " of it");
   check_parameter(kurtosis_of_noise <= largest_kurtosis, "kurtosis",
-                  number(kurtosis) + ": would take noise of kurtosis " + number(kurtosis_of_noise) +
-                      ", beyond " + number(largest_kurtosis) + "; the kernel leaves " + number(f.fourth) +
+                  number(kurtosis) + ": needs noise of kurtosis " + number(kurtosis_of_noise) + ", beyond " +
+                      number(largest_kurtosis) + "; the kernel leaves " + number(f.fourth) +
                       " of its excess");
   const double least = least_kurtosis(skewness_of_noise), short_by = std::max(0.0, least - kurtosis_of_noise);
   check_parameter(allows(infeasible, short_by * f.fourth), "kurtosis",
-                  number(kurtosis) + ": would take noise of skewness " + number(skewness_of_noise) +
+                  number(kurtosis) + ": needs noise of skewness " + number(skewness_of_noise) +
                       " and kurtosis " + number(kurtosis_of_noise) +
-                      ", which there is not; with this kernel and skewness at least " +
+                      ", which does not exist; with this kernel and skewness at least " +
                       number(3 + (least - 3) * f.fourth));
   return johnson_translation(skewness_of_noise, kurtosis_of_noise + short_by);
 }

@@ -21,7 +21,7 @@ bool is_of_the_run(const std::string& name) {
 TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]") {
   const std::string draw = "asperity-generate --shape 16x12 --size 1.6mm,1.2mm --rq 0.4um --seed 7 ";
   const std::string commands[] = {
-      draw + "--length 3px --noise --skewness 0.5 --kurtosis 4",
+      draw + "--length 3px --add noise --skewness 0.5 --kurtosis 4",
       draw + "--length 3px --method filter --skewness 0.3 --kurtosis 3.5",
       draw + "--length 3px --model matern",
       draw + "--length 3px --model self-affine",

@@ -23,7 +23,7 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
   require(draw + " -o s.nc && asperity-acf s.nc -o acf.nc");
   require("asperity-contact s.nc --radius 1mm --young 208GPa --poisson 0.3 --load 1mN -o pressed.nc");
   const auto command = GENERATE(
-      as<std::string>{}, draw + " --periodic --stream 4 --first 2 --noise --no-history",
+      as<std::string>{}, draw + " --periodic --stream 4 --first 2 --add noise --no-history",
       "asperity-kernel --length 4px,3.5px --angle 30deg --rq 0.4um --spacing 1um,2um --no-history",
       "asperity-stats s.nc --parameters height,hybrid --json", "asperity-acf acf.nc --profiles --max-lag 4x3",
       "asperity-psd s.nc --radial", "asperity-pdf s.nc --bins 5",

@@ -29,7 +29,7 @@ TEST_CASE(
     "file "
     "or a pipe",
     "[generate][law][slow]") {
-  for (const std::string option : {"", " --exact-rq", " --noise", " --periodic --noise --exact-rq"}) {
+  for (const std::string option : {"", " --exact-rq", " --add noise", " --periodic --add noise --exact-rq"}) {
     require(draw + option + " -o whole.nc");
     const std::string whole = bytes_of("whole.nc");
     for (const std::string& how :
@@ -46,7 +46,7 @@ TEST_CASE(
 
 TEST_CASE("a surface that goes to a file as it is made tells its range and the seconds that it took",
           "[generate][exact]") {
-  require(draw + tight + " --noise -o strips.nc");
+  require(draw + tight + " --add noise -o strips.nc");
   const Dataset data = read_dataset("strips.nc");
   for (const char* name : {"heights", "noise"}) {
     const Field field = field_of(data, name);

@@ -188,8 +188,8 @@ TEST_CASE(
   CHECK_THAT(
       cut,
       ContainsSubstring(
-          "warning: heights are bounded at -2.96 Sq (-1.19um) and +1.09 Sq (435nm), Johnson's S_B, and J"));
-  CHECK_THAT(cut, ContainsSubstring("the density is largest 0.053 Sq from its upper end"));
+          "warning: heights are bounded at -2.96 Sq (-1.19um) and +1.09 Sq (435nm), Johnson's S_B; their density is J"));
+  CHECK_THAT(cut, ContainsSubstring("largest 0.053 Sq from its upper end"));
   CHECK_THAT(said("-q --skewness 1 --kurtosis 3"), ContainsSubstring("lower end"));
   CHECK_THAT(said("-q --kurtosis 1.7"), ContainsSubstring("two peaks, at -1.5 and +1.5 Sq"));
   CHECK_THAT(shell("asperity-kernel -q --length 2px --skewness -1 --kurtosis 3 -o k.nc").error,

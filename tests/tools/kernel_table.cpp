@@ -82,7 +82,7 @@ TEST_CASE("a dataset whose table is none, or does not fit its grid, is exit 4", 
   write(acf, {"lag_x", 0, 1e-6, "m"}, {"lag_y", -1, 1e-6, "m"});
   REQUIRE(shell("asperity-kernel --acf table.nc -o fits.nc").exit == 0);
   refused("asperity-kernel --acf table.nc --spacing 2um", 2, "--spacing");
-  for (const char* option : {"--length 4px", "--model gaussian", "--angle 3", "--length-level 0.2"})
+  for (const char* option : {"--length 4px", "--model gaussian", "--angle 3deg", "--length-level 0.2"})
     refused("asperity-kernel --acf table.nc " + std::string(option), 2, "--acf");
   refused("asperity-kernel --acf table.nc --lags 3x2", 2, "--lags");
   refused("asperity-generate --acf table.nc --kernel fits.nc --rq 1um", 2, "--acf");
@@ -175,7 +175,7 @@ TEST_CASE("a table under noise is refused or not converged, by its error over al
   // Fewer lags are met, and it is said that the others are not.
   const Outcome few = shell("asperity-kernel -q --acf noisy.txt --lags 3x3 -o few.nc");
   CHECK(few.exit == 0);
-  CHECK((lines(few.error) == 1 && few.error.find("only the 3x3 lags") != std::string::npos));
+  CHECK((lines(few.error) == 1 && few.error.find("only the 3x3 prescribed lags") != std::string::npos));
 }
 
 // 24 × 20 lags were given, 15 × 18 used, without a word.

@@ -57,9 +57,9 @@ TEST_CASE("heights in a text file are a distribution, and what is none is refuse
           {"marginal", "the unit of the points"});  // once of its coordinates too
   refused(draw + " --marginal few.txt", 4, {"marginal", "50"});
   refused(draw + " --marginal words.txt", 4, {"marginal", "line 1"});
-  refused(draw + " --marginal same.txt", 4, {"marginal", "the same"});
+  refused(draw + " --marginal same.txt", 4, {"marginal", "are equal"});
   refused(draw + " --marginal nowhere.txt", 1, {"nowhere.txt"});
-  refused(draw + " --marginal measured", 2, {"--marginal", "--quantiles"});
+  refused(draw + " --marginal measured", 2, {"--marginal", "acf_quantiles"});
   refused(draw + " --marginal johnson", 2, {"--marginal", "--skewness"});
   refused(draw + " --marginal gaussian --kurtosis 4", 2, {"--kurtosis", "gaussian"});
   refused(draw + " --marginal depths.txt --method filter", 2, {"--marginal", "filter"});

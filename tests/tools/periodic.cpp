@@ -68,7 +68,7 @@ TEST_CASE("surfaces that their correlation reaches around have the rms height as
        {"--shape 64x64 --size 1mm --length 32px",
         "--shape 64x64 --size 1mm --length 40px,30px --model self-affine",
         "--shape 1x4096 --size 1mm,1mm --length 20px", "--shape 4096x1 --size 1mm,1mm --length 20px",
-        "--shape 47x62 --size 1mm --length 18px,11px --angle 30",
+        "--shape 47x62 --size 1mm --length 18px,11px --angle 30deg",
         "--shape 64x64 --size 1mm --length 24px --skewness 1 --kurtosis 5",
         "--shape 64x64 --size 1mm --length 24px --skewness 0.2 --kurtosis 3.2 --method filter",
         "--shape 2000x32 --size 1mm --length 16px --memory 4MB"}) {
@@ -86,7 +86,7 @@ TEST_CASE(
     "[periodic][exact]") {
   for (const auto& [options, period] :
        {std::pair(std::string("--shape 24x24 --size 24um --length 9px"), Shape{24, 24}),
-        {"--shape 23x18 --size 23um,18um --length 7px,4px --angle 40", Shape{23, 18}},
+        {"--shape 23x18 --size 23um,18um --length 7px,4px --angle 40deg", Shape{23, 18}},
         {"--shape 1x64 --size 1um,64um --length 12px", Shape{1, 64}},
         {"--shape 90x10 --size 90um,10um --length 4px", Shape{90, 10}},
         {"--shape 24x24 --size 24um --length 3px", Shape{24, 24}}}) {
@@ -160,7 +160,7 @@ TEST_CASE("a periodic surface is drawn again from its own dataset, to the last b
 TEST_CASE("a periodic surface has twins of exactly its autocorrelation over the whole period",
           "[periodic][exact][slow]") {
   for (const auto& [options, period] :
-       {std::pair(std::string("--shape 24x17 --size 24um,17um --length 4px,3px --angle 20"), Shape{24, 17}),
+       {std::pair(std::string("--shape 24x17 --size 24um,17um --length 4px,3px --angle 20deg"), Shape{24, 17}),
         {"--shape 1x48 --size 9um,48um --length 3px --lags 1x12", Shape{1, 48}},
         {"--shape 33x1 --size 33um,1um --length 3px --lags 12x1", Shape{33, 1}},
         {"--shape 16x16 --size 16um --length 7px", Shape{16, 16}}}) {

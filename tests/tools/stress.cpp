@@ -45,7 +45,7 @@ TEST_CASE("friction adds its traction at the surface, along its angle, and is re
       "5000N | ";
   const std::string stress = "asperity-stress --depths 0mm --components zz,xz,yz ";
   for (const auto& [angle, in_x, in_y] :
-       {std::tuple{"", 1.0, 0.0}, std::tuple{"--friction-angle 90", 0.0, 1.0},
+       {std::tuple{"", 1.0, 0.0}, std::tuple{"--friction-angle 90deg", 0.0, 1.0},
         std::tuple{"--friction-angle 0.5rad", std::cos(0.5), std::sin(0.5)}}) {
     REQUIRE(shell(press + stress + "--friction 0.25 " + angle + " -o sliding.nc").exit == 0);
     const Dataset data = read_dataset("sliding.nc");
@@ -63,7 +63,7 @@ TEST_CASE("friction adds its traction at the surface, along its angle, and is re
   CHECK(read_dataset("resting.nc").attributes.number("stress_friction", -1) == 0);
   CHECK(read_dataset("resting.nc").attributes.find("stress_friction_angle") == nullptr);
   for (const auto& [wrong, named] :
-       {std::pair{"--friction=-0.1", "--friction"}, std::pair{"--friction-angle 30", "--friction"},
+       {std::pair{"--friction=-0.1", "--friction"}, std::pair{"--friction-angle 30deg", "--friction"},
         std::pair{"--friction 0.1 --friction-angle north", "--friction-angle"}}) {
     const Outcome run = shell(stress + wrong + " sliding.nc");
     CHECK(run.exit == 2);

@@ -138,7 +138,7 @@ TEST_CASE(
             "asperity-contact --young 208GPa --poisson 0.3 --load 100N -o repeated.nc")
           .exit == 0);
   const std::string run =
-      "asperity-stress repeated.nc --resolution full --friction 0.2 --friction-angle 30 --components "
+      "asperity-stress repeated.nc --resolution full --friction 0.2 --friction-angle 30deg --components "
       "xx,zz,xz ";
   REQUIRE(shell(run + "--depths 0,30um,0.4mm,9mm -o layers.nc && " + run +
                 "--depths 0,30um,0.4mm,9mm --section x=0.6mm -o plane.nc")
@@ -285,7 +285,7 @@ TEST_CASE("what asperity-stress cannot do is one line that names the option and 
       {"--depths 1e31m", "--depths: '1e31m' is no depth", 2},
       {"--depths 0 --poisson 0.51", "--poisson: 0.51 must lie above -1 and not above 0.5", 2},
       {"--depths 0 --poisson=-1", "--poisson: -1 must", 2},
-      {"--depths 0 --friction 0.1 --friction-angle 361", "--friction-angle: ", 2},
+      {"--depths 0 --friction 0.1 --friction-angle 361deg", "--friction-angle: ", 2},
       {"--depths 0 --friction 0.1 --friction-angle=-7rad", "--friction-angle: ", 2},
   };
   for (const auto& [options, words, exit] : wrong) {

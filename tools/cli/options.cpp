@@ -188,7 +188,7 @@ void Tool::add_common() {
                                               : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
          common);
   if (writes_table_) flag("--json", json_, "Print one JSON object instead of a table", common);
-  if (reports_) text("--report", report_, "FILE.json", "Write residuals and other figures of the run as one JSON object", common);
+  if (reports_) text("--report", report_, "FILE.json", "Write residuals and other results as one JSON object", common);
   if (seeded_) add_seed();
   if (threaded_)
     integer("--threads", threads_, {0, 4096, "more than a machine has"},

@@ -6,22 +6,28 @@ namespace asperity::cli {
 
 void GenerateOptions::declare(Tool& tool) {
   const std::string surface = "Surface";
-  tool.counts("--shape", shape, 1, "Points in x and y", surface);
+  tool.counts("--shape", shape, 1, "Samples in x and y", surface);
   tool.quantities("--size", size, "m",
-                  "Size in x and y; absent: --shape times the spacing of --kernel or --acf", surface);
-  tool.quantity("--rq", acf.rms, "m",
-                "Rms height of the ensemble; a single surface differs from it by chance (see asperity-stats)",
-                surface);
-  tool.flag("--exact-rq", exact_rq,
-            "Subtract each surface's mean and scale it to --rq. Its heights are then no longer Gaussian "
-            "draws of the target, and standard errors do not hold",
-            surface);
-  tool.flag("--periodic", periodic,
-            "A surface that continues itself at its edges. Where the correlation reaches around it, it has "
-            "the target's sum over the periods, of the same rms height, which is said; of --acf with all "
-            "lags of a periodic surface of this shape, exactly these",
-            surface);
-  tool.flag("--noise", noise, "Add noise(x,y): the white noise below the middle of the kernel", surface);
+                  "Side lengths in x and y. Default: --shape times the spacing of --kernel or --acf",
+                  surface);
+  tool.quantity(
+      "--rq", acf.rms, "m",
+      "Rms height of the ensemble; one surface differs from it by sampling error (see asperity-stats)",
+      surface);
+  tool.flag(
+      "--exact-rq", exact_rq,
+      "Give each surface exactly zero mean and --rq. Its heights are then no longer independent draws of the "
+      "target, and standard errors do not hold",
+      surface);
+  tool.flag(
+      "--periodic", periodic,
+      "Draw a surface that continues at its opposite edge. If the correlation is longer than half the "
+      "period, the "
+      "surface has the sum over the periods at the same rms height, and a note says so; --acf with all lags "
+      "of a periodic surface of this shape is met exactly",
+      surface);
+  tool.words("--add", add, {"noise"},
+             "Further variables to write; noise: the white noise under the centre of the kernel", surface);
   declare_drawing(tool);
 }
 
@@ -30,28 +36,31 @@ void GenerateOptions::declare_drawing(Tool& tool) {
   acf.declare(tool, true);
   tool.text(
       "--kernel", kernel, "FILE",
-      "A kernel from asperity-kernel in place of these; - is standard input, which is read when no option "
-      "names a target. --shape and --size come from its grid or that of --acf, where there is one",
+      "Kernel from asperity-kernel in place of a target; - is standard input, which is read when no option "
+      "names a target. Its grid, or that of --acf, gives --shape and --size",
       "Autocorrelation");
-  tool.integer("--count", count, {1, 1'000'000, "a file each: go on with --first"},
-               "Surfaces to draw from one kernel; --output is then a pattern, s_%04d.nc", ensemble);
+  tool.integer("--count", count, {1, 1'000'000, "one file each; continue with --first"},
+               "Number of surfaces; --output is then a pattern, s_%04d.nc", ensemble);
   tool.integer("--first", first, 0,
-               "Number of the first: --first 17 draws the surface 17 of --seed and --stream", ensemble);
+               "Number of the first surface; --first 17 draws surface 17 of --seed and --stream", ensemble);
   tool.output();
   tool.report();
   tool.seed();
   tool.threads();
   tool.memory(
-      "Largest memory of the drawing, and of the solution of its kernel before, beside the program's own 20 "
-      "MB. A surface that does not fit is drawn in strips, each written as it is made; into a pipe or with "
-      "--exact-rq it is then drawn twice, for its range stands in front of it. The surface does not depend "
-      "on it, to the last bit");
+      "Memory limit for the kernel and the drawing, besides 20 MB of the program. A larger surface is drawn "
+      "and "
+      "written in strips; into a pipe, or with --exact-rq, it is then drawn twice, because its range "
+      "precedes it. "
+      "The limit does not change the surface, to the last bit");
+  tool.essential({"--shape", "--size", "--rq", "--length", "--model", "--acf", "--periodic", "--skewness",
+                  "--kurtosis", "--count", "--seed", "--output"});
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
   tool.accuracy(
-      "The ensemble has the autocorrelation acf_achieved of the dataset, to round-off; kernel_error is its "
-      "distance\n"
-      "  from the target. Estimates from one surface scatter by its sampling error: see asperity-stats and "
+      "The ensemble has the autocorrelation acf_achieved of the dataset to round-off; kernel_error is its "
+      "distance "
+      "from the target. One surface estimates the ensemble with sampling error: see asperity-stats and "
       "asperity-acf.");
 }
 
@@ -59,7 +68,7 @@ void GenerateOptions::check_outputs(Tool& tool) const {
   if (count == 1) return;
   for (int k = 0; k < count; ++k) tool.writes("count", output_name(tool, k));
   if (tool.given("--report"))
-    throw UsageError("report", "is of one surface; each dataset of an ensemble carries its own");
+    throw UsageError("report", "belongs to one surface; each dataset of an ensemble has its own attributes");
 }
 
 std::string GenerateOptions::target_option(const Tool& tool) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "surface/synthesis.hpp"
 #include "tools/surface/kernel_options.hpp"
@@ -16,7 +17,8 @@ struct GenerateOptions {
   std::string kernel;
   Shape shape;
   std::array<double, 2> size{NAN, NAN};
-  bool periodic = false, exact_rq = false, noise = false;
+  bool periodic = false, exact_rq = false;
+  std::vector<std::string> add = {};
   int count = 1, first = 0;
 
   void declare(Tool& tool);
@@ -26,6 +28,7 @@ struct GenerateOptions {
 
   /// The first option given of those that say which kernel to solve for, or nothing.
   std::string target_option(const Tool& tool) const;
+  bool adds_noise() const { return !add.empty(); }
   /// Number `k` of the surfaces, and the name of its file.
   std::int64_t number(int k) const { return std::int64_t{first} + k; }
   std::string output_name(const Tool& tool, int k) const;

@@ -15,7 +15,7 @@ namespace {
 // NAN of a single lag.
 double step_of(const Variable& axis, const std::vector<double>& lags) {
   if (lags.size() < 2) return NAN;
-  if (!(lags[1] > lags[0])) throw DataError(axis.name, "its lags do not grow");
+  if (!(lags[1] > lags[0])) throw DataError(axis.name, "its lags do not increase");
   return lags[1] - lags[0];
 }
 
@@ -129,7 +129,7 @@ std::optional<Shape> kernel_period(const Dataset& data) {
   if (found == nullptr) return std::nullopt;
   const std::vector<double> sides = numbers(*found);
   if (sides.size() != 2 || !(sides[0] >= 1 && sides[1] >= 1 && sides[0] <= 1e9 && sides[1] <= 1e9))
-    throw DataError("kernel_period", "is no pair of counts");
+    throw DataError("kernel_period", "is not a pair of counts");
   return Shape{static_cast<Index>(sides[0]), static_cast<Index>(sides[1])};
 }
 

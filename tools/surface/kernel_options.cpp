@@ -27,7 +27,7 @@ void refuse_aliased(const EllipticTarget& t, const std::string& wavelength) {
                                                  std::abs(std::sin(t.angle)) * t.spacing_y);
   if (samples < 2 * (1 - 1e-12))
     throw UsageError("wavelength", wavelength + ": " + number(samples) +
-                                       " samples, at least 2 are needed to tell it from a longer one");
+                                       " samples; at least 2 are needed, or it looks like a longer wave");
 }
 
 }  // namespace
@@ -40,63 +40,69 @@ void KernelOptions::declare(Tool& tool, bool draws) {
 
 void KernelOptions::declare_target(Tool& tool) {
   const std::string group = "Autocorrelation";
-  tool.choice("--model", target, words(Model{}), "Its form, made elliptic by two lengths", group);
-  tool.lengths("--length", length,
-               "Lengths at which it, or its envelope, has fallen to --length-level, along its two axes: 17px,4px or "
-               "0.4mm; px of x and of y",
-               group);
-  tool.number("--length-level", shape.level, "What is left of it at --length; 0.3678794 makes them 1/e lengths",
-              group);
-  tool.text("--angle", angle, "ANGLE", "From x towards y to the axis of the first length: 30, 30deg, 0.5rad",
+  tool.choice("--model", target, words(Model{}),
+              "Model of the autocorrelation; elliptic where two lengths are given", group);
+  tool.lengths(
+      "--length", length,
+      "Correlation lengths along the two axes: 17px,4px or 0.4mm. There the ACF, or its envelope, is at "
+      "--length-level; px counts samples of x and of y",
+      group);
+  tool.number("--length-level", shape.level, "ACF value at --length; 0.3678794 for 1/e lengths", group);
+  tool.text("--angle", angle, "ANGLE", "Direction of the first length, from +x towards +y: 30deg, 0.5rad",
             group);
   tool.number(
       "--smoothness", shape.smoothness,
-      "Of matern: 0.5 is the exponential, large ones the Gaussian; the Hurst exponent where it is below 1",
+      "Smoothness of matern; 0.5 is the exponential, infinity the Gaussian. Below 1 it is the Hurst exponent",
       group);
-  tool.number("--exponent", shape.exponent, "Of stretched-exponential, exp(-r^EXPONENT), up to 2", group);
-  tool.number("--hurst", shape.hurst, "Of self-affine, whose spectrum is flat below its roll-off, up to 1",
+  tool.number("--exponent", shape.exponent, "Exponent of stretched-exponential, exp(-r^EXPONENT); up to 2",
               group);
-  tool.text("--wavelength", wavelength, "LENGTH", "Of exponential-cosine along its first axis: 12px or 0.1mm",
-            group);
+  tool.number("--hurst", shape.hurst,
+              "Hurst exponent of self-affine, up to 1. Its spectrum is flat below the roll-off", group);
+  tool.text("--wavelength", wavelength, "LENGTH",
+            "Wavelength of exponential-cosine along its first axis: 12px or 0.1mm", group);
   tool.text(
       "--acf", acf, "FILE",
-      "A table in place of all these: a dataset from asperity-acf, or one with acf_target; or text, columns "
-      "under the header '# lag_x [um] lag_y [um] acf' or a plain matrix R(p,q); - is standard input",
+      "Table of the autocorrelation in place of a model; a dataset from asperity-acf, or one with "
+      "acf_target; or "
+      "text: columns under the header '# lag_x [um] lag_y [um] acf', or a matrix R(p,q); - is standard input",
       group);
 }
 
 void KernelOptions::declare_solution(Tool& tool, bool draws) {
   const std::string group = "Solution";
-  tool.counts("--lags", request.lags, 1,
-              "Lags prescribed in x and y; absent: as many as --acf-tolerance takes, or all of a table",
-              group);
+  tool.counts(
+      "--lags", request.lags, 1,
+      "Number of prescribed lags in x and y. Default: as many as --acf-tolerance needs, or all of a table",
+      group);
   tool.number("--acf-tolerance", request.acf_tolerance,
-              "Largest error over all lags, relative to the variance; of --lags that no kernel has, largest "
-              "change. Beyond it exit 3",
+              "Largest error of the ACF over all lags, in variances; of --lags that no kernel has, the "
+              "largest change. Above it the exit status is 3",
               group);
-  tool.choice("--formulation", formulation, words(Formulation{}),
-              "Even kernel, or one even under point reflection alone, each right at all lags, or Patir's "
-              "quadrant, wrong at the mirrored lags; absent: by the target",
-              group);
+  tool.choice(
+      "--formulation", formulation, words(Formulation{}),
+      "Symmetry of the kernel; symmetric: even in x and y; oriented: even under point reflection only; both "
+      "meet all lags. patir: a quadrant, wrong at the mirrored lags. Default: by the target",
+      group);
   std::vector<std::string> methods = words(Method{});
   std::string filter;
   if (draws) {
     methods.push_back("filter");
     filter =
-        "; filter solves by newton-krylov for Gaussian heights and draws noise that is skewed enough for its "
-        "average to have --skewness and --kurtosis, where there is such noise";
+        ". filter: newton-krylov for Gaussian heights, and noise so skewed that its average has --skewness "
+        "and "
+        "--kurtosis, where such noise exists";
   }
-  tool.choice(
-      "--method", method, methods,
-      "How the equations are solved; spectral takes the root of the spectrum and solves nothing" + filter,
-      group);
+  tool.choice("--method", method, methods,
+              "Solver of the equations. spectral: the root of the spectrum, without equations" + filter,
+              group);
   tool.choice("--infeasible", infeasible, words(InfeasiblePolicy{}),
-              "Where no kernel of --lags has this autocorrelation, or no heights this kurtosis: a wider "
-              "kernel or the nearest that there is, if it changes the target by 1e-2 at most (auto) or "
-              "however much (nearest); the kernel of least squares; or an error",
+              "Answer to a target that no kernel of --lags, or no heights, can have. auto: a wider kernel or "
+              "the nearest "
+              "feasible target, if it differs by at most 1e-2; nearest: the same whatever the difference; "
+              "least-squares: the kernel of least squares; error: none",
               group);
-  tool.number("--tolerance", request.tolerance, "Largest residual of the equations, relative to the variance",
-              group);
+  tool.number("--tolerance", request.tolerance,
+              "Largest residual of the equations, as a share of the variance", group);
 }
 
 EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) const {
@@ -128,7 +134,7 @@ void KernelOptions::refuse_model(const Tool& tool) const {
   for (const char* option :
        {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst", "wavelength"})
     if (given(tool, option))
-      throw UsageError(option, "does not go together with --acf, which is the whole autocorrelation");
+      throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
 }
 
 }  // namespace asperity::cli

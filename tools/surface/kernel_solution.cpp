@@ -36,7 +36,7 @@ void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& optio
   if (table.left_out)
     tool.warn("the lags of the table beyond " +
               text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +
-              " hold no numbers, and are left out");
+              " hold no numbers and are ignored");
   if (!out.spacing) out.spacing = table.spacing;
   if (!out.has_height && std::isfinite(table.rms)) {
     out.request.rms = table.rms;
@@ -147,14 +147,14 @@ void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel
                        report.change > negligible_change;
   if (changed && !(chosen && table))
     tool.warn("no kernel of " + text(kernel.lags) + " lags has this autocorrelation; " +
-              (report.answer == Answer::nearest ? "the kernel of the nearest that was found"
+              (report.answer == Answer::nearest ? "the kernel of the nearest feasible one"
                                                 : "the kernel of least squares") +
               " changes it by up to " + number(report.change) + " of the variance");
   const double silent = table ? request.acf_tolerance : std::max(request.acf_tolerance, silent_error);
   if (!chosen && report.error > silent)
     tool.warn("the error over all lags is " + number(report.error) + " of the variance: only the " +
               text(kernel.lags) +
-              " lags prescribed are met; without --lags as many are taken as --acf-tolerance needs");
+              " prescribed lags are met; leave out --lags to meet --acf-tolerance at all lags");
 }
 
 Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, bool aside) {
@@ -169,7 +169,8 @@ Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, 
     return not_converged;
   }
   if (report.answer == Answer::wider)
-    say("a kernel wider than " + text(kernel.lags) + " lags, for none of these has this autocorrelation");
+    say("a kernel wider than " + text(kernel.lags) +
+        " lags, because no kernel of these has this autocorrelation");
   warn_of_errors(tool, problem.request, kernel);
   return done;
 }

@@ -12,11 +12,12 @@ MeasuredHeights quantiles_of(const Variable& variable) {
   const std::vector<double> values = numbers(variable.values);
   const double highest = variable.attributes.number("highest_score", NAN);
   if (values.size() != 2 * MeasuredHeights::half + 1 || !(highest > 0 && highest < 40))
-    throw DataError(variable.name, "is no table of quantiles at normal scores");
+    throw DataError(variable.name, "is not a table of quantiles at normal scores");
   MeasuredHeights out{highest / static_cast<double>(MeasuredHeights::half),
                       Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Index>(values.size()))};
   for (Index j = 1; j < out.quantiles.size(); ++j)
-    if (!(out.quantiles(j) >= out.quantiles(j - 1))) throw DataError(variable.name, "its heights fall");
+    if (!(out.quantiles(j) >= out.quantiles(j - 1)))
+      throw DataError(variable.name, "its heights do not increase");
   const HeightMoments moments = height_moments(out.translation());
   if (!(std::abs(moments.mean) <= 1e-6 && std::abs(moments.variance - 1) <= 1e-6))
     throw DataError(variable.name, "its mean is not 0 or its variance not 1");

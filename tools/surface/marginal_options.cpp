@@ -65,18 +65,18 @@ std::optional<Marginal> johnson(const Tool& tool, const PrescribedHeights& presc
 
 void MarginalOptions::declare(Tool& tool) {
   const std::string group = "Heights";
-  tool.number("--skewness", skewness, "Skewness of the heights; negative where valleys are deep", group);
+  tool.number("--skewness", skewness, "Skewness of the heights; negative for deep valleys", group);
   tool.number(
       "--kurtosis", kurtosis,
-      "Kurtosis of the heights, 3 for a Gaussian, above SKEWNESS^2 + 1; absent: 3 + 1.5 SKEWNESS^2, that of "
-      "the gamma family. Far below that the heights are J-shaped or have two peaks, which is said",
+      "Kurtosis of the heights; 3 for a Gaussian, above SKEWNESS^2 + 1. Default: 3 + 1.5 SKEWNESS^2, of the "
+      "gamma family. Far below that the distribution is J-shaped or has two peaks, and a warning says so",
       group);
-  tool.text("--marginal", marginal, "NAME|FILE",
-            "Their distribution: gaussian; johnson, which --skewness and --kurtosis choose and which alone "
-            "takes those that asperity-acf found with --acf; measured, the quantiles of --acf by "
-            "asperity-acf --quantiles; or that of FILE: the heights of a dataset or a text, or, as by "
-            "johnson, the Ssk and Sku of a table of asperity-stats",
-            group);
+  tool.text(
+      "--marginal", marginal, "NAME|FILE",
+      "Distribution of the heights; gaussian; johnson: by --skewness and --kurtosis, or by those in --acf; "
+      "measured: by the quantiles in --acf (asperity-acf --add acf_quantiles); FILE: by the heights of a "
+      "dataset or a text, or by Ssk and Sku of a table of asperity-stats",
+      group);
 }
 
 std::string MarginalOptions::given(const Tool& tool) {
@@ -89,7 +89,7 @@ bool MarginalOptions::chosen_by_moments(const Tool& tool) const {
   const bool given = tool.given("--skewness") || tool.given("--kurtosis");
   if (given && tool.given("--marginal") && marginal != "johnson")
     throw UsageError(tool.given("--skewness") ? "skewness" : "kurtosis",
-                     "does not go together with --marginal " + marginal);
+                     "cannot be combined with --marginal " + marginal);
   return given;
 }
 
@@ -100,10 +100,9 @@ std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, cons
                              answer};
   if (marginal == "gaussian") return std::nullopt;
   if (marginal != "johnson")
-    throw UsageError("marginal",
-                     marginal + ": --method filter takes moments alone, --skewness and --kurtosis");
+    throw UsageError("marginal", marginal + ": --method filter needs --skewness and --kurtosis");
   if (std::isnan(table.skewness) || std::isnan(table.kurtosis))
-    throw UsageError("marginal", "johnson: takes --skewness and --kurtosis, or --acf from asperity-acf");
+    throw UsageError("marginal", "johnson: needs --skewness and --kurtosis, or --acf from asperity-acf");
   return PrescribedHeights{table.skewness, table.kurtosis, answer};
 }
 
@@ -114,7 +113,8 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
     return prescribed ? johnson(tool, *prescribed) : std::nullopt;
   }
   if (marginal == "measured") {
-    if (!table.measured) throw UsageError("marginal", "measured: takes --acf from asperity-acf --quantiles");
+    if (!table.measured)
+      throw UsageError("marginal", "measured: needs --acf from asperity-acf --add acf_quantiles");
     return Marginal::of(*table.measured);
   }
   if (marginal == "-" && stdin_is_terminal())
@@ -128,7 +128,7 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
 void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {
   if (std::abs(kurtosis - prescribed.kurtosis) > 1e-6 * kurtosis)
     tool.warn("no heights of skewness " + shortest(prescribed.skewness) + " have the kurtosis " +
-              shortest(prescribed.kurtosis) + " in this way; " + number(kurtosis) + " takes its place");
+              shortest(prescribed.kurtosis) + " in this way: " + number(kurtosis) + " is used");
 }
 
 }  // namespace asperity::cli

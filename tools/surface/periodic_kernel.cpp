@@ -63,7 +63,7 @@ void refuse_offset(const Field& correlation, Shape surface) {
   if (offset > largest_offset)
     throw UsageError("periodic",
                      around(surface) + fmt::format(": {:.0f} % of the variance would be one offset of all "
-                                                   "heights; take shorter lengths or a larger surface",
+                                                   "heights; choose shorter lengths or a larger surface",
                                                    100 * offset));
 }
 
@@ -71,7 +71,7 @@ void refuse_rest(double left, Shape surface) {
   if (!(left >= least_variance))
     throw UsageError(
         "periodic", around(surface) + fmt::format(": its sum over the periods leaves {:.2g} of the variance, "
-                                                  "the error of a kernel; take another size or length",
+                                                  "the error of a kernel; choose another size or length",
                                                   left));
 }
 
@@ -80,8 +80,8 @@ void tell_change(const Tool& tool, double change, Shape surface) {
   const bool profile = std::min(surface.nx, surface.ny) == 1;
   tool.warn("--periodic: " + around(surface) + " and changes the autocorrelation by up to " +
             fmt::format("{:.2g}", change) +
-            " of the variance: it is the sum over the periods, of the rms height asked for" +
-            (profile ? "; --lags of 1 across the profile keep that of the profile" : ""));
+            " of the variance: it is the sum over the periods, at the prescribed rms height" +
+            (profile ? "; --lags of 1 across the profile keep the profile's own" : ""));
 }
 
 // What the solution on the plane has left on record, of the kernel that has taken its place.
@@ -163,12 +163,11 @@ Exit wrap_kernel(const Tool& tool, Dataset& data, KernelTables& tables, Shape su
 
 void check_period(const KernelTables& tables, Shape surface, bool periodic) {
   if (!tables.period || (periodic && *tables.period == surface)) return;
-  const std::string words = "the kernel is that of periodic surfaces of " + text(*tables.period) + " points";
+  const std::string words = "the kernel is for periodic surfaces of " + text(*tables.period) + " points";
   if (periodic) throw UsageError("shape", text(surface) + ": " + words);
-  throw UsageError(
-      "periodic",
-      "is required: " + words +
-          "; for others, solve for one of --length, or of fewer lags of its table (asperity-acf --max-lag)");
+  throw UsageError("periodic", "is required: " + words +
+                                   "; for other surfaces solve with --length, or with fewer lags of its "
+                                   "table (asperity-acf --max-lag)");
 }
 
 }  // namespace asperity::cli

@@ -27,7 +27,7 @@ void tell_short(const Tool& tool, const Target& target, Shape surface) {
   if (x || y)
     tool.warn(
         fmt::format("--length is far below a sample along {}: neighbouring heights correlate by less than "
-                    "{:g}, as white noise; take finer samples",
+                    "{:g}, as in white noise; sample more finely",
                     axes(x, y), told_rest));
 }
 
@@ -50,12 +50,13 @@ void tell_heights(const Tool& tool, const KernelProblem& problem) {
       "heights are bounded at " + bounds + ", Johnson's " + problem.marginal->translation.family;
   const bool at_floor = peaks.front() - low < at_bound, at_ceiling = high - peaks.back() < at_bound;
   if (peaks.size() > 1)
-    tool.warn(fmt::format("{}, and have two peaks, at {:+.3g} and {:+.3g} Sq; a larger --kurtosis has one",
-                          words, peaks.front(), peaks.back()));
+    tool.warn(fmt::format(
+        "{}; their density has two peaks, at {:+.3g} and {:+.3g} Sq; a larger --kurtosis gives one", words,
+        peaks.front(), peaks.back()));
   else if (at_floor || at_ceiling)
     tool.warn(fmt::format(
-        "{}, and J-shaped: the density is largest {:.2g} Sq from its {} end; a larger --kurtosis moves the "
-        "peak inside",
+        "{}; their density is J-shaped: largest {:.2g} Sq from its {} end; a larger --kurtosis moves the "
+        "peak inwards",
         words, at_floor ? peaks.front() - low : high - peaks.back(), at_floor ? "lower" : "upper"));
   else
     tool.note(words);
@@ -82,7 +83,7 @@ void tell_cost(const Tool& tool, const KernelRequest& request) {
     return format_bytes(static_cast<std::size_t>(std::min(bytes, 1e18)));
   };
   tool.warn(fmt::format(
-      "a kernel of {} lags may take minutes, {} of memory and {} of the dataset{} take less", text(lags),
+      "a kernel of {} lags may need minutes, {} of memory and {} of the dataset{} need less", text(lags),
       shown(memory), shown(dataset),
       table ? ", of long waves ten times as much; fewer lags of the table (asperity-acf --max-lag) or a "
               "larger --acf-tolerance"
@@ -113,8 +114,9 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
     throw UsageError(
         option,
         fmt::format(
-            "too long a correlation for the surface: {:.0f} % of the variance would be one offset of all "
-            "heights; take a shorter one or a larger surface, to be cut by asperity-convert --crop",
+            "the correlation is too long for the surface: {:.0f} % of the variance would be one offset of "
+            "all "
+            "heights; choose a shorter length, or draw a larger surface and cut it (asperity-convert --crop)",
             100 * mean));
   const double along_x = mean_correlation(target, {surface.nx, 1}),
                along_y = mean_correlation(target, {1, surface.ny});
@@ -122,7 +124,7 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
   if (x || y)
     tool.warn(
         fmt::format("the correlation reaches across the surface along {}: heights correlate by {:.2g} there "
-                    "on average, which one surface does not average out",
+                    "on average, and one surface does not average that out",
                     axes(x, y), x ? along_x : along_y));
 }
 

@@ -18,7 +18,7 @@ namespace {
 void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
   if (tool.given("--shape")) return;
   if (!data.has("x") || !data.has("y"))
-    throw UsageError("shape", "is required: the autocorrelation comes without a grid");
+    throw UsageError("shape", "is required: the autocorrelation has no grid");
   const Grid grid = grid_of(data);
   o.shape = grid.shape;
   if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
@@ -57,8 +57,7 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
   const Bytes bytes = read_all(name, tool.memory_bound());
   const std::string heights = MarginalOptions::given(tool);
   if (!heights.empty() && !o.acf.filters())
-    throw UsageError(heights,
-                     "is for the solution of the kernel, by asperity-kernel, or for --method filter");
+    throw UsageError(heights, "applies when the kernel is solved (asperity-kernel), or with --method filter");
   SurfaceKernel out;
   out.data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
   tool.settle(out.data);
@@ -73,7 +72,7 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
 SurfaceKernel solved_or_read(const Tool& tool, GenerateOptions& o) {
   const std::string target = o.target_option(tool);
   if (!tool.given("--kernel") && (!target.empty() || stdin_is_terminal())) return solved(tool, o);
-  if (!target.empty()) throw UsageError(target, "does not go together with --kernel");
+  if (!target.empty()) throw UsageError(target, "cannot be combined with --kernel");
   return read(tool, o);
 }
 
@@ -85,7 +84,7 @@ KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Datase
     tables.scale(o.acf.rms / tables.rms());
     tables.has_height = true;
   }
-  if (!tables.has_height) throw UsageError("rq", "the kernel has unit variance: an rms height is required");
+  if (!tables.has_height) throw UsageError("rq", "is required: the kernel has unit variance");
   if (std::isnan(o.size[0])) {
     if (!tables.spacing) throw UsageError("size", "is required: the kernel counts its lags in samples");
     return tables;
@@ -115,7 +114,7 @@ Pointwise translated(const Translation& translation, double rms) {
 Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& kernel) {
   const auto prescribed = o.acf.heights.moments(tool, kernel.measured,
                                                 enum_named<InfeasiblePolicy>(o.acf.infeasible, "infeasible"));
-  if (!prescribed) throw UsageError("method", "filter: takes --skewness and --kurtosis");
+  if (!prescribed) throw UsageError("method", "filter: needs --skewness and --kurtosis");
   const Translation noise = prescribed->noise(kernel.tables.kernel);
   const HeightMoments moments = KernelCumulants::of(kernel.tables.kernel).heights(height_moments(noise));
   tell_kurtosis(tool, *prescribed, moments.kurtosis);
@@ -142,8 +141,8 @@ HeightDistribution height_distribution(const Tool& tool, const GenerateOptions& 
   const std::optional<Marginal> marginal = marginal_of(kernel.data);
   if (!marginal) return {o.acf.filters() ? filtered(tool, o, kernel) : Pointwise{}, {}};
   if (o.acf.filters())
-    throw UsageError("method", "filter: the kernel is of a Gaussian field below heights that are " +
-                                   marginal->translation.family + ", not of the heights");
+    throw UsageError("method", "filter: the kernel belongs to a Gaussian field under heights that are " +
+                                   marginal->translation.family + ", not to the heights");
   expect(kernel.data.attributes, "translation", marginal->skewness, marginal->kurtosis);
   return {{}, translated(marginal->translation, kernel.tables.rms())};
 }

@@ -17,7 +17,7 @@ THREADED = [t for t in TOOLS if t not in ("convert", "kernel", "plot", "report")
 def command(case, tool):
     """A command of this tool with some of its options, less its output."""
     more = {"contact": [[], ["--limit-pressure", "3GPa"], ["--stiffness"], ["--unload", "--limit-pressure", "2GPa"]],
-            "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--model", "gaussian"], ["--noise"], ["--exact-rq"]],
+            "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--model", "gaussian"], ["--add", "noise"], ["--exact-rq"]],
             "kernel": [[], ["--model", "matern"], ["--formulation", "oriented"], ["--method", "spectral"]],
             "stats": [[], ["--remove-form", "plane"], ["--lambda-c", "10um"], ["--profile", "x", "--json"]],
             "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--structure"],
@@ -102,7 +102,7 @@ def strips_of_a_surface(case):
     """A surface that is drawn in strips is that which is drawn whole."""
     shape = f"{int(case.rng.integers(100, 300))}x{int(case.rng.integers(100, 200))}"
     arguments = ["--shape", shape, "--size", "1mm", "--rq", "1um", "--length", case.one_of("4px", "3px,8px"), "--seed",
-                 str(case.rng.integers(1, 2**40)), "--no-history", *case.one_of([], [], ["--exact-rq"], ["--noise"],
+                 str(case.rng.integers(1, 2**40)), "--no-history", *case.one_of([], [], ["--exact-rq"], ["--add", "noise"],
                                                                                 ["--skewness", "-0.8"])]
     first = made(case, "generate", arguments, "one")
     run = case.run("generate", *arguments, "--memory", case.one_of("2MB", "1MB", "600kB"), "-o", "other.nc", env=STILL)
