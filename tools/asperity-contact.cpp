@@ -17,7 +17,7 @@ using namespace asperity;
 
 namespace {
 
-// How the solution goes on, for a terminal.
+// Progress of the solution, for a terminal.
 class ProgressCounter {
  public:
   ProgressCounter(const cli::Tool& tool, const cli::ContactOptions& options)
@@ -55,7 +55,7 @@ void warn(const cli::Tool& tool, const std::vector<Doubt>& doubts) {
   for (const Doubt& doubt : doubts) tool.warn(doubt.words);
 }
 
-// The doubts of a sweep: each kind whole at its first load, of the others how many and up to which.
+// The doubts of a sweep: each kind in full at its first load, then a count and the last load.
 class SweepDoubts {
  public:
   void add(const cli::Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {
@@ -68,8 +68,8 @@ class SweepDoubts {
   void tell(const cli::Tool& tool) const {
     for (const auto& [about, seen] : seen_)
       if (const int more = seen.loads - 1; more > 0)
-        tool.warn(fmt::format("the contact {} under {} more load{}, to {}", about, more, more == 1 ? "" : "s",
-                              seen.last));
+        tool.warn(fmt::format("the contact {} under {} more load{}, up to {}", about, more,
+                              more == 1 ? "" : "s", seen.last));
   }
 
  private:
@@ -85,9 +85,9 @@ int told_exit(const cli::Tool& tool, const cli::ContactOptions& options, const C
   if (!contact.converged) tool.warn(of + "not converged: " + contact.reason);
   const bool stiff = !options.contact.stiffness || !std::isnan(contact.stiffness);
   if (contact.converged && !stiff)
-    tool.warn(of +
-              fmt::format("the stiffness is not converged: residual {:.1e}, not {:.0e} (--max-convolutions)",
-                          contact.stiffness_residual, stiffness_tolerance));
+    tool.warn(of + fmt::format(
+                       "the stiffness is not converged: residual {:.1e} above {:.0e}; see --max-convolutions",
+                       contact.stiffness_residual, stiffness_tolerance));
   return contact.converged && stiff ? cli::done : cli::not_converged;
 }
 
@@ -135,17 +135,23 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& 
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-contact", "Presses two rough bodies together: pressure, gap, contact area");
+  cli::Tool tool("asperity-contact",
+                 "Presses two rough bodies together, elastic or elastic-perfectly plastic: pressure, gap, "
+                 "displacement and state of "
+                 "each cell, contact area and approach.");
   cli::ContactOptions options;
   options.declare(tool);
   tool.example(
-      "asperity-contact --smooth --shape 128x128 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 \\\n"
-      "    --load 5000N -o smooth.nc");
+      "asperity-contact --smooth --shape 128x128 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
+      "--load 5000N -o smooth.nc");
+  tool.essential({"--radius", "--young", "--poisson", "--load", "--approach", "--yield", "--boundary",
+                  "--smooth", "--counter", "--sweep", "--add", "--output"});
   tool.accuracy(
-      "Bounds exact, load to 1e-12, residual as asked for and confirmed with a fresh convolution. On n cells "
-      "across a Hertzian contact its greatest pressure errs by 0.9/n^2, its approach by 0.2/n^2. The "
-      "stiffness errs by its residual at most, 1e-6, but for the outline of the cells: of spheres by some "
-      "0.1/n.");
+      "The bounds hold exactly and the load to 1e-12; a fresh convolution confirms the residual. With n "
+      "cells across "
+      "a Hertzian contact the greatest pressure errs by 0.9/n^2, the approach by 0.2/n^2. The stiffness errs "
+      "by at "
+      "most its residual, 1e-6, and by the outline of the cells: some 0.1/n for spheres.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);

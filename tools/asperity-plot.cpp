@@ -32,7 +32,7 @@ std::vector<std::string> names_of_kinds() {
 struct Options {
   plot::Request request;
   std::vector<std::string> inputs{"-"};
-  std::string output = "-", labels, scale_by;
+  std::string output = "-", labels, scale_by, above;
   std::array<double, 2> x{-plot::unlimited, plot::unlimited}, y = x, depth{0, plot::unlimited};
 };
 
@@ -47,8 +47,9 @@ void declare_figure(cli::Tool& tool, Options& o) {
   tool.text("--variable", o.request.variable, "NAME",
             "What is drawn: heights, pressure, gap, noise, stress_zz, ... (default: the kind's own)", group);
   tool.text("--section", o.request.section, "AXIS=PLACE",
-            "Where a section or profile runs, y=0 or x=0.2mm: the nearest row of cells; y=max: through the "
-            "largest von Mises stress (default: y=0, or x=0 of a single row; a profile's: both)",
+            "Place of a section or profile; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
+            "runs through the "
+            "nearest row of cells. Default: y=0, or x=0 of a single row; profiles along both",
             group);
   tool.may_be_empty(tool.text("--title", o.request.title, "TEXT",
                               "Title (default: facts of the figure; \"\": none)", group));
@@ -78,9 +79,11 @@ void declare_scales(cli::Tool& tool, Options& o) {
             group);
   tool.choice("--scale-by", o.scale_by, {"p0"},
               "Unit of stresses: p0 is the Hertz pressure that the dataset carries", group);
-  tool.number("--above", o.request.above,
-              "Section: leave blank what is below this share of p0 (with --scale-by) or of the maximum",
-              group);
+  tool.text("--above", o.above, "STRESS",
+            "Leave out smaller stresses of a section; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of "
+            "the largest "
+            "contact pressure)",
+            group);
 }
 
 std::string extension_of(const std::string& output) {
@@ -118,8 +121,7 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   if (!is_utf8(request.title)) throw cli::UsageError("title", "it is not UTF-8");
   if (tool.given("--columns") && request.kind == "profile")
     throw cli::UsageError("columns", "profiles of several inputs are drawn into one panel");
-  if (tool.given("--above") && !(request.above > 0 && std::isfinite(request.above)))
-    throw cli::UsageError("above", "it must be positive");
+  if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
 }

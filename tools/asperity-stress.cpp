@@ -1,5 +1,6 @@
 /// Computes the stress below a loaded surface: in layers, in a section, at points, and where it is largest.
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/cli/section.hpp"
 #include "tools/stress/points.hpp"
 #include "tools/stress/writer.hpp"
 
@@ -36,11 +38,11 @@ void warn_if_shallow(const cli::Tool& tool, const LoadedBody& body, const Stress
   tool.warn(
       fmt::format("the largest von Mises stress lies {:.4g} um deep, less than the {:.4g} um of "
                   "stress_accurate_depth: it rests on single cells and may be off by {:.0f} % of the largest "
-                  "pressure; make the cells finer",
+                  "pressure; refine the grid",
                   maximum.depth * 1e6, accurate * 1e6, 100 * shallow_error(poisson, friction)));
 }
 
-// A maximum in the outermost cells has no parabola and stays at their centres.
+// A maximum in the outermost cells has no parabola through it and stays at their centres.
 bool at_end(double place, double first, double last) {
   return first != last && (place == first || place == last);
 }
@@ -50,17 +52,16 @@ void warn_if_at_edge(const cli::Tool& tool, const Grid& grid, const StressMaximu
   if (grid.periodic ||
       !(at_end(maximum.x, grid.x(0), grid.x(nx - 1)) || at_end(maximum.y, grid.y(0), grid.y(ny - 1))))
     return;
-  tool.warn(fmt::format(
-      "the largest von Mises stress lies at the edge of the domain, at ({:.4g}, {:.4g}) um: beyond "
-      "it none is looked for; make the domain larger",
-      maximum.x * 1e6, maximum.y * 1e6));
+  tool.warn(
+      fmt::format("the largest von Mises stress lies at the edge of the domain, at ({:.4g}, {:.4g}) um, and "
+                  "may be larger "
+                  "beyond it; choose a larger domain",
+                  maximum.x * 1e6, maximum.y * 1e6));
 }
 
-// Of whole layers, whatever section is asked for; its von Mises stress.
-double find_maximum(const cli::Tool& tool, cli::StressScene& scene, const StressSolver& solver) {
-  const StressMaximum top = scene.plane
-                                ? search(tool, StressSolver(scene.body, solver.threads(), scene.resolution))
-                                : search(tool, solver);
+// In whole layers.
+StressMaximum find_maximum(const cli::Tool& tool, cli::StressScene& scene, const StressSolver& solver) {
+  const StressMaximum top = search(tool, solver);
   Attributes& a = scene.data.attributes;
   a.set("stress_max_von_mises", top.von_mises);
   a.set("stress_max_x", top.x);
@@ -68,10 +69,10 @@ double find_maximum(const cli::Tool& tool, cli::StressScene& scene, const Stress
   a.set("stress_max_depth", top.depth);
   tool.detail(fmt::format("largest von Mises stress {:.6g} MPa, {:.6g} um deep, from {}",
                           top.von_mises * 1e-6, top.depth * 1e6, counted(top.layers, "layer")));
-  if (top.von_mises == 0) return 0;
+  if (top.von_mises == 0) return top;
   warn_if_shallow(tool, scene.body, top);
   warn_if_at_edge(tool, scene.body.grid, top);
-  return top.von_mises;
+  return top;
 }
 
 void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
@@ -80,9 +81,19 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
   const cli::Inventory before(scene.data);
   cli::drop_results(scene.data, "stress");
 
-  const StressSolver solver(scene.body, scene.plane, tool.thread_count(), scene.resolution);
+  const auto threads = tool.thread_count();
+  const bool through_maximum = cli::through_maximum(options.section);
+  std::optional<StressSolver> solver;
+  if (!scene.plane) solver.emplace(scene.body, std::nullopt, threads, scene.resolution);
   double largest = 0;  // von Mises stress
-  if (options.maximum) largest = find_maximum(tool, scene, solver);
+  if (options.maximum || through_maximum) {
+    const StressMaximum top =
+        solver ? find_maximum(tool, scene, *solver)
+               : find_maximum(tool, scene, StressSolver(scene.body, threads, scene.resolution));
+    largest = top.von_mises;
+    if (through_maximum) cli::cut(scene, options.section, {top.x, top.y});
+  }
+  if (scene.plane) solver.emplace(scene.body, scene.plane, threads, scene.resolution);
   cli::record_parameters(scene);
   auto record_time = [&](Attributes& a) { a.set("stress_seconds", cli::on_record(clock.seconds())); };
   record_time(scene.data.attributes);
@@ -90,7 +101,7 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
   if (scene.depths.empty()) {
     tool.write(scene.data);
   } else {
-    cli::StressWriter writer(tool, scene, selection, solver);
+    cli::StressWriter writer(tool, scene, selection, *solver);
     writer.write(record_time);
     largest = std::max(largest, writer.largest("von_mises"));
   }
@@ -101,20 +112,28 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-stress", "Computes the stress below a loaded surface, and where it is largest");
+  cli::Tool tool("asperity-stress",
+                 "Computes the elastic stress below a loaded surface: in layers, in a section, at points, "
+                 "and where it is largest.");
   cli::StressOptions options;
   options.declare(tool);
   tool.example("asperity-stress --depths 0:0.8mm:32 --components von_mises,zz pressed.nc -o stress.nc");
   tool.accuracy(
-      "Exact to 1e-14 for a pressure constant in each cell, of a periodic contact for the waves through "
-      "the cells' pressures, the mean of which a body held at its sides bears; to 2e-6 of its largest "
-      "value where layers are ten cells deep and more, unless --resolution full; at --points of a free "
-      "contact to 4e-13 of their stress however far they lie. On n cells across a Hertz contact the "
-      "largest von Mises stress errs by 0.95/n^2. From two cells' depth on every value is within 1 % of "
-      "the largest pressure, friction up to 0.5 included; above it, cells within two cells of an edge of "
-      "the contact may be off by 9 %, of a Poisson's ratio nu below 0.1 by 11 (1 - 2 nu) %, and by 26 % of "
-      "the friction more, and a maximum rests on single cells: compare stress_max_depth with "
-      "stress_accurate_depth.");
+      "The stress below a pressure constant in each cell is exact to 1e-14; for a periodic contact, the "
+      "stress of the "
+      "waves through the cells' pressures, with a body held at its sides under the mean pressure. Layers ten "
+      "cells "
+      "deep and more are exact to 2e-6 of the largest pressure, or in full with --resolution full; --points "
+      "of a free "
+      "contact to 4e-13 of their stress at any distance. With n cells across a Hertz contact the largest von "
+      "Mises "
+      "stress errs by 0.95/n^2. From two cells' depth on, every value is within 1 % of the largest pressure, "
+      "with "
+      "friction up to 0.5. Above that depth, cells within two cells of an edge of the contact may be off by "
+      "9 %, for "
+      "Poisson's ratios nu below 0.1 by 11 (1 - 2 nu) %, and by 26 % of the friction more; a maximum there "
+      "rests on "
+      "single cells: compare stress_max_depth with stress_accurate_depth.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);

@@ -37,5 +37,5 @@ figures() {
   asperity-plot "${pressed[@]}" --kind contact -o contact.png
   asperity-plot "${section[@]}" y=max -o von-mises.png
   asperity-plot "${section[@]}" y=max --x-range=-1.1mm,1.1mm --depth-range 0mm,0.2mm -o von-mises-surface.png
-  asperity-plot "${section[@]}" y=0 --above 0.6 --x-range=-1.1mm,1.1mm --depth-range 0mm,0.7mm -o von-mises-detail.png
+  asperity-plot "${section[@]}" y=0 --above 0.6p0 --x-range=-1.1mm,1.1mm --depth-range 0mm,0.7mm -o von-mises-detail.png
 }

@@ -28,4 +28,10 @@ class DataError : public std::runtime_error {
   std::string name;
 };
 
+/// A dataset without a variable that is needed.
+class MissingVariable : public DataError {
+ public:
+  using DataError::DataError;
+};
+
 }  // namespace asperity

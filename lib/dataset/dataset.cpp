@@ -79,8 +79,8 @@ const Variable& Dataset::at(std::string_view variable) const {
   if (const Variable* present = find(variable)) return *present;
   std::string names;
   for (const Variable& v : variables) names += (names.empty() ? "" : ", ") + v.name;
-  throw DataError(std::string(variable), "the dataset has no such variable; it has " +
-                                             (names.empty() ? std::string("none") : names));
+  throw MissingVariable(std::string(variable), "is missing; the dataset has " +
+                                                   (names.empty() ? std::string("no variables") : names));
 }
 
 Variable& Dataset::put(Variable variable) {

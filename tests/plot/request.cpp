@@ -28,7 +28,7 @@ TEST_CASE("a wrong request gets one line and its exit code", "[plot][contract]")
                {"--kind map --range 1,2 -o w.png", 2, "--range"},
                {"--kind von-mises --section z=0 -o w.png", 2, "--section"},
                {"--kind von-mises --section y=1m -o w.png", 2, "--section"},
-               {"--kind von-mises --above 2 -o w.png", 2, "--above"},
+               {"--kind von-mises --above 2p0 -o w.png", 2, "--above"},
                {"--kind map --labels a,b -o w.png", 2, "--labels"},
                {"--kind map --title $'\\xff' -o w.png", 2, "--title"},
                {"--kind map -o nowhere/w.png", 1, "nowhere"}};

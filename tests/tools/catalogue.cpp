@@ -33,11 +33,11 @@ TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]
           "--marginal measured",
       draw + "--length 3px | asperity-psd --dataset",
       draw +
-          "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --unload" +
+          "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --add heights_residual" +
           bodies,
       "asperity-contact d.nc --approach 0.2um" + bodies +
           " | asperity-stress --depths 0:50um:3 --maximum "
-          "--components all,principal_directions --friction 0.2 --above 0.1",
+          "--components all,principal_directions --friction 0.2 --above 0.1p0",
       "asperity-contact --smooth --shape 16x16 --size 3mm --load 5N" + bodies +
           " | asperity-stress --depths 0,10um --section x=0",
   };

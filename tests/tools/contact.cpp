@@ -114,7 +114,7 @@ TEST_CASE("the boundary is that of the grid unless it is freed", "[contact][cont
 TEST_CASE("the unloaded surface carries the load again, elastically and under the same pressure",
           "[contact][exact]") {
   const std::string press = "asperity-contact --radius 50mm --load 5000N --tolerance 1e-9" + elastic;
-  require(surface + " --seed 1 | " + press + "--yield 900MPa --unload -o first.nc");
+  require(surface + " --seed 1 | " + press + "--yield 900MPa --add heights_residual -o first.nc");
   require(press + "--variable heights_residual first.nc -o second.nc");
   const Dataset first = read_dataset("first.nc"), second = read_dataset("second.nc");
   const double limit = 2700e6, reached = second.attributes.number("contact_max_pressure", 0);
@@ -131,7 +131,7 @@ TEST_CASE("the unloaded surface carries the load again, elastically and under th
 TEST_CASE("smooth bodies that yield leave a dent that is pressed again through the pipe",
           "[contact][exact]") {
   const std::string tight = " --tolerance 1e-9 --radius 50mm --load 5000N ";
-  require(smooth + tight + "--limit-pressure 2GPa --unload | asperity-contact --variable heights_residual" +
+  require(smooth + tight + "--limit-pressure 2GPa --add heights_residual | asperity-contact --variable heights_residual" +
           tight + elastic + "-o dent.nc");
   CHECK(read_dataset("dent.nc").attributes.number("contact_max_pressure", 0) <= 2e9 * (1 + 1e-7));
 }
@@ -140,7 +140,7 @@ TEST_CASE("what asperity-contact cannot do is one line that names the option, th
           "[contact][contract][slow]") {
   const std::string sphere = smooth + "--radius 50mm ";
   const std::pair<std::string, std::string> wrong[] = {
-      {sphere, "--load: is needed"},
+      {sphere, "--load: is required"},
       {sphere + "--load 5um", "--load: '5um'"},
       {sphere + "--load 5", "--load: '5' has no unit"},
       {sphere + "--load 5N --approach 1um", "--load: only one"},
@@ -156,9 +156,9 @@ TEST_CASE("what asperity-contact cannot do is one line that names the option, th
       {sphere + "--sweep 1N,", "--sweep"},
       {sphere + "--sweep 1N,5N --each press.nc", "--each: 'press.nc'"},
       {sphere + "--sweep 1N,5N --report r.json", "--report"},
-      {sphere + "--sweep 1N,5N --unload --yield 1GPa", "--unload"},
+      {sphere + "--sweep 1N,5N --add heights_residual --yield 1GPa", "--add: heights_residual needs --each"},
       {sphere + "--load 5N --each press-%d.nc", "--each"},
-      {sphere + "--load 5N --unload", "--unload"},
+      {sphere + "--load 5N --add heights_residual", "--add: heights_residual needs --yield"},
       {sphere + "--load 5N --json", "--json"},
       {sphere + "--load 5N --boundary periodic", "--radius: a periodic surface"},
       {smooth + "--radius-y 5mm --load 5N --boundary periodic", "--radius-y: a periodic surface"},
@@ -199,14 +199,14 @@ TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 
   with("force.nc", [&](Dataset&, Variable& v) { v.attributes.set("units", "N"); });
   with("none.nc", [&](Dataset& d, Variable&) { d.erase("heights"); });
   const std::pair<std::string, std::string> bad[] = {
-      {"nan.nc", "heights: the value at point (1, 6) is not a number"},
-      {"fill.nc", "heights: 1 of its points are missing (_FillValue)"},
-      {"missing.nc", "heights: 1 of its points are missing (missing_value)"},
-      {"mask.nc", "heights: 1 of its points are masked"},
-      {"force.nc", "heights: 'N'"},
-      {"none.nc", "heights"},
-      {"--counter nan.nc good.nc", "heights: in nan.nc: "},
-      {"--variable absent good.nc", "absent"},
+      {"nan.nc", "nan.nc: heights: the value at point (1, 6) is not a number"},
+      {"fill.nc", "fill.nc: heights: 1 of its points are missing (_FillValue)"},
+      {"missing.nc", "missing.nc: heights: 1 of its points are missing (missing_value)"},
+      {"mask.nc", "mask.nc: heights: 1 of its points are masked"},
+      {"force.nc", "force.nc: heights: 'N'"},
+      {"none.nc", "none.nc: heights: is missing"},
+      {"--counter nan.nc good.nc", "nan.nc: heights: "},
+      {"--variable absent good.nc", "good.nc: absent: is missing"},
       {"- < /dev/null", "standard input: it is empty"},
   };
   for (const auto& [input, words] : bad) {

@@ -38,12 +38,12 @@ TEST_CASE("a sweep is JSON where asked, and takes a list as well", "[contact][co
 
 TEST_CASE("each load of a sweep leaves the dataset that it alone would leave", "[contact][law]") {
   require(surface +
-          " --seed 1 | asperity-contact --radius 50mm --yield 700MPa --tolerance 1e-9 --unload"
+          " --seed 1 | asperity-contact --radius 50mm --yield 700MPa --tolerance 1e-9 --add heights_residual"
           " --sweep 500N,5kN --each press-%02d.nc -o table.tsv" +
           elastic);
   const Dataset each = read_dataset("press-02.nc");
   require(surface +
-          " --seed 1 | asperity-contact --radius 50mm --yield 700MPa --tolerance 1e-9 --unload"
+          " --seed 1 | asperity-contact --radius 50mm --yield 700MPa --tolerance 1e-9 --add heights_residual"
           " --load 5kN -o alone.nc" +
           elastic);
   const Dataset alone = read_dataset("alone.nc");
@@ -79,12 +79,12 @@ TEST_CASE("the stiffness of a sweep's loads is that of each load alone, and Hert
     CAPTURE(i, table[i].stiffness);
     CHECK(relative_error(table[i].stiffness, 2 * modulus * a) <= 0.2 * (3e-3 / 128) / a);
     const Attributes alone =
-        attributes(sphere + "--tolerance 1e-9 --stiffness --load " + std::to_string(q) + "N");
+        attributes(sphere + "--tolerance 1e-9 --add contact_stiffness --load " + std::to_string(q) + "N");
     CHECK(relative_error(alone.number("contact_stiffness", 0), table[i].stiffness) <= 1e-8);
     CHECK(alone.number("contact_stiffness_residual", 1) <= 1e-6);
     CHECK(alone.number("contact_stiffness_converged", 0) == 1);
   }
-  const Attributes sunk = attributes(sphere + "--approach 12um --stiffness");
+  const Attributes sunk = attributes(sphere + "--approach 12um --add contact_stiffness");
   CHECK(relative_error(sunk.number("contact_stiffness", 0), 2 * 208e9 / 1.82 * std::sqrt(12e-6 * 25e-3)) <=
         0.01);
   require(sphere + "--sweep 10N,100N --each stiff-%d.nc -o stiff.tsv");
@@ -93,7 +93,7 @@ TEST_CASE("the stiffness of a sweep's loads is that of each load alone, and Hert
 
 TEST_CASE("a stiffness is not kept from a former contact", "[contact][contract]") {
   const std::string press = "asperity-contact --radius 50mm" + elastic;
-  require(surface + " --seed 1 | " + press + "--load 50N --stiffness -o stiff.nc");
+  require(surface + " --seed 1 | " + press + "--load 50N --add contact_stiffness -o stiff.nc");
   require(press + "--load 5N stiff.nc -o less.nc");
   for (const char* name :
        {"contact_stiffness", "contact_stiffness_residual", "contact_stiffness_converged"}) {
@@ -103,7 +103,7 @@ TEST_CASE("a stiffness is not kept from a former contact", "[contact][contract]"
 }
 
 TEST_CASE("a stiffness that does not converge is no number, one line and exit 3", "[contact][contract]") {
-  const Outcome run = shell(surface + " --seed 1 | asperity-contact --radius 50mm --load 5kN --stiffness" +
+  const Outcome run = shell(surface + " --seed 1 | asperity-contact --radius 50mm --load 5kN --add contact_stiffness" +
                             " --tolerance 0.1 --max-convolutions 6 -o cut.nc" + elastic);
   CHECK(run.exit == 3);
   CHECK(lines(run.error) == 1);

@@ -44,7 +44,7 @@ TEST_CASE("an empty value is named by where it came from", "[empty][contract]") 
   CHECK(says_empty(shell(press + "--counter \"$UNSET\" -o p.nc"), "--counter"));
   CHECK(says_empty(shell(press + "-o ''"), "--output"));
   CHECK(says_empty(shell("ASPERITY_CONTACT_COUNTER= " + press), "ASPERITY_CONTACT_COUNTER"));
-  CHECK(says_empty(shell("ASPERITY_CONTACT_STIFFNESS= " + press), "ASPERITY_CONTACT_STIFFNESS"));
+  CHECK(says_empty(shell("ASPERITY_CONTACT_ADD= " + press), "ASPERITY_CONTACT_ADD"));
   CHECK(shell("ASPERITY_CONTACT_RADIUS= " + press + "-o p.nc").exit == 0);  // the command line comes first
   CHECK(says_empty(shell("asperity-contact ''" + bodies), "INPUT"));
   CHECK(says_empty(shell("asperity-stats s.nc ''"), "SURFACES"));

@@ -22,7 +22,7 @@ void write_everything() {
     const Outcome run = shell(
         "export SOURCE_DATE_EPOCH=1; asperity-generate --shape 16x12 --size 1.6mm,1.2mm --rq 0.4um "
         "--length 3px --seed 7 --add noise | asperity-acf --structure --quantiles --max-lag 5x5 --dataset | "
-        "asperity-psd --dataset | asperity-contact --load 5N --yield 100MPa --unload" +
+        "asperity-psd --dataset | asperity-contact --load 5N --yield 100MPa --add heights_residual" +
         bodies + "| asperity-stress --depths 0:50um:3 --maximum --components all -o all.nc");
     INFO(run.error);
     REQUIRE(run.exit == 0);
@@ -59,7 +59,7 @@ const std::vector<Case>& cases() {
        {"contact"},
        {"stress"},
        false},
-      {"asperity-contact all.nc --load 2N --yield 90MPa --unload" + bodies,
+      {"asperity-contact all.nc --load 2N --yield 90MPa --add heights_residual" + bodies,
        "asperity-contact",
        {"contact", "residual"},
        {"stress"},
@@ -198,7 +198,7 @@ TEST_CASE("a second run of the same command leaves the dataset as the first left
 TEST_CASE("what is pressed stays, and the dataset says what was", "[lineage][contract]") {
   write_everything();
   const std::string press = "asperity-contact --load 2N" + bodies;
-  REQUIRE(shell(press + "--yield 90MPa --unload all.nc -o one.nc && " + press +
+  REQUIRE(shell(press + "--yield 90MPa --add heights_residual all.nc -o one.nc && " + press +
                 "--variable heights_residual one.nc -o again.nc && " + press + "again.nc -o heights.nc")
               .exit == 0);
   const Dataset one = read_dataset("one.nc"), again = read_dataset("again.nc"),
@@ -233,7 +233,7 @@ TEST_CASE("an autocorrelation of the surface that is pressed stays, unless the p
   const std::string press = "asperity-contact --load 2N --variable heights_residual m.nc -o p.nc" + bodies;
   REQUIRE(shell("asperity-acf --dataset --variable heights_residual all.nc -o m.nc && " + press).exit == 0);
   CHECK(read_dataset("p.nc").has("acf"));
-  REQUIRE(shell(press + "--yield 90MPa --unload").exit == 0);
+  REQUIRE(shell(press + "--yield 90MPa --add heights_residual").exit == 0);
   const Dataset pressed = read_dataset("p.nc");
   CHECK(!pressed.has("acf"));
   const Field before = field_of(read_dataset("m.nc"), "heights_residual"),

@@ -125,7 +125,7 @@ TEST_CASE(
   write_dataset(wrong, "wrong.nc");
   const Outcome run = shell("asperity-stress wrong.nc --depths 0.3mm -o absent.nc");
   CHECK(run.exit == 4);
-  CHECK(run.error == "asperity-stress: contact_poisson: 0.7 must lie above -1 and not above 0.5\n");
+  CHECK(run.error == "asperity-stress: wrong.nc: contact_poisson: 0.7 must lie above -1 and not above 0.5\n");
   CHECK(shell("asperity-stress wrong.nc --body 2 --depths 0.3mm -o counter.nc").exit == 0);
 }
 
@@ -158,7 +158,7 @@ TEST_CASE(
        {"--depths 0.1mm,0.45mm -o b.nc", "--depths 0.1mm,0.45mm | cat > b.nc",
         "--depths 0.45mm --section y=0 -o b.nc", "--depths 0.1mm,0.45mm --memory 10kB | cat > b.nc",
         "--maximum -o b.nc", "--maximum --depths 0.1mm -o b.nc", "--maximum --depths 0.45mm -o b.nc -q",
-        "--points axis -q", "--depths 0.45mm --above 0.5 -o b.nc"}) {
+        "--points axis -q", "--depths 0.45mm --above 0.5p0 -o b.nc"}) {
     const std::string options = asked;
     const std::string error = errors_of("asperity-stress plastic.nc " + options);
     CAPTURE(options, error);

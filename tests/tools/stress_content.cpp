@@ -2,49 +2,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "dataset/layout.hpp"
-#include "support.hpp"
-#include "tools/files.hpp"
-#include "tools/shell.hpp"
+#include "tools/stress_runs.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
-
-namespace {
-
-constexpr double fill = 9.9692099683868690e+36;
-
-// 64 × 48 cells, so that x and y cannot be mistaken for each other; the contact is solved once.
-const std::string& pressed() {
-  static const std::string name = [] {
-    const Outcome run = shell(
-        "asperity-generate --shape 64x48 --size 3mm,2.4mm --rq 0.4um --length 9px,4px --seed 7 | "
-        "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 2000N -o pressed.nc");
-    INFO(run.error);
-    REQUIRE(run.exit == 0);
-    return std::string("pressed.nc ");
-  }();
-  return name;
-}
-
-Dataset below(const std::string& options) {
-  const Outcome run = shell("asperity-stress " + pressed() + options + " -o below.nc");
-  INFO(run.error);
-  REQUIRE(run.exit == 0);
-  CHECK((run.error.empty() ||
-         options.find("--maximum") != std::string::npos));  // which lies among single cells
-  return read_dataset("below.nc");
-}
-
-std::vector<double> values(const Dataset& data, const std::string& name) {
-  return numbers(data.at(name).values);
-}
-
-double largest(const std::vector<double>& v) {
-  return std::abs(*std::ranges::max_element(v, {}, [](double x) { return std::abs(x); }));
-}
-
-}  // namespace
 
 TEST_CASE(
     "depths of --depths are a list, or a range at equal steps or at equal ratios, px half the shorter side "
@@ -108,66 +69,8 @@ TEST_CASE("a section is the volume's values in its plane, at the cell centres ne
   }
 }
 
-TEST_CASE("at cell centres the stress at points is that of the layers, and a point may carry its unit",
-          "[stress][exact]") {
-  const Dataset volume = below("--depths 0,50um,0.6mm --components zz,von_mises --resolution full");
-  const auto zz = values(volume, "stress_zz"), von_mises = values(volume, "von_mises");
-  const Outcome table = shell(
-      "printf '# x y z\n0.0234375mm 0.000025 50um\n\n-0.0234375mm 0.025mm 0.6mm # deep\n' | "
-      "asperity-stress " +
-      pressed() + "--points - --components zz,von_mises --json");
-  INFO(table.error);
-  REQUIRE(table.exit == 0);
-  const auto json = nlohmann::json::parse(table.out);
-  CHECK(json["stress_zz"]["unit"] == "Pa");
-  const std::size_t cells = 64 * 48, first = cells + 32 * 48 + 24, second = 2 * cells + 31 * 48 + 24;
-  const double bound = 16 * epsilon * static_cast<double>(cells) * field_of(volume, "pressure").maxCoeff();
-  CHECK(std::abs(json["stress_zz"]["values"][0].get<double>() - zz[first]) <= bound);
-  CHECK(std::abs(json["stress_zz"]["values"][1].get<double>() - zz[second]) <= bound);
-  CHECK(std::abs(json["von_mises"]["values"][0].get<double>() - von_mises[first]) <= 4 * bound);
-  CHECK(json["z"]["values"][1] == 0.6e-3);
-}
-
 // The points were those below one period alone: -175 MPa in place of -500. Sums over the
 // modes in two orders: n ε of the largest pressure each (stress/points.hpp), 48 cells to a side.
-TEST_CASE(
-    "at cell centres of a periodic contact, too, the stress at points is that of the layers and the section",
-    "[stress][exact]") {
-  REQUIRE(
-      shell("asperity-generate --periodic --shape 48x32 --size 1.2mm,1mm --rq 0.2um --length 6px --seed 5 | "
-            "asperity-contact --young 208GPa --poisson 0.3 --load 100N -o repeated.nc")
-          .exit == 0);
-  const std::string run =
-      "asperity-stress repeated.nc --resolution full --friction 0.2 --friction-angle 30deg --components "
-      "xx,zz,xz ";
-  REQUIRE(shell(run + "--depths 0,30um,0.4mm,9mm -o layers.nc && " + run +
-                "--depths 0,30um,0.4mm,9mm --section x=0.6mm -o plane.nc")
-              .exit == 0);
-  const Dataset layers = read_dataset("layers.nc"), plane = read_dataset("plane.nc");
-  const Grid grid = grid_of(layers);
-  REQUIRE(grid.periodic);
-  const double bound = 2 * 48 * epsilon * field_of(layers, "pressure").maxCoeff();
-  const std::vector<double> depths = depths_of(layers);
-  for (Index i : {0, 21, 47, -48, 95})  // the last two a period beside
-    for (Index j : {0, 17, 31}) {
-      std::string list;
-      for (double z : depths) list += fmt::format("{} {} {}\n", grid.x(i), grid.y(j), z);
-      const Outcome table = shell("printf -- '" + list + "' | " + run + "--points - --json");
-      INFO(table.error);
-      REQUIRE(table.exit == 0);
-      const auto json = nlohmann::json::parse(table.out);
-      for (const char* name : {"stress_xx", "stress_zz", "stress_xz"})
-        for (std::size_t l = 0; l < depths.size(); ++l) {
-          const double at_point = json[name]["values"][l].get<double>();
-          const Index row = (static_cast<Index>(l) * 48 + (i + 48) % 48) * 32 + j;
-          CAPTURE(i, j, depths[l], name);
-          CHECK(std::abs(at_point - values(layers, name)[static_cast<std::size_t>(row)]) <= bound);
-          if ((i + 48) % 48 == 47)
-            CHECK(std::abs(at_point - values(plane, name)[l * 32 + static_cast<std::size_t>(j)]) <= bound);
-        }
-    }
-}
-
 TEST_CASE("asperity-stress --maximum leaves its place and no volume, and the same place as beside a volume",
           "[stress][contract]") {
   const Dataset alone = below("--maximum"), beside = below("--maximum --depths 0,1mm");
@@ -180,29 +83,6 @@ TEST_CASE("asperity-stress --maximum leaves its place and no volume, and the sam
              "von_mises");
   CHECK(relative_error(alone.attributes.number("stress_max_von_mises", 0), largest(near)) <= 0.02);
   CHECK(below("--depths 0").attributes.find("stress_max_x") == nullptr);
-}
-
-TEST_CASE(
-    "asperity-stress --above keeps the values from its share of Hertz's pressure on and fills the others",
-    "[stress][contract]") {
-  const std::string layers = "--depths 0:3mm:13 --components von_mises,xx ";
-  const Dataset whole = below(layers), part = below(layers + "--above 0.3");
-  const double least = 0.3 * whole.attributes.number("contact_hertz_pressure", 0);
-  CHECK(part.attributes.number("stress_above", 0) == least);
-  for (const char* name : {"von_mises", "stress_xx"}) {
-    CHECK(part.at(name).attributes.number("_FillValue", 0) == fill);
-    const std::vector<double> all = values(whole, name), kept = values(part, name);
-    std::size_t count = 0;
-    bool right = all.size() == kept.size();
-    for (std::size_t i = 0; i < all.size() && right; ++i) {
-      right = kept[i] == (std::abs(all[i]) >= least ? all[i] : fill);
-      count += kept[i] != fill;
-    }
-    CHECK(right);
-    CHECK(count > 0);
-    const std::vector<double> range = numbers(*part.at(name).attributes.find("actual_range"));
-    CHECK(range[1] <= *std::ranges::max_element(all));
-  }
 }
 
 TEST_CASE("all components are all stresses, and the directions of the principal ones are asked for by name",
@@ -235,21 +115,9 @@ TEST_CASE("a file, a pipe and a pipe of more than --memory carry the same volume
   }
 }
 
-TEST_CASE("asperity-plot draws a section as the volume's in the same plane, and leaves out what was filled",
-          "[stress][contract]") {
-  const std::string layers = "asperity-stress " + pressed() + "--resolution full --depths 0:0.5mm:6 ";
-  const Outcome run =
-      shell(layers + "-o volume.nc && " + layers + "--section y=0 -o plane.nc && " + layers +
-            "--section y=0 --above 0.2 -o part.nc && for f in volume plane part; do asperity-plot "
-            "$f.nc --kind von-mises -o $f.png || exit 9; done; cmp volume.png plane.png");
-  CAPTURE(run.error, run.out);
-  CHECK(run.exit == 0);
-  CHECK(shell("asperity-plot plane.nc --kind von-mises --section x=0 -o no.png").exit == 2);
-}
-
 TEST_CASE("layers that are asked for anew replace what a former run left", "[stress][contract]") {
   REQUIRE(shell("asperity-stress " + pressed() +
-                "--depths 0,1mm --section y=0 --above 0.1 --maximum | asperity-stress --depths 0 "
+                "--depths 0,1mm --section y=0 --above 0.1p0 --maximum | asperity-stress --depths 0 "
                 "--components zz -o anew.nc")
               .exit == 0);
   const Dataset data = read_dataset("anew.nc");
@@ -263,9 +131,9 @@ TEST_CASE("layers that are asked for anew replace what a former run left", "[str
 TEST_CASE("what asperity-stress cannot do is one line that names the option and the value",
           "[stress][contract][slow]") {
   const std::tuple<std::string, std::string, int> wrong[] = {
-      {"", "--depths: is needed", 2},
+      {"", "--depths: is required", 2},
       {"--depths 0:1mm", "--depths: '0:1mm' is not of the form", 2},
-      {"--depths 0:1mm:1", "--depths: '1' is no number", 2},
+      {"--depths 0:1mm:1", "--depths: '1' is not a number", 2},
       {"--depths 0:1mm:4:geometric", "--depths: equal ratios cannot start from '0'", 2},
       {"--depths 1um:1mm:4:often", "--depths: 'often'", 2},
       {"--depths 1mm,0.5mm", "--depths: '1mm,0.5mm' does not increase", 2},
@@ -274,15 +142,15 @@ TEST_CASE("what asperity-stress cannot do is one line that names the option and 
       {"--depths 0 --section z=0", "--section: 'z=0'", 2},
       {"--depths 0 --section y=1.3mm", "--section: 'y=1.3mm' lies outside", 2},
       {"--section y=0 --maximum", "--section: needs --depths", 2},
-      {"--maximum --above 0.6", "--above: needs --depths", 2},
-      {"--depths 0 --above=-1", "--above: it must be positive", 2},
+      {"--maximum --above 0.6p0", "--above: needs --depths", 2},
+      {"--depths 0 --above=-1p0", "--above: '-1p0' is not above 0", 2},
       {"--maximum --components zz", "--components: needs", 2},
       {"--depths 0 --components zx", "--components: 'zx' is none of", 2},
       {"--depths 0 --json", "--json", 2},
       {"--points points --depths 0", "--points", 2},
       {"--points points --report r.json", "--report", 2},
       {"--points points", "points: line 2: '0 0 -1um' is not", 4},
-      {"--depths 1e31m", "--depths: '1e31m' is no depth", 2},
+      {"--depths 1e31m", "--depths: '1e31m' is not a depth", 2},
       {"--depths 0 --poisson 0.51", "--poisson: 0.51 must lie above -1 and not above 0.5", 2},
       {"--depths 0 --poisson=-1", "--poisson: -1 must", 2},
       {"--depths 0 --friction 0.1 --friction-angle 361deg", "--friction-angle: ", 2},

@@ -165,7 +165,8 @@ std::string ConfigReader::to_flag(const CLI::ConfigItem& item) const {
 std::shared_ptr<CLI::Config> config_reader() { return std::make_shared<ConfigReader>(); }
 
 std::string config_text(const CLI::App& app) {
-  std::string out = "# Options of " + app.get_name() + ", for --config. Lines that begin with # are the defaults.\n";
+  std::string out =
+      "# Options of " + app.get_name() + ", for --config. Lines that begin with # are the defaults.\n";
   for (const std::string& group : app.get_groups()) {
     std::string lines;
     for (const CLI::Option* option : app.get_options())

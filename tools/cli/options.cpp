@@ -163,9 +163,10 @@ void Tool::input() {
 }
 
 void Tool::memory(const std::string& text) {
-  bytes("--memory", memory_,
-        text + ". A larger input is refused; 16 MiB are always allowed. Default: half of the machine's memory",
-        "Resources")
+  bytes(
+      "--memory", memory_,
+      text + ". A larger input is refused; 16 MiB are always allowed. Default: half of the machine's memory",
+      "Resources")
       .without_default();
 }
 
@@ -184,11 +185,13 @@ void Tool::add_common() {
   if (writes_dataset_ || writes_table_)
     text("-o,--output", output_, "FILE",
          std::string("Output file; - is standard output") +
-             (writes_any_ || !writes_dataset_ ? ""
-                                              : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
+             (writes_any_ || !writes_dataset_
+                  ? ""
+                  : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
          common);
   if (writes_table_) flag("--json", json_, "Print one JSON object instead of a table", common);
-  if (reports_) text("--report", report_, "FILE.json", "Write residuals and other results as one JSON object", common);
+  if (reports_)
+    text("--report", report_, "FILE.json", "Write residuals and other results as one JSON object", common);
   if (seeded_) add_seed();
   if (threaded_)
     integer("--threads", threads_, {0, 4096, "more than a machine has"},
@@ -205,11 +208,13 @@ void Tool::add_running() {
       ->group(common)
       ->type_name("FILE.toml");
   flag("-q,--quiet", quiet_, "Print warnings and errors only", common);
-  flag("-v,--verbose", verbose_, "Print details on standard error: a line for each step of an iteration", common);
-  choice("--progress", progress_, {"auto", "always", "never"},
-         "Show the progress of a long computation on standard error; auto: on a terminal, without --quiet and "
-         "--verbose",
-         common);
+  flag("-v,--verbose", verbose_, "Print details on standard error: a line for each step of an iteration",
+       common);
+  choice(
+      "--progress", progress_, {"auto", "always", "never"},
+      "Show the progress of a long computation on standard error; auto: on a terminal, without --quiet and "
+      "--verbose",
+      common);
   flag("--dump-config", dump_config_,
        "Print the options given here, in the environment and by --config as a file for --config, with the "
        "defaults as comments, and exit",
@@ -246,18 +251,19 @@ void Tool::add_documents() {
 }
 
 void Tool::add_seed() {
-  parsed("--seed", "N", "Seed of the random numbers, 0 to 2^53; without it a random seed. The seed is always recorded",
+  parsed("--seed", "N",
+         "Seed of the random numbers, 0 to 2^53; without it a random seed. The seed is always recorded",
          common, "", [this](const std::string& key, const std::string& given) {
            seed_ = to_number<std::uint64_t>(given);
            if (!seed_ || *seed_ > std::uint64_t{1} << 53)
              throw ParameterError(key,
                                   "'" + given + "' is not a whole number from 0 to 2^53 = 9007199254740992");
          });
-  integer(
-      "--stream", stream_, 0,
-      "Number of the ensemble; streams of one seed never share a surface, so that parallel jobs may share the seed "
-      "and differ in the stream",
-      common);
+  integer("--stream", stream_, 0,
+          "Number of the ensemble; streams of one seed never share a surface, so that parallel jobs may "
+          "share the seed "
+          "and differ in the stream",
+          common);
 }
 
 }  // namespace asperity::cli

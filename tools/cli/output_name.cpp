@@ -62,8 +62,7 @@ void check_dataset_name(const std::string& name, const std::string& option) {
 
 void check_table_name(const std::string& name, bool json, const std::string& option) {
   const std::string extension = extension_of(name);
-  if (extension == "json" && !json)
-    refuse(option, name, "names JSON, but this is a table: add --json");
+  if (extension == "json" && !json) refuse(option, name, "names JSON, but this is a table: add --json");
   if (!extension.empty() && !is_text_name(extension))
     refuse(option, name,
            json ? "names another format: end the name of JSON in .json"
@@ -72,7 +71,8 @@ void check_table_name(const std::string& name, bool json, const std::string& opt
 
 void check_page_name(const std::string& name) {
   constexpr std::string_view html[] = {"", "html", "htm", "xhtml"};
-  if (!among(html, extension_of(name))) refuse("output", name, "names another format: end the name of a page in .html");
+  if (!among(html, extension_of(name)))
+    refuse("output", name, "names another format: end the name of a page in .html");
 }
 
 }  // namespace asperity::cli

@@ -1,8 +1,10 @@
-/// Words in plain text, separated by blanks, tabs, commas or semicolons (tables: formats/text_table.hpp).
+/// Words in plain text, separated by blanks, tabs, commas or semicolons, and headers of columns (tables of numbers:
+/// formats/text_table.hpp).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,29 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
     begin = line.find_first_not_of(separators, end);
   }
   return words;
+}
+
+/// A column of a text table, by its header.
+struct HeadedColumn {
+  std::string name, unit;
+};
+
+/// Of "lag_x [um]  acf": the columns with their units.
+inline std::vector<HeadedColumn> columns_of(std::string_view header) {
+  std::vector<HeadedColumn> columns;
+  for (std::string_view word : words_of(header)) {
+    if (word.starts_with('[') && word.ends_with(']') && !columns.empty())
+      columns.back().unit = word.substr(1, word.size() - 2);
+    else
+      columns.push_back({std::string(word), {}});
+  }
+  return columns;
+}
+
+inline std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::string_view name) {
+  const auto found = std::ranges::find(columns, name, &HeadedColumn::name);
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
 }
 
 /// Throws DataError(variable, …) that names the line where the word is no finite number.

@@ -14,6 +14,7 @@
 
 #include "core/parallel.hpp"
 #include "core/words.hpp"
+#include "dataset/catalogue.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "tools/cli/config.hpp"
@@ -79,7 +80,10 @@ int Tool::fail(Exit code, const std::string& message) const {
 
 // "rough.nc: heights: ...", "map.txt: line 3 ..."
 std::string Tool::in_file(const DataError& error) const {
-  const std::string line = error.name + ": " + error.what();
+  std::string line = error.name + ": " + error.what();
+  const KnownResult* result = result_of_variable(error.name);
+  if (result != nullptr && result->name != "heights" && dynamic_cast<const MissingVariable*>(&error) != nullptr)
+    line += ". asperity-" + std::string(result->prefix.substr(0, result->prefix.find('_'))) + " computes it";
   const bool named = reading_.empty() || reading_ == "-" || line.starts_with(reading_ + ": ");
   return named ? line : reading_ + ": " + line;
 }

@@ -102,8 +102,8 @@ class Tool {
   Option choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
                 const std::string& text, const std::string& group);
   /// "A,B", some of the words, each once.
-  Option words(const std::string& name, std::vector<std::string>& value, const std::vector<std::string>& among,
-               const std::string& text, const std::string& group);
+  Option words(const std::string& name, std::vector<std::string>& value,
+               const std::vector<std::string>& among, const std::string& text, const std::string& group);
   /// One quantity with a unit, in SI: "5000N". `unit` is the SI unit that gives its dimension.
   Option quantity(const std::string& name, double& value, const std::string& unit, const std::string& text,
                   const std::string& group);

@@ -26,8 +26,9 @@ void ContactOptions::declare(Tool& tool) {
   declare_bodies(tool);
   declare_load(tool);
   const std::string solution = "Solution";
-  tool.number("--tolerance", contact.tolerance, "Residual to reach, of the range of displacements", solution);
-  tool.integer("--max-convolutions", contact.max_convolutions, 1, "Give up after so many", solution);
+  tool.number("--tolerance", contact.tolerance, "Largest residual, as a share of the range of displacements",
+              solution);
+  tool.integer("--max-convolutions", contact.max_convolutions, 1, "Largest number of convolutions", solution);
   tool.output();
   tool.table();
   tool.report();
@@ -37,33 +38,33 @@ void ContactOptions::declare(Tool& tool) {
 void ContactOptions::declare_surface(Tool& tool) {
   const std::string surface = "Surfaces";
   const Option from =
-      tool.argument("INPUT", input, "FILE", "Dataset with heights(x,y) to read; - is standard input");
+      tool.argument("INPUT", input, "FILE", "Dataset or map with heights(x,y); - is standard input");
   tool.input_format();
-  const Option named = tool.text("--variable", variable, "NAME", "The heights that are read", surface);
-  const Option plain =
-      tool.flag("--smooth", smooth, "The first body is smooth: starts a chain, reads nothing", surface);
+  const Option named = tool.text("--variable", variable, "NAME", "Field on (x, y) to read", surface);
+  const Option plain = tool.flag("--smooth", smooth, "Press a smooth first body, without an input", surface);
   plain.excludes(from).excludes(named);
-  tool.counts("--shape", shape, 1, "Cells in x and y, with --smooth", surface).needs(plain);
-  tool.quantities("--size", size, "m", "Sides of the domain, with --smooth", surface).needs(plain);
-  tool.text(
-      "--counter", counter, "FILE",
-      "Heights of the second body, on the same grid and positive towards the first: the gap is the form "
-      "less both heights at the same (x, y). Mirror a counter body that was measured face up",
-      surface);
+  tool.counts("--shape", shape, 1, "Samples in x and y, with --smooth", surface).needs(plain);
+  tool.quantities("--size", size, "m", "Side lengths in x and y, with --smooth", surface).needs(plain);
+  tool.text("--counter", counter, "FILE",
+            "Heights of the second body, on the same grid, positive towards the first. The gap is the form "
+            "less both "
+            "heights at the same (x, y): mirror a body that was measured face up",
+            surface);
   tool.choice("--boundary", boundary, {"free", "periodic"},
-              "Half-spaces loaded on the domain alone, or surfaces that repeat it for ever, without radii; "
-              "absent: as the grid says",
+              "Boundary condition; free: half-spaces loaded on the domain only; periodic: surfaces that "
+              "repeat the domain, "
+              "without radii. Default: as the grid says",
               surface);
 }
 
 void ContactOptions::declare_bodies(Tool& tool) {
   const std::string group = "Bodies";
-  const std::string more = " of each body; inf is straight, below 0 hollow";
+  const std::string more = " of each body; inf: straight, negative: hollow";
   const Option both =
-      tool.quantities("--radius", radius_, "m", "Radius of each body; inf is a flat, below 0 hollow", group);
+      tool.quantities("--radius", radius_, "m", "Radius of each body; inf: flat, negative: hollow", group);
   tool.quantities("--radius-x", radius_x_, "m", "Radius of the section along x" + more, group).excludes(both);
   tool.quantities("--radius-y", radius_y_, "m", "Radius of the section along y" + more, group).excludes(both);
-  tool.quantities("--young", bodies.young, "Pa", "Young's modulus of each body; inf is rigid", group)
+  tool.quantities("--young", bodies.young, "Pa", "Young's modulus of each body; inf: rigid", group)
       .required();
   tool.quantities("--poisson", bodies.poisson, "1", "Poisson's ratio of each body", group).required();
 }
@@ -72,28 +73,26 @@ void ContactOptions::declare_load(Tool& tool) {
   const std::string load = "Load and material", sweep = "Load sweep";
   tool.quantity("--load", load_, "N", "Force that presses the bodies together", load);
   tool.quantity("--approach", approach_, "m",
-                "Or their approach from where the smooth forms touch; the load is then a result", load);
-  const Option yield = tool.quantity("--yield", yield_, "Pa",
-                                     "Yield stress of the softer body: no pressure exceeds 3 of it", load);
-  tool.quantity("--limit-pressure", contact.limit_pressure, "Pa", "The greatest pressure itself", load)
+                "Prescribed approach instead of a load; 0 where the smooth forms touch", load);
+  const Option yield =
+      tool.quantity("--yield", yield_, "Pa",
+                    "Yield stress of the softer body; the pressure is limited to 3 times this", load);
+  tool.quantity("--limit-pressure", contact.limit_pressure, "Pa", "Limit of the pressure, instead of --yield",
+                load)
       .excludes(yield);
-  tool.flag(
-      "--stiffness", contact.stiffness,
-      "Add contact_stiffness, dQ/d(approach) of the cells in contact; those at the limit pressure give way, "
-      "and a periodic surface in full contact is infinitely stiff",
+  tool.words(
+      "--add", add, {"contact_stiffness", "heights_residual"},
+      "Further results to write; contact_stiffness: dQ/d(approach) of the cells in contact, those at the "
+      "limit pressure giving way; infinite for a periodic surface in full contact. heights_residual: the "
+      "surface after unloading, heights less displacement_plastic",
       load);
-  tool.flag("--unload", unload,
-            "Add heights_residual: the surface after the load is removed, the heights less "
-            "displacement_plastic; what is elastic springs back",
-            load);
 
-  tool.text(
-      "--sweep", loads_, "LOADS",
-      "FROM:TO:COUNT, such as 10N:5kN:20 at equal ratios (10N:5kN:20:uniform: equal steps), or 10N,20N,50N: "
-      "one load after the other, each "
-      "started from the last. Prints a table, a row a load, with the stiffness of each",
-      sweep);
-  tool.text("--each", each, "PATTERN", "Write a dataset for each load too, such as press-%03d.nc, from 1 on",
+  tool.text("--sweep", loads_, "LOADS",
+            "Table of loads, with the stiffness at each; 10N:5kN:20 (equal ratios), 10N:5kN:20:uniform "
+            "(equal steps) or "
+            "10N,20N,50N. Each load starts from the solution of the one before",
+            sweep);
+  tool.text("--each", each, "PATTERN", "Write a dataset for each load too; press-%03d.nc, numbered from 1",
             sweep);
 }
 
@@ -116,38 +115,41 @@ void ContactOptions::check(Tool& tool) {
 void ContactOptions::check_load(const Tool& tool) {
   const int given = tool.given("--load") + tool.given("--approach") + tool.given("--sweep");
   if (given != 1)
-    throw UsageError("load", given == 0 ? "is needed, or --approach or --sweep"
+    throw UsageError("load", given == 0 ? "is required, or --approach or --sweep"
                                         : "only one of --load, --approach and --sweep can be given");
   if (tool.given("--load")) contact.load = load_;
   if (tool.given("--approach")) contact.approach = approach_;
   if (tool.given("--sweep"))
     contact.load = (loads = parse_series("sweep", loads_, Steps::geometric, parse_load)).front();
-  if (sweeps()) contact.stiffness = true;
+  contact.stiffness = sweeps() || adds("contact_stiffness");
   if (tool.given("--yield")) {
-    if (!(yield_ > 0)) throw UsageError("yield", fmt::format("{} Pa is not above 0", yield_));
+    if (!(yield_ > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield_));
     contact.limit_pressure = hardness * yield_;
   }
-  if (unload && std::isinf(contact.limit_pressure))
-    throw UsageError("unload", "nothing is flattened without --yield or --limit-pressure");
+  if (unloads() && std::isinf(contact.limit_pressure))
+    throw UsageError("add",
+                     "heights_residual needs --yield or --limit-pressure: without them nothing is flattened");
 }
 
 void ContactOptions::check_streams(Tool& tool) const {
   if (!smooth && input == "-" && stdin_is_terminal())
-    throw UsageError("smooth", "no input: pipe a dataset in, name a file, or press smooth bodies");
+    throw UsageError("smooth", "no input: pipe a dataset in, name a file, or add --smooth");
   if (!smooth && input == "-" && counter == "-")
-    throw UsageError("counter", "standard input is the first body already");
+    throw UsageError("counter", "standard input is the first body: name a file");
   if (!sweeps()) refuse_terminal(tool.output_name());
-  if (!sweeps() && tool.json()) throw UsageError("json", "prints the table of --sweep, which is not given");
-  if (!sweeps() && !each.empty()) throw UsageError("each", "is for each of --sweep, which are not given");
+  if (!sweeps() && tool.json())
+    throw UsageError("json", "prints the table of --sweep: add it, or leave --json out");
+  if (!sweeps() && !each.empty()) throw UsageError("each", "needs --sweep");
   tool.writes_dataset(!sweeps());
   sweeps() ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!each.empty()) check_dataset_name(numbered("each", each, 1), "each");
   for (std::size_t k = 1; !each.empty() && k <= loads.size(); ++k)
     tool.writes("each", numbered("each", each, static_cast<std::int64_t>(k)));
   if (sweeps() && tool.given("--report"))
-    throw UsageError("report", "is of one load; of --sweep, each dataset carries its own (--each)");
-  if (sweeps() && unload && each.empty())
-    throw UsageError("unload", "of --sweep needs --each: the table has no surfaces");
+    throw UsageError("report",
+                     "belongs to one load; with --sweep, each dataset has its own attributes (--each)");
+  if (sweeps() && unloads() && each.empty())
+    throw UsageError("add", "heights_residual needs --each with --sweep: the table has no surfaces");
 }
 
 }  // namespace asperity::cli

@@ -1,6 +1,7 @@
 /// What asperity-contact can be told, checked as far as the command line alone allows.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -23,12 +24,14 @@ struct ContactOptions {
   Bodies bodies{.young = {none, none}, .poisson = {none, none}};
   std::string radius_option = "radius";  ///< the one that gave the radii
 
-  ContactParameters contact;  ///< of a sweep with its first load
-  std::vector<double> loads;  ///< of a sweep; empty: one contact is solved and written
-  std::string each;           ///< pattern of a sweep's datasets
-  bool unload = false;
+  ContactParameters contact;     ///< of a sweep with its first load
+  std::vector<double> loads;     ///< of a sweep; empty: one contact is solved and written
+  std::string each;              ///< pattern of a sweep's datasets
+  std::vector<std::string> add;  ///< further results
 
   bool sweeps() const { return !loads.empty(); }
+  bool adds(std::string_view result) const { return std::ranges::find(add, result) != add.end(); }
+  bool unloads() const { return adds("heights_residual"); }
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool);

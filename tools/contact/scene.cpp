@@ -36,16 +36,13 @@ bool periodic(const ContactOptions& o, const Grid& grid) {
   return out;
 }
 
-Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held) try {
-  tool.reads(name);
+Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held) {
   const Dataset data = tool.read(name, held);
   const Grid own = grid_of(data);
   if (!same_grid(own, grid))
-    throw DataError("counter", fmt::format("its grid, {}, is not that of the first body, {}", described(own),
-                                           described(grid)));
+    throw DataError("counter", fmt::format("its grid, {}, differs from that of the first body, {}",
+                                           described(own), described(grid)));
   return field_of(data, "heights", "m");
-} catch (const DataError& e) {
-  throw DataError(e.name, fmt::format("in {}: {}", name, e.what()));
 }
 
 void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
@@ -111,7 +108,7 @@ void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c,
   if (std::isinf(o.contact.limit_pressure)) return;
   const Field flattened = plastic_flattening(c);
   set_field(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
-  if (!o.unload) return;
+  if (!o.unloads()) return;
   const Field left = o.smooth ? Field(-flattened) : Field(pressed - flattened);
   set_field(data, "heights_residual", left, {"m", "heights after the load is removed"});
 }
@@ -138,9 +135,9 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
 }
 
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
-  const bool keeps = options.unload && !options.smooth;
+  const bool keeps = options.unloads() && !options.smooth;
   const Field pressed = keeps ? field_of(scene.data, options.variable, "m") : Field();
-  const bool overwrites = options.unload && options.variable == "heights_residual";
+  const bool overwrites = options.unloads() && options.variable == "heights_residual";
   drop_results(scene.data, "contact", overwrites ? "" : options.variable);
   Attributes& a = scene.data.attributes;
   if (!options.smooth) a.set("contact_variable", options.variable);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dataset/dataset.hpp"
+#include "tools/cli/section.hpp"
 #include "tools/plot/gnuplot.hpp"
 #include "tools/plot/scale.hpp"
 
@@ -26,7 +27,7 @@ struct Request {
   Range x{-unlimited, unlimited}, y = x, depth{0, unlimited};  ///< what is shown [m]
   std::string range;                                           ///< of values, as typed; empty: of the data
   bool scale_by_hertz = false;                                 ///< stresses in units of p0
-  double above = std::numeric_limits<double>::quiet_NaN();     ///< least value shown, share of p0 or maximum
+  cli::StressBound above;                                      ///< least value shown
   bool titled = false;                                         ///< `title` was given
   std::string title;
   int columns = 0;     ///< of panels, where there are several; 0: as many as panels

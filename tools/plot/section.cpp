@@ -109,7 +109,7 @@ struct Cuts {
   Quantity quantity;
   Range range;  ///< of the values
   Colours colours;
-  double least = 0;  ///< below it values are hidden; 0: none is
+  std::string above;  ///< below it values are hidden; empty: none are
 };
 
 void scale_by_hertz(Cuts& cuts, const Cases& cases) {
@@ -123,13 +123,24 @@ void scale_by_hertz(Cuts& cuts, const Cases& cases) {
   cuts.quantity.unit.clear();
 }
 
-void hide_below(Cuts& cuts, double least) {
+// Of each case, what lies below its own bound.
+void hide_below(Cuts& cuts, const Cases& cases, const Request& request) {
+  const Variable& variable = cases[0].data.at(request.variable_or("von_mises"));
+  if (si_unit_of(variable) != "Pa")
+    throw ParameterError("above", "is a stress, and " + variable.name + " is not");
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Dataset& data = cases[c].data;
+    const double scale = request.scale_by_hertz ? data.attributes.number("contact_hertz_pressure", 1) : 1;
+    const double bound = request.above.in(data) / scale;
+    Field& values = cuts.patches[c].values;
+    values = (values >= bound).select(values, std::numeric_limits<double>::quiet_NaN());
+    least = std::min(least, bound);
+  }
   if (!(least < cuts.range.high))
     throw ParameterError("above", fmt::format("no value of the section reaches {}; the largest is {}",
                                               brief(least), brief(cuts.range.high)));
-  for (Patch& p : cuts.patches)
-    p.values = (p.values >= least).select(p.values, std::numeric_limits<double>::quiet_NaN());
-  cuts.least = least;
+  cuts.above = request.above.label();
   cuts.colours = {{least, cuts.range.high}, Palette::sequential};
 }
 
@@ -145,18 +156,16 @@ Cuts cuts_of(const Cases& cases, const Request& request) {
   if (request.scale_by_hertz) scale_by_hertz(cuts, cases);
   cuts.range = range_of(cuts.patches);
   cuts.colours = cuts.quantity.signed_value ? about(0, cuts.range) : one_sided(cuts.range);
-  if (request.above > 0) hide_below(cuts, request.above * (request.scale_by_hertz ? 1.0 : cuts.range.high));
+  if (request.above.given()) hide_below(cuts, cases, request);
   cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.colours.range);
   return cuts;
 }
 
-std::string default_title(const Cuts& cuts, const Unit& value, double stretch) {
+std::string default_title(const Cuts& cuts, double stretch) {
   std::string out = "section " + cuts.sections[0].label();
   for (const Section& s : cuts.sections)
     if (s.label() != cuts.sections[0].label()) out = "section at the maximum";
-  if (cuts.least > 0)
-    out += fmt::format(", above {} {}", brief(cuts.least / value.factor),
-                       value.name.empty() ? "p₀" : value.name);
+  if (!cuts.above.empty()) out += ", above " + cuts.above;
   return stretch == 1 ? out : out + fmt::format(", depth × {}", brief(stretch));
 }
 
@@ -173,7 +182,7 @@ Figure section(const Cases& cases, const Request& request) {
   const Unit along = unit_for(first.x.magnitude(), "m"),
              depth = stretch == 1 ? along : unit_for(first.y.magnitude(), "m"),
              value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
-  out.title = default_title(cuts, value, stretch);
+  out.title = default_title(cuts, stretch);
   out.colours = {cuts.colours, value, cuts.quantity.name};
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];

@@ -10,6 +10,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/quantity.hpp"
+#include "tools/cli/section.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -29,16 +30,6 @@ Span cells_within(Range range, Index n, double spacing, Position position, const
                                              cli::format_quantity(position(0), "m"),
                                              cli::format_quantity(position(n - 1), "m")));
   return {first, last - first + 1, {position(first) - 0.5 * spacing, position(last) + 0.5 * spacing}};
-}
-
-// A place as typed, or where the dataset says that the von Mises stress is largest.
-double place_of(const Dataset& data, const std::string& text, bool along_x) {
-  if (text == "0") return 0;
-  if (text != "max") return cli::parse_quantity("section", text, "m");
-  const char* attribute = along_x ? "stress_max_y" : "stress_max_x";
-  const double place = data.attributes.number(attribute, std::nan(""));
-  if (std::isnan(place)) throw DataError(attribute, "the dataset does not have this attribute");
-  return place;
 }
 
 }  // namespace
@@ -92,18 +83,13 @@ std::string Section::label() const {
 }
 
 Section section_of(const Dataset& data, const std::string& text) {
-  if (!text.starts_with("x=") && !text.starts_with("y="))
-    cli::refuse("section", text, "is not of the form y=0, x=0.2mm or y=max");
   const Grid grid = grid_of(data);
-  const bool along_x = text[0] == 'y';
-  const double wanted = place_of(data, text.substr(2), along_x), spacing = along_x ? grid.dy : grid.dx,
-               size = along_x ? grid.size_y() : grid.size_x();
-  if (!(std::abs(wanted) <= 0.5 * size))
-    cli::refuse("section", text,
-                "lies outside: the surface reaches to ±" + cli::format_quantity(0.5 * size, "m"));
-  const Index n = along_x ? grid.shape.ny : grid.shape.nx;
-  const auto nearest = static_cast<Index>(std::floor((wanted + 0.5 * size) / spacing));
-  const Index index = std::clamp<Index>(nearest, 0, n - 1);
+  const auto [along_x, index] = cli::section_row(grid, text, [&](bool at_y) {
+    const char* attribute = at_y ? "stress_max_y" : "stress_max_x";
+    const double place = data.attributes.number(attribute, NAN);
+    if (std::isnan(place)) throw DataError(attribute, "is missing: asperity-stress --maximum adds it");
+    return place;
+  });
   return {along_x, along_x ? grid.y(index) : grid.x(index), index};
 }
 

@@ -1,59 +1,66 @@
 #include "tools/stress/options.hpp"
 
-#include <cmath>
-
 #include "tools/cli/output_name.hpp"
+#include "tools/cli/section.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/stress/quantity.hpp"
 
 namespace asperity::cli {
+
 void StressOptions::declare(Tool& tool) {
   const std::string where = "Where", content = "What";
   tool.input();
-  tool.text(
-      "--depths", depths, "DEPTHS",
-      "Layers: FROM:TO:COUNT, such as 0:1mm:32 at equal steps or 0.5px:1mm:32:geometric at equal ratios, or "
-      "0,10um,50um; px is the shorter side of a cell",
-      where);
-  tool.text("--section", section, "PLANE",
-            "Of the layers only a vertical plane, y=0 or x=0.2mm: through the cell centres nearest to it",
+  tool.text("--depths", depths, "DEPTHS",
+            "Depths of the layers; 0:1mm:32 (equal steps), 0.5px:1mm:32:geometric (equal ratios) or "
+            "0,10um,50um. px is "
+            "the shorter side of a cell",
             where);
-  tool.flag("--maximum", maximum,
-            "Search for the largest von Mises stress, its place and depth; needs no --depths", where);
   tool.text(
-      "--points", points, "FILE",
-      "A table of the stress at points instead: three lengths a line, x, y and depth, in metres or with "
-      "their units; - is standard input",
+      "--section", section, "AXIS=PLACE",
+      "Compute one vertical section only; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
+      "runs through the nearest row of cells",
       where);
+  tool.flag("--maximum", maximum,
+            "Search for the largest von Mises stress, its place and depth; --depths are not needed", where);
+  tool.text("--points", points, "FILE",
+            "Print a table of the stress at points instead; x, y and depth with their units on each line "
+            "(1um 0 5um), or "
+            "under a header with units, '# x [um] y [um] depth [um]'; - is standard input",
+            where);
   tool.text("--components", components, "LIST",
-            "Of " + stress_words() + "; or all, the stresses without directions", content);
-  tool.number(
-      "--above", above,
-      "Leave out stresses whose modulus is below this share of Hertz's pressure, or of the largest where "
-      "there is none: they are _FillValue",
+            "Quantities to compute; all: every stress, without directions. One or more of " + stress_words(),
+            content);
+  tool.text("--above", above, "STRESS",
+            "Leave out stresses of smaller modulus; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of the "
+            "largest "
+            "contact pressure). They become _FillValue",
+            content);
+  tool.choice(
+      "--resolution", resolution, {"adapted", "full"},
+      "Cells of deep layers; adapted: wider ones, within 2e-6 of the largest pressure; full: all of them",
       content);
-  tool.choice("--resolution", resolution, {"adapted", "full"},
-              "Deep layers from wider cells, within 2e-6 of the largest pressure; or every one in full",
-              content);
   declare_body(tool);
   tool.memory(
-      "Largest result that is kept for a pipe, which needs its range first; a larger one is computed again "
-      "for each variable. Into files layers go as they are made");
+      "Memory limit for a result that goes into a pipe, which needs its range first; a larger one is "
+      "computed again "
+      "for each variable. Files receive their layers one by one");
   tool.output();
   tool.table();
   tool.report();
   tool.threads();
+  tool.essential({"--depths", "--maximum", "--components", "--section", "--points", "--above", "--friction",
+                  "--friction-angle", "--poisson", "--body", "--report", "--output"});
 }
 
 void StressOptions::declare_body(Tool& tool) {
   const std::string which = "Body", load = "Friction";
-  tool.number("--poisson", poisson, "Poisson's ratio, instead of the dataset's", which);
-  tool.integer("--body", body, {1, 2}, "Which body's ratio to take from the dataset, 1 or 2", which);
+  tool.number("--poisson", poisson, "Poisson's ratio in place of the dataset's", which);
+  tool.integer("--body", body, {1, 2}, "Body whose Poisson's ratio is taken from the dataset, 1 or 2", which);
   const Option slides =
       tool.number("--friction", friction,
-                  "Coefficient of friction: a traction of so much of the pressure acts too", load);
+                  "Coefficient of friction; a traction of this share of the pressure acts too", load);
   tool.text("--friction-angle", friction_angle, "ANGLE",
-            "Its direction from x towards y, in which the other body slides: 30, 30deg, 0.5rad", load)
+            "Direction in which the other body slides, from +x towards +y: 30deg, 0.5rad", load)
       .needs(slides);
 }
 
@@ -62,15 +69,15 @@ void StressOptions::check(Tool& tool) const {
   auto refuse = [&](bool wrong, const char* option, const std::string& why) {
     if (wrong) throw UsageError(option, why);
   };
-  refuse(!layers && !table && !maximum, "depths", "is needed, or --maximum or --points");
-  refuse(table && (layers || maximum), "points", "is a table of its own: no --depths and no --maximum");
+  refuse(!layers && !table && !maximum, "depths", "is required, or --maximum or --points");
+  refuse(table && (layers || maximum), "points", "cannot be combined with --depths or --maximum");
   refuse(!layers && tool.given("--section"), "section", "needs --depths");
   refuse(!layers && tool.given("--above"), "above", "needs --depths");
   refuse(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
-  refuse(tool.given("--above") && !(above > 0 && std::isfinite(above)), "above", "it must be positive");
-  refuse(!table && tool.json(), "json", "prints the table of --points, which is not given");
-  refuse(table && tool.given("--report"), "report", "is of a dataset; --points is a table");
-  refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset already");
+  if (!above.empty()) static_cast<void>(StressBound(above));
+  refuse(!table && tool.json(), "json", "prints the table of --points: add it, or leave --json out");
+  refuse(table && tool.given("--report"), "report", "belongs to a dataset; --points prints a table");
+  refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset: name a file");
   tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!table) refuse_terminal(tool.output_name());

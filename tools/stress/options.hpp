@@ -1,4 +1,4 @@
-/// What asperity-stress can be told.
+/// The options of asperity-stress.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,7 @@ namespace asperity::cli {
 struct StressOptions {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-  std::string depths, section, components = "von_mises";
-  double above = none;
+  std::string depths, section, above, components = "von_mises";
   bool maximum = false;
   std::string points;
   double poisson = none, friction = 0;

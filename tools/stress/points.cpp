@@ -1,7 +1,9 @@
 #include "tools/stress/points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -9,6 +11,8 @@
 #include "core/parallel.hpp"
 #include "core/words.hpp"
 #include "stress/points.hpp"
+#include "tools/cli/plain_text.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/table.hpp"
 
@@ -17,29 +21,57 @@ namespace {
 
 using Places = std::vector<std::array<double, 3>>;  // x, y and depth [m]
 
-// A number alone counts metres, as in every table; other programs write a plus before it.
-double parse_place(const std::string& word) {
-  const auto metres = leading_number<double>(std::string_view(word).substr(word.starts_with('+')));
-  return metres.found && metres.rest.empty() ? metres.number : parse_quantity("points", word, "m");
+// The columns of x, y and depth, with their units; without a header the first three, without units.
+using Columns = std::array<std::pair<std::size_t, std::string>, 3>;
+
+// Of a comment that names all three.
+std::optional<Columns> headed(std::string_view comment) {
+  const std::vector<HeadedColumn> names = columns_of(comment);
+  const auto x = place(names, "x"), y = place(names, "y"), z = place(names, "z");
+  const auto depth = z ? z : place(names, "depth");
+  if (!x || !y || !depth) return std::nullopt;
+  return Columns{{{*x, names[*x].unit}, {*y, names[*y].unit}, {*depth, names[*depth].unit}}};
+}
+
+// A length with its unit, or that of its column; 0 needs none. Other programs write a plus before a number.
+double parse_place(std::string_view word, const std::string& unit, int line) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const auto bare = leading_number<double>(word);
+  const bool alone = bare.found && bare.rest.empty();
+  if (alone && unit.empty() && bare.number != 0)
+    throw DataError("points",
+                    fmt::format("line {}: '{}' has no unit: write {}um, or a header '# x [um] y [um] depth "
+                                "[um]'",
+                                line, word, word));
+  return parse_quantity("points", std::string(word) + (alone ? unit.empty() ? "m" : unit : ""), "m");
 }
 
 Places parse_points(std::string_view text, const MemoryBound& memory) {
   constexpr double bytes_a_row = 1000;  // of the table, with all components
   Places points;
+  Columns columns{{{0, ""}, {1, ""}, {2, ""}}};
   std::istringstream lines{std::string(text)};
   int number = 0;
+  bool has_header = false;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::vector<double> values;
-    for (std::string word; words >> word;) values.push_back(parse_place(word));
-    if (values.empty()) continue;
-    const bool sound = values.size() == 3 && values[2] >= 0 &&
-                       std::ranges::all_of(values, [](double v) { return std::abs(v) <= farthest; });
-    if (!sound)
+    const std::size_t comment = std::min(line.find('#'), line.size());
+    const std::vector<std::string_view> words = words_of(std::string_view(line).substr(0, comment));
+    if (words.empty() && comment < line.size())
+      if (const auto found = headed(std::string_view(line).substr(comment + 1)))
+        columns = *found, has_header = true;
+    if (words.empty()) continue;
+    std::array<double, 3> at{};
+    const bool whole = has_header
+                           ? words.size() > std::max({columns[0].first, columns[1].first, columns[2].first})
+                           : words.size() == 3;
+    for (std::size_t k = 0; whole && k < 3; ++k)
+      at[k] = parse_place(words[columns[k].first], columns[k].second, number);
+    if (!whole || !(at[2] >= 0) ||
+        std::ranges::any_of(at, [](double v) { return !(std::abs(v) <= farthest); }))
       throw DataError("points", fmt::format("line {}: '{}' is not x, y and a depth, 0 or more, to {:g} m",
                                             number, line, farthest));
-    points.push_back({values[0], values[1], values[2]});
+    points.push_back(at);
     memory.require(bytes_a_row * static_cast<double>(points.size()), "points");
   }
   return points;
@@ -93,9 +125,11 @@ void warn_if_shallow(const Tool& tool, const StressScene& scene, const Places& p
   const auto shallow = std::ranges::count_if(points, [&](const auto& p) { return p[2] < accurate; });
   if (shallow == 0) return;
   tool.warn(fmt::format(
-      "{} of {} points lie less than {:.4g} um deep, which is stress_accurate_depth: their stress is that "
-      "of single cells, off by up to {:.0f} % of the largest pressure below a cell's centre, and without a "
-      "bound at the surface towards its edges and corners",
+      "{} of {} points lie less than {:.4g} um deep, the stress_accurate_depth: their stress is that of "
+      "single "
+      "cells, off by up to {:.0f} % of the largest pressure below a cell's centre, and unbounded at the "
+      "surface "
+      "towards its edges and corners",
       shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));
 }
 

@@ -1,6 +1,7 @@
-/// The loaded body that asperity-stress looks into: what was read, and what the options make of it.
+/// The loaded body of asperity-stress: what was read, and the options in SI.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "dataset/dataset.hpp"
@@ -14,20 +15,23 @@ struct StressScene {
   LoadedBody body;
   std::vector<double> depths;  ///< [m]; none: no layers are asked for
   std::optional<Plane> plane;  ///< of a section
-  double least = 0;            ///< values of less are left out [Pa]
+  double least = 0;            ///< stresses of smaller modulus are left out [Pa]
   DepthResolution resolution = DepthResolution::adapted;
 };
 
 /// The coordinate of a plane [m].
 double place_of(const Plane& plane, const Grid& grid);
 
-/// Throws ParameterError when the options do not go with the dataset.
+/// Throws ParameterError where the options contradict the dataset. A section through the maximum is not set yet.
 StressScene read_scene(const Tool& tool, const StressOptions& options);
+
+/// Sets the plane of a section; `maximum` is x and y of the largest von Mises stress, where the section runs through it.
+void cut(StressScene& scene, const std::string& section, std::array<double, 2> maximum);
 
 /// The effective parameters, as attributes.
 void record_parameters(StressScene& scene);
 
-/// That this largest von Mises stress [Pa] is above the yield stress, where the contact had a limit pressure.
+/// Warns where this largest von Mises stress [Pa] exceeds the yield stress of a contact with a limit pressure.
 void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises);
 
 }  // namespace asperity::cli

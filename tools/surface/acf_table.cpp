@@ -117,28 +117,6 @@ AcfTable from_dataset(Dataset data) {
 
 // ---- text ----
 
-struct HeadedColumn {
-  std::string name, unit;
-};
-
-// "# lag_x [um]  acf": the columns with their units.
-std::vector<HeadedColumn> columns_of(std::string_view header) {
-  std::vector<HeadedColumn> columns;
-  for (std::string_view word : words_of(header)) {
-    if (word.starts_with('[') && word.ends_with(']') && !columns.empty())
-      columns.back().unit = word.substr(1, word.size() - 2);
-    else
-      columns.push_back({std::string(word), {}});
-  }
-  return columns;
-}
-
-std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::string_view name) {
-  const auto found = std::ranges::find(columns, name, &HeadedColumn::name);
-  if (found == columns.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
 // Of the last comment that names them.
 std::vector<HeadedColumn> columns_in(std::string_view bytes) {
   std::vector<HeadedColumn> out;
