@@ -37,7 +37,7 @@ table heights_plane-1 '$c["skewness"] == 0 || $c["skewness"] == 1 || $c["skewnes
   skewness kurtosis family gamma delta of_skewness of_kurtosis fit_us apply_ns orders tail least exponential gaussian filter
 claim "Moments are met to 1e-10, or the pair is refused." heights_plane-1 '$3 != "refused"' \
   '$c["of_skewness"] ^ 2 <= 1e-20 && $c["of_kurtosis"] ^ 2 <= 1e-20'
-claim "An exponential autocorrelation is met within 1e-3, whatever the heights." heights_plane-1 '$3 != "refused"' \
+claim "An exponential autocorrelation is met within 1e-3 for all heights." heights_plane-1 '$3 != "refused"' \
   '$c["exponential"] + 0 <= 1e-3'
 text <<'END'
 Every pair that is not refused is met to round-off. Refused pairs are so near to the edge K = Sk² + 1 that the heights have

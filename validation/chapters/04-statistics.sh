@@ -32,7 +32,7 @@ table statistics_coverage-1
 claim "Intervals of the moments cover at least 95 %, within four standard errors of the count." statistics_coverage-1 1 \
   'least($c["mean"], least(least($c["Sa"], $c["Sq"]), least($c["Ssk"], $c["Sku"]))) >= '"$(size 82.6 90.6)"
 text <<'END'
-Neighbours are correlated, so N_eff, not N, measures how much a field tells. From N_eff = 150 on the intervals cover 95 %, and
+Neighbours are correlated, so N_eff, not N, measures the information in a field. From N_eff = 150 on the intervals cover 95 %, and
 nearly so at 41, a field of four by four correlation lengths. Intervals that count all points as independent, at a width of 16,
 would be ten times too short.
 
