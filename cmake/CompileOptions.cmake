@@ -1,9 +1,9 @@
-# asperity_options: the warnings and code generation that every target of the project shares.
+# asperity_options: warnings and code generation of all targets of the project.
 add_library(asperity_options INTERFACE)
 target_compile_options(asperity_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  # GCC 12 calls its own AVX-512 intrinsics uninitialised and its own std::string overlapping or out of bounds (GCC bugs
-  # 105593, 105651); in a precompiled header it forgets that they are the system's.
+  # GCC 12 reports its own AVX-512 intrinsics as uninitialised and its own std::string as overlapping or out of bounds (GCC
+  # bugs 105593, 105651); in a precompiled header it does not treat them as system headers.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>
   -fno-math-errno -fno-trapping-math
   $<$<BOOL:${ASPERITY_WARNINGS_AS_ERRORS}>:-Werror>
@@ -12,7 +12,7 @@ if(ASPERITY_SANITIZE)
   target_compile_options(asperity_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(asperity_options INTERFACE -fsanitize=address,undefined)
 endif()
-if(ASPERITY_COVERAGE)  # counted by several threads
+if(ASPERITY_COVERAGE)  # several threads count
   target_compile_options(asperity_options INTERFACE -Og --coverage -fprofile-update=atomic)
   target_link_options(asperity_options INTERFACE --coverage)
 endif()
@@ -24,10 +24,9 @@ if(ASPERITY_FUZZ)
   target_link_options(asperity_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What every library of the project has: the options above, its version, and what crosses its border where it is shared:
-# every symbol of ours, for the tests look inside, but not the inline functions of Eigen, which a user may compile for
-# other instructions. Until 1.0 a minor version may change the binary interface. GCC may inline within the library, as
-# clang does.
+# asperity_library(LIBRARY): the options above, the version, and the visibility of symbols. A shared library exports all
+# its symbols, because the tests use them, but no inline functions: users may compile those of Eigen for another instruction
+# set. Until 1.0 a minor version may change the binary interface. GCC may inline within the library, as clang does.
 function(asperity_library library)
   set_target_properties(${library} PROPERTIES
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} VISIBILITY_INLINES_HIDDEN ON)
@@ -36,12 +35,12 @@ function(asperity_library library)
   target_precompile_headers(${library} PRIVATE ${asperity_common_headers})
 endfunction()
 
-# What nearly every source of the project includes, compiled once a target.
+# Headers that nearly every source includes, compiled once per target.
 set(asperity_common_headers <Eigen/Core> <algorithm> <array> <cmath> <complex> <cstdint> <functional> <limits> <map>
   <memory> <numbers> <numeric> <optional> <span> <sstream> <string> <string_view> <utility> <vector>)
 
-# Tools and tests leave the arithmetic that takes time to the libraries, and compile faster. What little the tools compute
-# has the bits that -O3 gives it, which -O1 alone, without fused multiplications and additions, has not.
+# Tools and tests compile faster with less optimisation; the libraries do the expensive arithmetic. The little that the tools
+# compute must have the same bits as with -O3. Plain -O1 does not fuse multiplications and additions, and changes them.
 foreach(kind tool test)
   add_library(asperity_${kind}_options INTERFACE)
   target_link_libraries(asperity_${kind}_options INTERFACE asperity_options)

@@ -1,4 +1,4 @@
-# Everything Asperity stands on, by the names that Debian 12 and upstream both ship.
+# All dependencies, by names that both Debian 12 and upstream provide.
 find_package(Threads REQUIRED)
 find_package(GSL 2.7 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -12,6 +12,6 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3>=3.3.10)  # its Debian package has no CMake config
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf>=4.9)
-pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip>=1.7)  # its own config needs tools that are not installed with it
+pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip>=1.7)  # its CMake config needs tools that the package does not install
 pkg_check_modules(LIBMD REQUIRED IMPORTED_TARGET libmd)
 find_package(UDUNITS2 REQUIRED)

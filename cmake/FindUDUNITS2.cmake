@@ -1,4 +1,4 @@
-# UDUNITS2::udunits2, for its Debian package has neither a CMake nor a pkg-config file.
+# Defines UDUNITS2::udunits2; the Debian package has neither a CMake nor a pkg-config file.
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h)
 find_library(UDUNITS2_LIBRARY udunits2)
 mark_as_advanced(UDUNITS2_INCLUDE_DIR UDUNITS2_LIBRARY)

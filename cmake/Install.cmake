@@ -1,5 +1,5 @@
-# What `cmake --install` leaves behind, in three components: the tools, the libraries that they run with, and what a
-# program that uses the library needs to be built (headers under include/asperity, CMake package, asperity.pc).
+# Rules for `cmake --install`, in three components: the tools, the shared libraries, and the development files (headers
+# under include/asperity, CMake package, asperity.pc).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -10,7 +10,7 @@ install(TARGETS asperity asperity_io asperity_stats EXPORT Asperity
   ARCHIVE COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity COMPONENT development)
 
-# Tools find the libraries wherever the tree is moved to.
+# Tools find the libraries after the tree is moved.
 file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
 set_target_properties(asperity_io asperity_stats PROPERTIES INSTALL_RPATH $ORIGIN)
@@ -23,7 +23,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/AsperityConfigVersion.cma
 install(FILES ${PROJECT_BINARY_DIR}/AsperityConfig.cmake ${PROJECT_BINARY_DIR}/AsperityConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT development)
 
-# A static library passes on what it stands on; a shared one has it linked.
+# Users of a static library must link its dependencies; a shared library is linked with them.
 set(pc_requires "eigen3 >= 3.4")
 set(pc_libraries "-lasperity_stats -lasperity_io -lasperity -pthread")
 if(NOT BUILD_SHARED_LIBS)

@@ -1,12 +1,12 @@
-# Debian packages, by `cpack`: asperity (the tools), libasperity0.1 (named by its SOVERSION, as Debian has it) and
-# libasperity-dev. Dependencies are those that dpkg-shlibdeps finds.
+# Debian packages by `cpack`: asperity (the tools), libasperity0.1 (named after its SOVERSION, as usual in Debian) and
+# libasperity-dev. dpkg-shlibdeps finds the dependencies.
 if(NOT BUILD_SHARED_LIBS)
-  return()  # tools and development package would each hold the library
+  return()  # the tools and the development package would each contain the library
 endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME asperity)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # every package has a line of its own
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own line
 set(CPACK_PACKAGE_VENDOR "The Asperity developers")
 set(CPACK_PACKAGE_CONTACT "The Asperity developers <maintainers@asperity.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -35,21 +35,21 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-c
 set(CPACK_DEBIAN_TOOLS_DESCRIPTION "random rough surfaces: drawn, measured, pressed together, stressed
 Small Unix tools over NetCDF pipes that draw random rough surfaces with a
 prescribed autocorrelation, measure them by ISO 25178-2, press them together
-(elastic-perfectly plastic) and compute the stress below. Every figure comes
-with its error, and every solver says what it achieved.")
+(elastic-perfectly plastic) and compute the stress below. Estimates have
+standard errors, and solvers report their residuals.")
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${runtime})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/triggers)
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "random rough surfaces: shared libraries
-The C++ library that the tools of asperity are made of.")
+The C++ libraries that the tools of asperity use.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libasperity-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${runtime} ${same_version}, libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "random rough surfaces: headers of the C++ library
-What a C++20 program needs to be built with Asperity: headers, the CMake
-package Asperity, and asperity.pc for pkg-config.")
+Files to build a C++20 program with Asperity: headers, the CMake package
+Asperity, and asperity.pc for pkg-config.")
 
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/documents.cmake)
 include(CPack)

@@ -1,6 +1,6 @@
-# What validation/report writes its page with. A chapter calls
+# Functions with which validation/report writes its page. A chapter calls
 #   heading TITLE, text <<END, run PROGRAM [ARGUMENT...], table, picture, shown, claim
-# `run` leaves the tables of a program as results/PROGRAM-1.tsv, -2.tsv, …, which the others take by name. In a
+# `run` stores the tables of a program as results/PROGRAM-1.tsv, -2.tsv, …; the others refer to them by name. In a
 # condition on rows, an awk expression, `c["name"]` is the number of the column so named: '$c["N"] >= 256'.
 
 programs=$PWD/build/validation
@@ -22,7 +22,7 @@ begin() {
   begin_again "$1"
 }
 
-# begin_again FOLDER [PROGRAM...]: the same, with the tables of an earlier run, but for these programs'.
+# begin_again FOLDER [PROGRAM...]: the same, with the tables of an earlier run, except those of these programs.
 begin_again() {
   page=$1/RESULTS.md results=$1/results broken=0 held=0
   [ $# -eq 1 ] || printf '\nRun again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.md"
@@ -38,15 +38,15 @@ $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 
 Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
-This page is written by \`validation/report\`; programs, each with its columns explained at its top, are in \`validation/\`.
-Seconds are what the machine can do, not what it did on average. Where other work runs beside, compare seconds within a
-table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run. All that is not
-time or memory is the same in every run: \`validation/report --same\`.
+\`validation/report\` writes this page. The programs are in \`validation/\`; the top of each explains its columns. Seconds are the
+shortest of several runs. If the machine did other work, compare seconds within a table only. \`r2c\` is one real-to-complex
+transform by FFTW, timed in the same run. Everything except time and memory is the same in every run, which
+\`validation/report --same\` checks.
 END
 }
 
 commit() { git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown; }
-# Of the compiler, without paths and warnings.
+# Flags of the compiler, without paths and warnings.
 flags() { sed -n 's/^ *FLAGS = //p' build/build.ninja | head -1 | tr ' ' '\n' | grep -E '^-(O|D|m|f|std)' | tr '\n' ' ' | sed 's/ $//'; }
 versions() {
   dpkg-query -W -f '${Package} ${Version}, ' libgsl-dev libsundials-dev libfftw3-dev libeigen3-dev libnetcdf-dev |
@@ -56,10 +56,10 @@ versions() {
 heading() { printf '\n## %s\n' "$1" >>"$page"; }
 text() { { echo; cat; } >>"$page"; }
 
-# wanted PROGRAM: it is to be run, unless only others are wanted `again`.
+# wanted PROGRAM: whether to run it, that is, unless --again names other programs only.
 wanted() { [[ ! -v again || $again == *" $1 "* ]]; }
 
-# run PROGRAM [ARGUMENT...]: its tables.
+# run PROGRAM [ARGUMENT...]: runs it and stores its tables.
 run() {
   local start=$SECONDS
   wanted "$1" || return 0
@@ -113,11 +113,11 @@ END
   shown "$1" "$2"
 }
 
-# shown NAME CAPTION: a picture that is there.
+# shown NAME CAPTION: a picture that exists.
 shown() { printf '\n![%s](results/%s.png)\n' "$2" "$1" >>"$page"; }
 
-# claim SENTENCE TABLE CONDITION EXPRESSION: every row of the condition, and there is one, makes the expression true, in
-# which abs(x) and least(x, y) may stand.
+# claim SENTENCE TABLE CONDITION EXPRESSION: at least one row meets the condition, and the expression is true in each row that
+# does. It may use abs(x) and least(x, y).
 claim() {
   local failing
   failing=$(rows "$2" "$3" | awk -F'\t' '

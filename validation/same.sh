@@ -1,6 +1,6 @@
-# Whether two runs of validation/report give the same figures.
+# Compares the numbers of two runs of validation/report.
 
-# What a clock or the memory in use decides, table by table; all else is the same each time.
+# Columns with times or memory, by table; all other columns are the same in each run.
 measured='
 acf_error_time-1 seconds ratio
 acf_error_time-2 seconds ratio
@@ -24,7 +24,7 @@ synthesis_time-3 direct transform ratio
 synthesis_time-4 kernel surface
 '
 
-# lasting FOLDER TABLE: the table without what is measured.
+# lasting FOLDER TABLE: the table without these columns.
 lasting() {
   awk -F'\t' -v measured="$(sed -n "s/^$2 //p" <<<"$measured")" '
     BEGIN { split(measured, names, " "); for (k in names) left_out[names[k]] }
@@ -32,7 +32,7 @@ lasting() {
     { for (k = 1; k <= n; ++k) printf "%s%s", $kept[k], k < n ? "\t" : "\n" }' "$1/results/$2.tsv"
 }
 
-# same FOLDER FOLDER: prints what differs, and fails where something does.
+# same FOLDER FOLDER: prints the differences, and fails if there is one.
 same() {
   local table picture differing=0
   for table in "$1"/results/*.tsv; do

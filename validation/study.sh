@@ -1,5 +1,5 @@
-# The study of Creţu, Bălan & Urzică (2009) by the tools, sourced by ./demo and by the report. A case leaves CASE.nc,
-# CASE.surface.nc and what each tool reports, CASE.kernel.json and so on, in the present folder.
+# The study of Creţu, Bălan & Urzică (2009) with the tools, sourced by ./demo and by the report. A case leaves CASE.nc,
+# CASE.surface.nc and the reports of the tools, CASE.kernel.json and so on, in the current folder.
 
 grid=(--shape 128x128 --size 3mm)
 bodies=(--radius 50mm,50mm --young 208GPa --poisson 0.3 --load 5000N --yield 1200MPa --tolerance 1e-8)
@@ -13,7 +13,7 @@ press() {
 # smooth CASE
 smooth() { press "$1" --smooth "${grid[@]}"; }
 
-# rough CASE OPTION...: the same with a roughness of the autocorrelation that these options of asperity-kernel ask for
+# rough CASE OPTION...: the same with a rough surface; OPTIONs of asperity-kernel select its autocorrelation
 rough() {
   asperity-kernel "${grid[@]}" --rq 0.4um "${@:2}" --report "$1.kernel.json" |
     asperity-generate --kernel - --shape 128x128 --exact-rq --seed 7 --add noise -o "$1.surface.nc" \
@@ -21,7 +21,7 @@ rough() {
   press "$1" "$1.surface.nc"
 }
 
-# figures NAMES CASE...: what the paper shows, a panel a case, NAMES its comma-separated labels; the first case is smooth
+# figures NAMES CASE...: the figures of the paper, one panel per case; NAMES are comma-separated labels, the first case is smooth
 figures() {
   local cases=("${@:2}")
   local pressed=("${cases[@]/%/.nc}" --labels "$1")

@@ -1,10 +1,10 @@
-# What Debian asks of each package, but no other installation: its licence and its changes under its own name.
-# Run by cpack once the files are in place.
+# Debian requires the licence and the changes of each package under the package's name; other installations do not.
+# cpack runs this once the files are in place.
 set(documents ${CPACK_TOPLEVEL_DIRECTORY}/documents)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(WRITE ${documents}/changelog "asperity (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 
-  * Version ${CPACK_PACKAGE_VERSION}; CHANGELOG.md tells what is new.
+  * Version ${CPACK_PACKAGE_VERSION}; see CHANGELOG.md.
 
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")

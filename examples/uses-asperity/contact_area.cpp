@@ -1,6 +1,6 @@
-/// The real area of contact between a rough steel surface and a rigid flat, with its standard error over
-/// eight draws of one prescription: 0.4 µm rms height, exponential autocorrelation that falls to a tenth in
-/// 60 µm and 20 µm, mean pressure 100 MPa, elastic.
+/// The real contact area of a rough steel surface on a rigid flat, with its standard error over eight
+/// surfaces: rms height 0.4 µm, exponential autocorrelation that falls to a tenth at 60 µm and 20 µm, mean
+/// pressure 100 MPa, elastic.
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -34,8 +34,8 @@ int main() {
     if (!contact.converged) return std::fprintf(stderr, "seed %ju: %s\n", seed, contact.reason.c_str()), 3;
     area.add(Eigen::ArrayXd::Constant(1, contact.area / (side * side)));
   }
-  std::printf("area of contact %.4f of the nominal one, standard error %.4f\n", area.mean()[0],
+  std::printf("contact area %.4f of the nominal area, standard error %.4f\n", area.mean()[0],
               area.standard_error()[0]);
-  std::printf("error of the autocorrelation, over all lags: %.1e of its variance\n", kernel.report.error);
+  std::printf("error of the autocorrelation over all lags: %.1e of the variance\n", kernel.report.error);
   return 0;
 }

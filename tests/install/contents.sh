@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# But for the licence and the changes that Debian wants of each package.
+# Except the licence and the changes, which Debian requires of each package.
 set -euo pipefail
 rm -rf "$1" && mkdir -p "$1"
 (cd "$prefix" && find . ! -type d) | sort >"$1/installed"

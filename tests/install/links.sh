@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The readers' libraries are asperity_io's. A static library has no list of what it needs.
+# Only asperity_io links the libraries of the readers. A static library has no list of dependencies.
 set -euo pipefail
 library=$prefix/$libdir/libasperity.so
 [ -f "$library" ] || exit 77

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tools' own chain, with nothing of the environment but the path.
+# The chain of the tools, with only PATH in the environment.
 set -euo pipefail
 rm -rf "$1" && cp -a "$prefix" "$1"
 cd "$1"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the tools do a user of the library can do as well.
+# A user of the library can do what the tools do.
 set -euo pipefail
 cd "$source"
 missing=$(grep -rhoE '#include "[^"]+"' tools | cut -d'"' -f2 | sort -u | while read -r header; do

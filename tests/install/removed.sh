@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Into a root of its own, where dpkg knows of no other package. What the packages ask of ldconfig is written down.
+# Into a separate root, where dpkg knows no other package. Calls of ldconfig are recorded.
 set -euo pipefail
 if [ "$(id -u)" -ne 0 ]; then
   command -v fakeroot >/dev/null || { echo "SKIPPED: neither root nor fakeroot"; exit 77; }

@@ -2,8 +2,8 @@ heading "Heights of a given skewness and kurtosis"
 run heights_plane "$(size 0 50)"
 
 text <<'END'
-The plane of skewness and kurtosis, K = Sk² + 1 + a distance: the error of the kurtosis, relative, by another quadrature, and
-what becomes of each cell down to its kernels.
+The plane of skewness and kurtosis, K = Sk² + 1 + a distance: the relative error of the kurtosis, checked by another quadrature,
+and the outcome for each pair, including its kernels.
 END
 picture heights "Error of the kurtosis over the plane" <<'END'
 set xlabel 'K - Sk² - 1'
@@ -15,7 +15,7 @@ plot for [i=1:words(skewness)] '@heights_plane-1.tsv' \
   using ($2 - $1 ** 2 - 1):(strcol(3) ne 'refused' && strcol(1) eq word(skewness, i) ? abs($9) + 2e-17 : NaN) \
   with linespoints pointtype 7 title word(skewness, i)
 END
-picture heights_map "What becomes of each cell of the plane; kernels of 15 samples to 10 %" <<'END'
+picture heights_map "Outcome for each pair of the plane; kernels of 15 samples to 10 %" <<'END'
 unset logscale x
 set format x '%g'
 set xlabel 'Sk'
@@ -35,46 +35,46 @@ plot for [i=1:9] table using (i):(met(i, 1)) with points linetype 2 pointtype 7 
 END
 table heights_plane-1 '$c["skewness"] == 0 || $c["skewness"] == 1 || $c["skewness"] == 3 || $c["skewness"] == 10' \
   skewness kurtosis family gamma delta of_skewness of_kurtosis fit_us apply_ns orders tail least exponential gaussian filter
-claim "Moments are those asked for to 1e-10, or the pair is refused." heights_plane-1 '$3 != "refused"' \
+claim "Moments are met to 1e-10, or the pair is refused." heights_plane-1 '$3 != "refused"' \
   '$c["of_skewness"] ^ 2 <= 1e-20 && $c["of_kurtosis"] ^ 2 <= 1e-20'
-claim "An exponential autocorrelation is met within 1e-3, whatever the heights." heights_plane-1 '$3 != "refused"' \
+claim "An exponential autocorrelation is met within 1e-3 for all heights." heights_plane-1 '$3 != "refused"' \
   '$c["exponential"] + 0 <= 1e-3'
 text <<'END'
-Every pair that is not refused is met to round-off. What is refused lies so near to the edge K = Sk² + 1 that all heights
-are two values; short of that the Hermite series takes thousands of orders, for a step has no other expansion. The
-exponential autocorrelation is had with all heights, for its own kink at lag 0 leaves room for theirs. A Gaussian one is
-not: heights of two values step somewhere, and a surface with steps has no smooth autocorrelation. Averaged noise (filter:
-the widest kernel for which there is noise) reaches far only where tails are long.
+Every pair that is not refused is met to round-off. Refused pairs are so near to the edge K = Sk² + 1 that the heights have
+only two values. Close to that edge the Hermite series needs thousands of orders, because a step has no shorter expansion.
+The exponential autocorrelation is possible with all heights: its kink at lag 0 leaves room for theirs. A Gaussian one is not:
+heights of two values have steps, and a surface with steps has no smooth autocorrelation. Averaged noise (filter: the widest
+kernel for which such noise exists) reaches far only for distributions with long tails.
 END
 
 run heights_error_time "$(size 12 40)"
 text <<'END'
-Ensembles of 512 × 512 heights: mean skewness and kurtosis with their standard errors, and the largest deviations of the
-mean autocorrelation from what was predicted (`acf z`) and from the target (`target z`), in standard errors.
+Ensembles of 512 × 512 heights: mean skewness and kurtosis with standard errors, and the largest deviations of the mean
+autocorrelation from the prediction (`acf z`) and from the target (`target z`), in standard errors.
 END
 table heights_error_time-1 1 target skewness kurtosis family solve surface whole answer acf_error naive mean_skewness \
   skewness_error mean_kurtosis kurtosis_error acf_z target_z filter
-claim "Mean skewness and kurtosis are those prescribed, within five standard errors." heights_error_time-1 1 \
+claim "Mean skewness and kurtosis are the prescribed ones, within five standard errors." heights_error_time-1 1 \
   '($c["mean_skewness"] - $c["skewness"]) ^ 2 <= 25 * $c["skewness_error"] ^ 2 && ($c["mean_kurtosis"] - $c["kurtosis"]) ^ 2 <= 25 * $c["kurtosis_error"] ^ 2'
-claim "With an exponential target the autocorrelation is the target's to 1e-3." heights_error_time-1 \
+claim "The autocorrelation meets an exponential target to 1e-3." heights_error_time-1 \
   '$c["target"] != "gaussian"' '$c["acf_error"] <= 1e-3'
 text <<'END'
-Without predistortion (`naive`) the autocorrelation would be wrong by up to a tenth of the variance. The translated
-surface costs little more than the Gaussian one, whose noise and transforms are the most of either. A Gaussian target that
-its predistortion has taken out of reach is clipped at once, which is faster than the wide kernel that the Gaussian surface
-needs; what it costs in autocorrelation is `acf error`, and told beforehand.
+Without predistortion (`naive`) the autocorrelation would be wrong by up to a tenth of the variance. The translated surface costs
+little more than the Gaussian one: noise and transforms take most of the time in both. A Gaussian target that predistortion makes
+infeasible is clipped at once, which is faster than the wide kernel that the Gaussian surface needs. The price is `acf error`; the
+tools state it beforehand.
 END
 
 run heights_coverage "$(size 50 400)"
 text <<'END'
-Coverage of the 95 % intervals of moments, in per cent, with errors of the distribution that the heights were drawn with, of
-the one that they evidently have, and of Gaussian heights:
+Coverage of the 95 % intervals of moments, in per cent. The errors are those of the distribution that the heights were drawn from,
+of the distribution estimated from the field, and of Gaussian heights:
 END
 table heights_coverage-1
-# 95 - 4 √(95 · 5 / fields) per cent, and five for what an estimate of the distribution takes.
-claim "Intervals of Sq, Ssk and Sku cover 95 % within four standard errors of the count and 5 %." heights_coverage-1 \
+# 95 - 4 √(95 · 5 / fields) per cent, less five for the estimate of the distribution.
+claim "Intervals of Sq, Ssk and Sku cover 95 %, within four standard errors of the count and 5 %." heights_coverage-1 \
   '$c["law"] != "gaussian"' 'least($c["Sq"], least($c["Ssk"], $c["Sku"])) >= '"$(size 77.6 85.6)"
 text <<'END'
-The fourth moment of skewed heights has an error ten times that of a Gaussian's; intervals that do not know it hold the
-truth in a tenth to a half of all fields.
+The fourth moment of skewed heights has ten times the error of a Gaussian's. Intervals that assume a Gaussian contain the true value
+in only a tenth to a half of all fields.
 END

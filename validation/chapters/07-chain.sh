@@ -2,9 +2,9 @@ heading "The whole chain"
 run chain_error_time "$(size 128 512)"
 
 text <<'END'
-A surface drawn, pressed between two spheres, and the largest stress below it found. `hertz` is smooth, against the closed
-form; `rough` has a smooth (Gaussian) autocorrelation and is one and the same surface on every grid: a trigonometric
-polynomial, evaluated at the cells' centres, against the grid four times as fine as the finest. Points are N = 64, 128, …
+Draw a surface, press it between two spheres, find the largest stress below. `hertz` is smooth and compared with the closed form.
+`rough` has a smooth (Gaussian) autocorrelation and is the same surface on every grid: a trigonometric polynomial, evaluated at
+the cell centres, compared with a grid four times as fine as the finest. Points are N = 64, 128, …
 END
 picture chain "Error of the chain against seconds" <<'END'
 set ylabel 'relative error'
@@ -18,13 +18,13 @@ plot for [i=1:2] for [k=1:3] '@chain_error_time-1.tsv' \
   with linespoints linetype 5 dashtype i pointtype (i == 1 ? 7 : 6) title word(cases, i).', p_max to 1e-3'
 END
 table chain_error_time-1
-claim "Smooth, the chain errs by 0.25 (Δx/a)² in pressure, and by that and 8e-5 in stress." chain_error_time-1 \
+claim "For smooth spheres the error of the pressure is at most 0.25 (Δx/a)², of the stress 8e-5 more." chain_error_time-1 \
   '$c["case"] == "hertz" && $c["tol"] == 1e-8' \
   'abs($c["p_max"]) <= 0.25 * (3 / 0.936109 / $c["N"]) ^ 2 && abs($c["von_mises"]) <= 0.25 * (3 / 0.936109 / $c["N"]) ^ 2 + 8e-5'
 text <<'END'
-Nearly all of the chain's time is the search for the largest stress, not the contact. At the same grid the largest stress
-is known better than the greatest pressure that it comes from, for depth smooths what the cells do to it; on the finest grid
-what is left is the search's own error, up to 8e-5. On a rough surface the pressure's peaks are narrower and lie somewhere
-between the cells' centres, and its greatest value comes closer by fits and starts. A tolerance of 1e-3 leaves an error that
-no grid mends, from 128 cells on the largest there is, and saves a tenth or two of the time; 1e-5 cannot be told from 1e-8.
+The search for the largest stress takes nearly all the time, not the contact. On the same grid the largest stress is more accurate
+than the greatest pressure that causes it, because depth smooths the effect of the cells. On the finest grid the error of the
+search itself remains, up to 8e-5. On a rough surface the pressure peaks are narrower and lie between cell centres, so the greatest
+value converges irregularly. A tolerance of 1e-3 leaves an error that no grid reduces, from 128 cells on the largest of all, and
+saves only a tenth or two of the time; 1e-5 gives the same results as 1e-8.
 END

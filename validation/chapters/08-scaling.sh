@@ -2,8 +2,8 @@ heading "Scaling"
 run scaling "$(size 256 4096)"
 
 text <<'END'
-Seconds and peak memory of every stage on N × N cells. `transforms` measures a stage in padded r2c transforms, of (2N)²
-points; `doubles` its memory in doubles a cell. A kernel is solved, and moments are summed, on one thread.
+Seconds and peak memory of every stage on N × N cells. `transforms` is the time in padded r2c transforms of (2N)² points, `doubles`
+the memory in doubles per cell. Kernel and moments use one thread.
 END
 picture scaling "Seconds against N, one thread" <<'END'
 set xlabel 'N'
@@ -32,16 +32,16 @@ The exponent of seconds against N² log N, fitted from N = 256 on:
 END
 table scaling-2
 text <<'END'
-An exponent of one is what the method promises; what is above it comes from memory farther away. Rough contacts are the
-exception: an exponential autocorrelation shows more and smaller asperities on each finer grid, and those take more
-convolutions. The `transforms` of nearly every other stage fall with N, for a plain transform of (2N)² points leaves the cache
-between N = 256 and 1024, while the stages, which prune the padding and work in blocks, do so later and in smaller pieces.
+The methods promise an exponent of one; slower memory explains what exceeds it. Rough contacts are the exception: an exponential
+autocorrelation has more and smaller asperities on each finer grid, which need more convolutions. The `transforms` of nearly every
+other stage fall with N, because a plain transform of (2N)² points exceeds the cache between N = 256 and 1024. The stages skip the
+padding and work in blocks, so they exceed it later and in smaller pieces.
 
-Two threads gain where the work is long and in independent pieces: a spectrum, the layers of a volume. A contact does its work
-in many short steps, most on coarser grids, and gains from some 512 cells along a side on; on small ones the threads wait for
+Two threads help where the work consists of long, independent pieces: a spectrum, the layers of a volume. A contact consists of many
+short steps, most of them on coarser grids, and gains from some 512 cells along a side on; on small grids the threads wait for
 one another.
 
-A surface takes less memory than its own heights, for it is drawn in bands. A contact takes some ten doubles a cell. The
-search for the largest stress, which keeps six components and their transforms at several resolutions, takes five times
-that, and is what limits the grid.
+Drawing a surface needs less memory than its heights, because it is drawn in bands. A contact needs some ten doubles per cell. The
+search for the largest stress keeps six components and their transforms at several resolutions; it needs five times that, and
+limits the grid.
 END

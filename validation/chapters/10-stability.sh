@@ -2,32 +2,31 @@ heading "Stability"
 run stability
 
 text <<'END'
-Stiff and extreme cases, stage by stage: what makes each of them hard, and how it ends. What has an answer is judged by a
-figure and its bound; what has none is refused by the name of the option or of the variable. No case ends in a crash, in a
-number that is none, or in silence.
+Stiff and extreme cases, stage by stage: what makes each one hard, and its outcome. A case with an answer has an error and a bound; a
+case without an answer is refused, with the name of the option or variable. No case ends in a crash, in NaN, or in silence.
 END
 for stage in kernel surface marginal statistics contact stress; do
   text <<<"**${stage^}**"
   table stability-1 '$c["stage"] == "'$stage'"' case hard outcome measure figure bound
 done
-claim "Every case that has an answer keeps its bound, and every other is refused." stability-1 1 '$c["holds"] == "yes"'
+claim "Every case with an answer keeps its bound, and every other case is refused." stability-1 1 '$c["holds"] == "yes"'
 
 text <<'END'
-Targets that have no kernel, or hardly one, and what is answered: exactly, by a wider kernel, by the nearest autocorrelation
-that exists, by least squares, or not at all.
+Targets that have no kernel, or barely one, and the answer: exact, a wider kernel, the nearest feasible autocorrelation, least
+squares, or a refusal.
 END
 table acf_error_time-3 1 case difficulty infeasible outcome residual error kernel seconds
-claim "No extreme target is answered without a residual, or with one above 1e-10 as exact." acf_error_time-3 \
+claim "Every extreme target called exact or wider has a residual of at most 1e-10." acf_error_time-3 \
   '$c["outcome"] == "exact" || $c["outcome"] == "wider"' '$c["residual"] <= 1e-10'
 text <<'END'
-A target is refused before any iteration where its spectrum says so: a residual would have told only after a thousand.
-A cut at 10 % has no kernel of its own size from 17 × 14 lags on, and an exact one four times as wide.
+If its spectrum shows that a target is infeasible, it is refused before any iteration; the residual would show it only after a
+thousand. A target cut at 10 % has no kernel of its own size from 17 × 14 lags on, but an exact one four times as wide.
 
-Round-off of the stress: flat cells, depths far from the cells' size, pressures over twelve decades, against long double.
+Round-off of the stress, against long double: elongated cells, depths far from the cell size, pressures over twelve decades.
 END
 table stress_error_time-3
-claim "Round-off stays below 1e-15 of the largest pressure, whatever the cells, the depth and the decades." stress_error_time-3 1 '$c["error_over_pressure"] <= 1e-15'
+claim "Round-off stays below 1e-15 of the largest pressure, for all cells, depths and decades." stress_error_time-3 1 '$c["error_over_pressure"] <= 1e-15'
 text <<'END'
-Relative to the stress itself, digits go with depth, as the square of it: the stress of a single cell is the small rest of its
-corners. The stress of a contact, a sum over many cells, is not so small.
+Relative to the stress itself, accuracy falls with the square of depth: the stress of a single cell is the small difference of its
+corner terms. The stress of a contact, a sum over many cells, is not so small.
 END
