@@ -96,9 +96,9 @@ std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
                                          const EffectiveSampleSize& size, double bandwidth, int points) {
   const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
                highest = z.maxCoeff<Eigen::PropagateNumbers>();
-  if (points < 2) throw ParameterError("points", "value " + std::to_string(points) + " is below 2");
+  if (points < 2) throw ParameterError("points", "'" + std::to_string(points) + "' is below 2");
   if (!(bandwidth > 0 && bandwidth >= least_bandwidth * (highest - lowest) && std::isfinite(bandwidth)))
-    throw ParameterError("bandwidth", "is not finite, or below 1e-5 of the range of heights");
+    throw ParameterError("bandwidth", "is not finite or is below 1e-5 of the range of heights");
   const Cells cells(z, lowest, highest, bandwidth);
   std::vector<DensityPoint> out(static_cast<std::size_t>(points));
   const double from = lowest - 3 * bandwidth, step = (highest - lowest + 6 * bandwidth) / (points - 1);
