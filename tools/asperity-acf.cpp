@@ -167,7 +167,8 @@ void declare_estimate(cli::Tool& tool, Options& what) {
   tool.flag("--absolute", what.absolute,
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");
   tool.words("--add", what.further, {"structure_function", "acf_quantiles"},
-             "Further variables. structure_function: mean square difference of two points a lag apart, in the "
+             "Add structure_function or acf_quantiles. structure_function: mean square difference of two "
+             "points a lag apart, in the "
              "dataset and the profiles; acf_quantiles: distribution of the heights for asperity-generate "
              "--marginal measured, in the dataset",
              "Result");
@@ -177,9 +178,10 @@ void declare_estimate(cli::Tool& tool, Options& what) {
 }
 
 void declare(cli::Tool& tool, Options& what) {
-  what.result.declare(tool,
-                      "Write the dataset, or print profiles or lengths. dataset: with the ACF added; profiles: "
-                      "R(p,0) and R(0,q) with standard errors; lengths: with intervals, and the ellipticity");
+  what.result.declare(
+      tool,
+      "Write the dataset, or print profiles or lengths. dataset: with the ACF added; profiles: "
+      "R(p,0) and R(0,q) with standard errors; lengths: with intervals, and the ellipticity");
   declare_estimate(tool, what);
   tool.input();
   tool.table();
@@ -194,7 +196,8 @@ void declare(cli::Tool& tool, Options& what) {
       "The estimate equals the direct sum over pairs to round-off. Standard errors are Bartlett's for a "
       "Gaussian field; the errors of neighbouring lags are strongly correlated. Subtracting the field's mean "
       "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
-      "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two measured "
+      "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
+      "measured "
       "points count; a lag without such a pair is NaN.");
 }
 
@@ -203,11 +206,14 @@ void declare(cli::Tool& tool, Options& what) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-acf",
-      "Measures the autocorrelation function (ACF) of a surface and adds it to the dataset: acf over lag_x >= "
+      "Measures the autocorrelation function (ACF) of a surface and adds it to the dataset: acf over lag_x "
+      ">= "
       "0 and lag_y of both signs, as asperity-kernel --acf - reads it. Attributes hold its R(0,0) "
-      "(acf_variance), the skewness and kurtosis of the heights (acf_skewness, acf_kurtosis), and the lengths "
+      "(acf_variance), the skewness and kurtosis of the heights (acf_skewness, acf_kurtosis), and the "
+      "lengths "
       "at which it first falls to 10 % and 1/e or to --levels (acf_length_10_x and so on). --result lengths "
-      "prints these lengths; --result profiles prints the two profiles, one row per lag, with standard errors "
+      "prints these lengths; --result profiles prints the two profiles, one row per lag, with standard "
+      "errors "
       "and the target if the dataset has one (acf_target).");
   cli::FieldOptions options;
   Options what;

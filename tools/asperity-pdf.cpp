@@ -30,8 +30,7 @@ struct Options {
                  "Number of bins of equal width; 0: by Scott's rule, a width of 3.49 Sq / N^(1/3)", group);
     tool.number("--bandwidth", bandwidth,
                 "Standard deviation of the kernel, in Sq; default: Silverman's rule, 1.06 / N^(1/5)", group);
-    tool.integer("--rows", points, rows,
-                 "Rows of the kernel's curve or of quantiles; 0: 256 and 99", group);
+    tool.integer("--rows", points, rows, "Rows of the kernel's curve or of quantiles; 0: 256 and 99", group);
   }
 
   void check(const cli::Tool& tool) const {
@@ -52,7 +51,7 @@ struct Heights {
   const EffectiveSampleSize& size;
 
   // NaN where errors cannot be given.
-  double known(double error) const { return size.tells_errors() ? error : NAN; }
+  double known(double error) const { return size.gives_errors() ? error : NAN; }
   double misfit(double deviation, double error) const {
     const double scale = known(error);
     return scale > 0 || std::isnan(scale) ? deviation / scale : deviation;
@@ -140,7 +139,8 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-pdf",
       "Prints the distribution of the heights beside the Gaussian of the same mean and Sq, with standard "
-      "errors. histogram: one row per bin with its centre, its count, the count expected for the Gaussian, the "
+      "errors. histogram: one row per bin with its centre, its count, the count expected for the Gaussian, "
+      "the "
       "misfit (their difference divided by its standard error), and the same as densities. kernel: the "
       "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
       "those of the Gaussian, which lie on a straight line against the normal quantile.");
@@ -151,12 +151,13 @@ int main(int argc, char** argv) {
   tool.input();
   tool.table();
   tool.threads();
-  tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form", "--lambda-s",
-                  "--lambda-c", "--correlation", "--json", "--output", "--from"});
+  tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
+                  "--lambda-s", "--lambda-c", "--correlation", "--json", "--output", "--from"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
-      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field and "
+      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field "
+      "and "
       "allow for the correlation of the heights; errors of neighbouring rows are correlated. For a Gaussian "
       "surface 95 % of the misfits lie within 2, except in bins of a few counts and for the outermost "
       "quantiles.");

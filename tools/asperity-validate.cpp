@@ -29,22 +29,26 @@ struct Options {
     surfaces.declare(tool);
     tool.text("--variable", variable, "NAME",
               "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
-    tool.text("--acf", target, "FILE",
-              "Prescribed autocorrelation, as asperity-kernel --acf reads it; default: acf_target of the first "
-              "surface",
-              asked);
-    tool.quantity("--rq", rq, "m", "Prescribed rms height; default: that of the target, if it has one", asked);
+    tool.text(
+        "--acf", target, "FILE",
+        "Prescribed autocorrelation. A table as asperity-kernel --acf reads it; default: acf_target of the "
+        "first surface",
+        asked);
+    tool.quantity("--rq", rq, "m", "Prescribed rms height; default: that of the target, if it has one",
+                  asked);
     tool.number("--skewness", skewness,
                 "Prescribed skewness; default: that the first surface was drawn with, else 0", asked);
-    tool.number("--kurtosis", kurtosis,
-                "Prescribed kurtosis; default: that the first surface was drawn with, else 3 + 1.5 SKEWNESS^2, "
-                "which is 3 for a Gaussian",
-                asked);
+    tool.number(
+        "--kurtosis", kurtosis,
+        "Prescribed kurtosis; default: that the first surface was drawn with, else 3 + 1.5 SKEWNESS^2, "
+        "which is 3 for a Gaussian",
+        asked);
     tool.number("--significance", significance,
-                "Largest rate of false alarms over all rows, between 0 and 0.5", answer);
+                "Largest rate of false alarms of all rows together; between 0 and 0.5", answer);
     tool.choice(
         "--errors", errors, {"auto", "theory", "spread"},
-        "Source of the standard errors. theory: Gaussian surfaces of the target's correlation, for one surface "
+        "Source of the standard errors. theory: Gaussian surfaces of the target's correlation, for one "
+        "surface "
         "or more; spread: the spread over the ensemble, for any distribution and at least a dozen surfaces; "
         "auto: theory if Gaussian heights are prescribed, else spread",
         answer);
@@ -53,7 +57,8 @@ struct Options {
   void check() const {
     if (!std::isnan(rq)) check_rms(rq);
     if (significance > 0 && significance < 0.5) return;
-    throw ParameterError("significance", "'" + shortest(significance) + "' is not a number between 0 and 0.5");
+    throw ParameterError("significance",
+                         "'" + shortest(significance) + "' is not a number between 0 and 0.5");
   }
 };
 
@@ -71,8 +76,7 @@ Specification from_file(const cli::Tool& tool, const std::string& name, const Gr
 
 Specification carried(const Dataset& data, const Grid& grid) {
   const std::optional<LagField> rho = cli::carried_correlation(data, "acf_target", grid);
-  if (!rho)
-    throw DataError("acf_target", "the first surface has none for its grid; name a table with --acf");
+  if (!rho) throw DataError("acf_target", "the first surface has none for its grid; name a table with --acf");
   const bool height = cli::has_height(data.at("acf_target"));
   const Field table = known_lags(table_of(data, "acf_target", height ? "m2" : "1", Missing::not_a_number));
   return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};
@@ -142,10 +146,11 @@ int main(int argc, char** argv) {
       "The rate of false alarms stays below --significance: of 2000 single Gaussian surfaces of N_eff = 300 "
       "and more, 0.6 to 0.75 % differed at 1 % and 3.4 to 4.3 % at 5 %. The means are corrected for the bias "
       "that subtracting each field's own mean and dividing by its own Sq causes. Theory needs at least 5 "
-      "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.3 to 1 % and "
-      "2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags up to "
-      "a quarter of the field are compared."
-      );
+      "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.3 to 1 % "
+      "and "
+      "2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags up "
+      "to "
+      "a quarter of the field are compared.");
 
   return tool.run(argc, argv, [&] {
     options.check();

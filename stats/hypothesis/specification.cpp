@@ -116,15 +116,16 @@ void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
   auto refuse = [](const std::string& why) {
     throw DataError("acf_target", "it reaches too far for the field: " + why + "; use a larger field");
   };
-  if (!asked_.spread && !size.tells_errors())
+  if (!asked_.spread && !size.gives_errors())
     refuse("N_eff = " + shortest(std::round(10 * size.effective(2)) / 10) + " is below " +
            shortest(size.least_effective()) + ", the least with which theory gives errors");
   const double w = size.mean_power(1);
   if (!(w < 0.5)) refuse("subtracting its mean removes half of the variance or more");
   if (translated_ && !(w < most_of_mean))
-    refuse("subtracting its mean removes " + shortest(std::round(100 * w)) +
-           " % of the variance, and the biases of Ssk and Sku of heights that are not Gaussian are known only "
-           "below 10 %");
+    refuse(
+        "subtracting its mean removes " + shortest(std::round(100 * w)) +
+        " % of the variance, and the biases of Ssk and Sku of heights that are not Gaussian are known only "
+        "below 10 %");
 }
 
 SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {

@@ -33,7 +33,7 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
   if (x && y) {
     const double ratio = x->value / y->value,
                  relative = std::hypot(x->standard_error / x->value, y->standard_error / y->value),
-                 error = estimate.size.tells_errors() ? relative : unknown;
+                 error = estimate.size.gives_errors() ? relative : unknown;
     out.add(prefix + "gamma_" + level.tag, "1", "ellipticity, length in x over length in y",
             {ratio, ratio * error, Interval::of_ratio(ratio, half_width_95 * error)});
   }
@@ -41,7 +41,8 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
     const std::string name = prefix + "ellipticity_" + level.tag;
     out.add(name, "1", "ellipticity of the ACF contour at {}, long over short axis", {ellipse->gamma()},
             {.meaning = level.text});
-    out.add(name + "_direction", "rad", "direction of the long axis of that contour, from +x towards +y", {ellipse->major.angle});
+    out.add(name + "_direction", "rad", "direction of the long axis of that contour, from +x towards +y",
+            {ellipse->major.angle});
   }
 }
 
@@ -63,7 +64,7 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
 }
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
-  if (!size.tells_errors()) return unknown;
+  if (!size.gives_errors()) return unknown;
   return (biased ? basis.pairs.pair_fraction(p, q) : 1) *
          (absolute ? error.absolute(p, q) : error.normalised(p, q));
 }

@@ -53,7 +53,7 @@ class ParameterList {
       add(symbol, unit, meaning, estimate(of), words);
   }
   /// Without errors, where there are too few independent heights to tell any.
-  Parameters told(const EffectiveSampleSize& size) &&;
+  Parameters with_known_errors(const EffectiveSampleSize& size) &&;
   Parameters all() && { return std::move(parameters_); }
 
  private:

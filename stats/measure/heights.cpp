@@ -97,8 +97,7 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
   ParameterList out(sample.surface().units);
-  out.add(height_table, heights_of(sample),
-          {.why = "no value: the estimated correlation sums to zero"});
+  out.add(height_table, heights_of(sample), {.why = "no value: the estimated correlation sums to zero"});
   if (!sample.basis().pairs.complete())
     out.add("N_missing", "1", "number of missing points, left out of all parameters",
             {static_cast<double>(sample.grid().shape.cells()) - sample.size().points()});
@@ -122,7 +121,7 @@ Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
   auto fits = sample.goodness_of_fit();
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (!sample.size().tells_errors()) fits[i].p = unknown;
+    if (!sample.size().gives_errors()) fits[i].p = unknown;
     out.add(test_table, fits[i], {symbols[i], std::string(fits[i].test), why});
   }
   return std::move(out).all();

@@ -70,7 +70,7 @@ class EffectiveSampleSize {
   /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an
   /// estimate.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
-  bool tells_errors() const { return effective(2) >= least_effective(); }
+  bool gives_errors() const { return effective(2) >= least_effective(); }
   /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`; those beyond `powers` with the last sum.
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 

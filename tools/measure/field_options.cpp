@@ -57,17 +57,16 @@ void FieldOptions::declare(Tool& tool) {
 
 void FieldOptions::declare_field(Tool& tool) {
   tool.text("--variable", variable, "NAME",
-            "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out",
-            "Field");
+            "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
   tool.text("--remove-form", level, "FORM",
-            "Form to subtract first: mean, plane, or the degree of a polynomial, 0 to 20",
-            "Field");
+            "Form to subtract first: mean, plane, or the degree of a polynomial, 0 to 20", "Field");
   tool.quantity(
       "--lambda-s", short_cutoff, "m",
       "Cut-off of the S-filter, which removes shorter waves; Gaussian (ISO 16610-61), below --lambda-c",
       "Field");
   tool.quantity("--lambda-c", long_cutoff, "m",
-                "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field", "Field");
+                "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field",
+                "Field");
 }
 
 Preparation FieldOptions::preparation() const { return {form_degree(level), short_cutoff, long_cutoff}; }
@@ -97,8 +96,8 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
 }
 
 void direction_option(Tool& tool, std::string& direction, const std::string& group) {
-  tool.text("--direction", direction, "ANGLE",
-            "A further direction to measure, from +x towards +y: 30deg", group);
+  tool.text("--direction", direction, "ANGLE", "A further direction to measure, from +x towards +y: 30deg",
+            group);
 }
 
 std::optional<LagField> carried_correlation(const Dataset& data, const std::string& name, const Grid& grid) {
@@ -137,7 +136,7 @@ void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
   if (size.effective(2) >= 2 * least) return;
   tool.warn("the surface is worth N_eff = " + rounded(size.effective(2)) +
             " independent points: standard errors and intervals " +
-            (size.tells_errors() ? "are rough, and cannot be given below " : "cannot be given below ") +
+            (size.gives_errors() ? "are rough, and cannot be given below " : "cannot be given below ") +
             shortest(least) + "; measure a larger field, or filter out waviness (--lambda-c)");
 }
 
@@ -146,9 +145,9 @@ bool warn_of_length(const Tool& tool, const std::string& name, double length, co
   const double place = std::pow(10, std::floor(std::log10(length)) - 3);
   const std::string found = name + " = " + metres(std::round(length / place) * place);
   if (length < sample)
-    tool.warn(
-        found + " is below a sample, " + metres(sample) +
-        ": neighbours are hardly correlated, and the length depends on the interpolation; sample more finely");
+    tool.warn(found + " is below a sample, " + metres(sample) +
+              ": neighbours are hardly correlated, and the length depends on the interpolation; sample more "
+              "finely");
   if (length > half)
     tool.warn(found + " is beyond half the field, " + metres(half) +
               ", too long to be measured on it; measure a larger field");

@@ -33,8 +33,9 @@ void StatsOptions::declare(Tool& tool) {
   field.declare(tool);
   tool.text(
       "--parameters", groups, "GROUP,...",
-      "Groups: height,gaussianity,material,hybrid,spatial or all. height: Sa, Sq, Ssk, Sku, Sp, Sv, Sz and "
-      "effective sample sizes; gaussianity: the tests of Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling and "
+      "Groups of parameters to print, or all. height: Sa, Sq, Ssk, Sku, Sp, Sv, Sz and "
+      "effective sample sizes; gaussianity: the tests of Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling "
+      "and "
       "Pearson, with p-values that allow for the correlation of the heights, and naive ones; material: Sk, "
       "Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv; hybrid: Sdq, Sdr, spectral moments, summits; spatial: Sal, "
       "Str, Std, ellipticity",
@@ -54,7 +55,8 @@ void StatsOptions::declare(Tool& tool) {
   tool.memory(
       "Memory limit for the field. A NetCDF file larger than an eighth of it is read in strips. Spatial "
       "parameters and filters need the whole field and are then refused if --memory is given. Ordering the "
-      "heights takes 25 MB more. If the dataset has no correlation, errors rest on the one within the strips");
+      "heights takes 25 MB more. If the dataset has no correlation, errors rest on the one within the "
+      "strips");
   direction_option(tool, direction, "Parameters");
 }
 
