@@ -168,9 +168,8 @@ void declare_estimate(cli::Tool& tool, Options& what) {
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");
   tool.words("--add", what.further, {"structure_function", "acf_quantiles"},
              "Add structure_function or acf_quantiles. structure_function: mean square difference of two "
-             "points a lag apart, in the "
-             "dataset and the profiles; acf_quantiles: distribution of the heights for asperity-generate "
-             "--marginal measured, in the dataset",
+             "points a lag apart, in the dataset and the profiles; acf_quantiles: distribution of the "
+             "heights for asperity-generate --marginal measured, in the dataset",
              "Result");
   tool.text("--levels", what.levels, "LEVEL,...", "Levels of R / R(0,0) at which lengths are measured",
             "Lengths");
@@ -197,8 +196,7 @@ void declare(cli::Tool& tool, Options& what) {
       "Gaussian field; the errors of neighbouring lags are strongly correlated. Subtracting the field's mean "
       "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
       "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
-      "measured "
-      "points count; a lag without such a pair is NaN.");
+      "measured points count; a lag without such a pair is NaN.");
 }
 
 }  // namespace
@@ -207,14 +205,11 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-acf",
       "Measures the autocorrelation function (ACF) of a surface and adds it to the dataset: acf over lag_x "
-      ">= "
-      "0 and lag_y of both signs, as asperity-kernel --acf - reads it. Attributes hold its R(0,0) "
+      ">= 0 and lag_y of both signs, as asperity-kernel --acf - reads it. Attributes hold its R(0,0) "
       "(acf_variance), the skewness and kurtosis of the heights (acf_skewness, acf_kurtosis), and the "
-      "lengths "
-      "at which it first falls to 10 % and 1/e or to --levels (acf_length_10_x and so on). --result lengths "
-      "prints these lengths; --result profiles prints the two profiles, one row per lag, with standard "
-      "errors "
-      "and the target if the dataset has one (acf_target).");
+      "lengths at which it first falls to 10 % and 1/e or to --levels (acf_length_10_x and so on). --result "
+      "lengths prints these lengths; --result profiles prints the two profiles, one row per lag, with "
+      "standard errors and the target if the dataset has one (acf_target).");
   cli::FieldOptions options;
   Options what;
   options.declare(tool);

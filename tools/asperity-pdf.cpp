@@ -140,8 +140,7 @@ int main(int argc, char** argv) {
       "asperity-pdf",
       "Prints the distribution of the heights beside the Gaussian of the same mean and Sq, with standard "
       "errors. histogram: one row per bin with its centre, its count, the count expected for the Gaussian, "
-      "the "
-      "misfit (their difference divided by its standard error), and the same as densities. kernel: the "
+      "the misfit (their difference divided by its standard error), and the same as densities. kernel: the "
       "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
       "those of the Gaussian, which lie on a straight line against the normal quantile.");
   cli::FieldOptions options;
@@ -157,10 +156,9 @@ int main(int argc, char** argv) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
       "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field "
-      "and "
-      "allow for the correlation of the heights; errors of neighbouring rows are correlated. For a Gaussian "
-      "surface 95 % of the misfits lie within 2, except in bins of a few counts and for the outermost "
-      "quantiles.");
+      "and allow for the correlation of the heights; errors of neighbouring rows are correlated. For a "
+      "Gaussian surface 95 % of the misfits lie within 2, except in bins of a few counts and for the "
+      "outermost quantiles.");
 
   return tool.run(argc, argv, [&] {
     what.check(tool);

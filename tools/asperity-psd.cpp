@@ -43,9 +43,10 @@ cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows
   for (const SpectrumPoint& ring : radial_spectrum(psd, surface.grid, inflation))
     out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
   if (out.rows.empty())
-    throw DataError("heights", "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
-                                   ": its shorter side is too short for the spacing of the other; use --result "
-                                   "profiles or --result dataset");
+    throw DataError("heights",
+                    "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
+                        ": its shorter side is below twice the larger spacing; use --result profiles or "
+                        "--result dataset");
   return out;
 }
 
@@ -78,10 +79,11 @@ void add_to(Dataset& data, const Surface& surface, const LagField& psd, const st
 }
 
 void declare(cli::Tool& tool, Options& what) {
-  what.result.declare(tool,
-                      "Write the dataset, or print profiles or rings. dataset: with the PSD added; profiles: the "
-                      "mean PSD of the profiles along x, and along y; radial: the mean over rings of wave "
-                      "numbers");
+  what.result.declare(
+      tool,
+      "Write the dataset, or print profiles or rings. dataset: with the PSD added; profiles: the "
+      "mean PSD of the profiles along x, and along y; radial: the mean over rings of wave "
+      "numbers");
   tool.choice("--window", what.window, {"auto", "none", "hann"},
               "Window function; auto: Hann's, or none if the field is periodic", "Estimate");
   tool.input();
@@ -107,9 +109,9 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-psd",
       "Measures the power spectral density (PSD) of a surface and adds it to the dataset: psd over "
-      "wave_number_x >= 0 and wave_number_y of both signs, in m4, is (dx dy)^2 / (Lx Ly) |transform|^2 with a "
-      "window of mean square 1. --result radial prints its mean over rings of wave numbers; --result profiles "
-      "prints the PSD of the profiles, in m3.");
+      "wave_number_x >= 0 and wave_number_y of both signs, in m4, is (dx dy)^2 / (Lx Ly) |transform|^2 "
+      "with a window of mean square 1. --result radial prints its mean over rings of wave numbers; "
+      "--result profiles prints the PSD of the profiles, in m3.");
   cli::FieldOptions options;
   Options what;
   options.declare_field(tool);

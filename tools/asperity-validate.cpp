@@ -48,9 +48,8 @@ struct Options {
     tool.choice(
         "--errors", errors, {"auto", "theory", "spread"},
         "Source of the standard errors. theory: Gaussian surfaces of the target's correlation, for one "
-        "surface "
-        "or more; spread: the spread over the ensemble, for any distribution and at least a dozen surfaces; "
-        "auto: theory if Gaussian heights are prescribed, else spread",
+        "surface or more; spread: the spread over the ensemble, for any distribution and at least a dozen "
+        "surfaces; auto: theory if Gaussian heights are prescribed, else spread",
         answer);
   }
 
@@ -147,10 +146,8 @@ int main(int argc, char** argv) {
       "and more, 0.6 to 0.75 % differed at 1 % and 3.4 to 4.3 % at 5 %. The means are corrected for the bias "
       "that subtracting each field's own mean and dividing by its own Sq causes. Theory needs at least 5 "
       "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.3 to 1 % "
-      "and "
-      "2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags up "
-      "to "
-      "a quarter of the field are compared.");
+      "and 2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags "
+      "up to a quarter of the field are compared.");
 
   return tool.run(argc, argv, [&] {
     options.check();

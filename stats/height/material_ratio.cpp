@@ -170,11 +170,11 @@ double material_height_error(double ratio, const Moments& moments, const Effecti
 }
 
 std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
-                                         const EffectiveSampleSize& size, int points) {
-  if (points < 1) throw ParameterError("points", "'" + std::to_string(points) + "' is below 1");
-  std::vector<QuantilePoint> out(static_cast<std::size_t>(points));
+                                         const EffectiveSampleSize& size, int rows) {
+  if (rows < 1) throw ParameterError("rows", "'" + std::to_string(rows) + "' is below 1");
+  std::vector<QuantilePoint> out(static_cast<std::size_t>(rows));
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / points, x = gsl_cdf_ugaussian_Pinv(share);
+    const double share = (static_cast<double>(i) + 0.5) / rows, x = gsl_cdf_ugaussian_Pinv(share);
     out[i] = {.share = share,
               .normal = x,
               .height = curve.quantile(share),

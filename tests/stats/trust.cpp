@@ -184,7 +184,7 @@ TEST_CASE("cut-offs that separate nothing are refused, or told, by name and with
 TEST_CASE("angles beyond a turn, repeated words and more bins than points are refused by name",
           "[stats-tool][contract]") {
   refused("asperity-stats drawn.nc --parameters hybrid --direction 725deg", 2,
-          "--direction: '725deg' is more than a turn");
+          "--direction: '725deg' is more than a full turn");
   refused("asperity-acf drawn.nc --result lengths --direction=-361deg", 2, "--direction");
   refused("asperity-stats drawn.nc --parameters height,height", 2, "given twice");
   refused("asperity-stats drawn.nc --quantiles 0.5,0.50", 2, "given twice");

@@ -93,15 +93,17 @@ void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& fi
   const std::string both =
       "its grid, " + described(grid) + ", differs from that of " + file_ + ", " + described(*first_);
   if (!same_spacing(grid, *first_))
-    throw DataError(file, both +
-                              ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
-                              "separately, or thin the finer one (asperity-convert --decimate)");
+    throw DataError(file,
+                    both +
+                        ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
+                        "separately, or thin the finer one (asperity-convert --decimate)");
   if (warned_ || same_grid(grid, *first_)) return;
   if (sizes_ == Sizes::alike) throw DataError(file, both + ": the test needs surfaces of one grid");
   warned_ = true;
-  tool.warn(file + ": " + both +
-            ": extremes, correlation lengths and all errors depend on the size, but each surface has the same "
-            "weight in the mean");
+  tool.warn(
+      file + ": " + both +
+      ": extremes, correlation lengths and all errors depend on the size, but each surface has the same "
+      "weight in the mean");
 }
 
 }  // namespace asperity::cli

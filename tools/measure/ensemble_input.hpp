@@ -27,9 +27,9 @@ struct EnsembleInput {
       const VisitPath& taken = [](const std::string&) { return false; }) const;
 };
 
-/// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths depend
-/// on the spacing: surfaces of different spacings are refused. Surfaces of different sizes estimate the same
-/// quantities with different errors: one warning, or an error where sizes must be alike.
+/// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths
+/// depend on the spacing: surfaces of different spacings are refused. Surfaces of different sizes estimate
+/// the same quantities with different errors: one warning, or an error where sizes must be alike.
 class EnsembleGrid {
  public:
   enum class Sizes { any, alike };

@@ -31,14 +31,15 @@ std::vector<double> shares(const std::string& list) {
 
 void StatsOptions::declare(Tool& tool) {
   field.declare(tool);
-  tool.text(
-      "--parameters", groups, "GROUP,...",
-      "Groups of parameters to print, or all. height: Sa, Sq, Ssk, Sku, Sp, Sv, Sz and "
-      "effective sample sizes; gaussianity: the tests of Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling "
-      "and "
-      "Pearson, with p-values that allow for the correlation of the heights, and naive ones; material: Sk, "
-      "Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv; hybrid: Sdq, Sdr, spectral moments, summits; spatial: Sal, "
-      "Str, Std, ellipticity",
+  std::vector<std::string> words{"all"};
+  for (const auto& [name, group] : group_names) words.emplace_back(name);
+  tool.words(
+      "--parameters", groups, words,
+      "Groups of parameters to print, or all. height: Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample "
+      "sizes; gaussianity: the tests of Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling and Pearson, with "
+      "p-values that allow for the correlation of the heights, and naive ones; material: Sk, Spk, Svk, Smr1, "
+      "Smr2, Vmp, Vmc, Vvc, Vvv; hybrid: Sdq, Sdr, spectral moments, summits; spatial: Sal, Str, Std, "
+      "ellipticity",
       "Parameters");
   tool.choice(
       "--profile", profile, {"x", "y"},
@@ -79,16 +80,9 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
 
 std::set<Group> StatsOptions::asked_groups() const {
   std::set<Group> out;
-  const std::vector<std::string> words = split(groups, ',');
-  for (const std::string& word : words) {
-    const auto named = [&](const auto& group) { return word == group.first || word == "all"; };
-    if (std::ranges::none_of(group_names, named))
-      throw UsageError("parameters",
-                       "'" + word + "' is none of height, gaussianity, material, hybrid, spatial and all");
-    if (std::ranges::count(words, word) > 1) throw UsageError("parameters", "'" + word + "' is given twice");
+  for (const std::string& word : groups)
     for (const auto& [name, group] : group_names)
       if (word == name || word == "all") out.insert(group);
-  }
   return out;
 }
 

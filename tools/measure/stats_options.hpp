@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "stats/measure.hpp"
 #include "tools/measure/field_options.hpp"
@@ -10,7 +11,8 @@ namespace asperity::cli {
 
 struct StatsOptions {
   FieldOptions field = {};
-  std::string groups = "height", quantiles = {}, direction = {};
+  std::vector<std::string> groups{"height"};
+  std::string quantiles = {}, direction = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
   std::string profile = {};      ///< x or y: profile parameters instead of areal ones
 
