@@ -125,6 +125,25 @@ class Surfaces {
   std::set<std::string> missing_ = {};              ///< groups without values, and why
 };
 
+void document(cli::Tool& tool) {
+  tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
+                  "--direction", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
+                  "--output"});
+  tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
+  tool.accuracy(
+      "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Standard "
+      "errors hold for a Gaussian field, to first order in 1/N_eff. Those of the height parameters use "
+      "the distribution that the heights were drawn with, if the dataset has it, or Johnson's "
+      "distribution if Ssk or Sku differs from a Gaussian's by more than four standard errors. 95 % "
+      "intervals of the height parameters, of Sal and of lengths cover 93 to 97 % of 2000 simulated "
+      "fields down to N_eff = 41, with a known or an estimated correlation (97.7 % for the length at "
+      "1/e with an estimated one at N_eff = 41). Errors are rough below N_eff = 10, or 20 with an "
+      "estimated correlation; no errors are given below half of that. Peak and valley have no standard "
+      "errors; a dash marks a quantity without an interval. Slopes and curvatures use differences of "
+      "neighbouring points: for a wave of n points per period they are low by a fraction of 1.6/n^2 "
+      "(Sdq) to 6.6/n^2 (m4). The standard error of a mean over profiles allows for their correlation.");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -142,22 +161,7 @@ int main(int argc, char** argv) {
   options.declare(tool);
   tool.table();
   tool.threads();
-  tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
-                  "--direction", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
-                  "--output"});
-  tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
-  tool.accuracy(
-      "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Standard "
-      "errors hold for a Gaussian field, to first order in 1/N_eff. Those of the height parameters use "
-      "the distribution that the heights were drawn with, if the dataset has it, or Johnson's "
-      "distribution if Ssk or Sku differs from a Gaussian's by more than four standard errors. 95 % "
-      "intervals of the height parameters, of Sal and of lengths cover 93 to 97 % of 2000 simulated "
-      "fields down to N_eff = 41, with a known or an estimated correlation (97.7 % for the length at "
-      "1/e with an estimated one at N_eff = 41). Errors are rough below N_eff = 10, or 20 with an "
-      "estimated correlation; no errors are given below half of that. Peak and valley have no standard "
-      "errors; a dash marks a quantity without an interval. Slopes and curvatures use differences of "
-      "neighbouring points: for a wave of n points per period they are low by a fraction of 1.6/n^2 "
-      "(Sdq) to 6.6/n^2 (m4). The standard error of a mean over profiles allows for their correlation.");
+  document(tool);
 
   return tool.run(argc, argv, [&] {
     Surfaces measured(tool, options.field, options.checked(tool));

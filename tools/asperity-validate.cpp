@@ -121,6 +121,22 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
   return out;
 }
 
+void document(cli::Tool& tool) {
+  tool.exit_status(not_as_prescribed, "a quantity differs from what is prescribed");
+  tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--errors", "--variable",
+                  "--json", "--output", "--threads"});
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
+      "s_%02d.nc && asperity-validate s_*.nc");
+  tool.accuracy(
+      "The rate of false alarms stays below --significance: of 2000 single Gaussian surfaces of N_eff = 300 "
+      "and more, 0.6 to 0.75 % differed at 1 % and 3.4 to 4.3 % at 5 %. The means are corrected for the bias "
+      "that subtracting each field's own mean and dividing by its own Sq causes. Theory needs at least 5 "
+      "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.3 to 1 % "
+      "and 2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags "
+      "up to a quarter of the field are compared.");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -135,19 +151,7 @@ int main(int argc, char** argv) {
   options.declare(tool);
   tool.table();
   tool.threads();
-  tool.exit_status(not_as_prescribed, "a quantity differs from what is prescribed");
-  tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--errors", "--variable",
-                  "--json", "--output", "--threads"});
-  tool.example(
-      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
-      "s_%02d.nc && asperity-validate s_*.nc");
-  tool.accuracy(
-      "The rate of false alarms stays below --significance: of 2000 single Gaussian surfaces of N_eff = 300 "
-      "and more, 0.6 to 0.75 % differed at 1 % and 3.4 to 4.3 % at 5 %. The means are corrected for the bias "
-      "that subtracting each field's own mean and dividing by its own Sq causes. Theory needs at least 5 "
-      "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.3 to 1 % "
-      "and 2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags "
-      "up to a quarter of the field are compared.");
+  document(tool);
 
   return tool.run(argc, argv, [&] {
     options.check();
