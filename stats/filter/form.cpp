@@ -64,8 +64,8 @@ Mean mean_above_base(const Field& z) {
 
 FormFit::FormFit(Shape field, int degree) : degree_(degree) {
   if (degree < 0 || degree > largest_form_degree)
-    throw ParameterError(
-        "remove-form", "'" + std::to_string(degree) + "' is not a degree from 0 to " + std::to_string(largest_form_degree));
+    throw ParameterError("remove-form", "'" + std::to_string(degree) + "' is not a degree from 0 to " +
+                                            std::to_string(largest_form_degree));
   along_x_ = gram_polynomials(field.nx, degree);
   along_y_ = gram_polynomials(field.ny, degree);
   for (Index a = 0; a < along_x_.cols(); ++a)

@@ -56,7 +56,8 @@ constexpr Definition<Summits> summit_table[] = {
     {"{}_height", "m", "mean height of summits above the mean height, {}", value_of<&Summits::mean_height>},
     {"{}_deviation", "m", "standard deviation of summit heights, {}", value_of<&Summits::height_deviation>},
     {"{}_curvature", "m-1", "mean curvature of summits, {}", value_of<&Summits::mean_curvature>},
-    {"{}_radius", "m", "1 / mean curvature of summits, {}", [](const Summits& s) { return Estimate{s.radius()}; }}};
+    {"{}_radius", "m", "1 / mean curvature of summits, {}",
+     [](const Summits& s) { return Estimate{s.radius()}; }}};
 
 }  // namespace
 

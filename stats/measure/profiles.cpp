@@ -44,9 +44,8 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
                     "a profile along " + axis + " needs two points, but there is only one");
   const ProfileAverages averages = sample.profiles(options.profiles, std::isnan(cutoff) ? unlimited : cutoff);
   const bool few = averages.independent < least_profiles;
-  const std::string why =
-      "no standard error can be given: profiles_eff = " + rounded(averages.independent) + " is below " +
-      shortest(least_profiles);
+  const std::string why = "no standard error can be given: profiles_eff = " + rounded(averages.independent) +
+                          " is below " + shortest(least_profiles);
   ParameterList out(sample.surface().units);
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);

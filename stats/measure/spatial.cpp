@@ -33,10 +33,12 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level) {
   if (lobe.r_min) {
     add_length("Sal", "autocorrelation length: the fastest decay of the ACF to {}", *lobe.r_min,
                acf.lengths.r_min(level));
-    out.add("Sal_direction", "rad", "direction of the fastest decay, from +x towards +y", {lobe.r_min->angle});
+    out.add("Sal_direction", "rad", "direction of the fastest decay, from +x towards +y",
+            {lobe.r_min->angle});
   }
   if (lobe.r_max) {
-    add_length("slowest_decay", "length of the slowest decay of the ACF to {}", *lobe.r_max, acf.lengths.r_max(level));
+    add_length("slowest_decay", "length of the slowest decay of the ACF to {}", *lobe.r_max,
+               acf.lengths.r_max(level));
     out.add("slowest_direction", "rad", "direction of the slowest decay, the lay", {lobe.r_max->angle});
   }
   if (const auto ratio = lobe.aspect_ratio())
@@ -45,7 +47,8 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level) {
   if (lobe.ellipse) {
     out.add("gamma", "1", "ellipticity of the ACF contour at {}, long over short axis",
             {lobe.ellipse->gamma()}, words);
-    out.add("gamma_direction", "rad", "direction of the long axis of that contour", {lobe.ellipse->major.angle});
+    out.add("gamma_direction", "rad", "direction of the long axis of that contour",
+            {lobe.ellipse->major.angle});
   }
 }
 

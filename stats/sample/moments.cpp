@@ -31,8 +31,7 @@ void MomentSums::add(const Eigen::Ref<const Field>& strip) {
 Moments MomentSums::moments(std::string_view variable) const {
   const double n = count_, variance = second_ / n, fourth = fourth_ / n;
   if (highest_ == lowest_ && std::isfinite(highest_))
-    throw DataError(std::string(variable),
-                    "every value is the same: skewness and kurtosis are undefined");
+    throw DataError(std::string(variable), "every value is the same: skewness and kurtosis are undefined");
   if (!(variance * variance >= std::numeric_limits<double>::min() && std::isfinite(fourth)))
     throw DataError(std::string(variable),
                     "a value is infinite, or its fourth power exceeds the range of a double");

@@ -21,7 +21,8 @@ void write_everything() {
   static const bool once = [] {
     const Outcome run = shell(
         "export SOURCE_DATE_EPOCH=1; asperity-generate --shape 16x12 --size 1.6mm,1.2mm --rq 0.4um "
-        "--length 3px --seed 7 --add noise | asperity-acf --add structure_function,acf_quantiles --max-lag 5x5 | "
+        "--length 3px --seed 7 --add noise | asperity-acf --add structure_function,acf_quantiles --max-lag "
+        "5x5 | "
         "asperity-psd | asperity-contact --load 5N --yield 100MPa --unload" +
         bodies + "| asperity-stress --depths 0:50um:3 --maximum --components all -o all.nc");
     INFO(run.error);

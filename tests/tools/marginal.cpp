@@ -15,7 +15,8 @@ TEST_CASE(
   for (const std::string marginal : {"measured", "johnson", measured.c_str()}) {
     CAPTURE(marginal);
     require("asperity-acf " + measured +
-            " --remove-form plane --biased --add acf_quantiles | asperity-generate --acf - --shape 256x256 --seed 2 "
+            " --remove-form plane --biased --add acf_quantiles | asperity-generate --acf - --shape 256x256 "
+            "--seed 2 "
             "--marginal " +
             marginal + " -o twin.nc");
     CHECK(std::abs(attribute("twin.nc", "generate_skewness_expected") - skewness) <= 0.3);
