@@ -6,8 +6,9 @@
 ///       std::cout << p.name << " = " << p.value << " +- " << p.standard_error << " " << p.unit << "\n";
 ///
 /// The headers of stats/height, spatial, spectrum, hybrid and profile define the parameters. Errors allow for
-/// the correlation of the heights (stats/uncertainty); where too few are independent, none is told, and `why`
-/// says so. Missing points, NaN, are left out. A Sample in strips has all groups but the spatial one.
+/// the correlation of the heights (stats/uncertainty). If too few heights are independent, no errors are
+/// given, and `why` says so. Missing points (NaN) are left out. A Sample in strips has all groups but the
+/// spatial one.
 #pragma once
 
 #include <array>
@@ -27,27 +28,27 @@ enum class Group { height, quantiles, gaussianity, material, hybrid, spatial, pr
 
 struct Direction {
   double angle;      ///< from +x towards +y [rad]
-  std::string text;  ///< as it is called: "30deg"
+  std::string text;  ///< as given: "30deg"
 };
 
 struct MeasureOptions {
   std::set<Group> groups{Group::height};
   Preparation preparation = {};
-  std::vector<double> quantiles = {};               ///< shares of the surface that lie below
+  std::vector<double> quantiles = {};               ///< shares of the surface below the heights
   std::array<double, 2> material_ratios{0.1, 0.8};  ///< p, q, the bounds of the core
-  double sal_level = 0.2;                           ///< of ρ, to which Sal and Str are measured
-  std::optional<Direction> direction = {};          ///< spectral moments along it too
-  Axis1D profiles = Axis1D::x;                      ///< along which profiles are taken
+  double sal_level = 0.2;                           ///< of ρ, for Sal and Str
+  std::optional<Direction> direction = {};          ///< for further spectral moments
+  Axis1D profiles = Axis1D::x;                      ///< axis of the profiles
   int threads = 1;
 };
 
-/// Of a surface as it was read, only the groups asked for.
+/// The groups asked for, of a surface as read.
 Parameters measure(const Surface& surface, const MeasureOptions& options = {});
-/// One group of a prepared surface. Hybrid parameters have no values, and the reason in their place, where
-/// the field is no length or too small; the other groups throw DataError.
+/// One group of a prepared surface. If the field is not a length or is too small, hybrid parameters are NaN
+/// with the reason in `why`; the other groups throw DataError.
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options);
 
-/// Why none of the parameters has a value; "" when one has.
+/// Why all parameters lack a value; "" if one has a value.
 std::string missing(const Parameters& parameters);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The autocorrelation of a surface beside the one asked for, and its lengths.
+// The autocorrelation of a surface beside its target, and its lengths.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,16 +21,26 @@ using namespace asperity;
 namespace {
 
 struct Options {
-  bool absolute = false, biased = false, structure = false, lengths = false, profiles = false,
-       dataset = false, quantiles = false;
+  bool absolute = false, biased = false;
+  std::vector<std::string> further = {};  ///< of --add
   Shape max_lag;
   std::string levels = "0.1,1/e", direction;
+  cli::ResultOption result{{"profiles", "lengths"}};
+
+  bool adds(const std::string& name) const { return std::ranges::find(further, name) != further.end(); }
+  void check(cli::Tool& tool) const {
+    result.check(tool);
+    if (adds("acf_quantiles") && !result.dataset())
+      throw cli::UsageError("add", "acf_quantiles needs --result dataset");
+    if (adds("structure_function") && result.result == "lengths")
+      throw cli::UsageError("add", "structure_function needs --result dataset or --result profiles");
+  }
 };
 
-/// What goes out: the ACF, and the structure function where it was asked for.
+/// The ACF, and what --add names.
 struct Result {
   AcfEstimate estimate;
-  std::optional<LagField> target = {};     ///< the correlation asked for, normalised
+  std::optional<LagField> target = {};     ///< normalised
   std::optional<LagField> structure = {};  ///< in units squared
   std::optional<MeasuredHeights> quantiles = {};
 };
@@ -41,7 +51,7 @@ AcfLevel level_of(const std::string& word) {
   if (word == "1/e") return {1 / std::numbers::e, "e", "1/e"};
   const double value = to_number<double>(word).value_or(NAN), percent = std::round(1e12 * value) / 1e10;
   if (!(value > 0 && value < 1))
-    throw cli::UsageError("levels", "value \"" + word + "\" is neither a number between 0 and 1 nor 1/e");
+    throw cli::UsageError("levels", "'" + word + "' is not 1/e or a number between 0 and 1");
   return {value, shortest(percent), shortest(percent) + " %"};
 }
 
@@ -50,7 +60,7 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
   for (const std::string& word : cli::split(list, ',')) {
     const AcfLevel level = level_of(word);
     if (std::ranges::find(out, level.tag, &AcfLevel::tag) != out.end())
-      throw cli::UsageError("levels", "value \"" + word + "\" is given twice");
+      throw cli::UsageError("levels", "'" + word + "' is given twice");
     out.push_back(level);
   }
   return out;
@@ -63,7 +73,8 @@ Parameters lengths_of(const cli::Tool& tool, const Result& result, const Options
   const Parameters out = acf_lengths(result.estimate, levels, direction, result.target);
   for (const AcfLevel& level : levels)
     if (std::ranges::find(out, "gamma_" + level.tag, &Parameter::name) == out.end())
-      tool.warn("no lag has an ACF of " + level.text + " or less in some direction; see --max-lag");
+      tool.warn("in some direction the ACF does not fall to " + level.text +
+                " within the lags; increase --max-lag");
   warn_of_few(tool, result.estimate.size);
   const Grid& grid = result.estimate.basis.pairs.grid();
   for (const Parameter& row : out)
@@ -133,7 +144,7 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
   data.attributes.set("acf_skewness", height.ssk);
   data.attributes.set("acf_kurtosis", height.sku);
   if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
-  // In m2; of a field that is no height there is none.
+  // In m2: of heights only.
   if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
   cli::check_finite(lengths);
   for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
@@ -141,59 +152,51 @@ void add_to(Dataset& data, const Surface& surface, const Result& result, const P
 
 Result estimate(const Surface& surface, const Options& what, Shape max_lag, int threads) {
   Result out{AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
-  if (what.structure) out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
-  if (what.quantiles) out.quantiles = quantiles_of(surface.heights);
+  if (what.adds("structure_function"))
+    out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
+  if (what.adds("acf_quantiles")) out.quantiles = quantiles_of(surface.heights);
   return out;
 }
 
 // ---- the command line ----
 
 void declare_estimate(cli::Tool& tool, Options& what) {
-  tool.counts("--max-lag", what.max_lag, 0, "Longest lags, in samples; half the field unless given",
+  tool.counts("--max-lag", what.max_lag, 0, "Longest lags in x and y, in samples; default: half the field",
               "Estimate");
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
   tool.flag("--absolute", what.absolute,
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");
-  tool.flag("--structure", what.structure,
-            "Add the structure function, the mean square difference of two points a lag apart, to the "
-            "profiles and the dataset",
-            "Estimate");
+  tool.words("--add", what.further, {"structure_function", "acf_quantiles"},
+             "Add structure_function or acf_quantiles. structure_function: mean square difference of two "
+             "points a lag apart, in the dataset and the profiles; acf_quantiles: distribution of the "
+             "heights for asperity-generate --marginal measured, in the dataset",
+             "Result");
   tool.text("--levels", what.levels, "LEVEL,...", "Levels of R / R(0,0) at which lengths are measured",
             "Lengths");
-  tool.text("--direction", what.direction, "ANGLE",
-            "Lengths in this direction too, from +x towards +y: 30deg", "Lengths");
+  cli::direction_option(tool, what.direction, "Lengths");
 }
 
 void declare(cli::Tool& tool, Options& what) {
+  what.result.declare(
+      tool,
+      "Write the dataset, or print profiles or lengths. dataset: with the ACF added; profiles: "
+      "R(p,0) and R(0,q) with standard errors; lengths: with intervals, and the ellipticity");
   declare_estimate(tool, what);
-  const cli::Option quantiles = tool.flag(
-      "--quantiles", what.quantiles,
-      "Add the distribution of the heights to the dataset, for asperity-generate --marginal measured",
-      "Estimate");
-  const cli::Option lengths =
-      tool.flag("--lengths", what.lengths, "Print the lengths and the ellipticity", "Result")
-          .excludes(quantiles);
-  const cli::Option profiles =
-      tool.flag("--profiles", what.profiles,
-                "Print the two profiles R(p,0) and R(0,q); so do --json alone and a terminal", "Result")
-          .excludes(lengths)
-          .excludes(quantiles);
-  tool.flag("--dataset", what.dataset, "Write the dataset with the ACF added, as into a pipe or a file",
-            "Result")
-      .excludes(lengths)
-      .excludes(profiles);
   tool.input();
   tool.table();
   tool.output();
   tool.threads();
+  tool.essential({"--result", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--levels",
+                  "--direction", "--max-lag", "--biased", "--add", "--json", "--output"});
   tool.example(
-      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-acf --lengths");
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-acf --result "
+      "lengths");
   tool.accuracy(
-      "The estimate is that of the direct sum over pairs to round-off. Standard errors are Bartlett's for a "
-      "Gaussian field; those of neighbouring lags are strongly correlated. The subtracted mean lowers all "
-      "lags by its own variance, R(0,0) / N_eff_mean (asperity-stats). Lengths are interpolated in ln R, "
-      "exact for an exponential. With missing points pairs are counted of which both are there; a lag "
-      "without any is not a number.");
+      "The estimate equals the direct sum over pairs to round-off. Standard errors are Bartlett's for a "
+      "Gaussian field; the errors of neighbouring lags are strongly correlated. Subtracting the field's mean "
+      "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
+      "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
+      "measured points count; a lag without such a pair is NaN.");
 }
 
 }  // namespace
@@ -201,32 +204,31 @@ void declare(cli::Tool& tool, Options& what) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-acf",
-      "The autocorrelation of a surface. Passes the dataset on with the whole ACF over lag_x >= 0 and lag_y "
-      "of both signs, as asperity-kernel --acf - reads it, its R(0,0) as the attribute acf_variance, "
-      "skewness and kurtosis of the heights as acf_skewness and acf_kurtosis, and the lengths at which it "
-      "first falls to 10 % and to 1/e, or other levels, as acf_length_10_x and so on. Or prints these "
-      "lengths; or, as on a terminal, the two profiles with standard errors, a row a lag, beside the target "
-      "where the dataset carries one (acf_target).");
+      "Measures the autocorrelation function (ACF) of a surface and adds it to the dataset: acf over lag_x "
+      ">= 0 and lag_y of both signs, as asperity-kernel --acf - reads it. Attributes hold its R(0,0) "
+      "(acf_variance), the skewness and kurtosis of the heights (acf_skewness, acf_kurtosis), and the "
+      "lengths at which it first falls to 10 % and 1/e or to --levels (acf_length_10_x and so on). --result "
+      "lengths prints these lengths; --result profiles prints the two profiles, one row per lag, with "
+      "standard errors and the target if the dataset has one (acf_target).");
   cli::FieldOptions options;
   Options what;
   options.declare(tool);
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    const bool dataset =
-        cli::writes_dataset(tool, what.lengths || what.profiles, what.dataset, "profiles or lengths");
+    what.check(tool);
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
     Result result = estimate(surface, what, max_lag, tool.thread_count());
     if (options.variable == "heights")
       result.target = cli::carried_correlation(data, "acf_target", surface.grid);
-    if (dataset) {
+    if (what.result.dataset()) {
       const cli::Inventory before(data);
       add_to(data, surface, result, lengths_of(tool, result, what), options.variable, what.absolute);
       before.tell(tool, data, "acf");
       tool.write(data);
-    } else if (what.lengths) {
+    } else if (what.result.result == "lengths") {
       cli::print(tool, lengths_of(tool, result, what));
     } else {
       warn_of_few(tool, result.estimate.size);

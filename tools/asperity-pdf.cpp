@@ -22,38 +22,38 @@ struct Options {
     const std::string group = "Estimate";
     tool.choice(
         "--estimate", estimate, {"histogram", "kernel", "quantiles"},
-        "Counts in bins; the density by a Gaussian kernel; or quantiles beside those of a Gaussian, the data "
-        "of a Q-Q plot",
+        "Estimate of the distribution. histogram: counts in bins; kernel: density by a Gaussian kernel; "
+        "quantiles: heights beside those of a Gaussian, for a Q-Q plot",
         group);
-    const cli::Bounds rows(0, most_points, "as many rows as the longest table has");
+    const cli::Bounds rows(0, most_points, "more than the longest table has");
     tool.integer("--bins", bins, rows,
-                 "Bins of equal width over the range; 0: Scott's rule, 3.49 Sq / N^(1/3)", group);
+                 "Number of bins of equal width; 0: by Scott's rule, a width of 3.49 Sq / N^(1/3)", group);
     tool.number("--bandwidth", bandwidth,
-                "Standard deviation of the kernel, in Sq; absent: Silverman's rule, 1.06 / N^(1/5)", group);
-    tool.integer("--rows", points, rows, "Of the kernel's curve, or quantiles; 0: 256 and 99", group);
+                "Standard deviation of the kernel, in Sq; default: Silverman's rule, 1.06 / N^(1/5)", group);
+    tool.integer("--rows", points, rows, "Rows of the kernel's curve or of quantiles; 0: 256 and 99", group);
   }
 
   void check(const cli::Tool& tool) const {
-    auto belongs = [&](const char* option, bool fits, const char* to) {
+    auto check_estimate = [&](const char* option, bool fits, const char* to) {
       if (tool.given(std::string("--") + option) && !fits)
-        throw cli::UsageError(option, std::string("belongs to --estimate ") + to);
+        throw cli::UsageError(option, std::string("needs --estimate ") + to);
     };
-    belongs("bins", estimate == "histogram", "histogram");
-    belongs("bandwidth", estimate == "kernel", "kernel");
-    belongs("rows", estimate != "histogram", "kernel or quantiles");
+    check_estimate("bins", estimate == "histogram", "histogram");
+    check_estimate("bandwidth", estimate == "kernel", "kernel");
+    check_estimate("rows", estimate != "histogram", "kernel or --estimate quantiles");
   }
 };
 
-// A field, and the errors that can be told of it.
+// A field, and the errors of its distribution.
 struct Heights {
   const Surface& surface;
   const Moments& m;
   const EffectiveSampleSize& size;
 
-  // Not a number where none is told.
-  double told(double error) const { return size.tells_errors() ? error : NAN; }
+  // NaN where errors cannot be given.
+  double known(double error) const { return size.gives_errors() ? error : NAN; }
   double misfit(double deviation, double error) const {
-    const double scale = told(error);
+    const double scale = known(error);
     return scale > 0 || std::isnan(scale) ? deviation / scale : deviation;
   }
 };
@@ -70,7 +70,7 @@ cli::Table table_of_bins(const Heights& of, int bins) {
                   {"gaussian_density", density}},
                  {}};
   for (const Bin& bin : histogram(of.surface.heights, of.m, of.size, bins)) {
-    const double per_height = 1 / (of.size.points() * bin.width()), error = of.told(bin.count_error);
+    const double per_height = 1 / (of.size.points() * bin.width()), error = of.known(bin.count_error);
     out.rows.push_back({bin.centre(), bin.count, error, bin.expected,
                         of.misfit(bin.count - bin.expected, bin.misfit_error), bin.count * per_height,
                         error * per_height, bin.expected * per_height});
@@ -87,7 +87,7 @@ cli::Table table_of_density(const Heights& of, double bandwidth, int points) {
                   {"misfit", "1", cli::Holds::unknown}},
                  {}};
   for (const DensityPoint& p : kernel_density(of.surface.heights, of.m, of.size, bandwidth, points))
-    out.rows.push_back({p.height, p.density, of.told(p.density_error), p.gaussian,
+    out.rows.push_back({p.height, p.density, of.known(p.density_error), p.gaussian,
                         of.misfit(p.density - p.gaussian, p.misfit_error)});
   return out;
 }
@@ -102,7 +102,7 @@ cli::Table table_of_quantiles(const Heights& of, const MaterialRatioCurve& curve
                   {"misfit", "1", cli::Holds::unknown}},
                  {}};
   for (const QuantilePoint& p : quantile_plot(curve, of.m, of.size, points))
-    out.rows.push_back({p.share, p.normal, p.height, of.told(p.height_error), p.gaussian,
+    out.rows.push_back({p.share, p.normal, p.height, of.known(p.height_error), p.gaussian,
                         of.misfit(p.height - p.gaussian, p.misfit_error)});
   return out;
 }
@@ -111,12 +111,12 @@ double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampl
   if (std::isnan(what.bandwidth)) return silverman_bandwidth(m, size.points());
   const double least = least_bandwidth * m.sz() / m.sq;
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
-    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is not finite or below " +
+    throw cli::UsageError("bandwidth", "'" + cli::shortest(what.bandwidth) + "' is not finite or is below " +
                                            cli::shortest(least) + " Sq, 1e-5 of the range of heights");
   if (what.bandwidth * m.sq > m.sz())
-    throw cli::UsageError("bandwidth", "value " + cli::shortest(what.bandwidth) + " is above " +
+    throw cli::UsageError("bandwidth", "'" + cli::shortest(what.bandwidth) + "' is above " +
                                            cli::shortest(m.sz() / m.sq) +
-                                           " Sq, the range of heights: nothing but the kernel would show");
+                                           " Sq, the range of heights: only the kernel would show");
   return what.bandwidth * m.sq;
 }
 
@@ -128,7 +128,7 @@ cli::Table table_of(const Heights& of, const Options& what, int threads) {
                               what.points ? what.points : 99);
   const double points = of.size.points();
   if (what.bins > points)
-    throw cli::UsageError("bins", "value " + std::to_string(what.bins) + " is above the number of points, " +
+    throw cli::UsageError("bins", "'" + std::to_string(what.bins) + "' is above the number of points, " +
                                       cli::shortest(points));
   return table_of_bins(of, what.bins ? what.bins : scott_bins(of.m, points));
 }
@@ -138,11 +138,11 @@ cli::Table table_of(const Heights& of, const Options& what, int threads) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-pdf",
-      "The distribution of the heights beside the Gaussian of the same mean and Sq, with standard errors. A "
-      "histogram, a row a bin: its centre, count, the count expected of the Gaussian, the misfit (the "
-      "difference in its own standard errors), and the same as densities. Or the density by a Gaussian "
-      "kernel beside the Gaussian that the kernel has widened likewise. Or quantiles beside those of the "
-      "Gaussian, on a straight line against the normal quantile.");
+      "Prints the distribution of the heights beside the Gaussian of the same mean and Sq, with standard "
+      "errors. histogram: one row per bin with its centre, its count, the count expected for the Gaussian, "
+      "the misfit (their difference divided by its standard error), and the same as densities. kernel: the "
+      "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
+      "those of the Gaussian, which lie on a straight line against the normal quantile.");
   cli::FieldOptions options;
   Options what;
   options.declare(tool);
@@ -150,13 +150,15 @@ int main(int argc, char** argv) {
   tool.input();
   tool.table();
   tool.threads();
+  tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
+                  "--lambda-s", "--lambda-c", "--correlation", "--json", "--output", "--from"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
-      "Counts and quantiles are exact, the kernel's sum to 2e-14. Standard errors are those of a Gaussian "
-      "field and allow for the correlation of the heights; errors of neighbouring rows are correlated. Of a "
-      "Gaussian surface 95 % of the misfits lie within 2, bins of a few counts and the outermost quantiles "
-      "apart.");
+      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field "
+      "and allow for the correlation of the heights; errors of neighbouring rows are correlated. For a "
+      "Gaussian surface 95 % of the misfits lie within 2, except in bins of a few counts and for the "
+      "outermost quantiles.");
 
   return tool.run(argc, argv, [&] {
     what.check(tool);

@@ -14,7 +14,7 @@ namespace {
 
 struct Options {
   std::string window = "auto";
-  bool radial = false, profiles = false, dataset = false;
+  cli::ResultOption result{{"profiles", "radial"}};
 
   DataWindows windows(const Grid& grid) const {
     if (window == "auto") return default_windows(grid);
@@ -23,7 +23,7 @@ struct Options {
   }
 };
 
-// Of heights "m3" or "m4", of a pressure "Pa2 m" or "Pa2 m2".
+// "m3" or "m4" for heights, "Pa2 m" or "Pa2 m2" for a pressure.
 std::string density_units(const Surface& surface, int lengths) {
   if (surface.units == "m") return cli::unit_to(surface.units, 2 + lengths);
   const std::string length = lengths == 1 ? "m" : "m" + std::to_string(lengths);
@@ -43,9 +43,10 @@ cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows
   for (const SpectrumPoint& ring : radial_spectrum(psd, surface.grid, inflation))
     out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
   if (out.rows.empty())
-    throw DataError("heights", "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
-                                   ": its longest wave along one side is too short for the other side's "
-                                   "spacing; --profiles and --dataset have the spectrum");
+    throw DataError("heights",
+                    "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
+                        ": its shorter side is below twice the larger spacing; use --result profiles or "
+                        "--result dataset");
   return out;
 }
 
@@ -78,30 +79,28 @@ void add_to(Dataset& data, const Surface& surface, const LagField& psd, const st
 }
 
 void declare(cli::Tool& tool, Options& what) {
+  what.result.declare(
+      tool,
+      "Write the dataset, or print profiles or rings. dataset: with the PSD added; profiles: the "
+      "mean PSD of the profiles along x, and along y; radial: the mean over rings of wave "
+      "numbers");
   tool.choice("--window", what.window, {"auto", "none", "hann"},
-              "Weight towards the edges; auto: Hann's unless the field is periodic", "Estimate");
-  const cli::Option radial =
-      tool.flag("--radial", what.radial,
-                "Print the mean over rings of wave numbers; so do --json alone and a terminal", "Result");
-  const cli::Option profiles = tool.flag("--profiles", what.profiles,
-                                         "Print the mean over the profiles along x, and along y", "Result")
-                                   .excludes(radial);
-  tool.flag("--dataset", what.dataset, "Write the dataset with the PSD added, as into a pipe or a file",
-            "Result")
-      .excludes(radial)
-      .excludes(profiles);
+              "Window function; auto: Hann's, or none if the field is periodic", "Estimate");
   tool.input();
   tool.table();
   tool.output();
   tool.threads();
+  tool.essential({"--result", "--window", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
+                  "--output", "--threads", "--from"});
   tool.example(
-      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-psd --radial");
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-psd --result "
+      "radial");
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
-      "both signs, or sum / L of a profile's. Standard errors are those of a Gaussian field and allow for "
-      "what a window makes neighbours share. Wave numbers are 2 pi / wavelength. Missing points stand at the "
-      "mean and the sum is divided by the window's square over the others: of scattered holes, a share g, g "
-      "Sq^2 dx dy leaks into every wave number.");
+      "both signs, or sum / L for a profile. Standard errors hold for a Gaussian field and allow for the "
+      "correlation that a window causes between neighbouring wave numbers. Wave numbers are 2 pi / "
+      "wavelength. Missing points are set to the mean, and the sum is divided by the squared window over "
+      "the other points: a share g of scattered holes adds about g Sq^2 dx dy at every wave number.");
 }
 
 }  // namespace
@@ -109,26 +108,26 @@ void declare(cli::Tool& tool, Options& what) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-psd",
-      "The power spectral density of a surface. Passes the dataset on with psd over wave_number_x >= 0 and "
-      "wave_number_y of both signs, in m4: (dx dy)^2 / (Lx Ly) |transform|^2, its window of mean square 1. "
-      "Or prints its mean over rings, as on a terminal; or that of the profiles, in m3.");
+      "Measures the power spectral density (PSD) of a surface and adds it to the dataset: psd over "
+      "wave_number_x >= 0 and wave_number_y of both signs, in m4, is (dx dy)^2 / (Lx Ly) |transform|^2 "
+      "with a window of mean square 1. --result radial prints its mean over rings of wave numbers; "
+      "--result profiles prints the PSD of the profiles, in m3.");
   cli::FieldOptions options;
   Options what;
   options.declare_field(tool);
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
-    const bool dataset =
-        cli::writes_dataset(tool, what.profiles || what.radial, what.dataset, "rings or profiles");
+    what.result.check(tool);
     Dataset data = tool.read();
     const Surface surface = options.read(tool, data);
     const DataWindows windows = what.windows(surface.grid);
-    if (what.profiles) {
+    if (what.result.result == "profiles") {
       cli::print(tool, profiles(surface, windows, tool.thread_count()));
       return cli::done;
     }
     const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
-    if (!dataset) {
+    if (!what.result.dataset()) {
       cli::print(tool, radial(surface, psd, windows));
       return cli::done;
     }

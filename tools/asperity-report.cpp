@@ -44,7 +44,7 @@ std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data,
     return {{"Height parameters", {}, error.what()}};
   }
   warn_of_few(tool, sample->size());
-  why_untold = untold(sample->size());
+  why_untold = too_few(sample->size());
   return {group_of(tool, *sample, Group::height, "Height parameters"),
           group_of(tool, *sample, Group::spatial, "Spatial parameters"),
           group_of(tool, *sample, Group::hybrid, "Hybrid parameters")};

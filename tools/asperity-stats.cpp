@@ -28,14 +28,14 @@ bool larger_than_memory(const std::string& path, std::size_t memory) {
   return looks_like_netcdf(first);
 }
 
-// What needs the whole field in memory, as it stands on the command line; "" when nothing does.
+// The option that needs the whole field in memory; "" if none does.
 std::string needs_whole_field(const MeasureOptions& asked) {
   if (asked.groups.contains(Group::spatial)) return "--parameters spatial";
   if (!std::isnan(asked.preparation.short_cutoff)) return "--lambda-s";
   return std::isnan(asked.preparation.long_cutoff) ? "" : "--lambda-c";
 }
 
-// The surfaces that are named, one after the other.
+// The surfaces of the command line, measured one by one.
 class Surfaces {
  public:
   Surfaces(const cli::Tool& tool, const cli::FieldOptions& field, const MeasureOptions& asked)
@@ -46,15 +46,15 @@ class Surfaces {
     grids_.add(tool_, grid_of(data), name);
     add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()));
   }
-  /// Of a file that is too large to be read whole; returns whether it is.
+  /// Reads a file that is too large for memory in strips; false if it is not.
   bool add_in_strips(const std::string& path) {
     const std::string whole = needs_whole_field(asked_);
     if ((!tool_.given("--memory") && !whole.empty()) || !larger_than_memory(path, tool_.memory()))
       return false;
     if (!whole.empty())
       throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
-                                          " bytes are more than an eighth of it, and " + whole +
-                                          " needs the whole field");
+                                          " bytes are more than an eighth of it, but " + whole +
+                                          " needs the whole field; allow more");
     const FieldFile file(path, field_.variable, tool_.memory_bound());
     grids_.add(tool_, file.grid(), path);
     Dataset head = file.dataset();
@@ -80,7 +80,7 @@ class Surfaces {
     tool_.note("read in strips of " + rows);
     if (sample.correlation_reaches_beyond())
       tool_.warn("the correlation is longer than half a strip of " + rows +
-                 ": standard errors are too small; see --memory");
+                 ": standard errors are too small; increase --memory");
     return sample;
   }
 
@@ -90,7 +90,7 @@ class Surfaces {
     for (const Group group : asked_.groups) {
       const Parameters rows = measure(sample, group, asked_);
       if (const std::string why = missing(rows); group == Group::hybrid && !why.empty()) {
-        // A group that cannot be had takes no other with it.
+        // The other groups are still printed.
         if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
         missing_.insert(field_.variable + ": no hybrid parameters: " + why);
       }
@@ -120,21 +120,40 @@ class Surfaces {
   cli::EnsembleGrid grids_;
   EnsembleParameters ensemble_;
   Parameters last_;
-  // What is said once, of however many surfaces.
+  // Warnings that are given once for all surfaces.
   std::optional<EffectiveSampleSize> fewest_ = {};  ///< of the surface with the fewest independent heights
-  std::set<std::string> missing_ = {};              ///< groups that cannot be had, and why
+  std::set<std::string> missing_ = {};              ///< groups without values, and why
 };
+
+void document(cli::Tool& tool) {
+  tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
+                  "--direction", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
+                  "--output"});
+  tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
+  tool.accuracy(
+      "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Standard "
+      "errors hold for a Gaussian field, to first order in 1/N_eff. Those of the height parameters use "
+      "the distribution that the heights were drawn with, if the dataset has it, or Johnson's "
+      "distribution if Ssk or Sku differs from a Gaussian's by more than four standard errors. 95 % "
+      "intervals of the height parameters, of Sal and of lengths cover 93 to 97 % of 2000 simulated "
+      "fields down to N_eff = 41, with a known or an estimated correlation (97.7 % for the length at "
+      "1/e with an estimated one at N_eff = 41). Errors are rough below N_eff = 10, or 20 with an "
+      "estimated correlation; no errors are given below half of that. Peak and valley have no standard "
+      "errors; a dash marks a quantity without an interval. Slopes and curvatures use differences of "
+      "neighbouring points: for a wave of n points per period they are low by a fraction of 1.6/n^2 "
+      "(Sdq) to 6.6/n^2 (m4). The standard error of a mean over profiles allows for their correlation.");
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-stats",
-      "Parameters of a surface by ISO 25178-2, with standard errors that allow for the correlation of "
+      "Measures surface parameters (ISO 25178-2) with standard errors that allow for the correlation of "
       "neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population moments of the whole "
-      "field. Of several surfaces, the mean of each parameter over them, its standard error and spread, and "
-      "the spread that the surfaces' own errors lead to expect. Surfaces of another spacing than the first's "
-      "are refused, for slopes, peaks and lengths follow it; of another size they are averaged with a "
+      "field. For several surfaces it prints the mean of each parameter, its standard error, its spread, and "
+      "the spread expected from the errors of the single surfaces. All surfaces need the same spacing, "
+      "because slopes, peaks and lengths depend on it; surfaces of different sizes are averaged with a "
       "warning.");
   cli::EnsembleInput surfaces;
   cli::StatsOptions options;
@@ -142,19 +161,7 @@ int main(int argc, char** argv) {
   options.declare(tool);
   tool.table();
   tool.threads();
-  tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
-  tool.accuracy(
-      "Moments to twelve digits, 1 nm on an offset of 1 m included. Standard errors are those of a Gaussian "
-      "field, to first order in 1/N_eff; those of the height parameters, where the dataset says what "
-      "distribution the heights were drawn with or Ssk or Sku tell by four standard errors that they are not "
-      "Gaussian, are those of that distribution or of Johnson's of these moments. 95 % intervals of the "
-      "height parameters, of Sal and of lengths hold 93 to 97 %, within what 2000 fields can tell, with the "
-      "correlation that a dataset carries or an estimated one, down to N_eff = 41; there an estimated one's "
-      "length at 1/e holds 97.7 %. Below N_eff = 5, or 10 where it is estimated, which does not fall much "
-      "lower however few heights are independent, no errors are told, and up to twice that they are rough. "
-      "Peak and valley have none, nor has what shows a dash. Slopes and curvatures are those of differences "
-      "of neighbouring points: of a wave of n points a period low by 1.6/n^2 (Sdq) to 6.6/n^2 (m4). The mean "
-      "over profiles has the standard error of those that are independent.");
+  document(tool);
 
   return tool.run(argc, argv, [&] {
     Surfaces measured(tool, options.field, options.checked(tool));

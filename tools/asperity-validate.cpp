@@ -1,4 +1,4 @@
-// Whether an ensemble of surfaces has the rms height, skewness, kurtosis and autocorrelation prescribed.
+// Tests whether surfaces have the prescribed rms height, skewness, kurtosis and autocorrelation.
 #include <cmath>
 #include <optional>
 
@@ -28,29 +28,36 @@ struct Options {
     const std::string asked = "Prescribed", answer = "Answer";
     surfaces.declare(tool);
     tool.text("--variable", variable, "NAME",
-              "The field of heights, its missing points (mask, _FillValue, NaN) left out", "Field");
-    tool.text("--acf", target, "FILE",
-              "Autocorrelation, as asperity-kernel --acf reads it; absent: acf_target of the first surface",
-              asked);
-    tool.quantity("--rq", rq, "m", "Rms height; absent: that of the target, where it has one", asked);
+              "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
+    tool.text(
+        "--acf", target, "FILE",
+        "Prescribed autocorrelation. A table as asperity-kernel --acf reads it; default: acf_target of the "
+        "first surface",
+        asked);
+    tool.quantity("--rq", rq, "m", "Prescribed rms height; default: that of the target, if it has one",
+                  asked);
     tool.number("--skewness", skewness,
-                "Skewness; absent: what the first surface was drawn to have, or a Gaussian's, 0", asked);
-    tool.number("--kurtosis", kurtosis,
-                "Kurtosis; absent: likewise, else 3 + 1.5 SKEWNESS^2, a Gaussian's being 3", asked);
+                "Prescribed skewness; default: that the first surface was drawn with, else 0", asked);
+    tool.number(
+        "--kurtosis", kurtosis,
+        "Prescribed kurtosis; default: that the first surface was drawn with, else 3 + 1.5 SKEWNESS^2, "
+        "which is 3 for a Gaussian",
+        asked);
     tool.number("--significance", significance,
-                "Largest rate of false alarms of the whole answer, between 0 and 0.5", answer);
+                "Largest rate of false alarms of all rows together; between 0 and 0.5", answer);
     tool.choice(
         "--errors", errors, {"auto", "theory", "spread"},
-        "Where standard errors come from: those of Gaussian surfaces of the target's correlation, for one "
-        "surface or many; the spread over the ensemble, for any distribution and a dozen surfaces or more; "
-        "auto takes theory where Gaussian heights are prescribed",
+        "Source of the standard errors. theory: Gaussian surfaces of the target's correlation, for one "
+        "surface or more; spread: the spread over the ensemble, for any distribution and at least a dozen "
+        "surfaces; auto: theory if Gaussian heights are prescribed, else spread",
         answer);
   }
 
   void check() const {
     if (!std::isnan(rq)) check_rms(rq);
     if (significance > 0 && significance < 0.5) return;
-    throw ParameterError("significance", "value " + shortest(significance) + " is not between 0 and 0.5");
+    throw ParameterError("significance",
+                         "'" + shortest(significance) + "' is not a number between 0 and 0.5");
   }
 };
 
@@ -61,15 +68,14 @@ Specification from_file(const cli::Tool& tool, const std::string& name, const Gr
     const double step = axis == 0 ? grid.dx : grid.dy, lag = table.spacing ? (*table.spacing)[axis] : step;
     if (std::abs(lag - step) > 1e-6 * step)
       throw DataError("acf_target",
-                      "its lags are " + shortest(lag) + " m apart, the heights " + shortest(step) + " m");
+                      "its lags are " + shortest(lag) + " m apart, but the heights " + shortest(step) + " m");
   }
   return {.correlation = LagField(table.half_plane), .sq = table.rms};
 }
 
 Specification carried(const Dataset& data, const Grid& grid) {
   const std::optional<LagField> rho = cli::carried_correlation(data, "acf_target", grid);
-  if (!rho)
-    throw DataError("acf_target", "the first surface carries none for its grid; --acf names another file");
+  if (!rho) throw DataError("acf_target", "the first surface has none for its grid; name a table with --acf");
   const bool height = cli::has_height(data.at("acf_target"));
   const Field table = known_lags(table_of(data, "acf_target", height ? "m2" : "1", Missing::not_a_number));
   return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};
@@ -115,30 +121,37 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
   return out;
 }
 
+void document(cli::Tool& tool) {
+  tool.exit_status(not_as_prescribed, "a quantity differs from what is prescribed");
+  tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--errors", "--variable",
+                  "--json", "--output", "--threads"});
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
+      "s_%02d.nc && asperity-validate s_*.nc");
+  tool.accuracy(
+      "The rate of false alarms stays below --significance: of 2000 single Gaussian surfaces of N_eff = 300 "
+      "and more, 0.6 to 0.75 % differed at 1 % and 3.4 to 4.3 % at 5 %. The means are corrected for the bias "
+      "that subtracting each field's own mean and dividing by its own Sq causes. Theory needs at least 5 "
+      "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.3 to 1 % "
+      "and 2.9 to 4.3 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags "
+      "up to a quarter of the field are compared.");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-validate",
-      "Whether surfaces, one or an ensemble, have the rms height, skewness, kurtosis and autocorrelation "
-      "that were prescribed. A row a claim: what was prescribed, the mean over the surfaces with its "
-      "standard error, their distance z in standard errors, the p-value, and the verdict at --significance "
-      "shared among the claims. The ACF is one claim over all its lags; the lag (x, y in samples) that "
-      "strays most is shown. The row 'all' is the answer. Exit status: 0 all agree, 5 something differs.");
+      "Tests whether one or more surfaces have the prescribed rms height, skewness, kurtosis and "
+      "autocorrelation. Each row shows a quantity: its prescribed value, the mean over the surfaces with its "
+      "standard error, their difference z in standard errors, the p-value, and the verdict at --significance "
+      "shared among the rows. The ACF is tested over all its lags in one row, which shows the lag (x, y in "
+      "samples) of the largest deviation. The row 'all' gives the overall result.");
   Options options;
   options.declare(tool);
   tool.table();
   tool.threads();
-  tool.example(
-      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
-      "s_%02d.nc && asperity-validate s_*.nc");
-  tool.accuracy(
-      "Gaussian surfaces are refused at most at the stated rate: of 2000 single ones of N_eff = 300 and more "
-      "0.6 to 0.75 % at 1 %, 3.4 to 4.3 % at 5 %. The means are freed of the bias that each field's own mean "
-      "and Sq bring. A surface worth fewer than 5 independent points is refused unless errors come from the "
-      "spread. --errors spread takes Student's t: of a dozen surfaces 0.3 to 1 % and 2.9 to 4.3 %. Surfaces "
-      "drawn with --exact-rq have no spread of Sq, which then always agrees. Lags of up to a quarter of the "
-      "field are compared.");
+  document(tool);
 
   return tool.run(argc, argv, [&] {
     options.check();

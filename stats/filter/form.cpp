@@ -64,8 +64,8 @@ Mean mean_above_base(const Field& z) {
 
 FormFit::FormFit(Shape field, int degree) : degree_(degree) {
   if (degree < 0 || degree > largest_form_degree)
-    throw ParameterError(
-        "remove-form", std::to_string(degree) + " is no degree from 0 to " + std::to_string(largest_form_degree));
+    throw ParameterError("remove-form", "'" + std::to_string(degree) + "' is not a degree from 0 to " +
+                                            std::to_string(largest_form_degree));
   along_x_ = gram_polynomials(field.nx, degree);
   along_y_ = gram_polynomials(field.ny, degree);
   for (Index a = 0; a < along_x_.cols(); ++a)
@@ -116,9 +116,8 @@ void FormFit::end_pass() {
   if (missing_) {
     const auto solution = solve_positive(gram_, right, least_pivot);
     if (!solution)
-      throw ParameterError("remove-form", std::to_string(degree_) +
-                                        ": the points that are not missing do not determine a form of this "
-                                        "degree");
+      throw ParameterError("remove-form", "'" + std::to_string(degree_) +
+                                              "' is too high a degree for the points that are not missing");
     right = *solution;
   }
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());

@@ -1,20 +1,20 @@
-/// The form of a surface, and what is left of the heights without it: the F-operation of ISO 25178-2.
+/// The form of a surface and its removal: the F-operation of ISO 25178-2.
 ///
 /// Heights are measured from the polynomial of total degree d in x and y that fits them best in least
 /// squares,
 ///     z(i,j) ≈ Σ_{a+b≤d} c_ab P_a(i) P_b(j),   c_ab = Σ_ij P_a(i) P_b(j) z(i,j),                      (1)
-/// with P_0, P_1, … orthonormal over the indices (Gram's polynomials): on a full grid so are their products,
-/// and (1) is an exact projection. Degree 0 is the mean, 1 the mean plane, 2 takes a sphere's cap away. Where
-/// an axis has n points its degree ends at n-1. Where heights are missing the sums run over the points that
-/// are there,
+/// with P_0, P_1, … orthonormal over the indices (Gram's polynomials). On a full grid their products are
+/// orthonormal too, and (1) is an exact projection. Degree 0 is the mean, 1 the mean plane, 2 removes a
+/// spherical cap. Along an axis of n points the degree is at most n-1. If heights are missing, the sums run
+/// over the measured points,
 ///     Σ_{a'b'} G_{ab,a'b'} c_a'b' = Σ P_a P_b z,                                                      (2)
-///     G_{ab,a'b'} = Σ P_a(i) P_b(j) P_a'(i) P_b'(j) over the points that are there,                   (3)
-/// the unit matrix less what the missing points had of it. Missing points stay missing.
+///     G_{ab,a'b'} = Σ P_a(i) P_b(j) P_a'(i) P_b'(j) over the measured points,                         (3)
+/// the unit matrix less the sum over the missing points. Missing points stay missing.
 ///
 /// Accuracy  z(0,0) is subtracted first, an exact operation where heights vary by less than a factor of two:
-///           roughness of 1 nm on an offset of 1 m keeps all its digits. (1) is projected once more on what
-///           is left: within ε √(nx ny) of the form's rms. (2) is solved three times; points that determine a
-///           form so badly that a pivot of (3) is below 1e-10 of the largest are refused.
+///           roughness of 1 nm on an offset of 1 m keeps all its digits. (1) is applied once more to the
+///           remaining heights: within ε √(nx ny) of the form's rms. (2) is solved three times; points for
+///           which a pivot of (3) is below 1e-10 of the largest are refused.
 /// Cost      degree 0: two passes over the data; else two of 4 (d+1) products a point; with missing heights
 ///           three, (d+1)² more a point and (d+1)⁴/8 a row.
 ///
@@ -31,7 +31,7 @@ namespace asperity {
 
 inline constexpr int largest_form_degree = 20;
 
-/// A mean as a height of the field and what it lies above it, which holds more digits than their sum.
+/// A mean as the sum of a height of the field and a small difference, which has more digits than one double.
 struct Mean {
   double base = 0, above = 0;
 
@@ -54,18 +54,18 @@ class MeanSum {
 Mean mean_above_base(const Field& z);
 inline double mean(const Field& z) { return mean_above_base(z).value(); }
 
-/// (1), or (2), of a field that comes in strips of its rows, by passes over it until done().
+/// (1) or (2) of a field that comes in strips of rows, by passes over it until done().
 class FormFit {
  public:
   /// Throws ParameterError("remove-form") unless 0 ≤ degree ≤ 20.
   FormFit(Shape field, int degree);
 
-  /// Heights whose first row is the field's row `first`, near zero and less the form of earlier passes.
+  /// Heights whose first row is the field's row `first`, near zero, without the form of earlier passes.
   void add(const Field& strip, Index first);
-  /// Throws ParameterError("remove-form") where the points that are there do not determine the form.
+  /// Throws ParameterError("remove-form") if the measured points do not determine the form.
   void end_pass();
   bool done() const { return steps_.size() == (missing_ ? 3 : 2); }
-  /// Takes what the passes from `pass` on have found off heights whose first is the field's (row, column).
+  /// Subtracts the form found by the passes from `pass` on; the first height is the field's (row, column).
   void remove(Eigen::Ref<Field> heights, Index row, Index column = 0, std::size_t pass = 0) const;
 
  private:

@@ -74,8 +74,8 @@ Field over_valid(EvenConvolution& average, const Field& heights) {
 Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads) {
   const double least = 2 * std::max(grid.dx, grid.dy);
   if (!(cutoff >= least && std::isfinite(cutoff)))
-    throw ParameterError("cut-off",
-                         shortest(cutoff) + " m: not finite or below two samples, " + shortest(least) + " m");
+    throw ParameterError("cut-off", "'" + shortest(cutoff) + " m' is not finite or is below two samples, " +
+                                        shortest(least) + " m");
   const double level = mean(z);
   const Field heights = z - level;
   const Weights along_x(grid.shape.nx, grid.dx, cutoff), along_y(grid.shape.ny, grid.dy, cutoff);

@@ -1,9 +1,8 @@
 /// Missing heights: points that were not measured, or are masked.
 ///
-/// A missing point is NaN. Every statistic leaves it out: a sum runs over the points that are there and is
-/// divided by their number, a difference, a cell or a pair with a missing point does not count. A sum that is
-/// a number shows that nothing is missing from it, and a field without missing points pays nothing for those
-/// that others have.
+/// A missing point is NaN. Every statistic leaves it out: a sum runs over the measured points and is divided
+/// by their number; a difference, cell or pair with a missing point does not count. A sum that is not NaN has
+/// no missing point, so that complete fields need no extra pass.
 #pragma once
 
 #include <cmath>
@@ -14,7 +13,7 @@
 
 namespace asperity {
 
-/// A sum over the entries that are there, and their number.
+/// A sum over the entries that are not NaN, and their number.
 struct ValidSum {
   double sum = 0, count = 0;
 };

@@ -58,13 +58,13 @@ int scott_bins(const Moments& moments, double points) {
 
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size,
                            int bins) {
-  if (bins < 1) throw ParameterError("bins", "value " + std::to_string(bins) + " is below 1");
+  if (bins < 1) throw ParameterError("bins", "'" + std::to_string(bins) + "' is below 1");
   const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
                width = (z.maxCoeff<Eigen::PropagateNumbers>() - lowest) / bins;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   if (!(width >= epsilon * z.isNaN().select(0, z).abs().maxCoeff()))
     throw DataError("heights", "their range is too narrow for " + std::to_string(bins) +
-                                   " bins: doubles do not tell their edges apart");
+                                   " bins: neighbouring edges are the same double");
   std::vector<Bin> out(static_cast<std::size_t>(bins));
   for (std::size_t b = 0; b < out.size(); ++b) {
     out[b].lower = lowest + static_cast<double>(b) * width;

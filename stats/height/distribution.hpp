@@ -1,18 +1,19 @@
 /// A histogram of the heights, its standard errors, and the Gaussian of the same mean and Sq.
 ///
-/// Bins of equal width from the lowest to the highest height, as many as Scott's rule asks for,
+/// Bins of equal width from the lowest to the highest height; their number follows Scott's rule,
 ///     width ≤ (24 √π / N)^{1/3} Sq = 3.49 Sq N^{-1/3},                                             (1)
-/// best for N Gaussian heights; N, no smaller effective number, since correlation adds an error that no width
-/// changes. Each bin holds lower ≤ z < upper, the last one its upper edge too.
+/// the optimum for N Gaussian heights. N is not reduced for correlation, whose error does not depend on the
+/// width. Each bin holds lower ≤ z < upper; the last one includes its upper edge.
 ///
 /// The count c of a bin [a,b], in units of Sq about the mean, sums indicators of Hermite coefficients
 ///     c_k = He_{k-1}(a) φ(a) - He_{k-1}(b) φ(b),                                                   (2)
 ///     Var[c] = N Σ_{k≥1} (c_k²/k!) S_k            (stats/uncertainty/effective_size.hpp),          (3)
-/// N f(1-f) where heights are independent, f = Φ(b) - Φ(a). Its own mean and Sq take k = 1 and 2 away:
+/// which is N f(1-f) for independent heights, f = Φ(b) - Φ(a). Fitting the mean and Sq removes k = 1 and 2:
 ///     Var[c - N f] = N Σ_{k≥3} (c_k²/k!) S_k.                                                      (4)
 ///
 /// Symbols   c  count      φ, Φ  the Gaussian's density and distribution      S_k  sums over the correlation
-/// Accuracy  (3), (4) to first order in 1/N, of Gaussian heights; neighbouring bins' errors are correlated.
+/// Accuracy  (3), (4) to first order in 1/N, for Gaussian heights; errors of neighbouring bins are
+///           correlated.
 /// Cost      one pass over the data, 512 terms a bin.
 ///
 /// D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
@@ -31,21 +32,21 @@ namespace asperity {
 struct Bin {
   double lower = 0, upper = 0;
   double count = 0;
-  double count_error = 0;   ///< √(3): of the count
+  double count_error = 0;   ///< √(3), of the count
   double expected = 0;      ///< N f
-  double misfit_error = 0;  ///< √(4): of count - expected
+  double misfit_error = 0;  ///< √(4), of count - expected
 
   double centre() const { return 0.5 * (lower + upper); }
   double width() const { return upper - lower; }
 };
 
-/// (1), at least 1 and at most a million, nor more than points.
+/// (1), at least 1, at most a million or the number of points.
 int scott_bins(const Moments& moments, double points);
 
-/// Throws ParameterError("bins", …) below 1, DataError("heights", …) where doubles cannot tell so many apart.
+/// Throws ParameterError("bins", …) below 1, DataError("heights", …) if bin edges coincide as doubles.
 std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins);
 
-/// Σ w(k) S_k/N over k ≥ 1, and over k ≥ 3, of Hermite weights that add up to `total`.
+/// Σ w(k) S_k/N over k ≥ 1, and over k ≥ 3, for Hermite weights that add up to `total`.
 struct HermiteVariance {
   double all, misfit;
 };

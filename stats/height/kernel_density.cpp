@@ -93,15 +93,15 @@ double silverman_bandwidth(const Moments& moments, double points) {
 }
 
 std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
-                                         const EffectiveSampleSize& size, double bandwidth, int points) {
+                                         const EffectiveSampleSize& size, double bandwidth, int rows) {
   const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
                highest = z.maxCoeff<Eigen::PropagateNumbers>();
-  if (points < 2) throw ParameterError("points", "value " + std::to_string(points) + " is below 2");
+  if (rows < 2) throw ParameterError("rows", "'" + std::to_string(rows) + "' is below 2");
   if (!(bandwidth > 0 && bandwidth >= least_bandwidth * (highest - lowest) && std::isfinite(bandwidth)))
-    throw ParameterError("bandwidth", "is not finite, or below 1e-5 of the range of heights");
+    throw ParameterError("bandwidth", "is not finite or is below 1e-5 of the range of heights");
   const Cells cells(z, lowest, highest, bandwidth);
-  std::vector<DensityPoint> out(static_cast<std::size_t>(points));
-  const double from = lowest - 3 * bandwidth, step = (highest - lowest + 6 * bandwidth) / (points - 1);
+  std::vector<DensityPoint> out(static_cast<std::size_t>(rows));
+  const double from = lowest - 3 * bandwidth, step = (highest - lowest + 6 * bandwidth) / (rows - 1);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double t = from + static_cast<double>(i) * step;
     const DensityPoint law = gaussian_law((t - moments.mean) / moments.sq, bandwidth / moments.sq, size);

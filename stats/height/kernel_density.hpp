@@ -1,13 +1,14 @@
 /// The density of heights by a Gaussian kernel, its errors, and the Gaussian of the same mean and Sq.
 ///
 ///     f(t) = 1/(N h) Σ φ((t - z_i)/h)                                                               (1)
-/// with the bandwidth that is best for N Gaussian heights (N as in stats/height/distribution.hpp),
+/// with the optimal bandwidth for N Gaussian heights (N as in stats/height/distribution.hpp),
 ///     h = (4/(3N))^{1/5} Sq = 1.06 Sq N^{-1/5}.                                                     (2)
-/// The kernel widens what it shows: beside (1) stands its mean over Gaussian heights, in Sq, s² = 1 + h²,
+/// The kernel widens the distribution. (1) is compared with its mean over Gaussian heights, in Sq, s² = 1 +
+/// h²,
 ///     E[f(t)] = φ(t/s)/s.                                                                           (3)
 /// With the Hermite coefficients c_k = He_k(t/s) φ(t/s) s^{-k-1} (stats/uncertainty/effective_size.hpp)
 ///     Var[f] = 1/N Σ_{k≥1} (c_k²/k!) S_k;                                                           (4)
-/// against (3) of the field's own mean and Sq the terms k = 1 and 2 drop out:
+/// compared with (3) for the field's own mean and Sq, the terms k = 1 and 2 drop out:
 ///     Var[f - φ(t/s)/s] = 1/N Σ_{k≥3} (c_k²/k!) S_k.                                                (5)
 ///
 /// (1) is summed over cells of half a bandwidth: with the moments M_k = Σ d^k/√k! of a cell's heights c + h
@@ -17,7 +18,7 @@
 /// Symbols   z  heights      h  bandwidth      φ  the Gaussian's density      S_k  sums over the correlation
 /// Accuracy  (6) to 2e-14 of the largest value, (1/4)^14/√14!, besides round-off. (4), (5) to first order in
 ///           1/N, for Gaussian heights; errors of neighbouring points are correlated.
-/// Cost      one pass of 14 multiplications a height; 40 cells of 14 terms a point of the curve, and 512
+/// Cost      one pass of 14 multiplications per height; per point of the curve 40 cells of 14 terms, and 512
 ///           terms for its errors. Memory 28 Sz/h numbers.
 ///
 /// B. W. Silverman, Density Estimation for Statistics and Data Analysis, Chapman and Hall 1986, eq. 3.28;
@@ -38,7 +39,7 @@ struct DensityPoint {
   double density = 0;
   double density_error = 0;  ///< √(4)
   double gaussian = 0;       ///< (3)
-  double misfit_error = 0;   ///< √(5): of density - gaussian
+  double misfit_error = 0;   ///< √(5), of density - gaussian
 };
 
 constexpr double least_bandwidth = 1e-5;  ///< of the range of heights
@@ -46,9 +47,9 @@ constexpr double least_bandwidth = 1e-5;  ///< of the range of heights
 /// (2), in the unit of the field.
 double silverman_bandwidth(const Moments& moments, double points);
 
-/// At `points` equidistant heights, from three bandwidths below the lowest to three above the highest. Throws
-/// ParameterError("points", …) below 2, ("bandwidth", …) unless it is finite and not less than the least.
+/// At `rows` equidistant heights, from three bandwidths below the lowest to three above the highest. Throws
+/// ParameterError("rows", …) below 2, ("bandwidth", …) unless it is finite and at least the least one.
 std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
-                                         const EffectiveSampleSize& size, double bandwidth, int points);
+                                         const EffectiveSampleSize& size, double bandwidth, int rows);
 
 }  // namespace asperity

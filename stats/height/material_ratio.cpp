@@ -37,7 +37,7 @@ std::vector<double> sorted_descending(const Field& z, int threads) {
 
 void check_share(double ratio) {
   if (!(ratio >= 0 && ratio <= 1))
-    throw ParameterError("material-ratio", "value " + shortest(ratio) + " is outside 0 to 1");
+    throw ParameterError("material-ratio", "'" + shortest(ratio) + "' is not a number from 0 to 1");
 }
 
 // A straight piece of the curve: rank and height at either end.
@@ -56,7 +56,7 @@ struct Piece {
 
 MaterialRatioCurve::MaterialRatioCurve(const Field& z, int threads)
     : descending_(sorted_descending(z, threads)) {
-  if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs two heights");
+  if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs at least two heights");
 }
 
 MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightBin>& ascending) {
@@ -149,7 +149,7 @@ CoreParameters MaterialRatioCurve::core() const {
 VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
   const double upper = height(p), lower = height(q);
   if (p > q)
-    throw ParameterError("material-ratio", "value " + shortest(p) + " is above the second, " + shortest(q));
+    throw ParameterError("material-ratio", "'" + shortest(p) + "' is above the second, " + shortest(q));
   const double peak = area(0, p, upper), dale = 0 - area(q, 1, lower);
   return {.vmp = peak, .vmc = area(0, q, lower) - peak, .vvc = 0 - area(p, 1, upper) - dale, .vvv = dale};
 }
@@ -170,11 +170,11 @@ double material_height_error(double ratio, const Moments& moments, const Effecti
 }
 
 std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
-                                         const EffectiveSampleSize& size, int points) {
-  if (points < 1) throw ParameterError("points", "value " + std::to_string(points) + " is below 1");
-  std::vector<QuantilePoint> out(static_cast<std::size_t>(points));
+                                         const EffectiveSampleSize& size, int rows) {
+  if (rows < 1) throw ParameterError("rows", "'" + std::to_string(rows) + "' is below 1");
+  std::vector<QuantilePoint> out(static_cast<std::size_t>(rows));
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / points, x = gsl_cdf_ugaussian_Pinv(share);
+    const double share = (static_cast<double>(i) + 0.5) / rows, x = gsl_cdf_ugaussian_Pinv(share);
     out[i] = {.share = share,
               .normal = x,
               .height = curve.quantile(share),

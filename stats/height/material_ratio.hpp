@@ -1,35 +1,37 @@
-/// The areal material ratio curve (Abbott and Firestone's bearing curve) and what is read off it.
+/// The areal material ratio curve (Abbott and Firestone's bearing curve) and its parameters.
 ///
 /// c(p), the inverse material ratio, is the height above which the share p of the surface lies: the k-th
-/// highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, and straight lines between,
+/// highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, with straight lines between,
 ///     c(0) = Sp,   c(1) = -Sv,   Smc(p) = c(p),   Smr = c⁻¹.                                          (1)
-/// The core is the first stretch [p₀, p₀ + 0.4] over which c falls least; its line of least squares, drawn
-/// out to p = 0 and p = 1, meets them at the heights u and v,
+/// The core is the first interval [p₀, p₀ + 0.4] over which c falls least; its least-squares line, extended
+/// to p = 0 and p = 1, has the heights u and v there,
 ///     Sk = u - v,   Smr1 = Smr(u),   Smr2 = Smr(v).                                                    (2)
 /// Triangles of the same area on the same base replace the hills above u and the dales below v,
 ///     Spk = 2/Smr1 ∫₀^{Smr1} (c - u) dp,   Svk = 2/(1-Smr2) ∫_{Smr2}¹ (v - c) dp,                       (3)
-/// zero where the base is. Volumes per area, of material above a height and of void below it,
+/// zero if the base is. Volumes per area, of material above a height and of void below it,
 ///     Vm(p) = ∫₀ᵖ [c(t) - c(p)] dt,   Vv(p) = ∫ₚ¹ [c(p) - c(t)] dt,                                     (4)
 ///     Vmp = Vm(p),  Vmc = Vm(q) - Vm(p),  Vvc = Vv(p) - Vv(q),  Vvv = Vv(q),  p = 10 %, q = 80 %.
 ///
-/// By Bahadur a Gaussian field's c(p) strays as the share of heights below it does, an indicator of the
-/// Hermite coefficients He_{k-1}(a) φ(a), of which the field's own mean takes the first away; with the sums
-/// S_k of the correlation (stats/uncertainty/effective_size.hpp)
+/// By Bahadur, c(p) of a Gaussian field varies as the share of heights below it does. That is the mean of an
+/// indicator with the Hermite coefficients He_{k-1}(a) φ(a), the first of which drops out because heights are
+/// measured from the field's own mean; with the sums S_k of the correlation
+/// (stats/uncertainty/effective_size.hpp)
 ///     Var[c(p)] = σ²/N Σ_{k≥2} He_{k-1}(a)²/k! S_k,   a = Φ⁻¹(1-p),                                     (5)
-/// σ² [p(1-p)/φ(a)² - 1]/N where heights are independent.
+/// which is σ² [p(1-p)/φ(a)² - 1]/N for independent heights.
 ///
-/// Q–Q plot: at the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which it lies stands
-/// beside x_i = Φ⁻¹(s_i). Gaussian heights stray from the line z̄ + Sq x of their own mean and Sq by (5)
-/// without the term k = 2. Errors of neighbouring quantiles are correlated.
+/// Q–Q plot: for the shares s_i = (i - ½)/n, i = 1 … n (Hazen), the height c_i below which the share lies is
+/// plotted against x_i = Φ⁻¹(s_i). The deviation of Gaussian heights from the line z̄ + Sq x of their own
+/// mean and Sq has the variance (5) without the term k = 2. Errors of neighbouring quantiles are correlated.
 ///
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
 ///           Vm, Vv  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
-/// Accuracy  Exact for the piecewise straight curve (1) to round-off; of a population's smooth curve the bias
-///           is O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) c(p) strays by less than
-///           a cell's width w, 2e-6 to 2e-5 Sq, in fact w/√(4n) for n heights a run, and volumes by less; of
-///           two stretches that fall equally but for w the other may be the core.
+/// Accuracy  Exact for the piecewise straight curve (1) to round-off; for the smooth curve of a population
+///           the bias is O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) the error of
+///           c(p) is below a cell's width w, 2e-6 to 2e-5 Sq, typically w/√(4n) for n heights per run, and
+///           that of volumes is smaller; of two intervals whose falls differ by less than w either may be the
+///           core.
 /// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and
-///           a few binary searches a run for (2).
+///           a few binary searches per run for (2).
 ///
 /// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes. E. J. Abbott, F. A.
 /// Firestone, Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
@@ -61,7 +63,7 @@ class MaterialRatioCurve {
  public:
   /// Throws DataError("heights", …) for fewer than two heights.
   explicit MaterialRatioCurve(const Field& z, int threads = 1);
-  /// Straight from the lowest to the highest height of each run; there are two heights.
+  /// Straight from the lowest to the highest height of each run; of at least two heights.
   explicit MaterialRatioCurve(const std::vector<HeightBin>& ascending);
 
   /// c(p), 0 ≤ p ≤ 1; throws ParameterError("material-ratio", …) outside.
@@ -86,13 +88,14 @@ class MaterialRatioCurve {
   void segments(double from, double to, Visit visit) const;
   double area(double from, double to, double level) const;
 
-  std::vector<double> descending_, ranks_;  ///< heights of the corners, and their ranks; none: 0, 1, 2, …
+  std::vector<double> descending_, ranks_;  ///< heights of the corners, and their ranks; 0, 1, 2, … if empty
 };
 
-/// What of the field's own the heights are measured by.
+/// The estimates that heights are measured with.
 enum class Fitted { mean, mean_and_sq };
 
-/// √(5), infinite at p = 0 and 1; without the term k = 2 that of c(p) - z̄ - Sq Φ⁻¹(1-p), if both are fitted.
+/// √(5), infinite at p = 0 and 1; if both are fitted, that of c(p) - z̄ - Sq Φ⁻¹(1-p), without the term k =
+/// 2.
 double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,
                              Fitted fitted = Fitted::mean);
 
@@ -106,8 +109,8 @@ struct QuantilePoint {
   double misfit_error = 0;  ///< of height - gaussian
 };
 
-/// At n shares; throws ParameterError("points", …) below 1.
+/// At `rows` shares; throws ParameterError("rows", …) below 1.
 std::vector<QuantilePoint> quantile_plot(const MaterialRatioCurve& curve, const Moments& moments,
-                                         const EffectiveSampleSize& size, int points);
+                                         const EffectiveSampleSize& size, int rows);
 
 }  // namespace asperity

@@ -1,8 +1,8 @@
 /// Means over neighbouring points of a field, row by row.
 ///
 /// On a periodic grid every point has all neighbours; otherwise only points that have them are visited. Sums
-/// are taken a row at a time and added up in order: results depend neither on the number of threads nor on
-/// strips. A side, cell or stencil with a missing height is NaN and left out, of the mean's divisor too.
+/// of rows are added up in order, so that results do not depend on the number of threads or strips. A side,
+/// cell or stencil with a missing height is NaN and left out of the sum and of the divisor.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace asperity {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-/// Whole rows of a field: `core` of them, and behind them a halo, for their neighbours, of the next ones. On
-/// a periodic grid the first rows are next to the last one; a strip of all rows needs no halo.
+/// Whole rows of a field: `core` of them, followed by a halo of the next rows, their neighbours. On a
+/// periodic grid the first rows follow the last one; a strip of all rows needs no halo.
 struct Strip {
   const Field& z;
   Grid grid;  ///< of the whole field
@@ -27,13 +27,13 @@ struct Strip {
 
   static Strip whole(const Field& z, const Grid& grid) { return {z, grid, z.rows()}; }
   bool closed() const { return grid.periodic && z.rows() == grid.shape.nx; }
-  /// Points of the field's shorter side; without end where it repeats itself.
+  /// Points of the field's shorter side; unlimited if it is periodic.
   Index shortest_side() const {
     return grid.periodic ? std::numeric_limits<Index>::max() : std::min(grid.shape.nx, grid.shape.ny);
   }
 };
 
-/// Rows of a strip, with `margin` points more at the end where the field repeats itself.
+/// Rows of a strip, with `margin` more points at the end if the field is periodic.
 class NeighbourRows {
  public:
   NeighbourRows(const Strip& strip, Index margin)
@@ -42,7 +42,7 @@ class NeighbourRows {
         columns_(z_.cols() - (strip.grid.periodic ? 0 : margin)),
         margin_(strip.grid.periodic ? margin : 0) {}
 
-  /// How many rows have `margin` more behind them, and how many points of a row.
+  /// The number of rows followed by `margin` more, and of points in a row.
   Index rows() const { return std::max<Index>(0, rows_); }
   Index columns() const { return std::max<Index>(0, columns_); }
   /// Row i, 0 ≤ i < rows() + margin, of columns() + margin points.
@@ -58,13 +58,13 @@ class NeighbourRows {
   Index rows_, columns_, margin_;
 };
 
-/// Sums of what is there, and how much is there.
+/// Sums and numbers of the entries that are not NaN.
 template <std::size_t K>
 using RowSums = std::array<ValidSum, K>;
 
 inline double mean_of(const ValidSum& sum) { return sum.sum / sum.count; }
 
-/// Adds Σ_i sum(i) over `rows` rows, each of K sums along row i, to the total.
+/// Adds Σ_i sum(i) over `rows` rows to the total; sum(i) is K sums along row i.
 template <std::size_t K, class Sum>
 void add_rows(RowSums<K>& total, Index rows, int threads, Sum sum) {
   std::vector<RowSums<K>> of_rows(static_cast<std::size_t>(rows));

@@ -1,19 +1,20 @@
-/// Sdq and Sdr of ISO 25178-2: the rms slope of a surface and the area it has beyond its plan.
+/// Sdq and Sdr of ISO 25178-2: the rms slope and the developed interfacial area ratio of a surface.
 ///
 /// A cell of the corners z(i,j), z(i+1,j), z(i,j+1), z(i+1,j+1) has sides of the slopes a = Δz/Δx at j and a'
 /// at j+1, b = Δz/Δy at i and b' at i+1. On a periodic grid the last points are neighbours of the first ones.
 ///     Sdq = √(mean a² + mean b²)                      over all sides in x, and all in y               (1)
-/// Sdr is that of the four triangles which join the sides to the middle of the cell, at the mean height of
-/// its corners. A triangle on a side in x has the gradient (a, (b+b')/2), on one in y ((a+a')/2, b):
+/// Sdr uses the four triangles between the sides and the middle of the cell, at the mean height of its
+/// corners. A triangle on a side in x has the gradient (a, (b+b')/2), on a side in y ((a+a')/2, b):
 ///     Sdr = mean over cells of ¼ Σ_triangles √(1 + |∇z|²) - 1.                                         (2)
 /// Unlike a cell cut along a diagonal, this does not change when the surface is turned over or transposed.
-/// Sides and cells with a missing corner do not count, nor does their plan.
+/// Sides and cells with a missing corner are left out, together with their plan area.
 ///
-/// Accuracy  (1), (2) are exact for a plane. Of a wave of wave number q along an axis (1) is sin(qh/2)/(qh/2)
-///           times the slope: error -(qh)²/24; (2) falls short by h²/24 mean[z''²/(1 + z'²)^{3/2}], chords
-///           for arcs. Both depend on the spacing as the surface does: one that is rough at all scales has no
-///           limit. Sdr of small slopes keeps its digits: √(1+g²) - 1 is g²/(1 + √(1+g²)).
-/// Cost      one pass each, four roots a cell for (2).
+/// Accuracy  (1), (2) are exact for a plane. For a wave of wave number q along an axis, (1) is the slope
+///           times sin(qh/2)/(qh/2): error -(qh)²/24; (2) is low by h²/24 mean[z''²/(1 + z'²)^{3/2}], because
+///           chords replace arcs. Both depend on the spacing: a surface that is rough at all scales has no
+///           limit. Sdr of small slopes keeps its digits, because √(1+g²) - 1 is computed as g²/(1 +
+///           √(1+g²)).
+/// Cost      one pass each, four roots per cell for (2).
 #pragma once
 
 #include <cmath>
@@ -31,7 +32,7 @@ struct SlopeParameters {
 class SlopeSums {
  public:
   void add(const Strip& strip, int threads = 1);
-  /// Throws DataError("heights", …) without a cell of 2 × 2 points that are there.
+  /// Throws DataError("heights", …) without a cell of 2 × 2 measured points.
   SlopeParameters parameters(const Grid& grid) const;
 
  private:

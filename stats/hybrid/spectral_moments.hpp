@@ -7,19 +7,18 @@
 /// and m00 = Sq². A profile in the direction θ, with c = cos θ and s = sin θ, has the moments m0 = m00,
 ///     m2 = c² m20 + 2cs m11 + s² m02                                mean square slope                  (2)
 ///     m4 = c⁴ m40 + 4c³s m31 + 6c²s² m22 + 4cs³ m13 + s⁴ m04        mean square second derivative      (3)
-/// (Longuet-Higgins), and the bandwidth parameter α = m0 m4/m2² (Nayak), ≥ 1 of a profile; 3/2 is the least
-/// of an isotropic surface, 3 that of a Gaussian autocorrelation.
+/// (Longuet-Higgins), and the bandwidth parameter α = m0 m4/m2² (Nayak): at least 1 for a profile, at least
+/// 3/2 for an isotropic surface, and 3 for a Gaussian autocorrelation.
 ///
 /// The derivatives are the simplest differences: z(i+1) - z(i) and z(i+1) - 2z(i) + z(i-1) along an axis; zx
-/// zy of a cell from the means of its sides' slopes, zxy from the four diagonal neighbours; over all points
-/// that have these neighbours, on a periodic grid every one.
+/// zy of a cell from the mean slopes of its sides; zxy from the four diagonal neighbours. Means are over all
+/// points that have these neighbours; on a periodic grid every point has them.
 ///
 /// Symbols   m_kl [m^{2-k-l}]      θ  angle from +x towards +y [rad]
-/// Accuracy  With u = qx Δx/2, v = qy Δy/2 and S(t) = sin(t)/t, a wave (qx,qy) is counted in m20 with the
-///           factor S(u)², in m11 S(u)S(v)cos(u)cos(v), in m40 S(u)⁴, in m22 S(u)²S(v)², in m31
-///           S(u)³S(v)cos(u)cos(v): m2 is low by Δ² m4/12, m4 by Δ² m6/6, order 2. A surface that is rough
-///           down to the spacing has no m2 and m4 other than those of its spacing. m0 as in
-///           stats/sample/moments.hpp.
+/// Accuracy  With u = qx Δx/2, v = qy Δy/2 and S(t) = sin(t)/t, the contribution of a wave (qx,qy) to m20 has
+///           the factor S(u)², to m11 S(u)S(v)cos(u)cos(v), to m40 S(u)⁴, to m22 S(u)²S(v)², to m31
+///           S(u)³S(v)cos(u)cos(v): m2 is low by Δ² m4/12, m4 by Δ² m6/6, order 2. For a surface that is
+///           rough down to the spacing, m2 and m4 depend on the spacing. m0 as in stats/sample/moments.hpp.
 /// Cost      one pass.
 ///
 /// M. S. Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321-387.
@@ -48,17 +47,17 @@ struct SpectralMoments {
 
   /// (2), (3).
   ProfileSpectralMoments along(double angle) const;
-  /// The isotropic surface of the same m0 and geometric means √(m20 m02), √(m40 m04), as is usual where x and
-  /// y are the texture's axes.
+  /// The isotropic surface of the same m0 and geometric means √(m20 m02), √(m40 m04), the usual choice if x
+  /// and y are the axes of the texture.
   ProfileSpectralMoments isotropic() const;
 };
 
-/// The sums of a field that comes in strips with two rows behind each but the last.
+/// The sums of a field that comes in strips, each but the last with a halo of two rows.
 class SpectralMomentSums {
  public:
   /// `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
-  /// Throws DataError("heights", …) without 3 × 3 points that are there.
+  /// Throws DataError("heights", …) without 3 × 3 measured points.
   SpectralMoments moments(const Grid& grid) const;
 
  private:

@@ -1,12 +1,12 @@
 /// Summits: counted on the grid, and expected of a Gaussian surface of the same spectral moments.
 ///
-/// Counted  A summit is higher than each of its eight neighbours; points at the edge of a field that is not
-///          periodic, or beside a missing point, are none, nor do they count as area. Its curvature is that
-///          of the parabolas through it along x and y,
+/// Counted  A summit is higher than each of its eight neighbours. Points beside a missing point, or at the
+///          edge of a field that is not periodic, are left out, together with their area. The curvature is
+///          that of the parabolas along x and y,
 ///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²];              (1)
-///          Greenwood and Williamson's model takes the density η, the radius R = 1/mean κ, and the standard
+///          Greenwood and Williamson's model uses the density η, the radius R = 1/mean κ, and the standard
 ///          deviation σ_s of the heights.
-/// Expected Of an isotropic Gaussian surface with the spectral moments m0, m2, m4 of a profile
+/// Expected For an isotropic Gaussian surface with the spectral moments m0, m2, m4 of a profile
 ///          (stats/hybrid/spectral_moments.hpp) and α = m0 m4/m2² (Nayak):
 ///              η = m4/(6π√3 m2)                                                                       (2)
 ///              mean height 4 √(m0/(πα)),   σ_s² = m0 [1 - (1 + 16/π - 3√3)/α]                          (3)
@@ -14,16 +14,17 @@
 ///
 /// Symbols   η  density [1/m²]      κ  curvature [1/m]      heights above the mean [m]
 ///           1 + 16/π - 3√3 = 0.8968
-/// Accuracy  Order 2 in the spacing: of a surface of the correlation exp(-r²/l²) the count is low by 0.8
-///           (h/l)² and the mean curvature by (h/l)². (2) with finite differences: by 7/6 (h/l)², the
-///           curvature by 5/6 (h/l)². Of independent heights the ninth part are summits, whatever (2) says
-///           (Greenwood 1984): where counted and expected differ, the surface is rough at the scale of the
-///           spacing, or not Gaussian. Points of equal height, as in coarsely quantised data, are no summits.
+/// Accuracy  Order 2 in the spacing: for a surface of the correlation exp(-r²/l²) the count is low by 0.8
+///           (h/l)² and the mean curvature by (h/l)². (2) with finite differences is low by 7/6 (h/l)², the
+///           curvature by 5/6 (h/l)². A ninth of independent heights are summits, whatever (2) gives
+///           (Greenwood 1984): if counted and expected summits differ, the surface is rough at the scale of
+///           the spacing or not Gaussian. Points of equal height, as in coarsely quantised data, are no
+///           summits.
 /// Cost      one pass.
 ///
 /// J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300-319.
 /// P. R. Nayak, J. Lubr. Technol. 93 (1971) 398-407. J. A. Greenwood, Proc. R. Soc. A 393 (1984) 133-157.
-/// (3) from Nayak's joint density of heights and curvatures; McCool, Wear 107 (1986) 37-60, has it in digits.
+/// (3) from Nayak's joint density of heights and curvatures; in numbers: McCool, Wear 107 (1986) 37-60.
 #pragma once
 
 #include "stats/hybrid/neighbours.hpp"
@@ -44,20 +45,20 @@ struct CountedSummits : Summits {
   double count = 0;
 };
 
-/// The sums of a field that comes in strips with two rows behind each but the last.
+/// The sums of a field that comes in strips, each but the last with a halo of two rows.
 class SummitSums {
  public:
   /// `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
-  /// Throws DataError("heights", …) without 3 × 3 points that are there. Without a summit only density and
-  /// count, 0, are numbers.
+  /// Throws DataError("heights", …) without 3 × 3 measured points. Without a summit, density and count are 0
+  /// and the others NaN.
   CountedSummits summits(const Grid& grid) const;
 
  private:
   RowSums<4> sums_{};
 };
 
-/// (2)–(4); without second derivatives only the density, 0, is a number.
+/// (2)–(4); without second derivatives the density is 0 and the others are NaN.
 Summits expected_summits(const ProfileSpectralMoments& moments);
 
 }  // namespace asperity

@@ -1,31 +1,32 @@
-/// Four tests of whether heights are Gaussian, which allow for their correlation.
+/// Four tests for Gaussian heights that allow for the correlation of the heights.
 ///
 /// Against the Gaussian with the field's own mean and rms height, x = (z - z̄)/Sq sorted to x_1 ≤ … ≤ x_N:
 ///     Jarque–Bera         JB = Ssk²/(6 S_3/N) + (Sku - 3 + 6 S_2/N)²/(24 S_4/N)                     (1)
 ///     Kolmogorov–Smirnov  √N sup |F_N - Φ|                                                          (2)
 ///     Anderson–Darling    A² = -N - 1/N Σ (2i-1) [ln Φ(x_i) + ln(1 - Φ(x_{N+1-i}))]                 (3)
 ///     Pearson's χ²        Σ (c - N/B)²/(N/B) over B bins of equal probability                       (4)
-/// Published tables hold for independent heights, and reject a Gaussian field whose neighbours are nearly the
-/// same. The null distributions used instead, of a Gaussian field of sums S_k
+/// Published tables hold for independent heights and reject a Gaussian field whose neighbours are nearly
+/// equal. The null distributions used instead are those of a Gaussian field with the sums S_k
 /// (stats/uncertainty/effective_size.hpp):
-///     JB   χ² of 2 degrees; -6 S_2/N is what Sku falls short of 3 in a finite field
+///     JB   χ² of 2 degrees; -6 S_2/N is the bias of Sku in a finite field
 ///     KS   the supremum of the process D (stats/uncertainty/null_distribution.hpp)
 ///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights
 ///          the eigenvalues of D's covariance by the trapezoidal rule over |x| ≤ 6
-///     χ²   the sum of squared differences of D over bins, such a sum, of neither B - 1 nor B - 3 degrees:
-///          the fit is of the heights, not of the counts (Chernoff and Lehmann)
-/// `naive_p` is that with S_k = 1, of independent heights; of JB the statistic too changes.
+///     χ²   the sum of squared differences of D over bins, also a weighted sum of χ²; B - 1 or B - 3 degrees
+///          of freedom would be wrong, because the heights are fitted and not the counts (Chernoff, Lehmann)
+/// `naive_p` is the p-value with S_k = 1, for independent heights; for JB the statistic changes too.
 /// Bins: B = 2 (N/S_3)^{2/5} (Mann and Wald), 6 ≤ B ≤ 64.
 ///
 /// Symbols   F_N  empirical distribution     Φ  the Gaussian's      c  count of a bin      N  points
-/// Accuracy  They are limits for many independent patches, N/S_2 ≫ 1. At 5 % false alarms of 300 fields each
-///           are within sampling error of 5 % at N/S_2 = 800 and more (tests/stats/gaussianity.cpp). Inside
-///           the limits: p to 3e-4 for A², 1e-9 of itself for χ², √(p(1-p)/8192) for KS, none below 1/8193;
-///           the error of estimated S_k comes on top. By runs (stats/height/order.hpp), s the largest share
-///           of the heights in one, w its cell's width at the mean per Sq: KS within √N s, A² within 15 √N w
-///           KS, χ² within 4 B s [√(N χ²) + B s N], were all heights of all runs at one end; scattered, far
-///           closer.
-/// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms, by runs 6 a run.
+/// Accuracy  The distributions are limits for many independent patches, N/S_2 ≫ 1. The rate of false alarms
+///           of 300 fields is within sampling error of the nominal 5 % from N/S_2 = 800 on
+///           (tests/stats/gaussianity.cpp). Errors of p itself: 3e-4 for A², a relative 1e-9 for χ²,
+///           √(p(1-p)/8192) for KS, with a least p of 1/8193; the error of estimated S_k adds to them. By
+///           runs (stats/height/order.hpp), with s the largest share of heights in a run and w the width of
+///           its cell at the mean, per Sq: KS within √N s, A² within 15 √N w KS, χ² within
+///           4 B s [√(N χ²) + B s N], bounds for all heights of all runs at one end.
+/// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms, by runs 6 per
+///           run.
 ///
 /// C. M. Jarque, A. K. Bera, Int. Stat. Rev. 55 (1987) 163-172; T. W. Anderson, D. A. Darling, Ann. Math.
 /// Stat. 23 (1952) 193-212; H. W. Lilliefors, J. Am. Stat. Assoc. 62 (1967) 399-402; H. Chernoff, E. L.
@@ -44,15 +45,15 @@
 
 namespace asperity {
 
-/// The weights of A²'s distribution, and those of χ² over B bins.
+/// The weights of the distributions of A², and of χ² over B bins.
 Eigen::ArrayXd anderson_darling_weights(const EffectiveSampleSize& size);
 Eigen::ArrayXd pearson_weights(const EffectiveSampleSize& size, int bins);
 
 struct GoodnessOfFit {
   std::string_view test;
   double statistic = 0;  ///< (1)–(4)
-  double p = 0;          ///< of a Gaussian field of this correlation
-  double naive_p = 0;    ///< of independent heights
+  double p = 0;          ///< for a Gaussian field of this correlation
+  double naive_p = 0;    ///< for independent heights
 };
 
 class GaussianityTest {
@@ -60,14 +61,14 @@ class GaussianityTest {
   explicit GaussianityTest(const EffectiveSampleSize& size);
 
   int bins() const { return bins_; }
-  /// `moments` are z's, whose missing points are left out. The tests in the order (1)–(4).
+  /// The tests in the order (1)–(4); `moments` are those of z. Missing points are left out.
   std::array<GoodnessOfFit, 4> operator()(const Field& z, const Moments& moments) const;
   /// Of a field that came in strips.
   std::array<GoodnessOfFit, 4> operator()(const std::vector<HeightBin>& ascending,
                                           const Moments& moments) const;
 
  private:
-  /// What the p-values of one correlation rest on.
+  /// The distributions for one correlation.
   struct NullDistributions {
     NullDistributions(const EffectiveSampleSize& of, int bins);
 

@@ -59,10 +59,10 @@ Shape longest_lag(const LagField& rho, const Grid& grid) {
 void check(const Specification& asked) {
   if (!(asked.sku >= 1 + asked.ssk * asked.ssk))
     throw ParameterError(
-        "kurtosis", "value " + shortest(asked.sku) + " is below 1 + skewness², which no distribution has");
+        "kurtosis", "'" + shortest(asked.sku) + "' is below 1 + skewness², the least of any distribution");
   if (!asked.spread && (asked.ssk != 0 || asked.sku != 3))
     throw ParameterError("errors",
-                         "theory knows those of Gaussian surfaces only, of skewness 0 and kurtosis 3");
+                         "theory covers Gaussian surfaces only, of skewness 0 and kurtosis 3; use spread");
 }
 
 }  // namespace
@@ -114,18 +114,18 @@ void SpecificationTest::choose_lags() {
 
 void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
   auto refuse = [](const std::string& why) {
-    throw DataError("acf_target", "it reaches too far for the field, " + why);
+    throw DataError("acf_target", "it reaches too far for the field: " + why + "; use a larger field");
   };
-  if (!asked_.spread && !size.tells_errors())
-    refuse("worth N_eff = " + shortest(std::round(10 * size.effective(2)) / 10) +
-           " independent points: theory has errors from " + shortest(size.least_effective()) +
-           " on; take a larger field");
+  if (!asked_.spread && !size.gives_errors())
+    refuse("N_eff = " + shortest(std::round(10 * size.effective(2)) / 10) + " is below " +
+           shortest(size.least_effective()) + ", the least with which theory gives errors");
   const double w = size.mean_power(1);
-  if (!(w < 0.5)) refuse("whose mean takes half of the variance");
+  if (!(w < 0.5)) refuse("subtracting its mean removes half of the variance or more");
   if (translated_ && !(w < most_of_mean))
-    refuse("whose mean takes " + shortest(std::round(100 * w)) +
-           " % of the variance: of heights that are not Gaussian the biases of Ssk and Sku are known "
-           "below 10 %; take a larger field");
+    refuse(
+        "subtracting its mean removes " + shortest(std::round(100 * w)) +
+        " % of the variance, and the biases of Ssk and Sku of heights that are not Gaussian are known only "
+        "below 10 %");
 }
 
 SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
@@ -151,7 +151,7 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
   auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
   if (shape_of(z) != grid_.shape || !same(grid.dx, grid_.dx) || !same(grid.dy, grid_.dy) ||
       grid.periodic != grid_.periodic)
-    throw DataError("heights", "the surface has another grid than the first one");
+    throw DataError("heights", "the grid differs from that of the first surface");
   const Moments m = moments(z);
   const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
   const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
@@ -209,8 +209,8 @@ std::vector<TestResult> SpecificationTest::results() const {
   if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
   if (asked_.spread && surfaces_ < 2)
     throw ParameterError("errors",
-                         "a single surface has no spread, which errors rest on where heights are not to be "
-                         "Gaussian: name several");
+                         "a single surface has no spread, and theory covers Gaussian heights only: name "
+                         "several surfaces");
   std::vector<TestResult> out;
   const Eigen::ArrayXd mean = ensemble_.mean();
   if (std::isfinite(asked_.sq)) {  // tested as a variance, told as an rms height

@@ -1,42 +1,42 @@
-/// Has an ensemble of surfaces the rms height, skewness, kurtosis and autocorrelation that were prescribed?
+/// Tests whether surfaces have the prescribed rms height, skewness, kurtosis and autocorrelation.
 ///
-/// Over M surfaces of N points each, the means of four kinds of figures are compared with those of Gaussian
-/// surfaces of the prescribed correlation ρ. With w = S_1/N of it, heights about their own mean are
-/// correlated by (ρ - w)/(1 - w), exactly so where the surface is periodic, and S_k are the sums of that
+/// The means of four quantities over M surfaces of N points each are compared with those of Gaussian surfaces
+/// of the prescribed correlation ρ. With w = S_1/N, heights about their own mean have the correlation
+/// (ρ - w)/(1 - w), exactly if the surface is periodic; S_k are the sums of that correlation
 /// (stats/uncertainty/effective_size.hpp):
 ///     Sq²/(1 - w) - σ²                       standard error σ² √(2 S_2/(N M))                       (1)
 ///     Ssk                                    √(6 S_3/(N M))                                         (2)
 ///     Sku + 6 S_2/N - 3                      √(24 S_4/(N M))                                        (3)
 ///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (2), over √M          (4)
-/// (4) is the ACF's shape, whatever its height. Each is a mean of quadratic or quartic forms of a Gaussian,
-/// hence skewed: z, the deviation in standard errors, is freed of that by the gamma law of the same three
-/// cumulants (Imhof; Wilson and Hilferty), and of the far tails, heavier than these tell, by Student's t of M
-/// N/(10 S_2) degrees, as was measured. The third cumulants of Sq² and, to first order, Sku are 8 σ⁶ tr C³/N³
-/// and 1728 tr D³/N³, C the correlations of the N points with each other and D their squares; those of e(h),
-/// and the covariances of e(h) with e(g): stats/uncertainty/correlation_algebra.hpp. The p-value of the
-/// largest |score| of the lags is that of the largest of Gaussians so correlated, simulated, or Šidák's bound
-/// 1 - (1 - p)^L where that is smaller. Bonferroni over the K quantities: the answer is "no" when the least p
-/// is below significance/K.
+/// (4) is the shape of the ACF, independent of its height. Each is a mean of quadratic or quartic forms of a
+/// Gaussian, hence skewed. The deviation z in standard errors is corrected for skewness by the gamma law of
+/// the same three cumulants (Imhof; Wilson and Hilferty), and for heavier far tails by Student's t of M N/(10
+/// S_2) degrees, an empirical value. The third cumulants of Sq² and, to first order, Sku are 8 σ⁶ tr C³/N³
+/// and 1728 tr D³/N³, with C the correlation matrix of the N points and D the matrix of its squares; for
+/// those of e(h), and the covariances of e(h) with e(g), see stats/uncertainty/correlation_algebra.hpp. The
+/// p-value of the largest |score| of the lags is that of the largest of Gaussians with these correlations,
+/// simulated, or Šidák's bound 1 - (1 - p)^L if that is smaller. By Bonferroni over the K quantities, the
+/// surfaces differ if the least p is below significance/K.
 ///
-/// Theory has no errors of surfaces that are not meant to be Gaussian. Theirs come from the ensemble's own
-/// spread, by Student's t of ¾(M - 1) degrees, as was measured, and of the lags together by Šidák's bound
-/// alone: t values of the same means stray from one another by their spreads. The bias of Ssk and Sku is then
-/// that of Johnson's translation of the two that are prescribed (stats/uncertainty/translation_error.hpp).
+/// For surfaces that are not to be Gaussian theory gives no errors. They come from the spread of the
+/// ensemble, by Student's t of ¾(M - 1) degrees, an empirical value, and for the lags together by Šidák's
+/// bound alone. The bias of Ssk and Sku is then that of Johnson's translation with the prescribed values
+/// (stats/uncertainty/translation_error.hpp).
 ///
-/// Missing points are left out of every figure, S_k, w and Bartlett's errors are summed over the pairs that a
-/// surface has, and surfaces need not miss the same points. The variance of a mean is the mean variance over
-/// M; third cumulants and covariances are those of complete surfaces. A lag counts for surfaces with a tenth
+/// Missing points are left out. S_k, w and Bartlett's errors are summed over the pairs that a surface has,
+/// and surfaces may miss different points. The variance of a mean is the mean variance over M; third
+/// cumulants and covariances are those of complete surfaces. A lag counts for surfaces with at least a tenth
 /// of its pairs.
 ///
-/// Scope     Theory from N/S_2 = 5 on; heights that are not Gaussian below w = 0.1, for the biases of a
-///           translation are those about a mean that is known.
+/// Scope     Theory from N/S_2 = 5 on; heights that are not Gaussian below w = 0.1, because the biases of a
+///           translation hold for a known mean.
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the
 ///           half-plane.
 /// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a
 ///           stated 1 %, 3.4, 4.3 and 4.3 % at 5 %; with a third of the points missing 0.75 and 0.65 %, 2.9
-///           and 3.2 % (validation/statistics_coverage). Rows of 26 and 64 patches are refused in less than
-///           the stated 5 %. Errors from the spread, of 1000 ensembles of twelve surfaces, 0.3 and 0.6 %, 2.9
-///           and 4.2 %, with holes 1.0 and 4.3 %; of thirty 0.9 and 3.2 %.
+///           and 3.2 % (validation/statistics_coverage). With 26 and 64 patches less than the stated 5 %.
+///           Errors from the spread, 1000 ensembles of twelve surfaces: 0.3 and 0.6 %, 2.9 and 4.2 %, with
+///           holes 1.0 and 4.3 %; of thirty surfaces 0.9 and 3.2 %.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
 /// J. P. Imhof, Biometrika 48 (1961) 419-426; E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688;
@@ -58,47 +58,48 @@
 
 namespace asperity {
 
-/// What surfaces were asked to have.
+/// The prescribed properties.
 struct Specification {
   LagField correlation;  ///< normalised or not
-  double sq = 0;         ///< rms height [m]; not finite: none is prescribed
+  double sq = 0;         ///< rms height [m]; not finite if none is prescribed
   double ssk = 0, sku = 3;
-  bool spread = false;  ///< errors from the spread over the ensemble in place of theory
+  bool spread = false;  ///< errors from the spread over the ensemble instead of theory
   int threads = 1;
 };
 
-/// Of one quantity.
+/// The result for one quantity.
 struct TestResult {
   std::string quantity;
   double prescribed = 0;
-  double mean = 0;             ///< of the ensemble, bias removed
+  double mean = 0;             ///< of the ensemble, corrected for bias
   double standard_error = 0;   ///< of the mean
   double z = 0;                ///< (mean - prescribed)/standard_error
-  double p = 0;                ///< of this quantity alone; of the ACF over all its lags
-  Index lag_x = 0, lag_y = 0;  ///< of the ACF: where it strays most [samples]
+  double p = 0;                ///< of this quantity alone; for the ACF of all its lags
+  Index lag_x = 0, lag_y = 0;  ///< for the ACF: lag of the largest deviation [samples]
 };
 
 class SpecificationTest {
  public:
-  /// Throws ParameterError("kurtosis", …) where it is below what the skewness allows, ("errors", …) where
-  /// theory has none, and DataError("acf_target", …) where a surface is worth too little for theory.
+  /// Throws ParameterError("kurtosis", …) if it is too small for the skewness, ("errors", …) if theory gives
+  /// none, and DataError("acf_target", …) if the correlation is too long for the field.
   SpecificationTest(const Specification& asked, const Grid& grid);
 
-  /// Throws DataError("heights", …) when the grid is not the first one's.
+  /// Throws DataError("heights", …) if the grid differs from the first.
   void add(const Field& z, const Grid& grid);
   int surfaces() const { return surfaces_; }
   int lags() const { return static_cast<int>(lags_.size()); }
-  /// Sq (where prescribed), Ssk, Sku, ACF. Throws ParameterError("errors", …) for the spread of one surface.
+  /// Sq (where prescribed), Ssk, Sku, ACF. Throws ParameterError("errors", …) if the spread of one surface is
+  /// needed.
   std::vector<TestResult> results() const;
 
  private:
-  /// Of surfaces, one or the sum over many.
+  /// For one surface, or the sum over many.
   struct Theory {
     Eigen::Array<double, 5, 1> mean_powers = Eigen::Array<double, 5, 1>::Zero();  ///< S_k/N
     double ssk_bias = 0, sku_bias = 0;
-    Eigen::ArrayXd lag_variances;  ///< of e per σ⁴; 0 where a surface has too few pairs
+    Eigen::ArrayXd lag_variances;  ///< of e per σ⁴; 0 if a surface has too few pairs
   };
-  /// Of heights that are not Gaussian: Johnson's translation, and the correlation of the field below it.
+  /// For heights that are not Gaussian: Johnson's translation, and the correlation of the Gaussian field.
   struct Translated {
     Translation heights;
     LagField below;

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-// The lengths at one level of a target, or of the estimate itself, which alone has errors.
+// The lengths at one level, of a target or of the estimate; only the latter has errors.
 void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level,
                  const std::optional<double>& direction, const LagField* target) {
   const LagField& rho = target ? *target : estimate.rho;
@@ -24,7 +24,7 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
       length.standard_error = estimate.length_error(angle, crossing->lag, crossing->slope);
       length.interval = estimate.lengths.along(angle, level.value);
     }
-    out.add(prefix + "length_" + level.tag + "_" + name, "m", "where the ACF has fallen to {}", length,
+    out.add(prefix + "length_" + level.tag + "_" + name, "m", "lag at which the ACF falls to {}", length,
             {.meaning = level.text});
     return length;
   };
@@ -33,15 +33,16 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
   if (x && y) {
     const double ratio = x->value / y->value,
                  relative = std::hypot(x->standard_error / x->value, y->standard_error / y->value),
-                 error = estimate.size.tells_errors() ? relative : unknown;
+                 error = estimate.size.gives_errors() ? relative : unknown;
     out.add(prefix + "gamma_" + level.tag, "1", "ellipticity, length in x over length in y",
             {ratio, ratio * error, Interval::of_ratio(ratio, half_width_95 * error)});
   }
   if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {
     const std::string name = prefix + "ellipticity_" + level.tag;
-    out.add(name, "1", "long over short axis of the contour at {}", {ellipse->gamma()},
+    out.add(name, "1", "ellipticity of the ACF contour at {}, long over short axis", {ellipse->gamma()},
             {.meaning = level.text});
-    out.add(name + "_direction", "rad", "of the long axis, from +x towards +y", {ellipse->major.angle});
+    out.add(name + "_direction", "rad", "direction of the long axis of that contour, from +x towards +y",
+            {ellipse->major.angle});
   }
 }
 
@@ -63,7 +64,7 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
 }
 
 double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
-  if (!size.tells_errors()) return unknown;
+  if (!size.gives_errors()) return unknown;
   return (biased ? basis.pairs.pair_fraction(p, q) : 1) *
          (absolute ? error.absolute(p, q) : error.normalised(p, q));
 }
@@ -80,7 +81,7 @@ Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>&
     add_lengths(out, estimate, level, direction, nullptr);
     if (target) add_lengths(out, estimate, level, direction, &*target);
   }
-  return std::move(out).told(estimate.size);
+  return std::move(out).with_known_errors(estimate.size);
 }
 
 }  // namespace asperity

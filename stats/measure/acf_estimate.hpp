@@ -1,4 +1,4 @@
-/// An estimated autocorrelation with its errors, and the lengths that are read off it.
+/// An estimated autocorrelation with its standard errors, and the correlation lengths found from it.
 #pragma once
 
 #include <optional>
@@ -26,20 +26,21 @@ struct AcfEstimate {
   /// Of a prepared surface.
   static AcfEstimate of(const Surface& surface, const AcfParameters& parameters);
 
-  /// Of ρ(p,q), or of R(p,q)/R(0,0) as `absolute`; NaN of too few independent heights.
+  /// Of ρ(p,q), or of R(p,q)/R(0,0) if `absolute`; NaN if too few heights are independent.
   double standard_error(Index p, Index q, bool absolute) const;
-  /// Of a length in a direction, at which ρ has this slope, from that of ρ at the nearest lag.
+  /// Of a length in a direction, from the slope of ρ there and the error of ρ at the nearest lag.
   double length_error(double angle, double length, double slope) const;
 };
 
-/// A level to which the ACF falls, and how its lengths are named: length_10_x for 10 %, length_e_x for 1/e.
+/// A level of the ACF, and the tag in the names of its lengths: length_10_x for 10 %, length_e_x for 1/e.
 struct AcfLevel {
   double value;
   std::string tag, text;
 };
 
-/// Lengths along x and y, and in a direction [rad], their ratio, and the ellipse of the contour at each
-/// level; of a target too, named target_…, without errors. What the lags do not reach is left out.
+/// At each level: lengths along x, y and a direction [rad], the ratio of the first two, and the ellipse of
+/// the contour. Those of a target are named target_… and have no errors. Lengths beyond the lags are left
+/// out.
 Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>& levels,
                        const std::optional<double>& direction, const std::optional<LagField>& target);
 

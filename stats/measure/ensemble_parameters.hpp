@@ -1,10 +1,10 @@
 /// The parameters of an ensemble: mean, spread and standard error over the surfaces that have them.
 ///
-/// The expected spread is the rms of the surfaces' own standard errors: where the spread differs from it by
-/// more than its own error, 1/√(2(n-1)) of it, the surfaces are not alike, or not Gaussian as errors assume.
+/// The expected spread is the rms of the standard errors of the single surfaces. If the spread differs from
+/// it by more than its own relative error, 1/√(2(n-1)), the surfaces differ in kind or are not Gaussian.
 ///
-/// Directions [rad] are those of axes, the same after half a turn: with C the mean of exp(2iθ) their mean is
-/// ½ arg C, their spread ½ √(-2 ln |C|), with n - 1 in place of n as of other parameters.
+/// Directions [rad] are those of axes, with a period of half a turn: with C the mean of exp(2iθ) their mean
+/// is ½ arg C and their spread ½ √(-2 ln |C|), with n - 1 in place of n as for other parameters.
 ///
 /// K. V. Mardia, P. E. Jupp, Directional Statistics (Wiley 2000), 2.3.
 #pragma once
@@ -26,10 +26,10 @@ struct EnsembleParameter {
 
 class EnsembleParameters {
  public:
-  /// Of one surface.
+  /// The parameters of one surface.
   void add(const Parameters& parameters);
   int surfaces() const { return surfaces_; }
-  /// In the order in which they came first.
+  /// In the order of their first appearance.
   std::vector<EnsembleParameter> all() const;
 
  private:

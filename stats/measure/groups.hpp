@@ -1,5 +1,6 @@
-/// The groups of parameters, each a table of symbol, unit, meaning, and the value with its error as a
-/// function of what the group computes. `{}` stands for the name of one of several subjects that share rows.
+/// The groups of parameters. Each is a table of symbol, unit, meaning, and a function that returns the value
+/// and its error, given what the group computes. `{}` stands for the name of a subject, where several share
+/// rows.
 #pragma once
 
 #include <limits>
@@ -13,7 +14,7 @@ namespace asperity {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-inline constexpr std::string_view of_field = "";  ///< in place of a unit: that of the heights
+inline constexpr std::string_view of_field = "";  ///< instead of a unit: the unit of the heights
 
 struct Estimate {
   double value;
@@ -29,18 +30,18 @@ struct Definition {
   Estimate (*estimate)(const Of&);
 };
 
-/// What is a member of `Of`, without an error.
+/// A member of `Of`, without an error.
 template <auto member, class Of>
 Estimate value_of(const Of& of) {
   return {of.*member};
 }
 
-/// What stands for {} in symbols and meanings; why a value may be missing, and why an error.
+/// Texts for {} in symbols and meanings, and reasons for a missing value and a missing error.
 struct Words {
   std::string symbol = {}, meaning = {}, why = {}, why_no_error = {};
 };
 
-/// A table of parameters that is being filled; `units` are those of the field.
+/// A table of parameters under construction; `units` are those of the field.
 class ParameterList {
  public:
   explicit ParameterList(std::string units) : units_(std::move(units)) {}
@@ -52,8 +53,8 @@ class ParameterList {
     for (const auto& [symbol, unit, meaning, estimate] : table)
       add(symbol, unit, meaning, estimate(of), words);
   }
-  /// Without errors, where there are too few independent heights to tell any.
-  Parameters told(const EffectiveSampleSize& size) &&;
+  /// All parameters; without errors if too few heights are independent.
+  Parameters with_known_errors(const EffectiveSampleSize& size) &&;
   Parameters all() && { return std::move(parameters_); }
 
  private:
@@ -68,7 +69,7 @@ Parameters gaussianity(const Sample& sample, const MeasureOptions&);
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options);
 Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options);
 Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options);
-/// Named P…, or R… where long waves were filtered out.
+/// Named P…, or R… after the L-filter.
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options);
 
 }  // namespace asperity

@@ -35,7 +35,7 @@ Estimate worth(const Heights& h) {
 }
 
 constexpr Definition<Heights> height_table[] = {
-    {"mean", of_field, "mean, subtracted from the heights below",
+    {"mean", of_field, "mean height, from which the heights below are measured",
      [](const Heights& h) {
        const auto& [low, high, why] = h.interval.mean;
        return Estimate{h.level, h.error.mean, Interval::about(h.level, (high - low) / 2)};
@@ -50,13 +50,13 @@ constexpr Definition<Heights> height_table[] = {
     {"Sp", of_field, "highest peak of the whole field", extreme<&Moments::sp>},
     {"Sv", of_field, "deepest valley of the whole field", extreme<&Moments::sv>},
     {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
-    {"N", "1", "points", [](const Heights& h) { return Estimate{h.size.points()}; }},
-    {"N_eff_mean", "1", "independent points with the same error of the mean", worth<1>},
-    {"N_eff", "1", "independent points with the same error of Sq", worth<2>},
-    {"N_eff_Ssk", "1", "independent points with the same error of Ssk", worth<3>},
-    {"N_eff_Sku", "1", "independent points with the same error of Sku", worth<4>}};
+    {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }},
+    {"N_eff_mean", "1", "number of independent points with the same error of the mean", worth<1>},
+    {"N_eff", "1", "number of independent points with the same error of Sq", worth<2>},
+    {"N_eff_Ssk", "1", "number of independent points with the same error of Ssk", worth<3>},
+    {"N_eff_Sku", "1", "number of independent points with the same error of Sku", worth<4>}};
 
-// Of Gaussian heights, or of those that the field was drawn with or evidently has.
+// For Gaussian heights, or for the distribution that the field was drawn with or evidently has.
 Heights heights_of(const Sample& sample) {
   const Moments& m = sample.moments();
   const EffectiveSampleSize& size = sample.size();
@@ -89,20 +89,19 @@ constexpr Definition<VolumeParameters> volume_table[] = {
 
 constexpr Definition<GoodnessOfFit> test_table[] = {
     {"{}", "1", "{}, statistic", value_of<&GoodnessOfFit::statistic>},
-    {"{}_p", "1", "{}, p of a Gaussian field so correlated", value_of<&GoodnessOfFit::p>},
-    {"{}_naive_p", "1", "{}, p if heights were independent, for comparison",
+    {"{}_p", "1", "{}, p-value for a Gaussian field of this correlation", value_of<&GoodnessOfFit::p>},
+    {"{}_naive_p", "1", "{}, p-value if the heights were independent, for comparison",
      value_of<&GoodnessOfFit::naive_p>}};
 
 }  // namespace
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
   ParameterList out(sample.surface().units);
-  out.add(height_table, heights_of(sample),
-          {.why = "the correlation that was found sums to zero, and no number of points has that error"});
+  out.add(height_table, heights_of(sample), {.why = "no value: the estimated correlation sums to zero"});
   if (!sample.basis().pairs.complete())
-    out.add("N_missing", "1", "missing points, left out of everything",
+    out.add("N_missing", "1", "number of missing points, left out of all parameters",
             {static_cast<double>(sample.grid().shape.cells()) - sample.size().points()});
-  return std::move(out).told(sample.size());
+  return std::move(out).with_known_errors(sample.size());
 }
 
 Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
@@ -113,16 +112,17 @@ Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
     out.add("quantile_{}", of_field, "height below which this share of the surface lies",
             {heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())},
             {.symbol = shortest(shares[i])});
-  return std::move(out).told(sample.size());
+  return std::move(out).with_known_errors(sample.size());
 }
 
 Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
   constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
+  const std::string why = "no p-value can be given: " + too_few(sample.size());
   auto fits = sample.goodness_of_fit();
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (!sample.size().tells_errors()) fits[i].p = unknown;
-    out.add(test_table, fits[i], {symbols[i], std::string(fits[i].test), untold(sample.size())});
+    if (!sample.size().gives_errors()) fits[i].p = unknown;
+    out.add(test_table, fits[i], {symbols[i], std::string(fits[i].test), why});
   }
   return std::move(out).all();
 }
@@ -137,7 +137,7 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
             {curve.height(ratio), material_height_error(ratio, sample.moments(), sample.size())},
             {name, shortest(ratio), ""});
   out.add(volume_table, curve.volumes(p, q));
-  return std::move(out).told(sample.size());
+  return std::move(out).with_known_errors(sample.size());
 }
 
 }  // namespace asperity

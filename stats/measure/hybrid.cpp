@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-// What a surface has, or NaN and why it has none.
+// A value, or NaN and the reason.
 template <class Value>
 struct Had {
   Value value = {};
@@ -21,13 +21,13 @@ template <class Value>
 Had<Value> had(const Sample& sample, Value (Sample::*compute)() const) try {
   const Surface& surface = sample.surface();
   if (surface.units != "m")
-    throw DataError(surface.variable, "slopes and areas are those of heights in m, not of " + surface.units);
+    throw DataError(surface.variable, "slopes and areas need heights in m, not in " + surface.units);
   return {(sample.*compute)()};
 } catch (const DataError& error) {
   return {.why = error.what()};
 }
 
-// With the relative standard errors of what they are the mean squares of.
+// With the relative standard errors of the mean squares.
 struct Slopes : SlopeParameters {
   double square_error;
 };
@@ -40,7 +40,7 @@ Estimate with_relative_error(double value, double error) { return {value, value 
 constexpr Definition<Slopes> slope_table[] = {
     {"Sdq", "1", "root mean square slope",
      [](const Slopes& s) { return with_relative_error(s.sdq, 0.5 * s.square_error); }},
-    {"Sdr", "1", "area beyond the plan area, as a share of it; four triangles a cell",
+    {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell",
      [](const Slopes& s) { return with_relative_error(s.sdr, s.square_error); }}};
 
 constexpr Definition<ProfileMoments> moment_table[] = {
@@ -53,10 +53,11 @@ constexpr Definition<ProfileMoments> moment_table[] = {
 
 constexpr Definition<Summits> summit_table[] = {
     {"{}_density", "m-2", "summits per area, {}", value_of<&Summits::density>},
-    {"{}_height", "m", "their mean height above the mean, {}", value_of<&Summits::mean_height>},
-    {"{}_deviation", "m", "standard deviation of their heights, {}", value_of<&Summits::height_deviation>},
-    {"{}_curvature", "m-1", "their mean curvature, {}", value_of<&Summits::mean_curvature>},
-    {"{}_radius", "m", "1 / mean curvature, {}", [](const Summits& s) { return Estimate{s.radius()}; }}};
+    {"{}_height", "m", "mean height of summits above the mean height, {}", value_of<&Summits::mean_height>},
+    {"{}_deviation", "m", "standard deviation of summit heights, {}", value_of<&Summits::height_deviation>},
+    {"{}_curvature", "m-1", "mean curvature of summits, {}", value_of<&Summits::mean_curvature>},
+    {"{}_radius", "m", "1 / mean curvature of summits, {}",
+     [](const Summits& s) { return Estimate{s.radius()}; }}};
 
 }  // namespace
 
@@ -67,25 +68,25 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
   const auto summits = had(sample, &Sample::summits);
   const DerivativeErrors e = had(sample, &Sample::derivative_errors).value;
   // √(2/ν) of ν independent ones.
-  auto told = [least = sample.size().least_effective()](double relative) {
+  auto known = [least = sample.size().least_effective()](double relative) {
     return 2 >= least * relative * relative ? relative : unknown;
   };
-  const std::string no_slope = moments.why_or("no value: there is no slope along it");
+  const std::string no_slope = moments.why_or("no value: the slope in this direction is zero");
   ParameterList out(sample.surface().units);
-  out.add(slope_table, {slopes.value, told(e.square_slope)}, {.why = slopes.why});
+  out.add(slope_table, {slopes.value, known(e.square_slope)}, {.why = slopes.why});
   out.add("m0", "m2", "spectral moment of order 0, Sq squared",
-          {m.m00, m.m00 * told(std::sqrt(2 / sample.size().effective(2)))}, {.why = no_slope});
-  out.add(moment_table, {m.along(0), told(e.m20), told(e.m40)}, {"x", "along x", no_slope});
-  out.add(moment_table, {m.along(std::numbers::pi / 2), told(e.m02), told(e.m04)},
+          {m.m00, m.m00 * known(std::sqrt(2 / sample.size().effective(2)))}, {.why = no_slope});
+  out.add(moment_table, {m.along(0), known(e.m20), known(e.m40)}, {"x", "along x", no_slope});
+  out.add(moment_table, {m.along(std::numbers::pi / 2), known(e.m02), known(e.m04)},
           {"y", "along y", no_slope});
   if (options.direction)
     out.add(moment_table, {m.along(options.direction->angle), unknown, unknown},
             {"direction", "at " + options.direction->text, no_slope});
   out.add<Summits>(summit_table, summits.value,
-                   {"summit", "counted", summits.why_or("no value: there is no summit")});
+                   {"summit", "counted", summits.why_or("no value: the field has no summit")});
   out.add(summit_table, expected_summits(m.isotropic()),
           {"nayak", "expected of a Gaussian surface",
-           moments.why_or("no value: no Gaussian surface has such spectral moments")});
+           moments.why_or("no value: no Gaussian surface has these spectral moments")});
   return std::move(out).all();
 }
 

@@ -50,11 +50,11 @@ void ParameterList::add(std::string_view symbol, std::string_view unit, std::str
                          .why = std::isfinite(estimate.value) ? words.why_no_error : words.why});
 }
 
-Parameters ParameterList::told(const EffectiveSampleSize& size) && {
-  const std::string why = untold(size);
+Parameters ParameterList::with_known_errors(const EffectiveSampleSize& size) && {
+  const std::string why = too_few(size);
   for (Parameter& parameter : parameters_)
     if (!why.empty() && !std::isnan(parameter.standard_error))
-      parameter.standard_error = unknown, parameter.why = why;
+      parameter.standard_error = unknown, parameter.why = "no standard error can be given: " + why;
   return std::move(parameters_);
 }
 

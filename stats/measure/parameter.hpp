@@ -1,4 +1,4 @@
-/// A measured quantity: its value, what is known of its error, and its unit.
+/// A measured quantity: value, error and unit.
 #pragma once
 
 #include <cmath>
@@ -14,20 +14,20 @@ namespace asperity {
 inline constexpr double half_width_95 = 1.959963984540054;
 
 struct Parameter {
-  std::string name;  ///< the symbol of the standard, where it has one: "Sq"
+  std::string name;  ///< the symbol of the standard, if there is one: "Sq"
   double value;
   std::string unit;       ///< SI, in UDUNITS' notation
-  double standard_error;  ///< not finite: none is known
+  double standard_error;  ///< not finite if unknown
   std::string meaning;
   /// Of 95 % confidence; absent: 1.96 standard errors about the value.
   std::optional<Interval> interval = {};
-  std::string why = {};  ///< the value or its error is missing, in words
+  std::string why = {};  ///< why the value or its error is missing
 
   Interval interval_95() const {
     if (!std::isfinite(standard_error)) return {};
     return interval.value_or(Interval::about(value, half_width_95 * standard_error));
   }
-  /// Why something is missing; "" where nothing is, or no more than an error that no theory gives.
+  /// Why a value, error or interval is missing; "" if nothing is missing, or an error no theory gives.
   std::string note() const { return why.empty() ? interval_95().why : why; }
 };
 

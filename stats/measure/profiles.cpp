@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double least_profiles = 5;  // independent ones, with which errors can be told
+constexpr double least_profiles = 5;  // independent ones, below which no errors are given
 
 struct Definition1D {
   const char* symbol;
@@ -30,7 +30,7 @@ constexpr std::array<Definition1D, profile_parameters_count> table{
      {"v", of_field, "valley depth, mean over the sections"},
      {"z", of_field, "maximum height, mean over the sections"},
      {"t", of_field, "total height of the profile"},
-     {"dq", "1", "root mean square slope, by seven points"},
+     {"dq", "1", "root mean square slope, from seven points"},
      {"Sm", "m", "mean spacing of profile elements"}}};
 
 }  // namespace
@@ -41,11 +41,11 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
   const std::string axis = options.profiles == Axis1D::x ? "x" : "y";
   if ((axis == "x" ? sample.grid().shape.nx : sample.grid().shape.ny) < 2)
     throw DataError(sample.surface().variable,
-                    "a profile along " + axis + " needs two points, and there is one");
+                    "a profile along " + axis + " needs two points, but there is only one");
   const ProfileAverages averages = sample.profiles(options.profiles, std::isnan(cutoff) ? unlimited : cutoff);
   const bool few = averages.independent < least_profiles;
-  const std::string why =
-      "not told: profiles_eff = " + rounded(averages.independent) + " is below " + shortest(least_profiles);
+  const std::string why = "no standard error can be given: profiles_eff = " + rounded(averages.independent) +
+                          " is below " + shortest(least_profiles);
   ParameterList out(sample.surface().units);
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);
@@ -53,12 +53,12 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     const auto& [name, unit, meaning] = table[k];
     const std::string symbol = prefix + name;
     out.add(symbol, unit, meaning, {averages.mean[i], few ? unknown : averages.standard_error[i]},
-            {.why = "no profile has one", .why_no_error = few ? why : ""});
+            {.why = "no value: no profile has this parameter", .why_no_error = few ? why : ""});
     out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", {averages.spread[i]},
             {.meaning = symbol});
   }
-  out.add("profiles", "1", "profiles along {}", {averages.profiles}, {.meaning = axis});
-  out.add("profiles_eff", "1", "independent profiles with the same error", {averages.independent});
+  out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});
+  out.add("profiles_eff", "1", "number of independent profiles with the same error", {averages.independent});
   return std::move(out).all();
 }
 

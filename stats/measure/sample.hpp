@@ -1,7 +1,8 @@
-/// A surface that is measured, whole in memory or in strips, and what the groups of parameters need of it.
+/// A surface to be measured, whole in memory or in strips, with the sums that the parameters need.
 ///
-/// A whole surface is a single strip. Strips know in part: the correlation, from the pairs of points within
-/// one strip (stats/spatial/strip_acf.hpp), and the order of the heights (stats/height/order.hpp).
+/// A whole surface is a single strip. Strips give approximations of two things: the correlation, from the
+/// pairs of points within a strip (stats/spatial/strip_acf.hpp), and the order of the heights
+/// (stats/height/order.hpp).
 #pragma once
 
 #include <array>
@@ -29,19 +30,19 @@ struct DerivativeSums {
   void add(const Strip& strip, double level, int threads);
 };
 
-/// What one pass over a surface sums up; derivatives where they are asked for.
+/// The sums of one pass over a surface; derivatives only if asked for.
 struct SurfaceSums {
   Moments moments;
   DerivativeSums derivatives;
   ErrorBasis basis;
-  bool reaches_beyond = false;  ///< the strips: the correlation that errors rest on is longer
+  bool reaches_beyond = false;  ///< the correlation that errors rest on is longer than a strip
 };
 
 class Sample {
  public:
   /// Of a prepared surface; `derivatives` are slopes, spectral moments and summits.
   explicit Sample(Surface surface, bool derivatives = true, int threads = 1);
-  /// In strips; `surface` holds all but the heights and their level.
+  /// In strips; `surface` holds everything but the heights and their level.
   Sample(const StripReader& reader, Surface surface, bool derivatives = true, int threads = 1);
 
   const Surface& surface() const { return surface_; }
@@ -56,7 +57,7 @@ class Sample {
   SlopeParameters slopes() const { return sums_.derivatives.slopes.parameters(grid()); }
   SpectralMoments spectral_moments() const { return sums_.derivatives.spectral.moments(grid()); }
   CountedSummits summits() const { return sums_.derivatives.summits.summits(grid()); }
-  /// Of strips as many of each difference as there are heights.
+  /// For strips, as many differences of each kind as heights are assumed.
   DerivativeErrors derivative_errors() const;
   /// Heights below which these shares of the surface lie.
   std::vector<double> quantiles(const std::vector<double>& shares) const;

@@ -13,9 +13,9 @@ namespace asperity {
 namespace {
 
 constexpr Definition<TextureDirection> texture_table[] = {
-    {"Std", "rad", "texture direction: most power runs this way, the lay across it",
+    {"Std", "rad", "texture direction: that of the largest power, at right angles to the lay",
      value_of<&TextureDirection::angle>},
-    {"Std_contrast", "1", "power in that direction over its mean, 1 for no texture",
+    {"Std_contrast", "1", "largest power over directions divided by the mean, 1 for no texture",
      value_of<&TextureDirection::contrast>}};
 
 void add_lobe(ParameterList& out, const AcfEstimate& acf, double level) {
@@ -31,21 +31,24 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level) {
     out.add(symbol, "m", meaning, {reach.length, error, interval}, words);
   };
   if (lobe.r_min) {
-    add_length("Sal", "autocorrelation length, of the fastest decay to {}", *lobe.r_min,
+    add_length("Sal", "autocorrelation length: the fastest decay of the ACF to {}", *lobe.r_min,
                acf.lengths.r_min(level));
-    out.add("Sal_direction", "rad", "of that decay, from +x towards +y", {lobe.r_min->angle});
+    out.add("Sal_direction", "rad", "direction of the fastest decay, from +x towards +y",
+            {lobe.r_min->angle});
   }
   if (lobe.r_max) {
-    add_length("slowest_decay", "length of the slowest decay to {}", *lobe.r_max, acf.lengths.r_max(level));
-    out.add("slowest_direction", "rad", "of that decay, the lay", {lobe.r_max->angle});
+    add_length("slowest_decay", "length of the slowest decay of the ACF to {}", *lobe.r_max,
+               acf.lengths.r_max(level));
+    out.add("slowest_direction", "rad", "direction of the slowest decay, the lay", {lobe.r_max->angle});
   }
   if (const auto ratio = lobe.aspect_ratio())
     out.add("Str", "1", "texture aspect ratio, fastest over slowest decay",
             {*ratio, *ratio * relative, Interval::of_ratio(*ratio, half_width_95 * relative, 1)});
   if (lobe.ellipse) {
-    out.add("gamma", "1", "ellipticity of the ACF's contour at {}, long axis over short",
+    out.add("gamma", "1", "ellipticity of the ACF contour at {}, long over short axis",
             {lobe.ellipse->gamma()}, words);
-    out.add("gamma_direction", "rad", "of its long axis", {lobe.ellipse->major.angle});
+    out.add("gamma_direction", "rad", "direction of the long axis of that contour",
+            {lobe.ellipse->major.angle});
   }
 }
 
@@ -61,8 +64,8 @@ Parameters spatial_parameters(const Sample& sample, const MeasureOptions& option
            options.sal_level);
   const LagField psd = power_spectrum(z, sample.grid(), default_windows(sample.grid()), sample.threads());
   out.add(texture_table, texture_direction(psd, sample.grid()),
-          {.why = "no value: the field has too few wave numbers in all directions"});
-  return std::move(out).told(sample.size());
+          {.why = "no value: the field has too few wave numbers"});
+  return std::move(out).with_known_errors(sample.size());
 }
 
 }  // namespace asperity

@@ -11,13 +11,14 @@ namespace {
 constexpr std::size_t bytes_a_point = 80;  // of a strip, with its transform and its lags
 constexpr std::size_t bytes_a_point_of_columns = 32;
 
-// How many rows there are to a strip, all strips but the last of the same number.
+// The rows of a strip; all strips but the last have the same number.
 Index rows_of_strip(const Grid& grid, std::size_t memory) {
   const std::size_t row = bytes_a_point * static_cast<std::size_t>(grid.shape.ny);
   const auto most = static_cast<Index>(memory / row);
   if (most < 4)
-    throw ParameterError("memory", std::to_string(memory) + " bytes: does not hold 4 rows of " +
-                                       std::to_string(grid.shape.ny) + " points, " + std::to_string(4 * row));
+    throw ParameterError("memory", "'" + std::to_string(memory) + "' bytes do not hold 4 rows of " +
+                                       std::to_string(grid.shape.ny) + " points; allow at least " +
+                                       std::to_string(4 * row));
   const Index strips = (grid.shape.nx + most - 1) / most;
   return (grid.shape.nx + strips - 1) / strips;
 }

@@ -1,4 +1,4 @@
-/// A field that stays in a file, read in strips of whole rows, as many as memory holds.
+/// A field that stays in a file and is read in strips of as many whole rows as memory holds.
 ///
 /// Passes: one for the mean, two or three for a form, one for moments, derivatives and the correlation, one
 /// for the order of the heights, one for profiles (along x in strips of columns), four for quantiles.
@@ -27,11 +27,11 @@ class StripReader {
   StripReader(FieldParts parts, int degree, std::size_t memory);
 
   const Grid& grid() const { return parts_.grid; }
-  Index rows() const { return rows_; }    ///< of a strip, but for the last
+  Index rows() const { return rows_; }    ///< of every strip but the last
   int degree() const { return degree_; }  ///< of the form
   double level() const { return mean_.value(); }
   double points() const { return points_; }    ///< that are there
-  double largest() const { return largest_; }  ///< the size of the largest value, form and all
+  double largest() const { return largest_; }  ///< the largest absolute value, form included
 
   /// visit(strip, core, first): `core` rows from the field's row `first` on, then `halo` more, as in a Strip.
   template <class Visit>

@@ -39,8 +39,8 @@ void refuse_round_off(double largest, double size, int degree, const std::string
   constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
   if (!(largest > 0)) throw DataError(variable, "every value is the same");
   if (largest <= round_off * size)
-    throw DataError(variable, "zero to round-off above its form (" + form_of(degree) + "): no more than " +
-                                  shortest(largest) + " is left of values up to " + shortest(size));
+    throw DataError(variable, "zero to round-off above its form (" + form_of(degree) + "): only " +
+                                  shortest(largest) + " remains of values up to " + shortest(size));
 }
 
 ErrorBasis error_basis(const Surface& surface, int threads) {
@@ -52,9 +52,9 @@ ErrorBasis error_basis(const Surface& surface, int threads) {
 
 std::string rounded(double independent) { return shortest(std::round(10 * independent) / 10); }
 
-std::string untold(const EffectiveSampleSize& size) {
-  if (size.tells_errors()) return "";
-  return "not told: N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
+std::string too_few(const EffectiveSampleSize& size) {
+  if (size.gives_errors()) return "";
+  return "N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
 }
 
 }  // namespace asperity

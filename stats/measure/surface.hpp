@@ -1,8 +1,9 @@
-/// A field as it is measured: without its form, filtered, and with what its errors rest on.
+/// A field prepared for measurement: form removed, filtered, with the correlation that its errors rest on.
 ///
-/// Heights are measured from the form, the F-operation of ISO 25178-2 (stats/filter/form.hpp); the S-filter
+/// Heights are measured from the form, the F-operation of ISO 25178-2 (stats/filter/form.hpp). The S-filter
 /// removes waves shorter than λs, the L-filter those longer than λc (stats/filter/gaussian_filter.hpp).
-/// Errors rest on the autocorrelation that the field was drawn with, if known and unfiltered, or an estimate.
+/// Errors rest on the autocorrelation that the field was drawn with, if it is known and the field unfiltered,
+/// and otherwise on an estimate.
 #pragma once
 
 #include <cmath>
@@ -37,10 +38,10 @@ struct Surface {
 };
 
 /// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
-/// DataError(variable) where no roughness is left, refuse_round_off.
+/// DataError(variable) where only rounding remains (refuse_round_off).
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
-/// Throws DataError(variable, …) for heights up to `largest` that rounding left of values of some size.
+/// Throws DataError(variable, …) if heights up to `largest` are round-off of values up to `size`.
 void refuse_round_off(double largest, double size, int degree, const std::string& variable);
 
 /// The correlation that errors rest on, known or estimated, and the pairs of points that the field has.
@@ -50,11 +51,11 @@ struct ErrorBasis {
   Pairs pairs;
 
   EffectiveSampleSize size() const { return size(correlation); }
-  /// Of a field of another correlation, no better known.
+  /// For another correlation, known or estimated as this one.
   EffectiveSampleSize size(const LagField& rho) const {
     return estimated ? EffectiveSampleSize::of_estimate(rho, pairs) : EffectiveSampleSize(rho, pairs);
   }
-  /// Zero where it is not known.
+  /// The correlation; zero at lags where an estimate is not significant.
   LagField known_lags() const { return estimated ? significant_lags(correlation, pairs) : correlation; }
   std::optional<LagField> known() const {
     return estimated ? std::nullopt : std::optional<LagField>(correlation);
@@ -64,9 +65,9 @@ struct ErrorBasis {
 /// The known correlation, else the estimate up to half the field.
 ErrorBasis error_basis(const Surface& surface, int threads = 1);
 
-/// A number of independent heights or profiles, to a tenth.
+/// A number of independent heights or profiles, rounded to a tenth.
 std::string rounded(double independent);
-/// Why no error is told of a field worth so few independent heights; "" where one can be.
-std::string untold(const EffectiveSampleSize& size);
+/// Why errors cannot be given, "N_eff = 3.2 is below 5"; "" where they can.
+std::string too_few(const EffectiveSampleSize& size);
 
 }  // namespace asperity

@@ -143,8 +143,8 @@ ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section)
     : grid_(grid), along_(along), section_(section) {
   const double length = along == Axis1D::x ? grid.size_x() : grid.size_y();
   if (std::isfinite(section) && section > length * (1 + 1e-12))
-    throw ParameterError("lambda-c",
-                         shortest(section) + " m: longer than the profiles, " + shortest(length) + " m");
+    throw ParameterError(
+        "lambda-c", "'" + shortest(section) + " m' is longer than the profiles, " + shortest(length) + " m");
 }
 
 void ProfileSums::add(const Field& heights) {

@@ -10,26 +10,26 @@
 ///                    the mean line, dales fall as far below; an element ends where the profile crosses it
 ///                    (half way from the first to the last of several crossings), and elements from hill to
 ///                    hill and from dale to dale are both counted.
-/// The prefix P is that of the primary profile, of one section; R that of the roughness profile, whose
-/// sections are as long as the cut-off of the filter, l_sc = λ_c.
+/// The prefix P denotes the primary profile, with one section; R the roughness profile, whose sections are as
+/// long as the cut-off of the filter, l_sc = λ_c.
 ///
-/// Over m profiles a parameter has a mean and a spread s, of divisor m. Profiles beside each other are
-/// correlated, the k-th power of the heights' Hermite components at a distance of j profiles by
+/// Over m profiles a parameter has a mean and a spread s, with divisor m. Neighbouring profiles are
+/// correlated: at a distance of j profiles, the Hermite components of order k of the heights by
 ///     g_k(j) = Σ_p w_p ρ(p,j)ᵏ / Σ_p w_p ρ(p,0)ᵏ,   w_p the share of pairs at lag p along the profile,   (3)
 /// and the mean has the standard error, with c = Σ_j w_j g_k(j) over all distances,
 ///     SE = s √(c / (m - c)),   m/c the profiles that are independent,                                    (4)
 /// k = 3 for sk, 4 for ku, and 2 for all others: measured from the profile's mean, none has a linear
-/// component, and those beyond the second are less correlated. A dash where m ≤ 2c.
+/// component, and those beyond the second are less correlated. No error is given if m ≤ 2c.
 ///
 /// Symbols   z  heights, positive outwards [m]      l_sc  section length [m]      ρ  correlation
 /// Scope     Filters act on the surface before profiles are taken from it (stats/filter/gaussian_filter.hpp).
-///           Missing points are left out; no stencil (2) and no element reaches over one.
+///           Missing points are left out; no stencil (2) and no element spans one.
 /// Accuracy  (1) to round-off; (2) of a wave u = qΔ is (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u⁶/140,
 ///           times its slope. p, v of a wave of N points a period are low by up to 5/N². (4) if Gaussian.
 /// Cost      a few passes over the data, one over the correlation.
 ///
-/// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2), whose limit of 10 % Rz, not of 1 % in length, Sm takes.
-/// P. J. Scott, The case of surface texture parameter RSm, Meas. Sci. Technol. 17 (2006) 559-564.
+/// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2). Sm uses its limit of 10 % Rz, but not that of 1 % in
+/// length. P. J. Scott, The case of surface texture parameter RSm, Meas. Sci. Technol. 17 (2006) 559-564.
 #pragma once
 
 #include "core/field.hpp"
@@ -55,23 +55,24 @@ enum ProfileParameter {
   profile_parameters_count
 };
 
-/// Not a number where a profile has no such parameter.
+/// NaN if a profile has no such parameter.
 using ProfileParameters = Eigen::Array<double, profile_parameters_count, 1>;
 
-/// Of one profile of heights `step` apart; `section` is l_sc, infinite for one; (2) goes on if `periodic`.
+/// Of one profile of heights `step` apart; `section` is l_sc, infinite for one section; (2) wraps around if
+/// `periodic`.
 ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
                                      bool periodic);
 
 struct ProfileAverages {
   ProfileParameters mean, spread, standard_error;
-  double profiles = 0;     ///< m, those that have a height
+  double profiles = 0;     ///< m, without empty ones
   double independent = 0;  ///< m/c, k = 2
 };
 
 /// The profiles along one axis of a field that comes in parts.
 class ProfileSums {
  public:
-  /// Throws ParameterError("lambda-c", …) when the section is longer than the profiles.
+  /// Throws ParameterError("lambda-c", …) if the section is longer than the profiles.
   ProfileSums(const Grid& grid, Axis1D along, double section);
   /// Whole profiles: columns of heights along x, rows along y.
   void add(const Field& heights);

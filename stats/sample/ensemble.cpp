@@ -11,7 +11,7 @@ void Ensemble::add(const Eigen::ArrayXd& values) {
   if (mean_.size() == 0) count_ = mean_ = squares_ = Eigen::ArrayXd::Zero(values.size());
   if (values.size() != mean_.size())
     throw DataError("ensemble", std::to_string(values.size()) +
-                                    " quantities where the first realisation has " +
+                                    " quantities, but the first realisation has " +
                                     std::to_string(mean_.size()));
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values(i))) continue;

@@ -31,11 +31,10 @@ void MomentSums::add(const Eigen::Ref<const Field>& strip) {
 Moments MomentSums::moments(std::string_view variable) const {
   const double n = count_, variance = second_ / n, fourth = fourth_ / n;
   if (highest_ == lowest_ && std::isfinite(highest_))
-    throw DataError(std::string(variable),
-                    "every value is the same: skewness and kurtosis need some roughness");
+    throw DataError(std::string(variable), "every value is the same: skewness and kurtosis are undefined");
   if (!(variance * variance >= std::numeric_limits<double>::min() && std::isfinite(fourth)))
     throw DataError(std::string(variable),
-                    "a value is infinite, or its fourth power leaves the range of a double");
+                    "a value is infinite, or its fourth power exceeds the range of a double");
   return {.mean = mean_.value(),
           .sa = absolute_ / n,
           .sq = std::sqrt(variance),

@@ -6,13 +6,13 @@
 ///     Ssk = 1/N Σ d³ / Sq³               skewness
 ///     Sku = 1/N Σ d⁴ / Sq⁴               kurtosis, 3 for a Gaussian surface
 ///     Sp, Sv, Sz = Sp + Sv               highest peak, deepest valley, both ≥ 0, maximum height
-/// population moments, of divisor N, over the whole field. Ra and Rq of ISO 21920-2 are the same means over a
-/// profile; its Rp, Rv and Rz are means over sampling lengths.
+/// population moments (divisor N) over the whole field. Ra and Rq of ISO 21920-2 are the same means over a
+/// profile; Rp, Rv and Rz are means over sampling lengths.
 ///
-/// Accuracy  Two passes about a shifted origin (stats/filter/form.hpp), row sums added to row sums: a
-///           relative error below ε (nx + ny) in Sa and Sq, whatever the offset.
-/// Cost      two passes over the data. GSL's recurrences take a division per point and moment; a test
-///           compares.
+/// Accuracy  Two passes about a shifted origin (stats/filter/form.hpp), by sums of row sums: a relative error
+///           below ε (nx + ny) in Sa and Sq, independent of the offset.
+/// Cost      two passes over the data. GSL's recurrences need a division per point and moment; a test
+///           compares the results.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@
 
 namespace asperity {
 
-/// All in the unit of the field, ssk and sku pure numbers.
+/// In the unit of the field; ssk and sku are pure numbers.
 struct Moments {
   double mean = 0;
   double sa = 0, sq = 0;
@@ -39,8 +39,8 @@ class MomentSums {
   /// `mean` is that of the whole field.
   explicit MomentSums(const Mean& mean) : mean_(mean) {}
   void add(const Eigen::Ref<const Field>& strip);
-  /// Throws DataError(variable, …) when every height is the same, or Sq is below 1e-77 or heights above 1e77,
-  /// whose fourth powers are no numbers.
+  /// Throws DataError(variable, …) if all heights are the same, or if Sq is below 1e-77 or heights are above
+  /// 1e77, whose fourth powers a double cannot hold.
   Moments moments(std::string_view variable) const;
 
  private:

@@ -60,7 +60,7 @@ void AcfParameters::check(const Grid& grid) const {
   if (within(max_lag.nx, most.nx) && within(max_lag.ny, most.ny)) return;
   auto text = [](Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); };
   throw ParameterError("max-lag",
-                       "value " + text(max_lag) + " is outside 0x0 to " + text(most) +
+                       "'" + text(max_lag) + "' is outside 0x0 to " + text(most) +
                            (grid.periodic ? ", half the period" : ", the longest lags of the field"));
 }
 

@@ -133,7 +133,7 @@ Shape nearest_lag(const Grid& grid, double angle, double length) {
 
 CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
   if (!(level > 0 && level < 1))
-    throw ParameterError("sal-level", "value " + shortest(level) + " is outside 0 to 1");
+    throw ParameterError("sal-level", "'" + shortest(level) + "' is not a number between 0 and 1");
   const Contour contour = contour_of_lobe(rho, grid, level);
   CentralLobe out;
   if (contour.points.empty()) return out;

@@ -1,36 +1,36 @@
-/// Correlation lengths: where the autocorrelation falls to a level, along a line and all around (ISO
+/// Correlation lengths: the lags at which the autocorrelation falls to a level, in one or all directions (ISO
 /// 25178-2).
 ///
 /// Between the samples p and p+1 that enclose the level t, ln ρ is linear,
 ///     λ = p + ln(ρ_p / t) / ln(ρ_p / ρ_{p+1}),                                                     (1)
-/// exact for an exponential. Noise about a ρ that is zero must not move λ by most of a sample: λ is no less
-/// than that of a straight line to ½ρ_{p+1}, or to ρ_{p+1} where that is negative. Between any two values, at
-/// the fraction s of the way from the larger,
+/// exact for an exponential. So that noise about ρ = 0 does not move λ by most of a sample, λ is at least
+/// that of a straight line to ½ρ_{p+1}, or to ρ_{p+1} if that is negative. Between any two values, at the
+/// fraction s of the way from the larger,
 ///     ρ = max(ρ_p^{1-s} ρ_{p+1}^s, (1-s) ρ_p + ½ s ρ_{p+1}),     linear unless both are positive.      (2)
-/// (2) rises with either value, and so does λ: a band about ρ has its lengths in order. In a direction θ the
-/// profile is sampled where the ray crosses the rows of lags, or the columns when it leans that way, by (2)
-/// from the two lags beside it.
+/// (2) rises with either value, and so does λ: the lengths of a band about ρ are in order. In a direction θ
+/// the profile is sampled where the ray crosses the rows of lags, or the columns if it crosses more of them,
+/// by (2) from the two neighbouring lags.
 ///
-/// The central lobe is the region about lag zero where ρ > t, connected over the four neighbours of a lag. Of
-/// the points of its contour, (1) on the lines between neighbouring lags,
-///     Sal = r_min, the nearest to lag zero: the autocorrelation length of the fastest decay,          (3)
-///     Str = r_min / r_max, the nearest over the farthest: the texture aspect ratio, 0 < Str ≤ 1,       (4)
+/// The central lobe is the region about lag zero where ρ > t, connected through the four neighbours of a lag.
+/// Its contour consists of the points (1) on the lines between neighbouring lags, with r_min the least and
+/// r_max the largest distance from lag zero:
+///     Sal = r_min: the autocorrelation length, that of the fastest decay,                              (3)
+///     Str = r_min / r_max: the texture aspect ratio, 0 < Str ≤ 1,                                      (4)
 /// and the ellipse
 ///     A x² + 2B xy + C y² = 1                                                                         (5)
-/// that fits them best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C]. γ is
-/// their ratio, ≥ 1, and its angle that of the long axis.
+/// that fits these points best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C].
+/// γ is their ratio, ≥ 1, and its angle that of the long axis.
 ///
 /// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1, 0.2 or 1/e      ρ' slope per sample
 ///           x, y  lags [m]      angles from +x towards +y [rad]
-/// Scope     A lobe that reaches the longest lags, or lags without a pair of points, has no r_max, and no
-///           Str.
-/// Accuracy  Of (1), where ρ falls to no less than 0.47 of itself in a sample: |error| ≤ max|(ln ρ)''| / (8
-///           |(ln ρ)'|) samples, none for an exponential and 1/(8λ) for a Gaussian ρ; h²/(8λ) more in a
-///           direction, h the larger spacing. For exp(-r) or exp(-r²) of one elliptic radius r: Sal within
-///           3h²/(8 r_min), r_max within 3h² r_max/(8 r_min²), the ellipse's axes within a third of these. Of
-///           the estimate SE[ρ(λ)] / |ρ'(λ)|, usually far larger; being the least of many lengths, Sal of an
-///           estimate is also biased low.
-/// Cost      the lags of the lobe.
+/// Scope     A lobe that reaches the longest lags, or lags without a pair of points, has no r_max and no Str.
+/// Accuracy  (1), if ρ_{p+1} ≥ 0.47 ρ_p: |error| ≤ max|(ln ρ)''| / (8 |(ln ρ)'|) samples, zero for an
+///           exponential and 1/(8λ) for a Gaussian ρ; h²/(8λ) more in a direction, h the larger spacing. For
+///           exp(-r) or exp(-r²) of one elliptic radius r: Sal within 3h²/(8 r_min), r_max within 3h²
+///           r_max/(8 r_min²), the ellipse's axes within a third of these. The sampling error SE[ρ(λ)] /
+///           |ρ'(λ)| is usually far larger; as the least of many lengths, Sal of an estimate is also biased
+///           low.
+/// Cost      proportional to the lags of the lobe.
 #pragma once
 
 #include <optional>
@@ -48,14 +48,14 @@ struct Crossing {
 /// (1) with p = 0: above > level ≥ below.
 Crossing crossing_between(double above, double below, double level);
 
-/// The first crossing of `level`, 0 < level < 1, by a profile that begins with ρ(0) = 1; nothing where the
-/// profile stays above it, or is not known on its way there.
+/// The first crossing of `level`, 0 < level < 1, by a profile that begins with ρ(0) = 1; nothing if the
+/// profile stays above it or is NaN before.
 std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double level);
 
-/// The same in a direction, of a normalised ρ.
+/// The same for a normalised ρ in a direction.
 std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, double angle, double level);
 
-/// Whose error is that of a length: the lag nearest to its end, not lag zero, which has none.
+/// The lag nearest to the end of a length, whose error the length has; never lag zero, which has none.
 Shape nearest_lag(const Grid& grid, double angle, double length);
 
 struct Reach {
@@ -71,9 +71,9 @@ struct LobeEllipse {
 };
 
 struct CentralLobe {
-  std::optional<Reach> r_min;          ///< (3); none when the lags end before
-  std::optional<Reach> r_max;          ///< none when the lobe reaches the longest lags
-  std::optional<LobeEllipse> ellipse;  ///< (5); none when the lobe is open, or no ellipse
+  std::optional<Reach> r_min;          ///< (3); none if the lags end before
+  std::optional<Reach> r_max;          ///< none if the lobe reaches the longest lags
+  std::optional<LobeEllipse> ellipse;  ///< (5); none if the lobe is open or the fit is no ellipse
 
   /// (4).
   std::optional<double> aspect_ratio() const {
@@ -81,7 +81,7 @@ struct CentralLobe {
   }
 };
 
-/// Of a normalised ρ. Throws ParameterError("sal-level", …) unless 0 < level < 1.
+/// For a normalised ρ. Throws ParameterError("sal-level", …) unless 0 < level < 1.
 CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level = 0.2);
 
 }  // namespace asperity

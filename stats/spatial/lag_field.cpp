@@ -10,7 +10,7 @@ namespace asperity {
 
 LagField::LagField(Field half_plane) : values_(std::move(half_plane)) {
   if (values_.rows() < 1 || values_.cols() % 2 == 0)
-    throw DataError("acf", "a half-plane of lags has at least one row and an odd number of columns");
+    throw DataError("acf", "a half-plane of lags needs at least one row and an odd number of columns");
 }
 
 double LagField::operator()(Index p, Index q) const {

@@ -1,7 +1,7 @@
 /// Functions of the lag, such as an autocorrelation R(p,q), on the half-plane 0 ≤ p ≤ P, |q| ≤ Q.
 ///
-/// It holds all of a real field's autocorrelation, R(-p,-q) = R(p,q); R(p,-q) ≠ R(p,q) where the lay is
-/// oblique.
+/// The half-plane holds the whole autocorrelation of a real field, because R(-p,-q) = R(p,q). For an oblique
+/// lay R(p,-q) ≠ R(p,q).
 #pragma once
 
 #include "core/field.hpp"
@@ -12,7 +12,7 @@ class LagField {
  public:
   /// `half_plane` is (P+1) × (2Q+1), row p, column Q + q.
   explicit LagField(Field half_plane);
-  /// value(p, q) at all lags up to these.
+  /// value(p, q) at all lags up to max_lag.
   static LagField of(Shape max_lag, const auto& value) {
     return LagField(Field::NullaryExpr(max_lag.nx + 1, 2 * max_lag.ny + 1, [&](Index p, Index column) {
       return static_cast<double>(value(p, column - max_lag.ny));
@@ -24,16 +24,16 @@ class LagField {
   Shape max_lag() const { return {max_p(), max_q()}; }
   /// The value at any lag, zero beyond P and Q.
   double operator()(Index p, Index q) const;
-  /// The farthest |p| and |q| of lags that are not zero.
+  /// The largest |p| and |q| with a value other than zero.
   Shape reach() const;
-  /// The lags up to these, or as far as there are any.
+  /// The lags up to max_lag, or up to P and Q if these are less.
   LagField within(Shape max_lag) const;
   /// Row p, column Q + q.
   const Field& half_plane() const { return values_; }
 
   Eigen::ArrayXd along_x() const { return values_.col(max_q()); }
   Eigen::ArrayXd along_y() const { return values_.row(0).tail(max_q() + 1).transpose(); }
-  /// R(p,q)/R(0,0). Throws DataError("acf", …) when R(0,0) is not positive.
+  /// R(p,q)/R(0,0). Throws DataError("acf", …) if R(0,0) is not positive.
   LagField normalised() const;
 
  private:

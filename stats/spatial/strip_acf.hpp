@@ -1,11 +1,11 @@
-/// The autocorrelation of a field that comes in strips, from the pairs of points that lie in one strip.
+/// The autocorrelation of a field that comes in strips, from the pairs of points within one strip.
 ///
 ///     R(p,q) = Σ_strips C(p,q) / Σ_strips n(p,q)                                                      (1)
-/// with the sums over pairs C and their number n of each strip (stats/spatial/acf.hpp): unbiased when heights
-/// are measured from the mean of the whole field, but of fewer pairs, and of lags that fit a strip. It serves
-/// standard errors; a correlation that is longer than the strips makes them too small.
+/// with the sums over pairs C and the number of pairs n of each strip (stats/spatial/acf.hpp). It is unbiased
+/// if heights are measured from the mean of the whole field, but has fewer pairs and only lags that fit a
+/// strip. It serves for standard errors, which are too small if the correlation is longer than the strips.
 ///
-/// Cost      one autocorrelation a strip; with missing heights two.
+/// Cost      one autocorrelation per strip; with missing heights two.
 #pragma once
 
 #include "core/field.hpp"
@@ -23,10 +23,10 @@ class StripAutocorrelation {
   void add(const Field& strip);
   /// (1).
   LagField estimate() const;
-  /// The pairs of the whole field, its missing points spread over it as they are over the strips' pairs.
+  /// The pairs of the whole field, if points are missing everywhere as they are within the strips.
   Pairs pairs() const;
-  /// Whether a correlation is still above a tenth at the longest lag that fits a strip: 6 % of S_2 and more
-  /// are lost.
+  /// Whether a correlation is still above 0.1 at the longest lag that fits a strip: at least 6 % of S_2 is
+  /// lost.
   bool reaches_beyond(const LagField& correlation) const;
 
  private:

@@ -4,37 +4,37 @@
 /// W,
 ///     C(qx,qy) = (ΔxΔy)²/(Lx Ly W) |Σ w d exp(-i(qx x + qy y))|²                          [m⁴]         (1)
 ///     1/(Lx Ly) Σ C = Σ (w d)²/(nx ny W), without a window Sq², over all nx ny wave numbers            (2)
-/// (Parseval; in the limit Sq² = 1/(2π)² ∫∫ C dqx dqy). The PSD of the profiles along x is their mean, and
-/// along y likewise, with a window along the profile alone,
+/// (Parseval; in the limit Sq² = 1/(2π)² ∫∫ C dqx dqy). The PSD of the profiles along x is the mean over
+/// them, with a window along the profile only, and likewise along y,
 ///     C1(qx) = Δx²/(Lx W) mean_j |Σ_i w d exp(-i qx x)|² = 1/Ly Σ_qy C(qx,qy)             [m³]         (3)
 ///     1/Lx Σ C1 = Sq² over all nx wave numbers, of both signs.
 /// The radial PSD is the mean of C over rings of a width of 2π/min(Lx,Ly) up to the smaller of π/Δx, π/Δy.
 ///
-/// A field that is not periodic leaks: its edges, joined, are a step of C ~ 1/q². Hann's window 1 -
-/// cos(2πx/Lx), and the same in y, ends that at the price of 1.5 wave numbers of resolution.
+/// A field that is not periodic leaks: its joined edges form a step, with C ~ 1/q². Hann's window
+/// 1 - cos(2πx/Lx), and the same in y, prevents this; resolution falls to 1.5 wave numbers.
 ///
-/// Missing heights are given the mean, and W is the mean of w² over all points, of missing ones zero: (2) is
-/// then Sq² of the points that are there. Holes leak as edges do. Of points missing here and there,
-/// independently, a share g, the expectation of C is
+/// Missing heights are set to the mean, and W is the mean of w² over all points with w = 0 at missing ones:
+/// (2) is then Sq² of the measured points. Holes leak as edges do. If a share g of the points is missing
+/// independently, the expectation of C is
 ///     (1-g) C + g Sq² ΔxΔy,                                                                           (4)
-/// a floor of white noise, below which the surface's short waves cannot be seen.
+/// with a floor of white noise that hides short waves of the surface.
 ///
 /// The angular spectrum is
 ///     F(θ) = ∫ C(q cos θ, q sin θ) q dq,                                                              (5)
-/// the power of all waves that run in the direction θ; ridges stand at right angles to it. Each wave number
-/// is spread over the angles around its own by a triangle whose half width is 2°, or the angle Δq/q that its
-/// cell subtends where that is more. Those below four times 2π/min(Lx,Ly), which hold what is left of the
-/// form, and above the smaller of π/Δx, π/Δy, which not all directions have, are left out. Std of ISO 25178-2
-/// is where F is largest.
+/// the power of all waves that run in the direction θ, at right angles to their ridges. Each wave number is
+/// spread over neighbouring angles by a triangle whose half width is 2°, or the angle Δq/q of its cell if
+/// that is larger. Wave numbers below four times 2π/min(Lx,Ly), which hold remains of the form, and above the
+/// smaller of π/Δx, π/Δy, which do not exist in all directions, are left out. Std of ISO 25178-2 is the angle
+/// of the largest F.
 ///
 /// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
 ///           qx, qy  wave numbers [rad/m]      θ  angle from +x towards +y, in (-π/2, π/2] [rad]
 /// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
-///           C. The mean over a ring of n of them, half of which are the other half again, has the variance
-///           I/n² Σ C², over a row half of that; estimated without bias. I is 1, and 35/18 for each axis with
-///           Hann's window, whose neighbours share power; with missing points N Σ w⁴/(Σ w²)² over those that
-///           are there. Std within 0.5°, for a wave that fills a few wave numbers; of an isotropic surface it
-///           is an accident.
+///           C. The mean over a ring of n wave numbers, of which half repeat the other half, has the variance
+///           I/n² Σ C², and the mean over a row half of that; it is estimated without bias. I is 1, or 35/18
+///           for each axis with Hann's window, which correlates neighbours; with missing points it is
+///           N Σ w⁴/(Σ w²)² over the measured ones. Std within 0.5° for a wave that covers a few wave
+///           numbers; for an isotropic surface it is random.
 /// Cost      one real transform; of (5) one pass over C.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
@@ -55,22 +55,22 @@ struct DataWindows {
   DataWindow x = DataWindow::hann, y = DataWindow::hann;
 };
 
-/// None on a periodic grid, Hann's on any other.
+/// None on a periodic grid, Hann's on others.
 DataWindows default_windows(const Grid& grid);
 
-/// I of the variance of means over wave numbers.
+/// The factor I of the variance of means over wave numbers.
 double spectrum_inflation(const Field& d, DataWindows windows);
 
-/// (1) over the half-plane of wave numbers p ≥ 0. Sums over all wave numbers: for_each_lag on the periodic
-/// grid.
+/// (1) over the half-plane of wave numbers p ≥ 0. For sums over all wave numbers use for_each_lag on the
+/// periodic grid.
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
 
 /// A PSD over one wave number.
 struct SpectrumPoint {
-  double wave_number = 0;  ///< [rad/m]; of a ring their mean
-  double density = 0;      ///< [m³] of profiles, [m⁴] of rings
+  double wave_number = 0;  ///< [rad/m]; for a ring the mean
+  double density = 0;      ///< [m³] for profiles, [m⁴] for rings
   double standard_error = 0;
-  double count = 0;  ///< wave numbers (qx,qy) that went into it, of both signs
+  double count = 0;  ///< number of wave numbers (qx,qy), of both signs
 };
 
 enum class Axis1D { x, y };
@@ -78,15 +78,15 @@ enum class Axis1D { x, y };
 /// (3) for wave numbers ≥ 0.
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads = 1);
-/// Of (1), for rings from the first on; `inflation` is I.
+/// The means of (1) over rings from the first on; `inflation` is I.
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation);
 
 struct TextureDirection {
   double angle = 0;     ///< Std [rad]
-  double contrast = 0;  ///< F at its largest over its mean, 1 for no direction at all
+  double contrast = 0;  ///< largest F over its mean, 1 for no texture
 };
 
-/// Of (1).
+/// From (1).
 TextureDirection texture_direction(const LagField& psd, const Grid& grid);
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
-/// How many independent heights a surface of correlated ones is worth, and the standard errors that follow.
+/// The effective number of independent heights of a correlated surface, and the standard errors from it.
 ///
-/// The mean over N points of any function f of the height x = (z - mean)/σ has, for a Gaussian field of
-/// correlation ρ, by the Hermite series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ,
+/// Let f be any function of the height x = (z - mean)/σ of a Gaussian field of correlation ρ. By the Hermite
+/// series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ its mean over N points has
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
 ///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (stats/uncertainty/correlation_algebra.hpp).  (2)
 /// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and to first
@@ -9,29 +9,31 @@
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
 ///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
 ///     Var[Sa]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
-/// with the field's own mean and rms height allowed for. The mean takes w = S_1/N of the variance: E[Sq²] is
-/// 1 - w as large, and each lag of ρ falls to (ρ - w)/(1 - w), which (ρ + b)/(1 + b) with b = w/(1 - w)
-/// undoes. w is followed to a half, where N/S_2 ≤ 4 and no error can be told.
+/// with the field's own mean and rms height allowed for. Subtracting the mean removes the share w = S_1/N of
+/// the variance: E[Sq²] is lower by the factor 1 - w, and ρ becomes (ρ - w)/(1 - w) at each lag, which
+/// (ρ + b)/(1 + b) with b = w/(1 - w) undoes. w is limited to ½, where N/S_2 ≤ 4 and no errors are given.
 ///
-/// An estimated ρ is mostly noise far out, of standard error √(S_2/N), which summed would be as large as S_2
-/// itself. Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard errors,
+/// At long lags an estimated ρ is mostly noise, of standard error √(S_2/N), whose sum would be as large as
+/// S_2 itself. Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard
+/// errors,
 ///      √(S_2/pairs)
-/// with S_2 of those admitted; of the noise 0.3 % passes. S_k, k ≥ 3, are summed over these; S_1 and S_2
-/// weigh the tail more, and are summed over the K lags of twice the admitted reach (h where h/2 is admitted),
-/// with b put back and of the squares the noise S_2/N each taken off:
+/// with S_2 of those admitted; 0.3 % of the noise passes. S_k, k ≥ 3, are summed over these. S_1 and S_2
+/// depend more on the tail and are summed over the K lags within twice the admitted reach (h such that h/2 is
+/// admitted), with b added and the noise S_2/N of each square subtracted:
 ///     S_1 = Σ v ρ/(1 - K/N),     S_2 = Σ v [(ρ+b)/(1+b)]² / (1 + K/N),     v the weights of (2).   (6)
-/// What still lies beyond lowers S_1 by some 15 S_2/N of it and S_2 by 10 S_2/N, measured of triangular (0,
-/// 7) and exponential (35, 17) correlations, and is added. ln S_2 then has a variance of 5 to 16 S_2/N:
-/// `degrees`, N/(8 S_2), are those of a standard error of this quality.
+/// The lags beyond lower S_1 by about the fraction 15 S_2/N and S_2 by 10 S_2/N, measured values between
+/// those for triangular (0, 7) and exponential (35, 17) correlations, which are added. ln S_2 then has a
+/// variance of 5 to 16 S_2/N, as a standard error with `degrees` = N/(8 S_2) degrees of freedom.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
-/// Scope     Gaussian heights; Var[z̄] holds for any. Heights of larger kurtosis have a larger Var[Sq].
+/// Scope     Gaussian heights; Var[z̄] holds for all. Heights of larger kurtosis have a larger Var[Sq].
 /// Accuracy  first order in S_2/N. 95 % intervals (stats/uncertainty/moment_interval.hpp) of 300 fields of 48
-///           × 48 points of triangular correlation cover, with the known one, 94 to 98 % at N/S_2 = 16, from
-///           87 % (Sku) at 5.2, and 5 % (Sku) at 3. An estimated N/S_2 does not fall below some 10, however
-///           long the correlation. At 16 in truth (20 estimated, the median) Sq and Sa are covered by 86 %,
-///           at 5 (11) by 73 %, at 2 (9) by 55 %. An S_k that noise makes negative counts as zero.
-/// Cost      that of the S_k; two passes over an estimate's lags.
+///           × 48 points of known triangular correlation cover 94 to 98 % at N/S_2 = 16, 87 % or more (least:
+///           Sku) at 5.2, and 5 % (Sku) at 3. An estimated N/S_2 does not fall below about 10, however long
+///           the correlation. With an estimated correlation, intervals of Sq and Sa cover 86 % at a true
+///           N/S_2 of 16 (median estimate 20), 73 % at 5 (11) and 55 % at 2 (9). An S_k that is negative by
+///           noise is set to zero.
+/// Cost      that of the S_k; two passes over the lags of an estimate.
 ///
 /// F. G. Mehler, J. reine angew. Math. 66 (1866) 161-176.
 /// M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
@@ -57,21 +59,20 @@ class EffectiveSampleSize {
 
   /// The sums (2) of a known correlation, normalised or not.
   EffectiveSampleSize(const LagField& correlation, const Pairs& pairs);
-  /// The sums of an estimated one, as said above.
+  /// The sums (6) of an estimated one.
   static EffectiveSampleSize of_estimate(const LagField& estimate, const Pairs& pairs);
 
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
-  double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite when S_k = 0
+  double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite if S_k = 0
   double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
   double taken_by_mean() const { return std::min(mean_power(1), 0.5); }            ///< w
   double bias_of_lags() const { return taken_by_mean() / (1 - taken_by_mean()); }  ///< b
-  double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite of a known correlation
-  /// Least N/S_2 with which errors can be told, and up to twice of which they are rough: 5, 10 of an
-  /// estimate.
+  double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite for a known correlation
+  /// Least N/S_2 for which errors are given: 5, or 10 for an estimate. Up to twice of it they are rough.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
-  bool tells_errors() const { return effective(2) >= least_effective(); }
-  /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`; those beyond `powers` with the last sum.
+  bool gives_errors() const { return effective(2) >= least_effective(); }
+  /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`; beyond `powers` with the last sum.
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:
@@ -79,7 +80,7 @@ class EffectiveSampleSize {
   std::array<double, powers + 1> sums_;
 };
 
-/// The lags of an estimate that stand out of its noise, the others zero; normalised.
+/// The normalised estimate, zero at lags that do not exceed its noise.
 LagField significant_lags(const LagField& estimate, const Pairs& pairs);
 
 /// Standard errors (3)–(5), in the unit of the field.

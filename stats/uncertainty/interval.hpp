@@ -1,8 +1,8 @@
-/// A confidence interval of an estimate: low ≤ estimate ≤ high, or none, and why.
+/// A confidence interval of an estimate, low ≤ estimate ≤ high, or the reason why there is none.
 ///
-/// The ends are freed of a bias that the estimate keeps, by a correction derived as small beside the error;
-/// where both come to lie on one side of the estimate it is not, and there is no interval. An end that is not
-/// a number makes none either; ±∞ is an open end.
+/// The ends are corrected for a bias that the estimate keeps. The correction assumes a bias that is small
+/// compared with the error: where both ends lie on one side of the estimate, there is no interval. There is
+/// none either if an end is NaN; ±∞ is an open end.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@ namespace asperity {
 class Interval {
  public:
   double low = std::numeric_limits<double>::quiet_NaN(), high = low;  ///< NaN both, or in order
-  std::string why;  ///< there is none; "" where no error is known
+  std::string why;  ///< why there is none; "" where no error is known
 
   Interval() = default;
   static Interval of(double estimate, double low, double high) {
     if (std::isnan(estimate) || std::isnan(low) || std::isnan(high)) return {};
     if (low <= estimate && estimate <= high) return {low, high, ""};
-    return {NAN, NAN, "the correction of its bias exceeds its error"};
+    return {NAN, NAN, "no interval: the bias correction exceeds the standard error"};
   }
   static Interval about(double estimate, double half_width) {
     return of(estimate, estimate - half_width, estimate + half_width);
   }
 
-  /// Of a ratio, in its logarithm: `half_width` is relative, and no ratio exceeds `most`.
+  /// Of a ratio, by its logarithm: `half_width` is relative; `most` bounds the ratio.
   static Interval of_ratio(double estimate, double half_width,
                            double most = std::numeric_limits<double>::infinity()) {
     return of(estimate, estimate * std::exp(-half_width), std::min(most, estimate * std::exp(half_width)));

@@ -1,29 +1,30 @@
 /// Confidence intervals of correlation lengths.
 ///
-/// A length is where an estimate of the correlation falls to a level t (stats/spatial/acf_length.hpp). At a
-/// lag h it strays by SE(h) (stats/uncertainty/acf_error.hpp), and is low by the field's own mean. With that
-/// put back, ρ' = (ρ + b)/(1 + b) (stats/uncertainty/effective_size.hpp), the interval at the level 1 - 2a is
+/// A length is the lag at which the estimated correlation falls to a level t (stats/spatial/acf_length.hpp).
+/// At lag h the estimate has the standard error SE(h) (stats/uncertainty/acf_error.hpp), and it is low
+/// because the field's own mean is subtracted. With the correction ρ' = (ρ + b)/(1 + b)
+/// (stats/uncertainty/effective_size.hpp) the interval at the level 1 - 2a is
 ///     λ(ρ' - u SE) … λ(ρ' + u SE),                                                                     (1)
-/// open above where that side of the band does not fall to t. λ rises with ρ, so that the ends are in order,
-/// and about λ(ρ) but where b exceeds the error u SE/(1 - t).
+/// open above if the upper band does not fall to t. λ rises with ρ, so that the ends are in order; they
+/// enclose λ(ρ) unless b exceeds the error u SE/(1 - t).
 ///
-/// Sal is the least of the lengths in all directions, and the least of many that stray is low. Its interval
-/// is (1) with Sal for λ, but above u is the quantile of the largest of Gaussians that are correlated as the
-/// errors of ρ are, in those of 12 directions whose λ(ρ') is within the interval that they make. From below
-/// Sal is hardly ever missed: the upper end takes all of 2a. The slowest decay is the greatest of the
-/// lengths, its interval the mirror image.
+/// Sal is the least of the lengths in all directions, and the least of many estimates is biased low. Its
+/// interval is (1) with Sal for λ, but for the upper end u is the quantile of the largest of Gaussians with
+/// the correlations of the errors of ρ, in those of 12 directions whose λ(ρ') lies within the interval. The
+/// lower end hardly ever fails, so that the upper end has the whole probability 2a. The slowest decay is the
+/// greatest of the lengths; its interval is the mirror image.
 ///
-/// Of a known correlation the errors are √(1 - S_1²/(N S_2)) as large, for the field's mean takes S_1²/N from
-/// the squares. An estimated one has lost that, but is cut where noise begins: its errors are taken
-/// ⁴√(S_2'/S_2) as large, S_2' with the tail; that is measured, half of what the sum of squares loses. The
-/// upper end of Sal, which no other makes good, has Student's quantile of their degrees.
+/// For a known correlation the errors are smaller by the factor √(1 - S_1²/(N S_2)), because the field's mean
+/// removes S_1²/N from the squares. An estimate already lacks that part, but it is cut where noise begins:
+/// its errors are larger by the factor ⁴√(S_2'/S_2), S_2' with the tail, an empirical half of the loss in the
+/// sum of squares. The upper end of Sal uses Student's quantile for their degrees of freedom.
 ///
-/// Symbols   ρ  estimate, 1 at lag zero    N  points    S_k  sums over the correlation    λ(f)  where f is t
+/// Symbols   ρ  estimate, 1 at lag zero    N  points    S_k  sums over the correlation    λ(f)  where f = t
 /// Scope     Gaussian heights.
 /// Accuracy  95 % intervals cover, of 2000 fields a row (validation/statistics_coverage): Sal and lengths
-///           along an axis at 1/e and 10 % 93.6 to 97.0 % of a known correlation and 93.9 to 97.2 % of an
-///           estimated one, down to N/S_2 = 41, but for the length at 1/e there, 97.7 %.
-/// Cost      one autocorrelation of ρ; a pass over the lags an end; of Sal one to four simulations, 5 ms
+///           along an axis at 1/e and 10 % 93.6 to 97.0 % with a known correlation and 93.9 to 97.2 % with an
+///           estimated one, down to N/S_2 = 41, except 97.7 % for the length at 1/e there.
+/// Cost      one autocorrelation of ρ; a pass over the lags per end; for Sal one to four simulations, 5 ms
 ///           each.
 #pragma once
 
@@ -40,10 +41,10 @@ namespace asperity {
 
 class LengthIntervals {
  public:
-  /// `known` is the correlation that errors rest on, if it is known.
+  /// `known` is the correlation that errors rest on; none if it is estimated.
   LengthIntervals(const LagField& estimate, const Pairs& pairs, const std::optional<LagField>& known);
 
-  /// (1) in a direction, an angle from +x towards +y [rad], in metres; beyond the lags open above.
+  /// (1) in a direction, an angle from +x towards +y [rad], in metres; open above if it exceeds the lags.
   Interval along(double angle, double level, double confidence = 0.95) const;
   Interval r_min(double level, double confidence = 0.95) const;  ///< of Sal
   Interval r_max(double level, double confidence = 0.95) const;  ///< of the slowest decay
@@ -53,17 +54,18 @@ class LengthIntervals {
                   const std::optional<LagField>& known);
   /// ρ' + u SE at all lags.
   LagField band(double u) const;
-  /// Sal of such a field, or its slowest decay; infinite where it lies beyond the lags.
+  /// Sal or the slowest decay for this ρ; infinite if it exceeds the lags.
   enum class Decay { r_min, r_max };
   double length_of(Decay decay, const LagField& rho, double level) const;
-  /// Where ρ' falls to a level in each of 12 directions.
+  /// The lag at which ρ' falls to a level in one of 12 directions.
   struct Reached {
     Shape lag;
     double length;
   };
-  /// The quantile of the largest stray among these.
+  /// The quantile of the largest deviation among these.
   double quantile_of_extreme(const std::vector<Reached>& reached, double tail) const;
-  /// The end of (1) that strays of many directions make: above of the fastest, below of the slowest decay.
+  /// The end of (1) that depends on many directions: the upper end of the fastest, the lower of the slowest
+  /// decay.
   double strayed(Decay decay, double level, double tail) const;
 
   LagField rho_;

@@ -30,7 +30,7 @@ Interval about_unbiased(double estimate, double lost, double half_width) {
 
 double tail_of(double level) {
   if (!(level > 0 && level < 1))
-    throw ParameterError("confidence", "value " + shortest(level) + " is not between 0 and 1");
+    throw ParameterError("confidence", "'" + shortest(level) + "' is not a number between 0 and 1");
   return (1 - level) / 2;
 }
 

@@ -1,8 +1,8 @@
 /// Confidence intervals of the moments of a Gaussian field.
 ///
-/// A symmetric interval of so many standard errors (stats/uncertainty/effective_size.hpp) is short where few
-/// patches are independent: Sq is skewed to the right, and low by the part S_1/N that the field's own mean
-/// takes of Sq². With ν_k = N/S_k independent heights in place of N, at the level 1 - 2a,
+/// A symmetric interval in standard errors (stats/uncertainty/effective_size.hpp) is too short if few patches
+/// are independent: Sq is skewed to the right, and low because subtracting the field's own mean removes the
+/// share S_1/N of Sq². With ν_k = N/S_k independent heights instead of N, at the level 1 - 2a,
 ///     mean   z̄ ± t(d; a) SE[z̄] / √(1 - S_1/N),    d = min(ν_2 - 1, max(15, degrees of the S_k))      (1)
 ///     Sq     Sq' √(ν_2/χ²(ν_2; 1-a)) … Sq' √(ν_2/χ²(ν_2; a)),     Sq' = Sq/√(1 - S_1/N)            (2)
 ///     Sa     likewise, with ν = ½ (Sa/SE[Sa])²                                                    (3)
@@ -11,18 +11,18 @@
 /// with the quantiles t, χ² and u of Student's, the chi-squared and the normal distribution. (4) and (5) have
 /// the variances of n independent heights, times
 ///     f_3 = (1 + 6/ν_3)/(1 - L_3),     f_4 = (1 + 15/ν_4)/(1 - L_4),                               (6)
-/// for the field's own mean and rms height are the worse known the longer it is correlated: with m_3 and m_4
-/// expanded about the true ones in Hermite's components, the relative second orders are, s_k = S_k/N,
+/// because a longer correlation makes the field's own mean and rms height less certain. Expanding m_3 and m_4
+/// about the true values in Hermite components gives the relative second orders, with s_k = S_k/N,
 ///     L_3 = 12 s_2 + 3 s_1 - (3 s_1 s_2 + 18 q_3)/s_3,     q_3 ≈ s_2^1.45 s_3^0.55,                (7)
 ///     L_4 = 20 s_2 + 4 s_1 - (3 s_2² + 4 s_1 s_3 + 32 q_4)/s_4,     q_4 ≈ s_2^1.2 s_4^0.8,         (8)
-/// -6/n and -15/n of independent heights; q_k = Σ ρ^{k-1} (ρ*ρ)/N² are exact of Gaussian correlations and
-/// independent heights, and up to 16 % larger of triangular and exponential ones. f_k is not followed below
-/// 3/4. 3 - 6/ν_2 is what Sku is on average. Of heights that are not Gaussian, with the errors of
-/// stats/uncertainty/translation_error.hpp: (1), Sq and Sa as in (2) with ν = ½ (Sq/SE[Sq])², Ssk and Sku
-/// less their bias ± u SE.
+/// -6/n and -15/n for independent heights; the approximations of q_k = Σ ρ^{k-1} (ρ*ρ)/N² are exact for
+/// Gaussian correlations and independent heights; for triangular and exponential ones q_k is up to 16 %
+/// larger. f_k is at least 3/4. 3 - 6/ν_2 is the expectation of Sku. For heights that are not Gaussian, with
+/// the errors of stats/uncertainty/translation_error.hpp: (1), Sq and Sa as in (2) with ν = ½ (Sq/SE[Sq])²,
+/// Ssk and Sku minus their bias ± u SE.
 ///
 /// Symbols   N  points      S_k  sums over the correlation
-/// Scope     Exact for independent heights, but for the normal quantile in (4), (5).
+/// Scope     Exact for independent heights, except the normal quantile in (4), (5).
 /// Accuracy  95 % intervals cover, of 2000 fields a row (validation/statistics_coverage), 93.7 to 96.5 % with
 ///           a known correlation down to N/S_2 = 41, and 92.7 to 97.2 % with an estimated one, 93.7 to 96.4 %
 ///           from 150 on.
@@ -38,15 +38,15 @@
 
 namespace asperity {
 
-/// In the unit of the field; none where there are too few independent heights for one.
+/// In the unit of the field; unknown if too few heights are independent.
 struct MomentIntervals {
   Interval mean, sa, sq, ssk, sku;
 };
 
-/// At a level between 0 and 1; throws ParameterError("confidence", …) outside.
+/// Throws ParameterError("confidence", …) unless the level is between 0 and 1.
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSampleSize& size,
                                      double level = 0.95);
-/// Of heights that are not Gaussian.
+/// For heights that are not Gaussian.
 MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
                                      const EffectiveSampleSize& size, double level = 0.95);
 

@@ -18,7 +18,7 @@ def surface_file(case, name="in.nc", shape=None, **more):
 def acf_by_sums(case):
     surface = surface_file(case)
     biased = case.chance(0.5)
-    case.done("acf", "in.nc", "--dataset", "-o", "out.nc", *(["--biased"] if biased else []))
+    case.done("acf", "in.nc", "-o", "out.nc", *(["--biased"] if biased else []))
     found, attributes = maps.read(case.path("out.nc"))
     ours = found["acf"]
     expected, pairs = autocorrelation(surface.z)
@@ -36,7 +36,7 @@ def psd_by_transform(case):
     surface = surface_file(case)
     nx, ny = surface.shape
     lx, ly = nx * surface.dx, ny * surface.dy
-    case.done("psd", "in.nc", "--dataset", "--window", "none", "-o", "out.nc")
+    case.done("psd", "in.nc", "--window", "none", "-o", "out.nc")
     found, _ = maps.read(case.path("out.nc"))
     c = (surface.dx * surface.dy) ** 2 / (lx * ly) * abs(np.fft.fft2(surface.z - surface.z.mean())) ** 2
     p = np.rint(found["wave_number_x"] * lx / (2 * np.pi)).astype(int)
@@ -189,7 +189,7 @@ def acf_with_holes(case):
     surface = surface_file(case)
     there = case.rng.random(surface.shape) > 0.15
     maps.write_netcdf(case.path("in.nc"), maps.Surface(np.where(there, surface.z, np.nan), surface.dx, surface.dy))
-    case.done("acf", "in.nc", "--dataset", "--max-lag", "3x3", "-o", "out.nc")
+    case.done("acf", "in.nc", "--max-lag", "3x3", "-o", "out.nc")
     found, attributes = maps.read(case.path("out.nc"))
     d = np.where(there, surface.z - surface.z[there].mean(), 0)
     sums, pairs = (signal.correlate(f, f, method="direct") for f in (d, there.astype(float)))

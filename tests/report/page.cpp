@@ -108,7 +108,7 @@ TEST_CASE("a measured surface with missing points, a smooth contact and a kernel
           "[report][contract][slow]") {
   const std::string measured = report_on(ASPERITY_TEST_DATA "/profiler-96x96.x3p --remove-form plane");
   CHECK_THAT(measured, ContainsSubstring("Measured above its plane"));
-  CHECK_THAT(measured, ContainsSubstring("Warning: standard errors and intervals are not told: N_eff = "));
+  CHECK_THAT(measured, ContainsSubstring("Warning: no standard errors and intervals can be given: N_eff = "));
   const std::string open = report_on(ASPERITY_TEST_DATA "/afm-64x64.nc");
   CHECK_THAT(open, ContainsSubstring("interval\">above <data"));  // of the slowest decay
   draw_surface();
@@ -171,9 +171,12 @@ TEST_CASE("a report on what is no dataset, or holds nothing to tell, gets one li
   const struct {
     const char* arguments;
     int exit;
-  } wrong[] = {{"absent.nc -o w.html", 1},      {"garbage.nc -o w.html", 4},
-               {"empty.nc -o w.html", 4},       {"s.nc --variable gap -o w.html", 4},
-               {"s.nc --remove-form x -o w.html", 2}, {"s.nc --colour red -o w.html", 2},
+  } wrong[] = {{"absent.nc -o w.html", 1},
+               {"garbage.nc -o w.html", 4},
+               {"empty.nc -o w.html", 4},
+               {"s.nc --variable gap -o w.html", 4},
+               {"s.nc --remove-form x -o w.html", 2},
+               {"s.nc --colour red -o w.html", 2},
                {"s.nc -o nowhere/w.html", 1}};
   for (const auto& [arguments, exit] : wrong) {
     const Outcome run = shell(std::string("asperity-report ") + arguments);

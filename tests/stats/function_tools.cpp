@@ -7,15 +7,16 @@
 
 using namespace asperity;
 using namespace asperity::test;
+using Catch::Matchers::EndsWith;
 
 TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside", "[acf-tool][contract]") {
-  const Outcome run = run_on_surface("asperity-acf drawn.nc --profiles --max-lag 20x15");
+  const Outcome run = run_on_surface("asperity-acf drawn.nc --result profiles --max-lag 20x15");
   REQUIRE(run.exit == 0);
   CHECK(run.out.starts_with(
       "# direction\tlag [m]\tacf [1]\tstandard_error [1]\tlow_95 [1]\thigh_95 [1]\ttarget [1]\n"
       "x\t0\t1\t0\t1\t1\t1\n"));
   CHECK(lines(run.out) == 1 + 21 + 16);
-  const Json absolute = json_of("asperity-acf drawn.nc --absolute --json");
+  const Json absolute = json_of("asperity-acf drawn.nc --result profiles --absolute --json");
   const double sq = json_of("asperity-stats drawn.nc --json")["Sq"]["value"];
   CHECK(absolute["acf"]["unit"] == "m2");
   CHECK(relative_error(absolute["acf"]["values"][0], sq * sq) <= 100 * epsilon);
@@ -25,7 +26,7 @@ TEST_CASE("asperity-acf prints both profiles from 1 on, with the target beside",
 // the interpolation is linear and exact.
 TEST_CASE("asperity-acf finds the 10 % lengths within four of their standard errors",
           "[acf-tool][statistics]") {
-  const Json lengths = json_of("asperity-acf drawn.nc --lengths --json");
+  const Json lengths = json_of("asperity-acf drawn.nc --result lengths --json");
   CHECK(relative_error(lengths["target_length_10_x"]["value"], 7.2 * 20e-6) <= 10 * epsilon);
   CHECK(relative_error(lengths["target_length_10_y"]["value"], 4.5 * 30e-6) <= 10 * epsilon);
   for (const char* name : {"length_10_x", "length_10_y", "length_e_x", "length_e_y", "gamma_10", "gamma_e"}) {
@@ -35,13 +36,11 @@ TEST_CASE("asperity-acf finds the 10 % lengths within four of their standard err
   }
 }
 
-TEST_CASE(
-    "into a pipe or a file asperity-acf adds the ACF over both signs of the lag and leaves the rest as it "
-    "was",
-    "[acf-tool][contract]") {
+TEST_CASE("asperity-acf adds the ACF over both signs of the lag to the dataset and leaves the rest as it was",
+          "[acf-tool][contract]") {
   for (const char* how : {"asperity-acf --max-lag 12x9 < drawn.nc | cat > with-acf.nc",
                           "asperity-acf drawn.nc --max-lag 12x9 -o with-acf.nc",
-                          "asperity-acf --dataset --max-lag 12x9 < drawn.nc > with-acf.nc"}) {
+                          "asperity-acf --result dataset --max-lag 12x9 < drawn.nc > with-acf.nc"}) {
     CAPTURE(how);
     REQUIRE(run_on_surface(how).exit == 0);
     const Dataset before = read_dataset("drawn.nc"), after = read_dataset("with-acf.nc");
@@ -72,21 +71,49 @@ TEST_CASE("acf_variance is the square of Sq, whatever the ACF is scaled to, and 
   CHECK(read_dataset("pressed-acf.nc").attributes.find("acf_variance") == nullptr);
 }
 
-TEST_CASE("asperity-acf --json prints the profiles, and does not go together with --dataset",
-          "[acf-tool][contract]") {
-  CHECK(json_of("asperity-acf drawn.nc --json") == json_of("asperity-acf drawn.nc --profiles --json"));
-  for (const char* two :
-       {"--dataset --json", "--dataset --profiles", "--profiles --lengths", "--dataset --lengths"}) {
-    const Outcome run = run_on_surface(std::string("asperity-acf drawn.nc ") + two);
-    CAPTURE(two, run.error);
+TEST_CASE("what asperity-acf and asperity-psd write is that of --result, on a terminal too",
+          "[acf-tool][psd-tool][contract]") {
+  write_dataset(drawn_surface(), "drawn.nc");
+  for (const auto& [command, tables] :
+       {std::pair{std::string("asperity-acf drawn.nc"), std::string("--result profiles or --result lengths")},
+        {"asperity-psd drawn.nc", "--result profiles or --result radial"}}) {
+    CAPTURE(command);
+    CHECK(shell(command + " | head -c 3").out == "CDF");
+    const bool same =
+        shell(command + " --no-history --result dataset").out == shell(command + " --no-history").out;
+    CHECK(same);
+    const Outcome json = shell(command + " --json"), named = shell(command + " --json -o profiles.json");
+    CHECK((json.exit == 2 && named.exit == 2 && json.out.empty()));
+    CHECK_THAT(json.error, EndsWith(": --json: needs " + tables + ": a dataset is NetCDF\n"));
+    CHECK(named.error == json.error);
+    const std::string on_terminal = "script -qec '" + command;
+    const Outcome binary = shell(on_terminal + "' /dev/null");
+    CHECK(binary.exit == 2);
+    CHECK_THAT(binary.out, ContainsSubstring("is a terminal") && ContainsSubstring(tables));
+    CHECK_THAT(shell(on_terminal + " --result profiles' /dev/null").out, ContainsSubstring("standard_error"));
+    CHECK(shell(command + " --result table").exit == 2);
+    CHECK_THAT(shell(command + " --profiles").error, EndsWith("--profiles: it is now --result profiles\n"));
+  }
+}
+
+TEST_CASE("asperity-acf --add refuses words for which the result has no place", "[acf-tool][contract]") {
+  for (const auto& [options, needs] :
+       {std::pair{"--add acf_quantiles --result profiles", "acf_quantiles needs --result dataset"},
+        {"--add acf_quantiles --result lengths", "acf_quantiles needs --result dataset"},
+        {"--add structure_function --result lengths", "structure_function needs --result dataset or"},
+        {"--add structure", "'structure' is none of structure_function|acf_quantiles"},
+        {"--add acf_quantiles,acf_quantiles", "'acf_quantiles' is given twice"}}) {
+    const Outcome run = run_on_surface(std::string("asperity-acf drawn.nc ") + options);
+    CAPTURE(options);
     CHECK((run.exit == 2 && lines(run.error) == 1));
+    CHECK_THAT(run.error, ContainsSubstring(std::string("--add: ") + needs));
   }
 }
 
 TEST_CASE("asperity-acf measures lengths at any level and in any direction, and the ellipse of the contour",
           "[acf-tool][statistics]") {
   const Json lengths =
-      json_of("asperity-acf drawn.nc --lengths --json --levels 0.5,0.2 --direction 90deg");
+      json_of("asperity-acf drawn.nc --result lengths --json --levels 0.5,0.2 --direction 90deg");
   CHECK(lengths.contains("length_20_x"));
   CHECK_FALSE(lengths.contains("length_10_x"));
   CHECK(relative_error(lengths["target_length_50_x"]["value"], 4 * 20e-6) <= 10 * epsilon);
@@ -95,20 +122,23 @@ TEST_CASE("asperity-acf measures lengths at any level and in any direction, and 
   // The window is 160 µm × 150 µm: nearly round.
   CHECK(std::abs(lengths["ellipticity_50"]["value"].get<double>() - 1) <= 0.3);
   for (const char* wrong : {"--levels 1.5", "--levels 10%", "--direction 1m"})
-    CHECK(run_on_surface(std::string("asperity-acf drawn.nc --lengths ") + wrong).exit == 2);
+    CHECK(run_on_surface(std::string("asperity-acf drawn.nc --result lengths ") + wrong).exit == 2);
 }
 
 // S = 2(R(0,0) - R) over one and the same set of pairs; the sets at either end differ by the lag's share of
 // points.
-TEST_CASE("asperity-acf --structure adds the structure function to the profiles and the dataset",
+TEST_CASE("asperity-acf --add structure_function adds the structure function to the profiles and the dataset",
           "[acf-tool][contract]") {
-  const Json table = json_of("asperity-acf drawn.nc --structure --absolute --json");
+  const Json table =
+      json_of("asperity-acf drawn.nc --result profiles --add structure_function --absolute --json");
   const auto S = table["structure_function"]["values"].get<std::vector<double>>();
   const auto R = table["acf"]["values"].get<std::vector<double>>();
   CHECK(table["structure_function"]["unit"] == "m2");
   CHECK(S[0] <= 1e-12 * R[0]);
   CHECK(relative_error(S[1], 2 * (R[0] - R[1])) <= 0.1);
-  REQUIRE(run_on_surface("asperity-acf drawn.nc --structure --max-lag 12x9 -o with-acf.nc").exit == 0);
+  REQUIRE(
+      run_on_surface("asperity-acf drawn.nc --add structure_function --max-lag 12x9 -o with-acf.nc").exit ==
+      0);
   CHECK(shape_of(table_of(read_dataset("with-acf.nc"), "structure_function")) == Shape{13, 19});
 }
 
@@ -127,14 +157,13 @@ TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or 
   CHECK(data.attributes.text("psd_window") == "none");
   CHECK(data.has("acf_target"));
 
-  const Json rings = json_of("asperity-psd drawn.nc --json");
-  CHECK(rings == json_of("asperity-psd drawn.nc --radial --json"));
+  const Json rings = json_of("asperity-psd drawn.nc --result radial --json");
   CHECK(rings["psd"]["unit"] == "m4");
-  const Json profiles = json_of("asperity-psd drawn.nc --profiles --json");
+  const Json profiles = json_of("asperity-psd drawn.nc --result profiles --json");
   CHECK(profiles["psd"]["unit"] == "m3");
   CHECK(profiles["psd"]["values"].size() == 49 + 41);
-  for (const char* two : {"--dataset --json", "--radial --profiles", "--window wide", "--correlation drawn"})
-    CHECK(run_on_surface(std::string("asperity-psd drawn.nc ") + two).exit == 2);
+  for (const char* wrong : {"--window wide", "--correlation drawn"})
+    CHECK(run_on_surface(std::string("asperity-psd drawn.nc ") + wrong).exit == 2);
 }
 
 TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-tool][law]") {

@@ -100,7 +100,8 @@ TEST_CASE("a plane is taken off with --remove-form plane and the mean is reporte
 // x² + y² over 3 mm and 16 periods of a wave: what the form and the filters leave has the wave's rms height
 // alone.
 TEST_CASE(
-    "a form of --remove-form 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter ones",
+    "a form of --remove-form 2 takes a sphere's form away, --lambda-c longer waves and --lambda-s shorter "
+    "ones",
     "[stats-tool][law]") {
   const Grid grid{{128, 64}, 1e-5, 1e-5, true};
   auto wave = [](double x, double length) { return std::sin(2 * std::numbers::pi * x / length); };
@@ -128,7 +129,8 @@ TEST_CASE(
   write_dataset(data, "waves.nc");
   CHECK_THAT(shell("asperity-stats waves.nc --remove-form 2").error, ContainsSubstring("zero to round-off"));
   CHECK(shell("asperity-stats waves.nc --remove-form 21").exit == 2);
-  CHECK(shell("asperity-stats waves.nc --remove-form quadric").error.find("--remove-form") != std::string::npos);
+  CHECK(shell("asperity-stats waves.nc --remove-form quadric").error.find("--remove-form") !=
+        std::string::npos);
   CHECK(shell("asperity-stats waves.nc --lambda-c 10um").exit == 2);
   CHECK(run_on_surface("asperity-stats drawn.nc --lambda-c 1mm --correlation drawn").exit == 4);
 }
@@ -169,8 +171,9 @@ TEST_CASE("the statistics tools leave masked points out, and a mask of nothing c
   write_dataset(filled, "filled.nc");
 
   for (const char* command :
-       {"asperity-stats --parameters all --quantiles 0.5 --json ", "asperity-acf --profiles --structure ",
-        "asperity-acf --lengths ", "asperity-psd --radial ", "asperity-psd --profiles ", "asperity-pdf ",
+       {"asperity-stats --parameters all --quantiles 0.5 --json ",
+        "asperity-acf --result profiles --add structure_function ", "asperity-acf --result lengths ",
+        "asperity-psd --result radial ", "asperity-psd --result profiles ", "asperity-pdf ",
         "asperity-stats --remove-form 3 --lambda-s 80um --lambda-c 0.5mm --json "}) {
     CAPTURE(command);
     const std::string plain = run_on_surface(std::string(command) + "drawn.nc").out;
@@ -289,7 +292,7 @@ TEST_CASE(
   }
   const Outcome few = run_on_surface("asperity-stats --memory 10kB drawn.nc");
   CHECK((few.exit == 2 && lines(few.error) == 1));
-  CHECK_THAT(few.error, ContainsSubstring("does not hold 4 rows"));
+  CHECK_THAT(few.error, ContainsSubstring("do not hold 4 rows"));
   const Outcome narrow = shell("asperity-stats drawn.nc --correlation estimate --memory 60kB");
   CHECK_THAT(narrow.error, ContainsSubstring("longer than half a strip"));
   CHECK(shell("asperity-stats drawn.nc --memory 200kB -q").error.empty());

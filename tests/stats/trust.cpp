@@ -79,19 +79,19 @@ TEST_CASE("the tools' tables hold no interval without its value, and no sign of 
     for (const std::string& command :
          {std::string("asperity-stats --parameters all --quantiles 0,0.5,1 any.nc"),
           "asperity-stats --profile " + along + " any.nc",
-          std::string("asperity-acf --lengths --direction 30deg any.nc")})
+          std::string("asperity-acf --result lengths --direction 30deg any.nc")})
       check_quantities(command);
   }
 }
 
 // exp(-r²/L²) sums to S_2 = π L²/2: of 48² points 1466.8/L² independent ones, 1.6 for 30 samples (the sum is
 // cut at half the period), 9.9 for 12.2 and 58 for 5.
-TEST_CASE("few independent heights are told in one warning, and so few that errors mean nothing have none",
+TEST_CASE("few independent heights are warned of once, and too few for errors have none",
           "[stats-tool][contract]") {
   write_dataset(drawn(30), "one.nc");
   const Outcome one = shell("asperity-stats one.nc --json --quantiles 0.5");
   CHECK((one.exit == 0 && lines(one.error) == 1));
-  CHECK_THAT(one.error, ContainsSubstring("N_eff = ") && ContainsSubstring("cannot be told"));
+  CHECK_THAT(one.error, ContainsSubstring("N_eff = ") && ContainsSubstring("cannot be given"));
   const Json untold = Json::parse(one.out);
   CHECK(untold["N_eff"]["value"].get<double>() < 5);
   for (const char* name : {"mean", "Sa", "Sq", "Ssk", "Sku", "quantile_0.5"}) {
@@ -106,13 +106,14 @@ TEST_CASE("few independent heights are told in one warning, and so few that erro
   write_dataset(drawn(5), "enough.nc");
   CHECK(shell("asperity-stats enough.nc --json").error.empty());
 
-  for (const char* command : {"asperity-acf --lengths", "asperity-acf --profiles", "asperity-pdf"}) {
+  for (const char* command :
+       {"asperity-acf --result lengths", "asperity-acf --result profiles", "asperity-pdf"}) {
     const Outcome run = shell(std::string(command) + " one.nc --json");
     CAPTURE(command, run.error);
     CHECK_THAT(run.error, ContainsSubstring("N_eff = "));
     CHECK_THAT(run.out, !ContainsSubstring("interval_95"));
   }
-  const Json profiles = Json::parse(shell("asperity-acf --profiles one.nc --json").out);
+  const Json profiles = Json::parse(shell("asperity-acf --result profiles one.nc --json").out);
   CHECK((profiles["standard_error"]["values"][3].is_null() && profiles["low_95"]["values"][3].is_null()));
   const Outcome page = shell("asperity-report one.nc");
   CHECK_THAT(page.out, ContainsSubstring("is below 5"));
@@ -153,8 +154,8 @@ TEST_CASE("what rounding leaves above a form is not presented as a surface", "[s
               cap = sample(square, [](double x, double y) { return (x * x + y * y) / 0.02; });
   for (const auto& [z, form] : {std::pair{plane, "plane"}, {cap, "2"}, {plane, "3"}}) {
     write_dataset(surface(square, z), "form.nc");
-    for (const char* tool :
-         {"asperity-stats", "asperity-stats --memory 100kB", "asperity-acf --lengths", "asperity-pdf"}) {
+    for (const char* tool : {"asperity-stats", "asperity-stats --memory 100kB",
+                             "asperity-acf --result lengths", "asperity-pdf"}) {
       const Outcome run = shell(std::string(tool) + " form.nc --remove-form " + form);
       CAPTURE(tool, form, run.error);
       CHECK((run.exit == 4 && run.out.empty()));
@@ -169,8 +170,8 @@ TEST_CASE("cut-offs that separate nothing are refused, or told, by name and with
           "[stats-tool][contract]") {
   refused("asperity-stats drawn.nc --lambda-s 0.5mm --lambda-c 0.1mm", 2,
           "--lambda-s: 500um is not below --lambda-c, 100um");
-  refused("asperity-acf drawn.nc --lambda-s 0.5mm --lambda-c 0.5mm --lengths", 2, "--lambda-s");
-  refused("asperity-psd drawn.nc --lambda-c 3mm --radial", 2,
+  refused("asperity-acf drawn.nc --lambda-s 0.5mm --lambda-c 0.5mm --result lengths", 2, "--lambda-s");
+  refused("asperity-psd drawn.nc --lambda-c 3mm --result radial", 2,
           "--lambda-c: 3mm is longer than the field, 2.4mm");
   refused("asperity-pdf drawn.nc --lambda-s 3mm", 2, "--lambda-s: 3mm is longer than the field, 2.4mm");
   refused("asperity-stats drawn.nc --lambda-s 50um", 2, "below two samples");
@@ -183,11 +184,11 @@ TEST_CASE("cut-offs that separate nothing are refused, or told, by name and with
 TEST_CASE("angles beyond a turn, repeated words and more bins than points are refused by name",
           "[stats-tool][contract]") {
   refused("asperity-stats drawn.nc --parameters hybrid --direction 725deg", 2,
-          "--direction: '725deg' is more than a turn");
-  refused("asperity-acf drawn.nc --lengths --direction -361", 2, "--direction");
+          "--direction: '725deg' is more than a full turn");
+  refused("asperity-acf drawn.nc --result lengths --direction=-361deg", 2, "--direction");
   refused("asperity-stats drawn.nc --parameters height,height", 2, "given twice");
   refused("asperity-stats drawn.nc --quantiles 0.5,0.50", 2, "given twice");
-  refused("asperity-acf drawn.nc --lengths --levels 0.1,1/e,0.10", 2, "given twice");
+  refused("asperity-acf drawn.nc --result lengths --levels 0.1,1/e,0.10", 2, "given twice");
   refused("asperity-pdf drawn.nc --bins 7681", 2, "above the number of points, 7680");
   refused("asperity-pdf drawn.nc --estimate kernel --rows 2000000000", 2, "--rows");
   refused("asperity-pdf drawn.nc --estimate kernel --bandwidth 1e9", 2, "the range of heights");
@@ -198,7 +199,7 @@ TEST_CASE("angles beyond a turn, repeated words and more bins than points are re
 TEST_CASE("lengths below a sample and beyond half the field are said to be neither", "[acf-tool][contract]") {
   write_dataset(surface(square, 1e-6 * white_noise(square.shape, 3)), "noise.nc");
   for (const char* command :
-       {"asperity-acf noise.nc --lengths", "asperity-stats noise.nc --parameters spatial"}) {
+       {"asperity-acf noise.nc --result lengths", "asperity-stats noise.nc --parameters spatial"}) {
     const Outcome run = shell(command);
     CAPTURE(run.error);
     CHECK((run.exit == 0 && lines(run.error) == 1));
@@ -206,7 +207,8 @@ TEST_CASE("lengths below a sample and beyond half the field are said to be neith
   }
   const Field slope = sample(square, [](double x, double y) { return x + 0.1 * y; });
   write_dataset(surface(square, slope + 1e-6 * white_noise(square.shape, 3)), "slope.nc");
-  const Outcome far = shell("asperity-acf slope.nc --lengths --biased --max-lag 63x63 --direction 90");
+  const Outcome far =
+      shell("asperity-acf slope.nc --result lengths --biased --max-lag 63x63 --direction 90deg");
   CAPTURE(far.error, far.out);
   CHECK(far.exit == 0);
   CHECK_THAT(far.error, ContainsSubstring("is beyond half the field, 320um"));

@@ -77,9 +77,10 @@ TEST_CASE("a small file of a large map is refused by its head, whoever reads it"
   const std::string draw = "asperity-generate --shape 8x8 --size 1mm --rq 1um -o g.nc ";
   for (const std::string& line :
        {std::string("asperity-stats bomb.nrrd"), std::string("asperity-stats < bomb.nrrd"),
-        std::string("cat bomb.nrrd | asperity-acf --lengths"), std::string("asperity-pdf bomb.nrrd"),
-        std::string("asperity-psd bomb.nrrd --radial"), std::string("asperity-report bomb.nrrd -o r.html"),
-        std::string("asperity-convert bomb.nrrd -o c.nc"), std::string("asperity-convert bomb.nrrd -o c.npy"),
+        std::string("cat bomb.nrrd | asperity-acf --result lengths"), std::string("asperity-pdf bomb.nrrd"),
+        std::string("asperity-psd bomb.nrrd --result radial"),
+        std::string("asperity-report bomb.nrrd -o r.html"), std::string("asperity-convert bomb.nrrd -o c.nc"),
+        std::string("asperity-convert bomb.nrrd -o c.npy"),
         std::string("asperity-plot bomb.nrrd --kind map -o p.png"), press + "bomb.nrrd",
         std::string("asperity-validate bomb.nrrd"), draw + "--length 3px --marginal bomb.nrrd"})
     refused(line + " --memory 1GB", 4,
@@ -143,7 +144,7 @@ TEST_CASE("a number of things that takes memory or time without end is refused w
       {"asperity-pdf s.nc --bins 100000000", "--bins: 100000000 is above 1048576"},
       {"asperity-pdf s.nc --estimate kernel --rows 100000000", "--rows: 100000000 is above 1048576"},
       {"asperity-plot s.nc --kind map --pixels 30000x30000 -o p.png", "10000, of which a picture takes"},
-      {"asperity-acf s.nc --lengths --max-lag 1000000000x1000000000", "--max-lag"},
+      {"asperity-acf s.nc --result lengths --max-lag 1000000000x1000000000", "--max-lag"},
       {"asperity-convert s.nc --decimate 9000000000000000000x1 -o o.npy", "--decimate"},
       {"asperity-kernel --length 3px --lags 1000000x1000000 -o o.nc", "more than 16777216 in all"},
       {"asperity-kernel --length 1000000000px -o o.nc", "--memory"},

@@ -27,11 +27,13 @@ TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]
       draw + "--length 3px --model self-affine",
       draw + "--length 3px --model stretched-exponential --exponent 1.5",
       draw + "--length 3px --model exponential-cosine --wavelength 6px",
-      draw + "--length 3px | asperity-acf --structure --quantiles --direction 30deg --max-lag 5x5 --dataset",
       draw +
-          "--length 3px | asperity-acf --quantiles --dataset | asperity-kernel --acf - --infeasible nearest "
+          "--length 3px | asperity-acf --add structure_function,acf_quantiles --direction 30deg --max-lag "
+          "5x5",
+      draw +
+          "--length 3px | asperity-acf --add acf_quantiles | asperity-kernel --acf - --infeasible nearest "
           "--marginal measured",
-      draw + "--length 3px | asperity-psd --dataset",
+      draw + "--length 3px | asperity-psd",
       draw +
           "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --add heights_residual" +
           bodies,

@@ -25,9 +25,9 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
   const auto command = GENERATE(
       as<std::string>{}, draw + " --periodic --stream 4 --first 2 --add noise --no-history",
       "asperity-kernel --length 4px,3.5px --angle 30deg --rq 0.4um --spacing 1um,2um --no-history",
-      "asperity-stats s.nc --parameters height,hybrid --json", "asperity-acf acf.nc --profiles --max-lag 4x3",
-      "asperity-psd s.nc --radial", "asperity-pdf s.nc --bins 5",
-      "asperity-validate s.nc s.nc --rq 0.4nm --significance 1e-09",
+      "asperity-stats s.nc --parameters height,hybrid --json",
+      "asperity-acf acf.nc --result profiles --max-lag 4x3", "asperity-psd s.nc --result radial",
+      "asperity-pdf s.nc --bins 5", "asperity-validate s.nc s.nc --rq 0.4nm --significance 1e-09",
       "asperity-convert s.nc --crop 2:9,:5 --to esri",
       "asperity-contact s.nc --radius 1mm,inf --young 208GPa --poisson 0.3,0.25 --load 1mN --yield 1.2GPa "
       "--no-history",
@@ -52,10 +52,10 @@ TEST_CASE(
       "ASPERITY_GENERATE_COUNT=3 ASPERITY_GENERATE_RQ=1um " +
       draw + " --config base.toml --dump-config");
   CHECK(run.exit == 0);
-  CHECK_THAT(run.out, ContainsSubstring("\nshape = \"16x12\"\n") && ContainsSubstring("\nrq = \"0.4nm\"\n") &&
-                          ContainsSubstring("\ncount = 3\n") && ContainsSubstring("\nlength-level = 0.25\n") &&
-                          ContainsSubstring("\nperiodic = true\n") &&
-                          ContainsSubstring("\n# tolerance = 1e-10\n"));
+  CHECK_THAT(run.out,
+             ContainsSubstring("\nshape = \"16x12\"\n") && ContainsSubstring("\nrq = \"0.4nm\"\n") &&
+                 ContainsSubstring("\ncount = 3\n") && ContainsSubstring("\nlength-level = 0.25\n") &&
+                 ContainsSubstring("\nperiodic = true\n") && ContainsSubstring("\n# tolerance = 1e-10\n"));
   CHECK(run.out.find("dump-config = ") == std::string::npos);
 }
 

@@ -24,8 +24,9 @@ TEST_CASE("surfaces of different spacings have no mean: refused, with the file a
     const Outcome run = shell(both + tool + " coarse.nc fine.nc");
     CAPTURE(tool, run.error);
     CHECK(run.exit == 4);
-    CHECK_THAT(run.error, ContainsSubstring("fine.nc: its grid, 32x32 cells on 320um x 320um, is not that of "
-                                            "coarse.nc, 32x32 cells on 640um x 640um"));
+    CHECK_THAT(run.error,
+               ContainsSubstring("fine.nc: its grid, 32x32 cells on 320um x 320um, differs from that "
+                                 "of coarse.nc, 32x32 cells on 640um x 640um"));
     CHECK(run.out.empty());
   }
 }
@@ -63,7 +64,7 @@ TEST_CASE("a length that is not that of the points is not taken, which every too
   CHECK(told.out == shell("asperity-stats whole.nc").out);
   CHECK_THAT(shell("asperity-stats -q stale.nc --parameters height --memory 12kB").error,
              ContainsSubstring(warning));
-  for (const std::string tool : {"asperity-acf --dataset stale.nc", "asperity-convert stale.nc",
+  for (const std::string tool : {"asperity-acf stale.nc", "asperity-convert stale.nc",
                                  "asperity-generate --kernel stale.nc --seed 1"}) {
     const Outcome run = shell(tool + " > mended.nc");
     CAPTURE(tool, run.error);

@@ -13,9 +13,10 @@ TEST_CASE("all that tools print with --json and --report is of the schema", "[js
       "asperity-kernel --length 4px --report kernel.json -o k.nc &&"
       "asperity-stats s.nc --parameters all --json > stats.json && asperity-stats s.nc s.nc --json > "
       "several.json &&"
-      "asperity-acf s.nc --json > acf.json && asperity-acf s.nc --lengths --json > lengths.json && "
-      "asperity-psd s.nc --json > psd.json &&"
-      "asperity-psd s.nc --radial --json > radial.json && asperity-pdf s.nc --json > pdf.json &&"
+      "asperity-acf s.nc --result profiles --json > acf.json && asperity-acf s.nc --result lengths --json > "
+      "lengths.json && "
+      "asperity-psd s.nc --result profiles --json > psd.json &&"
+      "asperity-psd s.nc --result radial --json > radial.json && asperity-pdf s.nc --json > pdf.json &&"
       "asperity-validate s.nc --significance 1e-9 --json > validate.json &&"
       "asperity-convert s.nc --crop 0:1,0:48 -o row.nc && asperity-stats row.nc --parameters all --json > "
       "row.json 2> /dev/null;"  // without slopes, and of few independent heights

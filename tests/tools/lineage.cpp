@@ -21,8 +21,9 @@ void write_everything() {
   static const bool once = [] {
     const Outcome run = shell(
         "export SOURCE_DATE_EPOCH=1; asperity-generate --shape 16x12 --size 1.6mm,1.2mm --rq 0.4um "
-        "--length 3px --seed 7 --add noise | asperity-acf --structure --quantiles --max-lag 5x5 --dataset | "
-        "asperity-psd --dataset | asperity-contact --load 5N --yield 100MPa --add heights_residual" +
+        "--length 3px --seed 7 --add noise | asperity-acf --add structure_function,acf_quantiles --max-lag "
+        "5x5 | "
+        "asperity-psd | asperity-contact --load 5N --yield 100MPa --add heights_residual" +
         bodies + "| asperity-stress --depths 0:50um:3 --maximum --components all -o all.nc");
     INFO(run.error);
     REQUIRE(run.exit == 0);
@@ -71,9 +72,9 @@ const std::vector<Case>& cases() {
        {},
        false},
       {"asperity-stress all.nc --depths 0:50um:3 --section y=0", "asperity-stress", {"stress"}, {}, false},
-      {"asperity-acf all.nc --max-lag 4x4 --dataset", "asperity-acf", {"acf"}, {}, false},
-      {"asperity-acf all.nc --variable pressure --max-lag 4x4 --dataset", "asperity-acf", {"acf"}, {}, false},
-      {"asperity-psd all.nc --window none --dataset", "asperity-psd", {"psd"}, {}, false},
+      {"asperity-acf all.nc --max-lag 4x4", "asperity-acf", {"acf"}, {}, false},
+      {"asperity-acf all.nc --variable pressure --max-lag 4x4", "asperity-acf", {"acf"}, {}, false},
+      {"asperity-psd all.nc --window none", "asperity-psd", {"psd"}, {}, false},
       {"asperity-generate --seed 8 < all.nc",
        "asperity-generate",
        {"heights"},
@@ -173,10 +174,10 @@ TEST_CASE("what went is said in one line, which --quiet silences, and where noth
     CHECK(quiet.error.find(start) == quiet.error.npos);
   }
   const Outcome pressed = run_into(cases().front().command, "now.nc");
-  CHECK_THAT(pressed.error,
-             ContainsSubstring(
-                 "asperity-contact: dropped results of the former pressure: displacement_plastic, "
-                 "heights_residual, stress (von_mises and 20 more)\n"));
+  CHECK_THAT(
+      pressed.error,
+      ContainsSubstring("asperity-contact: dropped results of the former pressure: displacement_plastic, "
+                        "heights_residual, stress (von_mises and 20 more)\n"));
 }
 
 TEST_CASE("a second run of the same command leaves the dataset as the first left it, and says nothing",
@@ -219,7 +220,7 @@ TEST_CASE("an autocorrelation or a spectrum of the pressure goes with it, one of
   for (const std::string name : {"acf", "psd"})
     for (const std::string variable : {"pressure", "heights"}) {
       CAPTURE(name, variable);
-      REQUIRE(shell("asperity-" + name + " --dataset --variable " + variable +
+      REQUIRE(shell("asperity-" + name + " --variable " + variable +
                     " all.nc -o m.nc && asperity-contact --load 2N m.nc -o p.nc" + bodies)
                   .exit == 0);
       CHECK(read_dataset("m.nc").attributes.text(name + "_variable") == variable);
@@ -231,7 +232,7 @@ TEST_CASE("an autocorrelation of the surface that is pressed stays, unless the p
           "[lineage][contract]") {
   write_everything();
   const std::string press = "asperity-contact --load 2N --variable heights_residual m.nc -o p.nc" + bodies;
-  REQUIRE(shell("asperity-acf --dataset --variable heights_residual all.nc -o m.nc && " + press).exit == 0);
+  REQUIRE(shell("asperity-acf --variable heights_residual all.nc -o m.nc && " + press).exit == 0);
   CHECK(read_dataset("p.nc").has("acf"));
   REQUIRE(shell(press + "--yield 90MPa --add heights_residual").exit == 0);
   const Dataset pressed = read_dataset("p.nc");

@@ -10,12 +10,13 @@ TEST_CASE(
     "one pipe draws twins of a measured surface, by its quantiles, by its moments, or by the heights of a "
     "file",
     "[heights][statistics][slow]") {
-  require("asperity-acf " + measured + " --remove-form plane --biased --quantiles -o acf.nc");
+  require("asperity-acf " + measured + " --remove-form plane --biased --add acf_quantiles -o acf.nc");
   const double skewness = attribute("acf.nc", "acf_skewness"), kurtosis = attribute("acf.nc", "acf_kurtosis");
   for (const std::string marginal : {"measured", "johnson", measured.c_str()}) {
     CAPTURE(marginal);
     require("asperity-acf " + measured +
-            " --remove-form plane --biased --quantiles | asperity-generate --acf - --shape 256x256 --seed 2 "
+            " --remove-form plane --biased --add acf_quantiles | asperity-generate --acf - --shape 256x256 "
+            "--seed 2 "
             "--marginal " +
             marginal + " -o twin.nc");
     CHECK(std::abs(attribute("twin.nc", "generate_skewness_expected") - skewness) <= 0.3);

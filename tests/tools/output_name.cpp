@@ -56,7 +56,7 @@ TEST_CASE("a dataset is not written into a name of another format, nor computed 
     check_refused(press + "--load 5N -o " + file, file);
     check_refused("asperity-stress p.nc --maximum -o " + file, file);
     check_refused("asperity-stress p.nc --depths 0:0.1mm:2 -o " + file, file);
-    check_refused("asperity-acf s.nc --dataset -o " + file, file);
+    check_refused("asperity-acf s.nc -o " + file, file);
     check_refused("asperity-psd s.nc -o " + file, file);
   }
   check_refused(draw + "--count 2 -o m_%d.tif", "m_%d.tif");
@@ -83,7 +83,7 @@ TEST_CASE("a table is text, JSON with --json alone, a page is HTML", "[output][c
   write_surface();
   for (const std::string file : {"t.nc", "t.x3p", "t.png", "t.json"}) {
     check_refused("asperity-stats s.nc -o " + file, file);
-    check_refused("asperity-acf s.nc --lengths -o " + file, file);
+    check_refused("asperity-acf s.nc --result lengths -o " + file, file);
     check_refused(press + "--sweep 1N,2N -o " + file, file);
   }
   check_refused("asperity-report s.nc -o page.pdf", "page.pdf");

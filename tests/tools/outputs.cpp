@@ -70,8 +70,8 @@ TEST_CASE("a file that is replaced keeps its mode, and one that may not be writt
   }
   CHECK(shell("umask 027; " + generate + "-o fresh.nc; stat -c %a fresh.nc").out == "640\n");
   if (::geteuid() != 0) return;
-  const Outcome owned = shell("cp own.nc other.nc; chown 1234:5678 other.nc; chmod 640 other.nc; " + generate +
-                              "-o other.nc; stat -c '%u:%g %a' other.nc");
+  const Outcome owned = shell("cp own.nc other.nc; chown 1234:5678 other.nc; chmod 640 other.nc; " +
+                              generate + "-o other.nc; stat -c '%u:%g %a' other.nc");
   CHECK(owned.out == "1234:5678 640\n");
   const Outcome refused = shell(
       "mkdir -m 777 open; cp own.nc open/p.nc; chmod 755 .; chown 1234 open/p.nc; chmod 444 open/p.nc;"
@@ -156,7 +156,8 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
   const std::string before = drawn();
   const std::string bodies = " --radius 50mm --young 208GPa --poisson 0.3 --load 1N -q ";
   shell(
-      "cp own.nc own; cp own.nc c; ln -sf own link; ln -f own hardlink; printf '1 2\\n3 4\\n' > text; echo '0 0 "
+      "cp own.nc own; cp own.nc c; ln -sf own link; ln -f own hardlink; printf '1 2\\n3 4\\n' > text; echo "
+      "'0 0 "
       "1um' > points;"
       "asperity-contact own.nc" +
       bodies + "-o pressed.nc; asperity-acf own.nc -o acf");
@@ -171,8 +172,8 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
                                  std::string("asperity-stats own --memory 1kB --parameters height -o own"),
                                  std::string("asperity-validate own -o own"),
                                  std::string("asperity-pdf own -o own"),
-                                 std::string("asperity-acf own --lengths -o own"),
-                                 std::string("asperity-psd own --radial -o own"),
+                                 std::string("asperity-acf own --result lengths -o own"),
+                                 std::string("asperity-psd own --result radial -o own"),
                                  std::string("asperity-report own -o own"),
                                  std::string("asperity-plot own --kind map --to svg -o own"),
                                  std::string("asperity-convert own --to gsf -o own"),

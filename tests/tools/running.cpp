@@ -98,8 +98,8 @@ TEST_CASE("the bytes of every stage do not depend on the number of threads", "[t
             draw + "--no-history -o s.nc;" + press +
             "--no-history s.nc -o p.nc;"
             "asperity-stress --no-history p.nc --depths 0:0.2mm:5 --maximum --components all -o v.nc;"
-            "asperity-stats --parameters all s.nc > stats; asperity-acf s.nc --profiles > acf;"
-            "asperity-psd s.nc --radial > psd; asperity-validate s.nc --significance 1e-9 > validate; "
+            "asperity-stats --parameters all s.nc > stats; asperity-acf s.nc --result profiles > acf;"
+            "asperity-psd s.nc --result radial > psd; asperity-validate s.nc --significance 1e-9 > validate; "
             "asperity-pdf s.nc > pdf;"
             "asperity-report v.nc -o report.html); done; "
             "diff -r t1 t2 && ls t1 | wc -l");

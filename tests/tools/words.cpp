@@ -65,10 +65,11 @@ TEST_CASE("the tables and messages of every tool are lines of UTF-8, whatever un
           "[words][contract][slow]") {
   for (const std::string& unit : hostile) {
     write_values(unit);
-    for (const char* tool : {"stats", "stats --parameters all", "stats --profile x", "acf", "acf --json",
-                             "psd --radial", "psd --profiles", "pdf", "stats --json", "pdf --json",
-                             "validate", "contact --radius 1mm --young 200GPa --poisson 0.3 --load 1N",
-                             "report -o r.html", "plot --kind map -o p.png", "plot --kind pdf -o p.svg"}) {
+    for (const char* tool :
+         {"stats", "stats --parameters all", "stats --profile x", "acf", "acf --result profiles --json",
+          "psd --result radial", "psd --result profiles", "pdf", "stats --json", "pdf --json", "validate",
+          "contact --radius 1mm --young 200GPa --poisson 0.3 --load 1N", "report -o r.html",
+          "plot --kind map -o p.png", "plot --kind pdf -o p.svg"}) {
       const std::string command = std::string("asperity-") + tool,
                         name = command.substr(0, command.find(' '));
       const Outcome run =
@@ -202,10 +203,9 @@ TEST_CASE("of a row of heights profiles across it and rings of wave numbers are 
     write_dataset(dataset(shape), "s.nc");
     const std::string along = shape.nx > 1 ? "x" : "y", across = shape.nx > 1 ? "y" : "x";
     CHECK(shell("asperity-stats s.nc --profile " + along).exit == 0);
-    CHECK(shell("asperity-psd s.nc --profiles").exit == 0);
+    CHECK(shell("asperity-psd s.nc --result profiles").exit == 0);
     for (const std::string& line :
-         {"asperity-stats s.nc --profile " + across, std::string("asperity-psd s.nc --radial"),
-          std::string("asperity-psd s.nc --json")}) {
+         {"asperity-stats s.nc --profile " + across, std::string("asperity-psd s.nc --result radial")}) {
       const Outcome no = shell(line);
       CAPTURE(line, no.error);
       CHECK((no.exit == 4 && no.out.empty() && lines(no.error) == 1));

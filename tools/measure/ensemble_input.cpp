@@ -14,7 +14,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// The name itself where there is such a file, or no pattern in it.
+// The name itself, if such a file exists or it is no pattern.
 Names matches(const std::string& name) {
   if (name.find_first_of("*?[") == std::string::npos || std::filesystem::exists(name)) return {name};
   glob_t found{};
@@ -33,23 +33,23 @@ Names all_matches(const Names& patterns) {
   return out;
 }
 
-// The names, one a line.
+// The names, one per line.
 Names listed(const Bytes& bytes) {
   std::istringstream lines{std::string(bytes)};
   Names out;
   for (std::string name; std::getline(lines, name);)
     if (!name.empty()) out.push_back(name);
-  if (out.empty()) throw UsageError("SURFACES", "the list on standard input names none");
+  if (out.empty()) throw UsageError("SURFACES", "the list on standard input is empty");
   return out;
 }
 
-// Visits the dataset there, or returns the names that are listed.
+// Visits the dataset on standard input, or returns the names that it lists.
 Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
                           const EnsembleInput::VisitPath& taken) {
   if (stdin_is_terminal())
-    throw UsageError("SURFACES", "none: name files, or pipe a dataset or a list of files in");
+    throw UsageError("SURFACES", "no input: name files, or pipe in a dataset or a list of files");
   tool.reads("-");
-  if (taken("/proc/self/fd/0")) return {};  // when it is a file
+  if (taken("/proc/self/fd/0")) return {};  // if it is a file
   std::optional<Bytes> bytes = read_all("-", tool.memory_bound());
   if (!tool.format().known(*bytes)) return listed(*bytes);
   Dataset dataset = tool.format().dataset(*bytes, "-", tool.memory_bound());
@@ -63,8 +63,8 @@ Names from_standard_input(const Tool& tool, const EnsembleInput::Visit& visit,
 
 void EnsembleInput::declare(Tool& tool) {
   tool.arguments("SURFACES", files, "TEXT",
-                 "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or the names "
-                 "of files, one a line");
+                 "Files, or patterns such as 's_*.nc'; none or -: standard input, a dataset or a list of "
+                 "files, one per line");
   tool.input_format();
 }
 
@@ -91,17 +91,19 @@ void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& fi
     file_ = file;
   }
   const std::string both =
-      "its grid, " + described(grid) + ", is not that of " + file_ + ", " + described(*first_);
+      "its grid, " + described(grid) + ", differs from that of " + file_ + ", " + described(*first_);
   if (!same_spacing(grid, *first_))
-    throw DataError(file, both +
-                              ", and parameters of different spacings have no mean: measure them apart, or "
-                              "thin the finer one (asperity-convert --decimate)");
+    throw DataError(file,
+                    both +
+                        ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
+                        "separately, or thin the finer one (asperity-convert --decimate)");
   if (warned_ || same_grid(grid, *first_)) return;
-  if (sizes_ == Sizes::alike) throw DataError(file, both + ", and all are tested on one grid");
+  if (sizes_ == Sizes::alike) throw DataError(file, both + ": the test needs surfaces of one grid");
   warned_ = true;
-  tool.warn(file + ": " + both +
-            ": extremes, correlation lengths and all errors depend on the size, and each surface counts the "
-            "same in the mean");
+  tool.warn(
+      file + ": " + both +
+      ": extremes, correlation lengths and all errors depend on the size, but each surface has the same "
+      "weight in the mean");
 }
 
 }  // namespace asperity::cli

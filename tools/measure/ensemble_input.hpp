@@ -1,5 +1,5 @@
-/// The surfaces of an ensemble, read one after the other: files named on the command line or matched by a
-/// pattern there, or named on standard input one a line, or a single dataset on standard input.
+/// The surfaces of an ensemble, read one by one: files or patterns on the command line, a list of files on
+/// standard input, or a single dataset on standard input.
 #pragma once
 
 #include <functional>
@@ -20,21 +20,21 @@ struct EnsembleInput {
   using Visit = std::function<void(const Dataset&, const std::string&)>;
   using VisitPath = std::function<bool(const std::string&)>;
 
-  /// visit(dataset, name) of each but the files that `taken`, asked with their path, has dealt with itself.
+  /// Calls visit(dataset, name) for each surface, except files for which taken(path) returns true: it has
+  /// read them itself.
   void for_each(
       const Tool& tool, const Visit& visit,
       const VisitPath& taken = [](const std::string&) { return false; }) const;
 };
 
-/// Whether a mean over the surfaces means anything. Slopes, curvatures, peaks and correlation lengths follow
-/// the spacing, so that surfaces of different ones are refused; of different sizes each is an estimate of the
-/// same, but their errors, and all that grows with the size, differ, which is said once, or refused where
-/// they must be alike.
+/// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths
+/// depend on the spacing: surfaces of different spacings are refused. Surfaces of different sizes estimate
+/// the same quantities with different errors: one warning, or an error where sizes must be alike.
 class EnsembleGrid {
  public:
   enum class Sizes { any, alike };
   explicit EnsembleGrid(Sizes sizes = Sizes::any) : sizes_(sizes) {}
-  /// Of the next surface; throws DataError(file, …) with both grids where it does not belong to the first.
+  /// The grid of the next surface; throws DataError(file, …) with both grids if it does not fit the first.
   void add(const Tool& tool, const Grid& grid, const std::string& file);
 
  private:

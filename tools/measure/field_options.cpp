@@ -10,6 +10,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/output_name.hpp"
+#include "tools/cli/stream.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 
 namespace asperity::cli {
@@ -20,27 +21,27 @@ std::string metres(double length) { return format_quantity(length, "m"); }
 int form_degree(const std::string& level) {
   if (level == "mean" || level == "plane") return level == "plane";
   if (const auto degree = to_number<int>(level)) return *degree;
-  throw UsageError("remove-form", "'" + level + "' is neither mean nor plane nor a degree");
+  throw UsageError("remove-form", "'" + level + "' is not mean, plane or a degree from 0 to 20");
 }
 
 // λs < λc, both within the longer side of the field, beyond which a filter separates nothing.
 void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid) {
   if (asked.short_cutoff >= asked.long_cutoff)
     throw UsageError("lambda-s", metres(asked.short_cutoff) + " is not below --lambda-c, " +
-                                     metres(asked.long_cutoff) + ": no wave passes between them");
+                                     metres(asked.long_cutoff) + ": no wave passes both filters");
   auto longer = [](double cutoff, double side) { return cutoff > side * (1 + 1e-12); };
   const double side = std::max(grid.size_x(), grid.size_y());
   for (const auto& [option, cutoff] :
        {std::pair{"lambda-s", asked.short_cutoff}, {"lambda-c", asked.long_cutoff}})
     if (longer(cutoff, side))
       throw UsageError(option, metres(cutoff) + " is longer than the field, " + metres(side) +
-                                   ": it has no such waves to separate; leave the filter out");
+                                   ": it holds no such waves; leave the filter out");
   const double cutoff = std::isnan(asked.long_cutoff) ? asked.short_cutoff : asked.long_cutoff;
   for (const auto& [axis, size, points] :
        {std::tuple{"x", grid.size_x(), grid.shape.nx}, {"y", grid.size_y(), grid.shape.ny}})
     if (points > 1 && longer(cutoff, size))
       tool.warn("the cut-off, " + metres(cutoff) + ", is longer than the field in " + axis + ", " +
-                metres(size) + ": in that direction no more than the mean is taken off");
+                metres(size) + ": in that direction it separates little more than the mean");
 }
 
 }  // namespace
@@ -49,24 +50,23 @@ void FieldOptions::declare(Tool& tool) {
   declare_field(tool);
   tool.choice(
       "--correlation", correlation, {"auto", "drawn", "estimate"},
-      "What standard errors rest on: the correlation that the heights were drawn with, where the dataset "
-      "carries it, or the estimate",
+      "Correlation that standard errors rest on. drawn: what the heights were drawn with, from the dataset; "
+      "estimate: estimated from the field; auto: drawn where the dataset has it, else estimate",
       "Field");
 }
 
 void FieldOptions::declare_field(Tool& tool) {
   tool.text("--variable", variable, "NAME",
-            "The field on (x, y) that is measured, its missing points (mask, _FillValue, NaN) left out",
-            "Field");
+            "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
   tool.text("--remove-form", level, "FORM",
-            "Reference from which heights are measured: mean, plane, or the degree of a polynomial, 0 to 20",
-            "Field");
+            "Form to subtract first: mean, plane, or the degree of a polynomial, 0 to 20", "Field");
   tool.quantity(
       "--lambda-s", short_cutoff, "m",
-      "Cut-off of the S-filter, a Gaussian (ISO 16610-61) that removes shorter waves; below --lambda-c",
+      "Cut-off of the S-filter, which removes shorter waves; Gaussian (ISO 16610-61), below --lambda-c",
       "Field");
   tool.quantity("--lambda-c", long_cutoff, "m",
-                "Cut-off of the L-filter, which removes longer waves; no longer than the field", "Field");
+                "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field",
+                "Field");
 }
 
 Preparation FieldOptions::preparation() const { return {form_degree(level), short_cutoff, long_cutoff}; }
@@ -81,8 +81,10 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
   }
   if (correlation == "drawn" && !out.correlation)
     throw DataError(variable,
-                    as_drawn ? "the dataset does not carry the correlation it was drawn with (acf_target)"
-                             : "filtered heights have another correlation than they were drawn with");
+                    as_drawn ? "the dataset lacks the correlation they were drawn with (acf_target); use "
+                               "--correlation estimate"
+                             : "a filter changes the correlation they were drawn with; use --correlation "
+                               "estimate");
   return out;
 }
 
@@ -91,6 +93,11 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   surface.heights = field_of(data, variable, Missing::not_a_number);
   check_cutoffs(tool, preparation(), surface.grid);
   return prepared(std::move(surface), preparation(), tool.thread_count());
+}
+
+void direction_option(Tool& tool, std::string& direction, const std::string& group) {
+  tool.text("--direction", direction, "ANGLE", "A further direction to measure, from +x towards +y: 30deg",
+            group);
 }
 
 std::optional<LagField> carried_correlation(const Dataset& data, const std::string& name, const Grid& grid) {
@@ -108,13 +115,20 @@ std::string unit_to(const std::string& unit, int power) {
   return unit == "1" ? unit : unit + std::to_string(power);
 }
 
-bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables) {
-  if (dataset && tool.json())
-    throw UsageError("json", "prints " + tables + ", and does not go together with --dataset");
-  const bool out = dataset || !(prints || tool.json() || tool.output_is_terminal());
-  tool.writes_dataset(out);
-  if (out) check_dataset_name(tool.output_name());
-  return out;
+void ResultOption::declare(Tool& tool, const std::string& text) {
+  std::vector<std::string> words{result};
+  words.insert(words.end(), tables.begin(), tables.end());
+  tool.choice("--result", result, words, text, "Result");
+}
+
+void ResultOption::check(Tool& tool) const {
+  tool.writes_dataset(dataset());
+  if (!dataset()) return check_table_name(tool.output_name(), tool.json());
+  std::string table;
+  for (const std::string& word : tables) table += (table.empty() ? "--result " : " or --result ") + word;
+  if (tool.json()) throw UsageError("json", "needs " + table + ": a dataset is NetCDF");
+  check_dataset_name(tool.output_name());
+  refuse_terminal(tool.output_name(), "a dataset", ", or print a table with " + table);
 }
 
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
@@ -122,8 +136,8 @@ void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
   if (size.effective(2) >= 2 * least) return;
   tool.warn("the surface is worth N_eff = " + rounded(size.effective(2)) +
             " independent points: standard errors and intervals " +
-            (size.tells_errors() ? "are rough, and cannot be told below " : "cannot be told below ") +
-            shortest(least) + "; measure a larger field, or filter waviness out (--lambda-c)");
+            (size.gives_errors() ? "are rough, and cannot be given below " : "cannot be given below ") +
+            shortest(least) + "; measure a larger field, or filter out waviness (--lambda-c)");
 }
 
 bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid) {
@@ -131,20 +145,20 @@ bool warn_of_length(const Tool& tool, const std::string& name, double length, co
   const double place = std::pow(10, std::floor(std::log10(length)) - 3);
   const std::string found = name + " = " + metres(std::round(length / place) * place);
   if (length < sample)
-    tool.warn(
-        found + " is below a sample, " + metres(sample) +
-        ": neighbours are hardly correlated, and the length is the interpolation's; sample more finely");
+    tool.warn(found + " is below a sample, " + metres(sample) +
+              ": neighbours are hardly correlated, and the length depends on the interpolation; sample more "
+              "finely");
   if (length > half)
     tool.warn(found + " is beyond half the field, " + metres(half) +
-              ": no correlation as long can be told from it; measure a larger field");
+              ", too long to be measured on it; measure a larger field");
   return length >= sample && length <= half;
 }
 
 void warn_of_decays(const Tool& tool, const Parameters& spatial, double level, const Grid& grid) {
   auto found = [&](const char* name) { return std::ranges::find(spatial, name, &Parameter::name); };
   if (found("slowest_decay") == spatial.end())
-    tool.warn("no lag within half the field has an ACF of " + shortest(level) +
-              " or less in some direction: Str has no value");
+    tool.warn("in some direction the ACF does not fall to " + shortest(level) +
+              " within half the field: Str has no value");
   if (const auto sal = found("Sal"); sal != spatial.end()) warn_of_length(tool, "Sal", sal->value, grid);
 }
 

@@ -1,11 +1,13 @@
-/// The field that a tool measures, and what its errors rest on, as the command line asks for it.
+/// The options of the field to measure, and the correlation that its standard errors rest on.
 ///
 /// A generated surface carries the autocorrelation that its heights were drawn with (acf_achieved, else
-/// acf_target), better known than any estimate; everything else is estimated. Missing points are left out.
+/// acf_target), which is better known than any estimate. For other fields it is estimated. Missing points are
+/// left out.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/surface.hpp"
@@ -18,16 +20,31 @@ struct FieldOptions {
   double short_cutoff = Preparation::none, long_cutoff = Preparation::none;  ///< λs, λc [m]
 
   void declare(Tool& tool);
-  /// Without --correlation, for a tool whose errors rest on none.
+  /// Without --correlation, for a tool whose errors do not need one.
   void declare_field(Tool& tool);
 
-  /// Throws UsageError("remove-form", …) unless it is a word or a number.
+  /// Throws UsageError("remove-form", …) for an unknown word.
   Preparation preparation() const;
   /// All but the heights of a surface.
   Surface without_heights(const Dataset& data) const;
-  /// Throws UsageError for cut-offs that separate nothing; warns of sides that are shorter than one.
+  /// Throws UsageError for cut-offs that no wave of the field passes; warns where a side is shorter than one.
   Surface read(const Tool& tool, const Dataset& data) const;
 };
+
+/// --result of a tool that writes a dataset or prints one of some tables. What it prints does not depend on
+/// where standard output goes.
+struct ResultOption {
+  std::vector<std::string> tables;  ///< the words besides "dataset"
+  std::string result = "dataset";
+
+  void declare(Tool& tool, const std::string& text);
+  bool dataset() const { return result == "dataset"; }
+  /// Before the work: throws UsageError where the result cannot go to the output, on a terminal or as JSON.
+  void check(Tool& tool) const;
+};
+
+/// --direction, "30deg".
+void direction_option(Tool& tool, std::string& direction, const std::string& group);
 
 /// A correlation of the dataset, if its lags have the spacing of the grid.
 std::optional<LagField> carried_correlation(const Dataset& data, const std::string& name, const Grid& grid);
@@ -35,15 +52,11 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
 /// A unit to a power, in UDUNITS' notation: "m2", "Pa-1", and "1" for pure numbers.
 std::string unit_to(const std::string& unit, int power);
 
-/// Whether a dataset goes out, and not the `tables` that stand for it as JSON and on a terminal. Throws
-/// UsageError for JSON of the dataset.
-bool writes_dataset(Tool& tool, bool prints, bool dataset, const std::string& tables);
-
-/// Of fields of which errors are rough or cannot be told.
+/// Warns where there are too few independent points for errors, or for precise ones.
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size);
-/// Warns of a length below a sample, or beyond half the field; whether it is neither.
+/// Warns of a length below a sample or beyond half the field; true if it is neither.
 bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid);
-/// Of spatial parameters: of what the lags do not reach, and of such lengths.
+/// Warns where the ACF does not fall to the level, and of a Sal that warn_of_length would report.
 void warn_of_decays(const Tool& tool, const Parameters& spatial, double level, const Grid& grid);
 
 }  // namespace asperity::cli

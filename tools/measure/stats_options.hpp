@@ -1,7 +1,8 @@
-/// Which parameters asperity-stats prints: groups, each computed only when asked for.
+/// The parameters that asperity-stats prints, in groups; only the groups asked for are computed.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "stats/measure.hpp"
 #include "tools/measure/field_options.hpp"
@@ -10,12 +11,13 @@ namespace asperity::cli {
 
 struct StatsOptions {
   FieldOptions field = {};
-  std::string groups = "height", quantiles = {}, direction = {};
-  MeasureOptions measured = {};  ///< as far as the command line gives it without further words
-  std::string profile = {};      ///< x or y: profile parameters in place of the areal ones
+  std::vector<std::string> groups{"height"};
+  std::string quantiles = {}, direction = {};
+  MeasureOptions measured = {};  ///< those that need no further parsing
+  std::string profile = {};      ///< x or y: profile parameters instead of areal ones
 
   void declare(Tool& tool);
-  /// Throws UsageError for unknown or repeated words, and for an option of a group that is not asked for.
+  /// Throws UsageError for unknown or repeated words, and for an option whose group is not asked for.
   MeasureOptions checked(const Tool& tool) const;
 
  private:

@@ -74,7 +74,7 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const Pairs pairs = Pairs::of(z, grid);
   const LagField rho = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)}).normalised();
   const AcfError error(significant_lags(rho, pairs), pairs);
-  profiles.with_errors = EffectiveSampleSize::of_estimate(rho, pairs).tells_errors();
+  profiles.with_errors = EffectiveSampleSize::of_estimate(rho, pairs).gives_errors();
   const double most = lag_worth_showing(profiles, rho, grid);
   const double steps[] = {grid.dx, grid.dy};
   const Index last[] = {rho.max_p(), rho.max_q()};

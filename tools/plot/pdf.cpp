@@ -26,7 +26,7 @@ Distribution distribution_of(const Case& c, const std::string& variable) {
   const EffectiveSampleSize size = EffectiveSampleSize::of_estimate(acf, pairs);
   Distribution out{moments(z), {}, size.points()};
   out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
-  if (!size.tells_errors())
+  if (!size.gives_errors())
     for (Bin& bin : out.bins) bin.count_error = 0;
   return out;
 }

@@ -100,7 +100,8 @@ std::string parameters_of_surface(const Content& c) {
   if (out.empty()) return "";
   std::string untold;
   if (!c.untold.empty())
-    untold = element("p", "Warning: standard errors and intervals are " + escaped(c.untold) + ".", "warning");
+    untold = element(
+        "p", "Warning: no standard errors and intervals can be given: " + escaped(c.untold) + ".", "warning");
   return untold +
          element("p",
                  "Measured above " + escaped(c.reference) +

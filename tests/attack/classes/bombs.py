@@ -263,7 +263,7 @@ def strange_scales(case):
     maps.write_netcdf(case.path("in.nc"), maps.Surface(z, case.one_of(1e-6, 1e-300, 1e300), 1e-6))
     command = case.one_of(("plot", "--kind", "map", "-o", "out.svg"), ("plot", "--kind", "surface", "-o", "out.svg"),
                           ("report", "-o", "o.html"),
-                          ("stats", "--parameters", "all"), ("pdf",), ("acf", "--lengths"), ("psd", "--radial"))
+                          ("stats", "--parameters", "all"), ("pdf",), ("acf", "--result", "lengths"), ("psd", "--result", "radial"))
     return ends(case, command[0], "in.nc", *command[1:], limits=("t30", "v3000000"))
 
 

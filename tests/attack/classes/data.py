@@ -198,8 +198,8 @@ def control_characters(case):
     surface = maps.random_surface(case.rng, (9, 7))
     unit = b"m\x1b]0;pwned\x07\x1b[31m\n" + bytes(case.rng.integers(1, 32, 4).astype("u1"))
     maps.write_with_raw_unit(case.path("in.nc"), surface, unit, name="other")
-    for tool in (("stats", "--variable", "other"), ("acf", "--lengths", "--absolute", "--variable", "other"),
-                 ("psd", "--radial", "--variable", "other"), ("stats", "--json", "--variable", "other")):
+    for tool in (("stats", "--variable", "other"), ("acf", "--result", "lengths", "--absolute", "--variable", "other"),
+                 ("psd", "--result", "radial", "--variable", "other"), ("stats", "--json", "--variable", "other")):
         run = case.run(*tool, "in.nc")
         check(not set(run.out) & set(b"\x1b\x07"), f"no escape on standard output of asperity-{tool[0]}")
     return RIGHT

@@ -20,8 +20,8 @@ def command(case, tool):
             "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--model", "gaussian"], ["--add", "noise"], ["--exact-rq"]],
             "kernel": [[], ["--model", "matern"], ["--formulation", "oriented"], ["--method", "spectral"]],
             "stats": [[], ["--remove-form", "plane"], ["--lambda-c", "10um"], ["--profile", "x", "--json"]],
-            "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--structure"],
-                                                                                        ["--quantiles"]],
+            "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--add", "structure_function"],
+                                                                                        ["--add", "acf_quantiles"]],
             "stress": [[], ["--friction", "0.3"], ["--maximum"], ["--resolution", "full"]]}.get(tool, [[]])
     arguments = without(BASE[tool], "--parameters") if tool == "stats" else BASE[tool]
     arguments = without(arguments, "--output") + case.one_of(*more) + (["--no-history"] if tool in DATASETS else [])

@@ -14,14 +14,14 @@ import maps
 from bench import BAD_DATA, NOT_CONVERGED, REFUSED, RIGHT, TOOLS, USAGE, Wrong, check
 from classes.streams import inputs
 
-BASE = {"acf": ["g.nc", "--dataset", "-o", "out.nc"],
+BASE = {"acf": ["g.nc", "-o", "out.nc"],
         "contact": ["g.nc", "--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN", "-o", "out.nc"],
         "convert": ["g.nc", "-o", "out.nc"],
         "generate": ["--shape", "24x20", "--size", "24um,20um", "--rq", "0.1um", "--length", "4px", "--seed", "1", "-o",
                      "out.nc"],
         "kernel": ["--length", "4px", "--spacing", "1um", "--rq", "0.1um", "-o", "out.nc"],
         "pdf": ["g.nc", "-o", "out.tsv"], "plot": ["g.nc", "--kind", "map", "-o", "out.svg"],
-        "psd": ["g.nc", "--dataset", "-o", "out.nc"], "report": ["g.nc", "-o", "out.html"],
+        "psd": ["g.nc", "-o", "out.nc"], "report": ["g.nc", "-o", "out.html"],
         "stats": ["g.nc", "--parameters", "all", "-o", "out.tsv"],
         "stress": ["c.nc", "--depths", "1um,2um", "--components", "all", "-o", "out.nc"], "validate": ["s.nc", "-o",
                                                                                                        "out.tsv"]}
@@ -86,7 +86,7 @@ def without(arguments, name):
     if name not in arguments:
         return list(arguments)
     at = arguments.index(name)
-    alone = name in ("--dataset", "--smooth")
+    alone = name == "--smooth"
     return arguments[:at] + arguments[at + (1 if alone else 2):]
 
 

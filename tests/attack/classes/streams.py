@@ -14,12 +14,10 @@ from bench import BAD_DATA, REFUSED, RIGHT, RUNTIME, USAGE, Skipped, check
 
 DRAW = ("generate", "--shape", "32x24", "--size", "32um,24um", "--rq", "0.1um", "--length", "4px", "--seed", "1")
 PRESS = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
-WRITES_DATASET = [("generate", *DRAW[1:]), ("kernel", "--length", "4px"), ("contact", "g.nc", *PRESS), ("acf", "g.nc",
-                                                                                                        "--dataset"),
-                  ("psd", "g.nc", "--dataset"), ("convert", "g.nc"), ("stress", "c.nc", "--depths", "1um,2um")]
-WRITES_TEXT = [("stats", "g.nc"), ("acf", "g.nc", "--lengths"), ("psd", "g.nc", "--radial"), ("pdf", "g.nc"), ("report",
-                                                                                                               "g.nc"),
-               ("plot", "g.nc", "--kind", "map", "--to", "svg"), ("validate", "s.nc")]
+WRITES_DATASET = [("generate", *DRAW[1:]), ("kernel", "--length", "4px"), ("contact", "g.nc", *PRESS), ("acf", "g.nc"),
+                  ("psd", "g.nc"), ("convert", "g.nc"), ("stress", "c.nc", "--depths", "1um,2um")]
+WRITES_TEXT = [("stats", "g.nc"), ("acf", "g.nc", "--result", "lengths"), ("psd", "g.nc", "--result", "radial"),
+               ("pdf", "g.nc"), ("report", "g.nc"), ("plot", "g.nc", "--kind", "map", "--to", "svg"), ("validate", "s.nc")]
 
 
 def inputs(case, command=("g.nc", "c.nc", "s.nc")):
@@ -171,7 +169,7 @@ def truncated_pipe(case):
     inputs(case, ("g.nc",))
     whole = case.path("g.nc").read_bytes()
     part = whole[:int(case.rng.integers(0, len(whole)))]
-    command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",
+    command = case.one_of(("stats",), ("acf", "--result", "lengths"), ("psd", "--result", "radial"), ("pdf",), ("contact", *PRESS), ("convert",
                                                                                                                  ),
                           ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--to", "svg", "-o",
                                                                        "-"))
@@ -256,7 +254,7 @@ def limited_file(case):
 
 def output_is_input(case):
     """A dataset may replace its own input, as through a pipe into another file."""
-    command = case.one_of(("contact", "g.nc", *PRESS), ("acf", "g.nc", "--dataset"), ("psd", "g.nc", "--dataset"),
+    command = case.one_of(("contact", "g.nc", *PRESS), ("acf", "g.nc"), ("psd", "g.nc"),
                           ("convert", "g.nc"),
                           ("stress", "c.nc", "--depths", "1um,2um"))
     inputs(case, command)
@@ -327,7 +325,7 @@ def unwritable(case):
 
 def empty_input(case):
     """Nothing at all, through a pipe, from /dev/null or from an empty file."""
-    command = case.one_of(("stats",), ("acf", "--lengths"), ("psd", "--radial"), ("pdf",), ("contact", *PRESS), ("convert",
+    command = case.one_of(("stats",), ("acf", "--result", "lengths"), ("psd", "--result", "radial"), ("pdf",), ("contact", *PRESS), ("convert",
                                                                                                                  ),
                           ("report",), ("stress", "--depths", "1um"), ("plot", "--kind", "map", "--to", "svg", "-o",
                                                                        "-"))
