@@ -9,7 +9,8 @@ using namespace asperity;
 
 namespace {
 
-// Memory of the tables of the kernel while surfaces are drawn: once, and once more for each of several datasets.
+// Memory of the tables of the kernel while surfaces are drawn: once, and once more for each of several
+//        datasets.
 std::size_t standing(const Dataset& base, int surfaces) {
   std::size_t values = 0;
   for (const Variable& v : base.variables) values += count(v.values);

@@ -4,21 +4,21 @@
 
 using namespace asperity;
 
-int main(int argc, char** argv) {
-  cli::Tool tool(
-      "asperity-kernel",
-      "Solves the autocorrelation equations: the moving-average kernel that gives random surfaces the "
-      "autocorrelation of a model, or of a table such as that of asperity-acf. asperity-generate "
-      "--kernel draws from it.");
-  cli::KernelOptions options;
+namespace {
+
+struct Options {
+  cli::KernelOptions kernel;
   Shape shape;
   std::array<double, 2> size{NAN, NAN}, spacing{NAN, NAN};
-  options.declare(tool);
-  tool.quantity("--rq", options.rms, "m", "Rms height. Default: that of --acf, else 1", "Autocorrelation");
-  tool.quantities("--spacing", spacing, "m", "Distance of samples in x and y, or --shape and --size",
+};
+
+void declare(cli::Tool& tool, Options& o) {
+  o.kernel.declare(tool);
+  tool.quantity("--rq", o.kernel.rms, "m", "Rms height. Default: that of --acf, else 1", "Autocorrelation");
+  tool.quantities("--spacing", o.spacing, "m", "Distance of samples in x and y, or --shape and --size",
                   "Sampling");
-  tool.counts("--shape", shape, 1, "Samples in x and y", "Sampling");
-  tool.quantities("--size", size, "m", "Side lengths in x and y", "Sampling");
+  tool.counts("--shape", o.shape, 1, "Samples in x and y", "Sampling");
+  tool.quantities("--size", o.size, "m", "Side lengths in x and y", "Sampling");
   tool.memory(
       "Memory limit for the solution, besides 20 MB of the program. A problem that may need more is refused");
   tool.output();
@@ -33,16 +33,28 @@ int main(int argc, char** argv) {
       "about "
       "0.1 at the mirrored lags (p,-q): kernel_mirrored_error. If a target has no kernel, a warning and "
       "kernel_change state how it was changed.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Tool tool(
+      "asperity-kernel",
+      "Solves the autocorrelation equations: the moving-average kernel that gives random surfaces the "
+      "autocorrelation of a model, or of a table such as that of asperity-acf. asperity-generate "
+      "--kernel draws from it.");
+  Options o;
+  declare(tool, o);
 
   return tool.run(argc, argv, [&] {
     const bool sized = tool.given("--shape") && tool.given("--size");
-    const cli::Spacing known = tool.given("--spacing") ? cli::spacing_of({1, 1}, spacing)
-                               : sized                 ? cli::spacing_of(shape, size)
+    const cli::Spacing known = tool.given("--spacing") ? cli::spacing_of({1, 1}, o.spacing)
+                               : sized                 ? cli::spacing_of(o.shape, o.size)
                                                        : std::nullopt;
-    if (options.acf == "-" && cli::stdin_is_terminal())
+    if (o.kernel.acf == "-" && cli::stdin_is_terminal())
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
-    cli::KernelProblem problem = cli::kernel_problem(tool, options, known);
-    cli::foresee(tool, problem, sized ? shape : Shape{});
+    cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, known);
+    cli::foresee(tool, problem, sized ? o.shape : Shape{});
     cli::KernelSolution solution = cli::solve(tool, std::move(problem));
     solution.before.tell(tool, solution.data, "kernel");
     tool.write(solution.data);

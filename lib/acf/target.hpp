@@ -82,7 +82,8 @@ struct EllipticTarget {
 
   /// Throws ParameterError of the member's name; "length" and "spacing" stand for both.
   void check() const;
-  /// Checks, and throws ParameterError("length-level") too when ρ passes the level nearer to 0 than r = 1e-300.
+  /// Checks, and throws ParameterError("length-level") too when ρ passes the level nearer to 0 than r =
+  /// 1e-300.
   ///
   /// reach(t) is the box around the ellipse on which ρ, or its envelope, is t for the last time, in lags to
   /// 1e-12 of them and 2^30 at the most. An angle within 1e-12 of a multiple of 90° is taken as that, and

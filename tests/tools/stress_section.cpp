@@ -7,7 +7,7 @@
 using namespace asperity;
 using namespace asperity::test;
 
-TEST_CASE("at cell centres the stress at points is that of the layers; a point, or its column, has a unit",
+TEST_CASE("at cell centres the stress at points is that of the layers, and a point or its column has a unit",
           "[stress][exact]") {
   const Dataset volume = below("--depths 0,50um,0.6mm --components zz,von_mises --resolution full");
   const auto zz = values(volume, "stress_zz"), von_mises = values(volume, "von_mises");

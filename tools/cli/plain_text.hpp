@@ -1,5 +1,5 @@
-/// Words in plain text, separated by blanks, tabs, commas or semicolons, and headers of columns (tables of numbers:
-/// formats/text_table.hpp).
+/// Words in plain text, separated by blanks, tabs, commas or semicolons, and headers of columns (tables of
+/// numbers: formats/text_table.hpp).
 #pragma once
 
 #include <algorithm>

@@ -18,8 +18,9 @@ struct CellRow {
 /// Whether "y=max" or "x=max" is asked for.
 bool through_maximum(const std::string& section);
 
-/// The row of cells nearest to "y=0", "x=0.2mm", "y=3px" or "y=max" (of two as near, the second). `maximum` gives the
-/// place of the largest von Mises stress: y of a row along x, else x. Throws ParameterError("section", …).
+/// The row of cells nearest to "y=0", "x=0.2mm", "y=3px" or "y=max" (of two as near, the second). `maximum`
+/// gives the place of the largest von Mises stress: y of a row along x, else x. Throws
+/// ParameterError("section", …).
 CellRow section_row(const Grid& grid, const std::string& section,
                     const std::function<double(bool along_x)>& maximum);
 

@@ -8,7 +8,7 @@
 namespace asperity::cli {
 
 void StressOptions::declare(Tool& tool) {
-  const std::string where = "Where", content = "What";
+  const std::string where = "Where";
   tool.input();
   tool.text("--depths", depths, "DEPTHS",
             "Depths of the layers; 0:1mm:32 (equal steps), 0.5px:1mm:32:geometric (equal ratios) or "
@@ -27,6 +27,22 @@ void StressOptions::declare(Tool& tool) {
             "(1um 0 5um), or "
             "under a header with units, '# x [um] y [um] depth [um]'; - is standard input",
             where);
+  declare_content(tool);
+  declare_body(tool);
+  tool.memory(
+      "Memory limit for a result that goes into a pipe, which needs its range first; a larger one is "
+      "computed again "
+      "for each variable. Files receive their layers one by one");
+  tool.output();
+  tool.table();
+  tool.report();
+  tool.threads();
+  tool.essential({"--depths", "--maximum", "--components", "--section", "--points", "--above", "--friction",
+                  "--friction-angle", "--poisson", "--body", "--report", "--output"});
+}
+
+void StressOptions::declare_content(Tool& tool) {
+  const std::string content = "What";
   tool.text("--components", components, "LIST",
             "Quantities to compute; all: every stress, without directions. One or more of " + stress_words(),
             content);
@@ -39,17 +55,6 @@ void StressOptions::declare(Tool& tool) {
       "--resolution", resolution, {"adapted", "full"},
       "Cells of deep layers; adapted: wider ones, within 2e-6 of the largest pressure; full: all of them",
       content);
-  declare_body(tool);
-  tool.memory(
-      "Memory limit for a result that goes into a pipe, which needs its range first; a larger one is "
-      "computed again "
-      "for each variable. Files receive their layers one by one");
-  tool.output();
-  tool.table();
-  tool.report();
-  tool.threads();
-  tool.essential({"--depths", "--maximum", "--components", "--section", "--points", "--above", "--friction",
-                  "--friction-angle", "--poisson", "--body", "--report", "--output"});
 }
 
 void StressOptions::declare_body(Tool& tool) {

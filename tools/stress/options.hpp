@@ -24,6 +24,7 @@ struct StressOptions {
   void check(Tool& tool) const;
 
  private:
+  void declare_content(Tool& tool);
   void declare_body(Tool& tool);
 };
 

@@ -22,16 +22,19 @@ struct StressScene {
 /// The coordinate of a plane [m].
 double place_of(const Plane& plane, const Grid& grid);
 
-/// Throws ParameterError where the options contradict the dataset. A section through the maximum is not set yet.
+/// Throws ParameterError where the options contradict the dataset. A section through the maximum is not set
+/// yet.
 StressScene read_scene(const Tool& tool, const StressOptions& options);
 
-/// Sets the plane of a section; `maximum` is x and y of the largest von Mises stress, where the section runs through it.
+/// Sets the plane of a section; `maximum` is x and y of the largest von Mises stress, where the section runs
+/// through it.
 void cut(StressScene& scene, const std::string& section, std::array<double, 2> maximum);
 
 /// The effective parameters, as attributes.
 void record_parameters(StressScene& scene);
 
-/// Warns where this largest von Mises stress [Pa] exceeds the yield stress of a contact with a limit pressure.
+/// Warns where this largest von Mises stress [Pa] exceeds the yield stress of a contact with a limit
+/// pressure.
 void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises);
 
 }  // namespace asperity::cli
