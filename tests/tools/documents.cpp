@@ -57,7 +57,7 @@ TEST_CASE("a manual page shows the help's words as they are", "[man][law]") {
       "if command -v mandoc >/dev/null; then asperity-generate --man | mandoc -Tascii -Owidth=500 | col -b |"
       "tr -s '[:space:]' ' '; else echo SKIPPED: no mandoc; fi");
   if (skipped(seen)) return;
-  CHECK_THAT(seen.out, ContainsSubstring("Of stretched-exponential, exp(-r^EXPONENT), up to 2.") &&
+  CHECK_THAT(seen.out, ContainsSubstring("Exponent of stretched-exponential, exp(-r^EXPONENT); up to 2.") &&
                            ContainsSubstring("-o, --output FILE Output file"));
 }
 

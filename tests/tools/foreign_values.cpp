@@ -84,7 +84,7 @@ TEST_CASE("a pressure of no unit, of another quantity, that pulls or is no numbe
     CAPTURE(run.error);
     CHECK(run.exit == 4);
     CHECK(lines(run.error) == 1);
-    CHECK_THAT(run.error, ContainsSubstring("asperity-stress: pressure: ") && ContainsSubstring(words));
+    CHECK_THAT(run.error, ContainsSubstring("asperity-stress: other.nc: pressure: ") && ContainsSubstring(words));
   };
   write_pressure("other.nc", nullptr, 1);
   refused("it has no unit");

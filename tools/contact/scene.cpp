@@ -37,6 +37,7 @@ bool periodic(const ContactOptions& o, const Grid& grid) {
 }
 
 Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held) {
+  tool.reads(name);  // nothing of it is passed on
   const Dataset data = tool.read(name, held);
   const Grid own = grid_of(data);
   if (!same_grid(own, grid))
