@@ -42,9 +42,9 @@ void Attributes::set(std::string_view name, std::string_view text) { set_values(
 void Attributes::set(std::string_view name, double number) {
   const KnownAttribute* known = std::isfinite(number) ? nullptr : known_attribute(name);
   if (!std::isfinite(number) && !(known && known->open))
-    throw DataError(std::string(name), std::string("it comes out ") +
-                                           (std::isnan(number) ? "as no number" : "infinite") +
-                                           ": what is asked for leaves the range of doubles");
+    throw DataError(std::string(name), std::string("the result is ") +
+                                           (std::isnan(number) ? "not a number" : "infinite") +
+                                           ": the parameters exceed double precision");
   set_values(name, std::vector<double>{number});
 }
 void Attributes::set(std::string_view name, int number) {
@@ -79,8 +79,14 @@ const Variable& Dataset::at(std::string_view variable) const {
   if (const Variable* present = find(variable)) return *present;
   std::string names;
   for (const Variable& v : variables) names += (names.empty() ? "" : ", ") + v.name;
+<<<<<<< HEAD
   throw MissingVariable(std::string(variable), "is missing; the dataset has " +
                                                    (names.empty() ? std::string("no variables") : names));
+=======
+  throw DataError(std::string(variable), names.empty()
+                                             ? "the dataset has no variables"
+                                             : "the dataset has no such variable: choose one of " + names);
+>>>>>>> 22a3456 (convert, plot, report: --matrix for --heights, essential options, plain English in help, refusals and headers)
 }
 
 Variable& Dataset::put(Variable variable) {

@@ -36,8 +36,8 @@ TEST_CASE("a model is named as on the command line and an unknown name is refuse
   for (Model model : every_model) CHECK(enum_named<Model>(name_of(model), "target") == model);
   CHECK(name_of(Model::stretched_exponential) == "stretched-exponential");
   CHECK_THROWS_MATCHES(enum_named<Model>("fractal", "target"), ParameterError,
-                       Message("'fractal' is none of exponential, gaussian, matern, stretched-exponential, "
-                               "self-affine and exponential-cosine"));
+                       Message("'fractal' is none of exponential|gaussian|matern|stretched-exponential|"
+                               "self-affine|exponential-cosine"));
 }
 
 // The tabulated logarithm is off by at most 2e-11; the closed forms are round-off.

@@ -142,9 +142,9 @@ TEST_CASE("columns that look like coordinates are refused until it is told what 
   for (const char* text : texts) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), ContainsSubstring("the unit of the points"));
-    Reading heights;
-    heights.heights = true;
-    CHECK(refusal(text, heights) == "read");
+    Reading matrix;
+    matrix.matrix = true;
+    CHECK(refusal(text, matrix) == "read");
   }
   CHECK(refusal("2 4 6\n3 5 7\n4 6 8\n5 7 9\n") == "read");
   CHECK(refusal("7 1 9 2\n0 7 3 7\n2 9 1 2\n4 4 4 9\n") == "read");

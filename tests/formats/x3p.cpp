@@ -114,7 +114,7 @@ TEST_CASE("what an X3P says of itself must be a surface of one layer, of the siz
   };
   CHECK_NOTHROW(decode(foreign_x3p({}, data)));
   refused({.feature = "PRF"}, "'PRF', not SUR");
-  refused({.type = "X"}, "'X' of CZ is none of I, L, F, D");
+  refused({.type = "X"}, "number type 'X' is not supported, only I, L, F, D");
   refused({.type = "F"}, "has 48 bytes where the map's size needs 24");
   refused({.size_x = "4"}, "cut short");
   refused({.size_x = "2"}, "has 48 bytes where the map's size needs 32");

@@ -119,7 +119,7 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
   CHECK(shape_of(converted("spaced.csv --separator comma --size 1mm")) == Shape{2, 6});
   CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
-  CHECK(shape_of(converted("xyz.txt --heights --size 1mm")) == Shape{6, 3});
+  CHECK(shape_of(converted("xyz.txt --matrix --size 1mm")) == Shape{6, 3});
   const Field z = converted("xyz.txt --xyz mm");
   REQUIRE(shape_of(z) == Shape{3, 2});
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
@@ -133,9 +133,9 @@ TEST_CASE("what an option tells of a text is refused where the input is none, or
   write_numbers();
   for (const char* arguments :
        {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --xyz um",
-        "numbers.txt --heights", "surface.nc --heights", "numbers.txt --separator comma --decimal comma",
+        "numbers.txt --matrix", "surface.nc --matrix", "numbers.txt --separator comma --decimal comma",
         "numbers.txt --separator word", "numbers.txt --from text --xyz s",
-        "numbers.txt --from text --xyz um --heights"}) {
+        "numbers.txt --from text --xyz um --matrix"}) {
     const Outcome run = shell(std::string("asperity-convert ") + arguments + " -o out.nc");
     CAPTURE(arguments, run.error);
     CHECK(run.exit == 2);
