@@ -173,7 +173,7 @@ TEST_CASE("a measured map goes through the chain: its correlation, a twin, its c
   CHECK(relative_error(grid.dy, 1e-3 / 16) <= 1e-9);
 }
 
-TEST_CASE("a dataset with depths becomes an image for ParaView, one of uneven depths a rectilinear grid",
+TEST_CASE("a dataset with depths becomes an image for ParaView, one of uneven depths a write vtr",
           "[convert][contract]") {
   const std::string stress = surface +
                              "asperity-contact surface.nc --radius 50mm --young 208GPa --poisson 0.3 --load "

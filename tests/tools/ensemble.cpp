@@ -58,7 +58,7 @@ TEST_CASE("a length that is not that of the points is not taken, which every too
   data.find("x")->attributes.set("length", 1.28e-3);
   write_dataset(data, "stale.nc");
   const std::string warning =
-      "warning: stale.nc: x: its length 0.00128 is not that of its 32 points, 0.00064, which is taken";
+      "warning: stale.nc: x: attribute length 0.00128 is not that of its 32 points, 0.00064, which is taken";
   const Outcome told = shell("asperity-stats -q stale.nc");
   CHECK_THAT(told.error, ContainsSubstring(warning));
   CHECK(told.out == shell("asperity-stats whole.nc").out);

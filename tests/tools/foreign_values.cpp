@@ -89,9 +89,9 @@ TEST_CASE("a pressure of no unit, of another quantity, that pulls or is no numbe
   write_pressure("other.nc", nullptr, 1);
   refused("it has no unit");
   write_pressure("other.nc", "m", 1);
-  refused("'m' does not measure what 'Pa' measures");
+  refused("'m' cannot be converted to 'Pa'");
   write_pressure("other.nc", "Pa @ 5", 1);
-  refused("counts from another zero");
+  refused("their zeros differ");
   for (const auto& [value, words] : {std::pair{-3e6, "at point (2, 1) it is -3"},
                                      {std::nan(""), "the value at point (2, 1) is not a number"}}) {
     Dataset data = read_dataset("pressed.nc");
