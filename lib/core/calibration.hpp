@@ -1,5 +1,5 @@
-/// Empirical constants, and the run that determined each. They control cost and when a method gives up; results
-/// are verified independently of them.
+/// Empirical constants, and the run that determined each. They control cost and when a method gives up;
+/// results are verified independently of them.
 #pragma once
 
 #include <algorithm>

@@ -17,9 +17,9 @@ inline int resolve_threads(int requested) {
   return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Calls run(begin, end, worker) on runs that cover [0, count); worker < threads selects a buffer. Costs 30 µs
-/// per thread. Rethrows the first exception. If a thread cannot start for lack of memory, the caller does its
-/// run.
+/// Calls run(begin, end, worker) on runs that cover [0, count); worker < threads selects a buffer. Costs 30
+/// µs per thread. Rethrows the first exception. If a thread cannot start for lack of memory, the caller does
+/// its run.
 template <class Run>
 void parallel_ranges(Index count, int threads, Run run) {
   const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));

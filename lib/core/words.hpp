@@ -1,9 +1,9 @@
 /// Numbers, counts and foreign text in printed lines.
 ///
-/// Text from files (units, names, titles, headers) may be invalid UTF-8, control the terminal (sequences of ISO
-/// 6429), reverse the direction of writing, or be as long as the file. A dataset keeps it unchanged; printed
-/// text passes through one_line, and text that must be UTF-8, as in JSON, through utf8_of. Invalid bytes are
-/// read as Latin-1, which instruments write: "\xb5m" is µm.
+/// Text from files (units, names, titles, headers) may be invalid UTF-8, control the terminal (sequences of
+/// ISO 6429), reverse the direction of writing, or be as long as the file. A dataset keeps it unchanged;
+/// printed text passes through one_line, and text that must be UTF-8, as in JSON, through utf8_of. Invalid
+/// bytes are read as Latin-1, which instruments write: "\xb5m" is µm.
 #pragma once
 
 #include <charconv>

@@ -31,8 +31,8 @@ class Bytes {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map, unless all are zeros
-/// of padding: `cat a.nc b.nc | asperity-stats` would otherwise ignore the second dataset.
+/// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map, unless all are
+/// zeros of padding: `cat a.nc b.nc | asperity-stats` would otherwise ignore the second dataset.
 void refuse_rest(std::string_view rest, const std::string& variable);
 
 }  // namespace asperity

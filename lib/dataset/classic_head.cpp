@@ -169,8 +169,8 @@ Head take_head(Reader& reader) {
   return out;
 }
 
-// The end of all values. Each record holds all variables with records, padded if there are several. An unknown
-// number of records reaches to the end of the file.
+// The end of all values. Each record holds all variables with records, padded if there are several. An
+// unknown number of records reaches to the end of the file.
 std::uint64_t end_of_values(const Reader& reader, const Head& head) {
   std::uint64_t end = 0, record = 0, last = 0, in_records = 0;
   for (const Extent& e : head.extents)

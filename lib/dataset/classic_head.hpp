@@ -1,4 +1,5 @@
-/// Checks the header of a NetCDF file in the classic formats (CDF-1, CDF-2, CDF-5) before the library reads it.
+/// Checks the header of a NetCDF file in the classic formats (CDF-1, CDF-2, CDF-5) before the library reads
+/// it.
 ///
 /// The library allocates memory for as many names, attributes and variables as the header claims, and reads
 /// zeros beyond the end of a file on disk. Here every count is compared with the remaining bytes, so that an
@@ -21,8 +22,8 @@ namespace asperity {
 /// Throws DataError("dataset", …) for a classic file whose header claims more or fewer bytes than it has.
 void check_classic_head(std::string_view bytes);
 
-/// The header of a CDF-2 or CDF-5 file, changed to dimensions of these lengths and variables of these sizes in
-/// bytes (of one record, if the length of the first dimension is and stays 0). The values follow in order,
+/// The header of a CDF-2 or CDF-5 file, changed to dimensions of these lengths and variables of these sizes
+/// in bytes (of one record, if the length of the first dimension is and stays 0). The values follow in order,
 /// each padded to four bytes.
 std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
                          const std::vector<std::uint64_t>& bytes);

@@ -10,9 +10,9 @@
 ///     valid range     valid_range, or valid_min and valid_max
 ///     _Unsigned       "true" for signed integers: they and these attributes are read as unsigned
 ///
-/// As in CF, marks and ranges refer to the packed numbers. Afterwards a variable holds plain values, in double
-/// precision if they were packed and in its own type otherwise, and at most one mark, `_FillValue` or one
-/// missing_value; the other attributes are removed, and actual_range omits missing points.
+/// As in CF, marks and ranges refer to the packed numbers. Afterwards a variable holds plain values, in
+/// double precision if they were packed and in its own type otherwise, and at most one mark, `_FillValue` or
+/// one missing_value; the other attributes are removed, and actual_range omits missing points.
 ///
 /// Refused, with the variable's name: a scale that is not one finite number or is 0; an offset, mark or bound
 /// that is text or not a number; an empty range; and a floating-point range of packed integers, which some

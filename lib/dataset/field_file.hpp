@@ -13,7 +13,8 @@ namespace asperity {
 
 class FieldFile {
  public:
-  /// Opens a regular file. Throws DataError like decode_netcdf, and for a variable that field_of would refuse.
+  /// Opens a regular file. Throws DataError like decode_netcdf, and for a variable that field_of would
+  /// refuse.
   FieldFile(const std::string& path, std::string_view variable, const MemoryBound& memory = {});
 
   /// In Asperity's order, without the values of fields.

@@ -1,9 +1,9 @@
 /// The layout of Asperity's datasets: the grid, fields on it, volumes below it.
 ///
-/// The grid is given by the coordinates x and y with the attributes length (the size of the domain), periodic,
-/// unit and units, as in contact.engineering; depth is the coordinate z, positive downwards. A field is
-/// name(x, y), a volume name(z, x, y). Datasets are written in SI, and other units are converted on reading
-/// (dataset/units.hpp).
+/// The grid is given by the coordinates x and y with the attributes length (the size of the domain),
+/// periodic, unit and units, as in contact.engineering; depth is the coordinate z, positive downwards. A
+/// field is name(x, y), a volume name(z, x, y). Datasets are written in SI, and other units are converted on
+/// reading (dataset/units.hpp).
 ///
 /// A point is missing where the variable mask(x, y) is not zero, or where a variable has its mark
 /// (dataset/conventions.hpp) or NaN. Missing points are refused, unless the caller can omit them; readers
@@ -54,7 +54,8 @@ void set_field(Dataset& dataset, std::string_view name, const Field& values, Mea
 struct Range {
   double low, high;
 };
-/// Adds a variable of doubles on any dimensions as the last one; its values follow the bytes of encode_netcdf.
+/// Adds a variable of doubles on any dimensions as the last one; its values follow the bytes of
+/// encode_netcdf.
 void defer_values(Dataset& dataset, std::string_view name, std::vector<std::string> dimensions, Range range,
                   Meaning meaning);
 /// Writes a number with a unit, without dimensions, such as the position of a section.

@@ -4,8 +4,8 @@
 /// on reading. Where a length or a pressure is needed, a variable is refused if it has no unit, a unit of
 /// another quantity, or a unit with another zero.
 ///
-/// A call sets UDUNITS' message handler, which belongs to the process, and restores the former one. Calls lock
-/// each other out; a program that uses UDUNITS in another thread must synchronise with them.
+/// A call sets UDUNITS' message handler, which belongs to the process, and restores the former one. Calls
+/// lock each other out; a program that uses UDUNITS in another thread must synchronise with them.
 #pragma once
 
 #include <optional>

@@ -9,8 +9,8 @@ namespace asperity {
 /// Largest expansion by deflate: bytes from one compressed byte.
 inline constexpr std::size_t most_inflated = 1032;
 
-/// Inflates `bytes` to `size` bytes. Throws DataError("map", …) before allocation when `bytes` are too few for
-/// this size, and when they are damaged, give another size, or are followed by other bytes
+/// Inflates `bytes` to `size` bytes. Throws DataError("map", …) before allocation when `bytes` are too few
+/// for this size, and when they are damaged, give another size, or are followed by other bytes
 /// (dataset/bytes.hpp). Memory: the bytes inflated so far.
 std::string inflated(std::string_view bytes, std::size_t size);
 

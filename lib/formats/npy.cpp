@@ -7,7 +7,8 @@
 /// u1, u2, u4, u8 or b1 (bool, 0 or 1). Arrays of two dimensions are read; Order gives the index of the array
 /// that is x, for any storage order. NaN is a missing point. The file has neither size nor units.
 ///
-/// Files are written in version 1 with doubles, '<f8', last index fastest, starting at a multiple of 64 bytes.
+/// Files are written in version 1 with doubles, '<f8', last index fastest, starting at a multiple of 64
+/// bytes.
 ///
 /// NumPy reference, numpy.lib.format, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #include <cmath>

@@ -11,9 +11,9 @@
 ///     content: heights           the title
 ///     endian: little             or big
 ///     encoding: raw              or text (ascii, txt), or gzip (gz)
-/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and other fields are
-/// ignored. A header with its data in another file is refused, because a file must not name others to open;
-/// so are line skip and byte skip, and the encodings hex and bzip2.
+/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and other fields
+/// are ignored. A header with its data in another file is refused, because a file must not name others to
+/// open; so are line skip and byte skip, and the encodings hex and bzip2.
 ///
 /// Files are written with raw doubles, least significant byte first.
 ///

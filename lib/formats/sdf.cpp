@@ -9,8 +9,8 @@
 ///     DataType = 7               0 to 2 unsigned, 4 to 6 signed, of 8, 16, 32 bits, 3 floats, 7 doubles
 ///     CheckType = 0
 ///     *
-/// and the numbers, line by line from the smallest y, up to another * or the end of the file. Text after it is
-/// ignored, a second map is refused. In text the names may have any order. Binary files have no names; all
+/// and the numbers, line by line from the smallest y, up to another * or the end of the file. Text after it
+/// is ignored, a second map is refused. In text the names may have any order. Binary files have no names; all
 /// numbers are least significant byte first (the only order in the standard), and the data follow the 81 (85)
 /// bytes of the header directly, or two fields of four bytes that Olympus inserts. With a single line, Yscale
 /// has no meaning and the spacing in y is unknown.

@@ -5,8 +5,8 @@
 ///     Record3          MatrixDimension SizeX, SizeY, SizeZ; DataLink to a file of numbers, little-endian,
 ///                      x fastest, with its MD5; or DataList, a Datum for each number
 ///     md5checksum.hex  the MD5 of main.xml
-/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (least significant first) is 0
-/// in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
+/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (least significant first) is
+/// 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
 /// SurfaceTopography. Name spaces of elements are ignored. Checksums are optional but must be correct.
 /// Profiles (PRF), point clouds (PCL) and more than one layer are refused. main.xml without its DataList may
 /// have 1 MiB, and md5checksum.hex 64 KiB.

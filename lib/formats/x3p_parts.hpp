@@ -1,4 +1,5 @@
-/// Checksums of an X3P, and its DataList read in pieces: parsed whole, it needs twenty times the map's memory.
+/// Checksums of an X3P, and its DataList read in pieces: parsed whole, it needs twenty times the map's
+/// memory.
 #pragma once
 
 #include <cstddef>

@@ -200,9 +200,9 @@ TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 
   with("none.nc", [&](Dataset& d, Variable&) { d.erase("heights"); });
   const std::pair<std::string, std::string> bad[] = {
       {"nan.nc", "nan.nc: heights: the value at point (1, 6) is not a number"},
-      {"fill.nc", "fill.nc: heights: 1 of its points are missing (_FillValue)"},
-      {"missing.nc", "missing.nc: heights: 1 of its points are missing (missing_value)"},
-      {"mask.nc", "mask.nc: heights: 1 of its points are masked"},
+      {"fill.nc", "fill.nc: heights: 1 point missing (_FillValue)"},
+      {"missing.nc", "missing.nc: heights: 1 point missing (missing_value)"},
+      {"mask.nc", "mask.nc: heights: 1 point masked as missing"},
       {"force.nc", "force.nc: heights: 'N'"},
       {"none.nc", "none.nc: heights: is missing"},
       {"--counter nan.nc good.nc", "nan.nc: heights: "},

@@ -92,7 +92,8 @@ struct Figure {
 /// One panel per case, in the requested number of columns.
 Figure side_by_side(const Request& request, const Cases& cases);
 
-/// Bounds of the aspect of a panel with equal scales; beyond them one axis is stretched and the title says so.
+/// Bounds of the aspect of a panel with equal scales; beyond them one axis is stretched and the title says
+/// so.
 inline constexpr double flattest = 0.16, tallest = 2.5;
 
 Script script_of(const Figure& figure, const Request& request);

@@ -54,7 +54,8 @@ Section section_of(const Dataset& data, const std::string& text);
 /// The value range requested, in SI, or `otherwise`.
 Range value_range(const Request& request, const std::string& unit, Range otherwise);
 
-/// For fields side by side: heights symmetric about their mean, signed values about zero, others from zero up.
+/// For fields side by side: heights symmetric about their mean, signed values about zero, others from zero
+/// up.
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request);
 
 }  // namespace asperity::plot

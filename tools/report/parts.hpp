@@ -14,8 +14,8 @@ namespace asperity::report {
 /// Warnings about solvers that did not converge and changed targets.
 std::string warnings(const Dataset& data);
 
-/// All pictures that the dataset allows, fields as PNG, curves as SVG, and the reasons why others are missing.
-/// `variable` replaces heights.
+/// All pictures that the dataset allows, fields as PNG, curves as SVG, and the reasons why others are
+/// missing. `variable` replaces heights.
 std::string pictures(const plot::Cases& dataset, const std::string& variable);
 
 /// Value, standard error and 95 % interval, one row per quantity.
