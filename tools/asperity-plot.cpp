@@ -80,19 +80,11 @@ void declare_scales(cli::Tool& tool, Options& o) {
   tool.text("--range", o.request.range, "LOW,HIGH",
             "Lowest and highest value of the colours or the axis, with unit", group);
   tool.choice("--scale-by", o.scale_by, {"p0"},
-<<<<<<< HEAD
-              "Unit of stresses: p0 is the Hertz pressure that the dataset carries", group);
+              "Divide stresses by this; p0: the Hertz pressure stored in the dataset", group);
   tool.text("--above", o.above, "STRESS",
             "Leave out smaller stresses of a section; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of "
-            "the largest "
-            "contact pressure)",
+            "the largest contact pressure)",
             group);
-=======
-              "Divide stresses by this; p0: the Hertz pressure stored in the dataset", group);
-  tool.number("--above", o.request.above,
-              "Section: leave blank what is below this share of p0 (with --scale-by) or of the maximum",
-              group);
->>>>>>> 22a3456 (convert, plot, report: --matrix for --heights, essential options, plain English in help, refusals and headers)
 }
 
 std::string extension_of(const std::string& output) {
@@ -132,14 +124,8 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.scale_by_hertz = o.scale_by == "p0";
   if (!is_utf8(request.title)) throw cli::UsageError("title", "is not valid UTF-8");
   if (tool.given("--columns") && request.kind == "profile")
-<<<<<<< HEAD
-    throw cli::UsageError("columns", "profiles of several inputs are drawn into one panel");
-  if (!o.above.empty()) request.above = cli::StressBound(o.above);
-=======
     throw cli::UsageError("columns", "cannot be combined with --kind profile: all inputs share its panels");
-  if (tool.given("--above") && !(request.above > 0 && std::isfinite(request.above)))
-    throw cli::UsageError("above", "it must be positive");
->>>>>>> 22a3456 (convert, plot, report: --matrix for --heights, essential options, plain English in help, refusals and headers)
+  if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
 }

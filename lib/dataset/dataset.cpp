@@ -79,14 +79,8 @@ const Variable& Dataset::at(std::string_view variable) const {
   if (const Variable* present = find(variable)) return *present;
   std::string names;
   for (const Variable& v : variables) names += (names.empty() ? "" : ", ") + v.name;
-<<<<<<< HEAD
   throw MissingVariable(std::string(variable), "is missing; the dataset has " +
                                                    (names.empty() ? std::string("no variables") : names));
-=======
-  throw DataError(std::string(variable), names.empty()
-                                             ? "the dataset has no variables"
-                                             : "the dataset has no such variable: choose one of " + names);
->>>>>>> 22a3456 (convert, plot, report: --matrix for --heights, essential options, plain English in help, refusals and headers)
 }
 
 Variable& Dataset::put(Variable variable) {

@@ -254,7 +254,8 @@ TEST_CASE("each parameter of a model is refused by its name, and only where the 
       CHECK(refused(model, &EllipticTarget::spacing_x, bad) == "spacing");
       CHECK(refused(model, &EllipticTarget::spacing_y, bad) == "spacing");
     }
-    for (double bad : {0.0, 1.0, -0.5, none}) CHECK(refused(model, &EllipticTarget::level, bad) == "length-level");
+    for (double bad : {0.0, 1.0, -0.5, none})
+      CHECK(refused(model, &EllipticTarget::level, bad) == "length-level");
     CHECK(refused(model, &EllipticTarget::angle, none) == "angle");
     for (double bad : {-1.0, none, 1e101}) {
       auto name = [&](Model owner, const char* text) { return model == owner ? text : ""; };

@@ -131,7 +131,8 @@ TEST_CASE("the unloaded surface carries the load again, elastically and under th
 TEST_CASE("smooth bodies that yield leave a dent that is pressed again through the pipe",
           "[contact][exact]") {
   const std::string tight = " --tolerance 1e-9 --radius 50mm --load 5000N ";
-  require(smooth + tight + "--limit-pressure 2GPa --add heights_residual | asperity-contact --variable heights_residual" +
+  require(smooth + tight +
+          "--limit-pressure 2GPa --add heights_residual | asperity-contact --variable heights_residual" +
           tight + elastic + "-o dent.nc");
   CHECK(read_dataset("dent.nc").attributes.number("contact_max_pressure", 0) <= 2e9 * (1 + 1e-7));
 }

@@ -84,15 +84,9 @@ class OutputFile {
 /// "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) for a pattern without %d.
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
-<<<<<<< HEAD
-/// Throws ParameterError("output", …) where `what`, which is binary, would go to a terminal; `hint` ends the
-/// message.
+/// Throws ParameterError("output", …) if `what` would go to a terminal; `hint` ends the message.
 void refuse_terminal(const std::string& output, const std::string& what = "a dataset",
                      const std::string& hint = "");
-=======
-/// Throws ParameterError("output", …) if `what` would go to a terminal.
-void refuse_terminal(const std::string& output, const std::string& what = "a dataset");
->>>>>>> 22a3456 (convert, plot, report: --matrix for --heights, essential options, plain English in help, refusals and headers)
 bool stdin_is_terminal();
 bool stdin_is_device();  ///< a terminal, or /dev/null: nobody pipes anything in
 bool stdout_is_terminal();

@@ -32,19 +32,6 @@ Span cells_within(Range range, Index n, double spacing, Position position, const
   return {first, last - first + 1, {position(first) - 0.5 * spacing, position(last) + 0.5 * spacing}};
 }
 
-<<<<<<< HEAD
-=======
-// A place as typed, or where the dataset says that the von Mises stress is largest.
-double place_of(const Dataset& data, const std::string& text, bool along_x) {
-  if (text == "0") return 0;
-  if (text != "max") return cli::parse_quantity("section", text, "m");
-  const char* attribute = along_x ? "stress_max_y" : "stress_max_x";
-  const double place = data.attributes.number(attribute, std::nan(""));
-  if (std::isnan(place)) throw DataError(attribute, "the dataset has no such attribute");
-  return place;
-}
-
->>>>>>> 22a3456 (convert, plot, report: --matrix for --heights, essential options, plain English in help, refusals and headers)
 }  // namespace
 
 Quantity quantity_of(const Variable& variable) {
