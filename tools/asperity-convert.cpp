@@ -1,4 +1,4 @@
-// From the format of one program to that of another.
+// Converts surface maps between file formats.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -20,7 +20,7 @@ using namespace asperity;
 
 namespace {
 
-// What a whole dataset is written as, beside NetCDF and the formats of maps.
+// Formats for whole datasets besides NetCDF.
 constexpr std::pair<std::string_view, std::string (*)(const Dataset&)> for_paraview[] = {{"vti", encode_vti},
                                                                                          {"vtr", encode_vtr}};
 
@@ -43,9 +43,8 @@ struct Options {
     if (cli::names_dataset(extension)) return "netcdf";
     if (extension == "vti" || extension == "vtr") return extension;
     if (const Format* found = format_by_extension("." + extension)) return std::string(found->name);
-    throw cli::UsageError("output", "'" + output +
-                                        "' names none of the formats that are written: end it in " +
-                                        extensions() + ", or say --to");
+    throw cli::UsageError(
+        "output", "'" + output + "' has no known extension: use one of " + extensions() + ", or give --to");
   }
 };
 
@@ -68,14 +67,14 @@ Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Option
                                  : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
-// What does not lie below the surface.
+// Everything except fields below the surface.
 Dataset without_depth(Dataset data) {
   std::erase_if(data.variables, [](const Variable& v) { return std::ranges::count(v.dimensions, "z") > 0; });
   std::erase_if(data.dimensions, [](const Dimension& d) { return d.name == "z"; });
   return data;
 }
 
-// The map, cut, thinned or filled, in place of the surface that it was.
+// Replaces the surface by its map, cropped, thinned or filled.
 Dataset changed(const cli::Tool& tool, const Options& options, Dataset data) {
   const cli::Inventory before(data);
   Dataset map = dataset_of(options.map.applied(map_of(data, options.variable)));
@@ -86,7 +85,7 @@ Dataset changed(const cli::Tool& tool, const Options& options, Dataset data) {
   return data;
 }
 
-// A dataset passes whole, unless its map is cut or filled.
+// A dataset keeps everything unless its map changes.
 Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                      std::optional<cli::Bytes> bytes) {
   if (!format.netcdf(*bytes)) return dataset_of(map_from(tool, format, options, *bytes));
@@ -96,13 +95,13 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   return options.surface ? without_depth(std::move(data)) : data;
 }
 
-// All that is not NetCDF.
+// Every format except NetCDF.
 std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                     const std::string& target, std::optional<cli::Bytes> bytes) {
   for (const auto& [name, encode] : for_paraview)
     if (target == name) return encode(dataset_from(tool, format, options, std::move(bytes)));
   if (options.surface)
-    throw cli::UsageError("surface", "only netcdf, vti and vtr hold what lies below one, not " + target);
+    throw cli::UsageError("surface", "needs --to netcdf, vti or vtr: " + target + " holds one map only");
   const Map map = map_from(tool, format, options, *bytes);
   return format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
 }
@@ -120,7 +119,7 @@ int convert(cli::Tool& tool, const Options& options) {
     return cli::done;
   }
   const std::string out = encoded(tool, format, options, target, std::move(bytes));
-  if (!is_text(out)) cli::refuse_terminal(tool.output_name(), "this format");
+  if (!is_text(out)) cli::refuse_terminal(tool.output_name(), target);
   tool.write_text(out);
   return cli::done;
 }
@@ -130,29 +129,30 @@ int convert(cli::Tool& tool, const Options& options) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-convert",
-      "Measured surfaces from and to the formats of other programs, and datasets for ParaView. "
-      "Lengths and heights become metres; "
-      "a map's missing points stay missing unless --fill is given. A dataset passes whole; where its "
-      "map is cut, thinned, filled or resized, whatever else belongs to the surface is dropped.");
+      "Converts surface maps between file formats, and datasets for ParaView. Lengths and heights become "
+      "metres. Missing points stay missing unless --fill is given. A dataset keeps all its variables, but "
+      "when its map is cropped, thinned, filled or resized, results of the former surface are dropped.");
   Options o;
   tool.input();
   o.map.declare(tool);
   tool.choice("--to", o.to, targets(),
-              "What is written; auto: by the extension of --output, else netcdf. vti, and vtr where depths "
-              "are uneven: for ParaView",
+              "Format of the output; auto: from the extension of --output, else netcdf. vti and vtr are for "
+              "ParaView; uneven depths need vtr",
               "Result");
-  tool.choice("--to-order", o.to_order, {"xy", "yx"},
-              "--from-order of a bare matrix (text, npy) that is written; netcdf: yx for VTK, ParaView and other "
-              "viewers, fields on (y, x), volumes on (z, y, x), z a height",
-              "Result");
+  tool.choice(
+      "--to-order", o.to_order, {"xy", "yx"},
+      "Order of a bare matrix (text, npy); xy: a line for each x, yx: a line for each y. With netcdf, "
+      "yx suits VTK, ParaView and other viewers: fields on (y, x), volumes on (z, y, x), z upwards",
+      "Result");
   tool.flag("--surface", o.surface,
-            "netcdf, vti, vtr: the fields on (x, y) alone, of a dataset with depths: vti and vtr then show "
-            "them as one layer at z = 0 (beside volumes they are field data)",
+            "Omit fields below the surface; for netcdf, vti and vtr. vti and vtr then show the fields on "
+            "(x, y) as one layer at z = 0 instead of as field data",
             "Result");
-  tool.text("--variable", o.variable, "NAME", "The field on (x, y) of a dataset that becomes the map",
-            "Result");
+  tool.text("--variable", o.variable, "NAME", "Field on (x, y) to read; it becomes the map", "Result");
   tool.output_of_any_format();
   tool.example("asperity-convert map.x3p --crop 0:256,0:256 --to gsf -o map.gsf");
-  tool.accuracy("Doubles come back the same from every format but gsf, which holds 24 bits.");
+  tool.accuracy("All formats keep doubles exactly, except gsf, which holds 24 bits.");
+  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--crop", "--decimate", "--fill",
+                  "--variable", "--matrix", "--xyz"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

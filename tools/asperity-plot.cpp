@@ -39,50 +39,51 @@ struct Options {
 void declare_figure(cli::Tool& tool, Options& o) {
   const std::string group = "Figure";
   tool.choice("--kind", o.request.kind, names_of_kinds(),
-              "map: false colours; surface: perspective; profile: along x and y; acf: against the target; "
-              "pdf: histogram and Gaussian; contact: states; von-mises: vertical section; section: one of "
-              "any --variable(z, x, y)",
+              "Kind of figure; map: false colours; surface: perspective view; profile: heights along x and "
+              "y; acf: autocorrelation and its target; pdf: histogram and Gaussian; contact: contact "
+              "states; von-mises: vertical section of this stress; section: vertical section of --variable",
               group)
       .required();
   tool.text("--variable", o.request.variable, "NAME",
-            "What is drawn: heights, pressure, gap, noise, stress_zz, ... (default: the kind's own)", group);
+            "Field on (x, y) to draw, on (z, x, y) in a section: heights, pressure, stress_zz, ... (default: "
+            "depends on --kind)",
+            group);
   tool.text("--section", o.request.section, "AXIS=PLACE",
             "Place of a section or profile; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
             "runs through the "
             "nearest row of cells. Default: y=0, or x=0 of a single row; profiles along both",
             group);
   tool.may_be_empty(tool.text("--title", o.request.title, "TEXT",
-                              "Title (default: facts of the figure; \"\": none)", group));
+                              "Title of the figure; \"\": none (default: key values)", group));
   tool.input_format();
-  tool.text("--labels", o.labels, "A,B,...", "Names of several inputs (default: the files')", group);
+  tool.text("--labels", o.labels, "A,B,...", "Names of the inputs in the figure; default: file names", group);
   tool.integer("--columns", o.request.columns, 1,
-               "Panels side by side, the others below them; 1: for print 8 cm wide, 2: 11.5 cm, 3: 15 cm "
-               "(default: all side by side)",
+               "Number of panels in a row; 1, 2, 3 are for print 8, 11.5, 15 cm wide (default: one row)",
                group)
       .without_default();
   tool.counts("--pixels", o.request.pixels, {200, 10'000, "of which a picture takes 400 MB"},
-              "Size; letters grow with the width. A PDF has this shape and is 8, 11.5, 15 cm wide for one, "
-              "two, three columns (default: as suits)",
+              "Size of the picture; letters grow with the width. A PDF takes only its shape: it is 8, 11.5 "
+              "or 15 cm wide for 1, 2 or 3 columns (default: fits the figure)",
               group);
-  tool.text("--to", o.request.format, "png|svg|pdf", "For -o - only; a file's name tells", group);
-  tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Where the picture goes; - is standard output",
-            group)
+  tool.choice("--to", o.request.format, {"png", "svg", "pdf"},
+              "Format on standard output; that of a file follows from its name", group);
+  tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Output file; - is standard output", group)
       .required();
 }
 
 void declare_scales(cli::Tool& tool, Options& o) {
   const std::string group = "Scales";
-  tool.quantities("--x-range", o.x, "m", "Part shown along x", group).without_default();
-  tool.quantities("--y-range", o.y, "m", "Part shown along y", group).without_default();
-  tool.quantities("--depth-range", o.depth, "m", "Part shown of a section's depth", group).without_default();
-  tool.text("--range", o.request.range, "LOW,HIGH", "Values that the colours or the axis span, with unit",
-            group);
+  tool.quantities("--x-range", o.x, "m", "Lowest and highest x to draw", group).without_default();
+  tool.quantities("--y-range", o.y, "m", "Lowest and highest y to draw", group).without_default();
+  tool.quantities("--depth-range", o.depth, "m", "Lowest and highest depth to draw in a section", group)
+      .without_default();
+  tool.text("--range", o.request.range, "LOW,HIGH",
+            "Lowest and highest value of the colours or the axis, with unit", group);
   tool.choice("--scale-by", o.scale_by, {"p0"},
-              "Unit of stresses: p0 is the Hertz pressure that the dataset carries", group);
+              "Divide stresses by this; p0: the Hertz pressure stored in the dataset", group);
   tool.text("--above", o.above, "STRESS",
             "Leave out smaller stresses of a section; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of "
-            "the largest "
-            "contact pressure)",
+            "the largest contact pressure)",
             group);
 }
 
@@ -91,22 +92,25 @@ std::string extension_of(const std::string& output) {
   return extension.empty() ? "" : extension.substr(1);
 }
 
-// The format by the file's name, or by --to for what is no file.
+// From the file's name, or from --to for standard output, pipes and devices.
 std::string format_of(const Options& o) {
   const bool stream = cli::place_of(o.output).kind != cli::Place::Kind::file,
-             told = stream && !o.request.format.empty();
-  const std::string format = told ? o.request.format : extension_of(o.output);
+             given = stream && !o.request.format.empty();
+  const std::string format = given ? o.request.format : extension_of(o.output);
   if (format == "png" || format == "svg" || format == "pdf") {
     if (!stream && !o.request.format.empty() && o.request.format != format)
-      cli::refuse("to", o.request.format, "contradicts the name " + o.output);
+      cli::refuse("to", o.request.format, "contradicts the extension of " + o.output + ": omit it");
     return format;
   }
-  if (stream) cli::refuse("to", format, "is not png, svg or pdf, which -o - needs");
+  if (stream) throw cli::UsageError("output", "'" + o.output + "' needs --to png, svg or pdf");
   cli::refuse("output", o.output, "does not end in .png, .svg or .pdf");
 }
 
 plot::Range rising(const char* option, std::array<double, 2> range) {
-  if (!(range[0] < range[1])) throw cli::UsageError(option, "the first bound must be below the second");
+  if (!(range[0] < range[1]))
+    throw cli::UsageError(option, "the lower bound, " + cli::format_quantity(range[0], "m") +
+                                      ", is not below the upper bound, " +
+                                      cli::format_quantity(range[1], "m"));
   return {range[0], range[1]};
 }
 
@@ -118,9 +122,9 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.depth = rising("depth-range", o.depth);
   request.titled = tool.given("--title");
   request.scale_by_hertz = o.scale_by == "p0";
-  if (!is_utf8(request.title)) throw cli::UsageError("title", "it is not UTF-8");
+  if (!is_utf8(request.title)) throw cli::UsageError("title", "is not valid UTF-8");
   if (tool.given("--columns") && request.kind == "profile")
-    throw cli::UsageError("columns", "profiles of several inputs are drawn into one panel");
+    throw cli::UsageError("columns", "cannot be combined with --kind profile: all inputs share its panels");
   if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
@@ -136,16 +140,19 @@ std::vector<std::string> labels_of(const Options& o) {
     for (std::string label; std::getline(list, label, ',');) out.push_back(label);
   }
   if (out.size() != o.inputs.size())
-    throw cli::UsageError("labels", std::to_string(out.size()) + " of them for " +
-                                        counted(static_cast<std::int64_t>(o.inputs.size()), "input"));
-  if (!std::ranges::all_of(out, is_utf8)) throw cli::UsageError("labels", "they are not UTF-8");
+    throw cli::UsageError("labels", counted(std::ssize(out), "label") + " for " +
+                                        counted(std::ssize(o.inputs), "input") + ": give one for each");
+  if (!std::ranges::all_of(out, is_utf8)) throw cli::UsageError("labels", "is not valid UTF-8");
   return out;
 }
 
 plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   constexpr std::size_t most = 6;
-  if (o.inputs.size() > most) throw cli::UsageError("input", "more than 6 are not legible side by side");
-  if (std::ranges::count(o.inputs, "-") > 1) throw cli::UsageError("input", "standard input is given twice");
+  if (o.inputs.size() > most)
+    throw cli::UsageError("input", std::to_string(o.inputs.size()) + " inputs do not fit in one figure: " +
+                                       "give at most " + std::to_string(most));
+  if (std::ranges::count(o.inputs, "-") > 1)
+    throw cli::UsageError("input", "standard input (-) can be given only once");
   if (std::ranges::count(o.inputs, "-") == 1 && cli::stdin_is_terminal())
     throw cli::UsageError("input", "pipe a dataset in or name a file");
   const std::vector<std::string> labels = labels_of(o);
@@ -172,7 +179,7 @@ int draw(cli::Tool& tool, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-plot", "Draws figures of a dataset, or of several side by side, with gnuplot");
+  cli::Tool tool("asperity-plot", "Draws figures of one dataset, or of several side by side, with gnuplot");
   Options options;
   tool.arguments("INPUT", options.inputs, "FILE...",
                  "Datasets to draw on shared scales; - is standard input");
@@ -182,9 +189,11 @@ int main(int argc, char** argv) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
       "| asperity-plot --kind map -o heights.png");
   tool.accuracy(
-      "Maps and profiles show the values as they are. A section is linear between cells and between "
-      "depths; a surface of more than 128 points a side is thinned and says so; stretched axes say by how "
-      "much. The same dataset gives the same bytes with the same gnuplot and fonts. Letters are of 7 pt "
-      "where a figure of one, two, three columns of panels is printed 8, 11.5, 15 cm wide.");
+      "Maps and profiles show the values unchanged. Sections interpolate linearly between cells and between "
+      "depths. A surface of more than 128 points per side is thinned, and its title says so. Where an axis "
+      "is stretched, the title gives the factor. The same dataset gives the same bytes with the same "
+      "gnuplot and fonts. Letters are 7 pt high when 1, 2 or 3 columns are printed 8, 11.5 or 15 cm wide.");
+  tool.essential({"INPUT", "-o", "--kind", "--variable", "--section", "--x-range", "--y-range", "--range",
+                  "--title", "--labels", "--columns", "--pixels"});
   return tool.run(argc, argv, [&] { return draw(tool, options); });
 }

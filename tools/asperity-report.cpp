@@ -1,4 +1,4 @@
-// A dataset as one page for a reader: parameters, tables with errors, pictures, history.
+// Writes a dataset as one HTML page: parameters, tables with errors, pictures, history.
 #include <filesystem>
 #include <optional>
 
@@ -31,7 +31,7 @@ report::Group group_of(const cli::Tool& tool, const Sample& sample, Group group,
   return {title, {}, error.what()};
 }
 
-// A field that is broken is refused; of a sound one, whatever has a value.
+// A broken field is refused. Of a sound field, groups that cannot be computed give their reason instead.
 std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data, const Options& o,
                                      std::string& why_untold) {
   const bool absent = !data.has(o.measured.variable) && !tool.given("--variable");
@@ -52,9 +52,11 @@ std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data,
 
 std::string reference_of(const cli::Tool& tool, const cli::FieldOptions& o) {
   const bool word = o.level == "mean" || o.level == "plane";
-  std::string out = word ? "its " + o.level : "a polynomial of degree " + o.level;
-  if (tool.given("--lambda-s")) out += ", without waves below " + cli::format_quantity(o.short_cutoff, "m");
-  if (tool.given("--lambda-c")) out += ", without waves above " + cli::format_quantity(o.long_cutoff, "m");
+  std::string out = word ? "the " + o.level : "a polynomial of degree " + o.level;
+  if (tool.given("--lambda-s"))
+    out += ", waves below " + cli::format_quantity(o.short_cutoff, "m") + " removed";
+  if (tool.given("--lambda-c"))
+    out += ", waves above " + cli::format_quantity(o.long_cutoff, "m") + " removed";
   return out;
 }
 
@@ -76,7 +78,8 @@ int report_on(cli::Tool& tool, const Options& o) {
       !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
   if (!any)
     throw DataError("heights",
-                    "the dataset has none, and neither pressure, von_mises nor a kernel to report on");
+                    "the dataset has no such variable, nor pressure, von_mises or a kernel: "
+                    "give a dataset with one of them, or --variable NAME");
   cli::write_all(o.output, report::page({dataset, title_of(tool, o.title), o.measured.variable,
                                          reference_of(tool, o.measured), groups, untold}));
   return cli::done;
@@ -86,21 +89,23 @@ int report_on(cli::Tool& tool, const Options& o) {
 
 int main(int argc, char** argv) {
   cli::Tool tool("asperity-report",
-                 "Writes one self-contained HTML page on a dataset: the parameters in effect, tables with "
-                 "standard errors and 95 % intervals, what the solvers achieved, pictures and the history");
+                 "Writes one self-contained HTML page about a dataset: parameters, measured values with "
+                 "standard errors and 95 % intervals, accuracy of the solvers, pictures and history");
   Options options;
   tool.input();
   options.measured.declare(tool);
-  tool.text("--title", options.title, "TEXT", "Title (default: the file's name)", "Page");
-  tool.text("-o,--output", options.output, "FILE.html", "Where the page goes; - is standard output", "Page");
+  tool.text("--title", options.title, "TEXT", "Title of the page; default: file name", "Page");
+  tool.text("-o,--output", options.output, "FILE.html", "Output file; - is standard output", "Page");
   tool.threads();
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
       "| asperity-report -o surface.html");
   tool.accuracy(
-      "The numbers are those of asperity-stats (height, spatial, hybrid) with its errors, rounded to two "
-      "digits of the standard error or else to four; exact values in SI are in the page's data elements. "
-      "Pictures show the values as they are in the dataset, as asperity-plot draws them. The page fetches"
-      " nothing and runs no script; with SOURCE_DATE_EPOCH the same dataset gives the same bytes.");
+      "The numbers and errors are those of asperity-stats (height, spatial, hybrid), rounded to two digits "
+      "of the standard error, or to four digits without one; the page's data elements hold the exact SI "
+      "values. Pictures are those of asperity-plot and show the dataset unfiltered. The page loads nothing "
+      "and runs no script. With SOURCE_DATE_EPOCH, the same dataset gives the same bytes.");
+  tool.essential({"INPUT", "-o", "--title", "--variable", "--remove-form", "--lambda-s", "--lambda-c",
+                  "--correlation", "--threads", "--from", "--quiet"});
   return tool.run(argc, argv, [&] { return report_on(tool, options); });
 }

@@ -1,4 +1,4 @@
-/// Enumerations by their words: enum_words(Enum) has one a value, in the order of the values.
+/// Names of enumerations: enum_words(Enum) has one per value, in the order of the values.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ template <class Enum>
 requires requires(Enum value) { enum_words(value); }
 std::string_view name_of(Enum value) { return enum_words(value)[static_cast<std::size_t>(value)]; }
 
-/// Throws ParameterError(parameter) where the word is none of them.
+/// Throws ParameterError(parameter) for an unknown word.
 template <class Enum>
 Enum enum_named(std::string_view word, const char* parameter) {
   const auto words = enum_words(Enum{});
   std::string all;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (word == words[i]) return static_cast<Enum>(i);
-    all += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + std::string(words[i]);
+    all += (i == 0 ? "" : "|") + std::string(words[i]);
   }
   throw ParameterError(parameter, "'" + std::string(word) + "' is none of " + all);
 }

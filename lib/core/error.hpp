@@ -1,5 +1,5 @@
-/// What can be wrong with a request, in the user's words: the name of it, so that a tool can say "load: ..."
-/// in one line, and a text with the value and the bound that it breaks.
+/// Errors in a request: the name of the parameter or variable, so that a tool can print "load: ..." in one
+/// line, and a text with the value and the violated bound.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// A parameter outside its bounds. `name` is spelled as on the command line: words joined by hyphens.
+/// A parameter outside its bounds. `name` is spelled as on the command line, with hyphens.
 class ParameterError : public std::invalid_argument {
  public:
   ParameterError(std::string parameter, const std::string& message)
@@ -15,12 +15,12 @@ class ParameterError : public std::invalid_argument {
   std::string name;
 };
 
-/// Throws ParameterError unless it holds.
+/// Throws ParameterError unless `holds`.
 inline void check_parameter(bool holds, const char* parameter, const std::string& message) {
   if (!holds) throw ParameterError(parameter, message);
 }
 
-/// Data that cannot be used: a dataset, a variable or a field of it. `name` is the variable's.
+/// Unusable data: a dataset or one of its variables. `name` is that of the variable.
 class DataError : public std::runtime_error {
  public:
   DataError(std::string variable, const std::string& message)

@@ -1,5 +1,5 @@
-/// Where on a grid something is: the lines from the first to the last that hold any of it; on a periodic
-/// grid the fewest lines in a row that hold all of it, which may go on beyond the edge.
+/// Extent of something on a grid: the lines from the first to the last with any of it; on a periodic grid the
+/// shortest run of lines with all of it, which may continue across the edge.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Extent {
 
 using LineMask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-/// From the first to the last line that is marked.
+/// From the first to the last marked line.
 inline Extent extent(const LineMask& marked, bool periodic) {
   Index first = -1, last = -1, gap = 0, after_gap = 0;
   for (Index k = 0; k < marked.size(); ++k) {
@@ -32,7 +32,7 @@ inline Extent extent(const LineMask& marked, bool periodic) {
   return periodic && around.count < inside.count ? around : inside;
 }
 
-/// Along x and along y, of the cells where holds(value).
+/// Along x and along y, for the cells with holds(value).
 template <class Holds>
 std::array<Extent, 2> extents(const Field& f, Holds holds, bool periodic = false) {
   LineMask in_x = LineMask::Constant(f.rows(), false), in_y = LineMask::Constant(f.cols(), false);

@@ -16,7 +16,7 @@ namespace asperity {
 
 using Index = Eigen::Index;
 
-/// A count as the standard library takes it.
+/// A count in the type of the standard library.
 constexpr std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
 /// A quantity per cell, nx × ny, row-major (y fastest).
@@ -37,7 +37,7 @@ inline std::string text(Shape s) { return std::to_string(s.nx) + "x" + std::to_s
 struct Grid {
   Shape shape;
   double dx = 0, dy = 0;  ///< spacing [m]
-  bool periodic = false;  ///< the domain repeats itself in x and in y
+  bool periodic = false;  ///< the domain repeats in x and in y
 
   double x(Index i) const { return (static_cast<double>(i) + 0.5) * dx - 0.5 * size_x(); }
   double y(Index j) const { return (static_cast<double>(j) + 0.5) * dy - 0.5 * size_y(); }

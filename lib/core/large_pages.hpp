@@ -1,5 +1,5 @@
-/// Memory for large arrays in pages of 2 MiB, where the system has them on request: the first touch of a page
-/// costs half a microsecond, as much as copying it.
+/// Memory for large arrays in pages of 2 MiB, if the system provides them on request: the first access to a
+/// page costs half a microsecond, as much as copying it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// Of memory that has not been touched yet; small blocks, and a system that refuses, are left as they are.
+/// For memory not yet accessed; has no effect on small blocks, or if the system refuses.
 inline void prefer_large_pages(void* memory, std::size_t bytes) {
   constexpr std::size_t page = std::size_t{2} << 20;
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;

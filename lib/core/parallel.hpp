@@ -1,5 +1,5 @@
-/// Loops over independent pieces on several threads, in contiguous runs, one a thread. Nothing is reduced
-/// across threads: a result never depends on their number.
+/// Loops over independent pieces on several threads, in contiguous runs, one per thread. There are no
+/// reductions across threads: results do not depend on their number.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace asperity {
 
-/// Threads for a request on the command line: 0 stands for all that the machine has.
+/// Number of threads for a request on the command line; 0: all of the machine.
 inline int resolve_threads(int requested) {
   return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Calls run(begin, end, worker) on runs that cover [0, count); worker < threads tells buffers apart. Costs
-/// 30 µs a thread. Rethrows the first exception. The run of a thread that cannot be started, for want of
-/// memory, is the caller's.
+/// Calls run(begin, end, worker) on runs that cover [0, count); worker < threads selects a buffer. Costs 30
+/// µs per thread. Rethrows the first exception. If a thread cannot start for lack of memory, the caller does
+/// its run.
 template <class Run>
 void parallel_ranges(Index count, int threads, Run run) {
   const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));

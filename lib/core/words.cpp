@@ -9,7 +9,7 @@
 namespace asperity {
 namespace {
 
-// The bytes of the character that UTF-8 text begins with; 0 where it is none.
+// The bytes of the first character of UTF-8 text; 0 if it is invalid.
 std::size_t size_of_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0), second = byte(1);
@@ -41,8 +41,8 @@ void for_each_character(std::string_view text, const auto& visit) {
   }
 }
 
-// Control characters of both sets, the soft hyphen, ends of lines and paragraphs, marks and overrides of
-// direction, what joins words without a trace, the mark of byte order, and the two that are none.
+// Control characters of both sets, the soft hyphen, line and paragraph separators, direction marks and
+// overrides, invisible joiners, the byte-order mark, and the two noncharacters.
 bool speaks(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return first < 0x20 || first == 0x7f;
@@ -79,7 +79,7 @@ std::string in_digits(double value, int most) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value, general, most).ptr};
 }
 
-// from_chars does not say which of the two it is. Not in the language that a process may have chosen.
+// from_chars does not tell which of the two it is. Independent of the locale of the process.
 double beyond_range(std::string_view number) {
   static const locale_t c = ::newlocale(LC_ALL_MASK, "C", nullptr);
   return ::strtod_l(std::string(number).c_str(), nullptr, c);

@@ -32,7 +32,7 @@ void transpose(const T* from, T* to, Index rows, Index columns) {
     }
 }
 
-// Matrix by matrix; a variable whose values are elsewhere has none.
+// Matrix by matrix; a variable with its values still in the file has none.
 void swap_last_two(const Dataset& dataset, Variable& variable) {
   auto& slow = variable.dimensions[variable.dimensions.size() - 2];
   auto& fast = variable.dimensions.back();
@@ -48,7 +48,7 @@ void swap_last_two(const Dataset& dataset, Variable& variable) {
       variable.values);
 }
 
-// Whether there was anything to swap.
+// Returns whether anything was swapped.
 bool swap_axes(Dataset& dataset, const char* slow, const char* fast) {
   bool any = false;
   for (Variable& variable : dataset.variables)
@@ -59,7 +59,7 @@ bool swap_axes(Dataset& dataset, const char* slow, const char* fast) {
   return any;
 }
 
-// Of every variable that lies on the dimension, along it.
+// Reverses every variable on the dimension along it.
 void reverse_along(Dataset& dataset, std::string_view dimension) {
   const Index points = dataset.length(dimension);
   for (Variable& variable : dataset.variables) {
@@ -95,7 +95,7 @@ bool descends(const Variable& axis) {
   return values.size() > 1 && values.back() < values.front();
 }
 
-// A coordinate z that is positive in one direction, into the other; layers run downwards, of heights upwards.
+// Changes the positive direction of the coordinate z; depths and heights both ascend.
 void turn(Dataset& dataset, std::string_view from, std::string_view to, std::string_view words) {
   Variable* z = dataset.find("z");
   if (!z || z->dimensions != Names{"z"} || z->attributes.text("positive") != from) return;
@@ -111,7 +111,7 @@ void turn(Dataset& dataset, std::string_view from, std::string_view to, std::str
   if (descends(*z)) reverse_along(dataset, "z");
 }
 
-// A depth that is not said to be one may be a height, and stays.
+// A z without the attribute positive = "down" may be a height, and stays.
 bool is_own_axis(const Variable& v) {
   constexpr std::string_view lateral[] = {
       "x", "y", "p", "q", "k", "l", "lag_x", "lag_y", "wave_number_x", "wave_number_y"};
@@ -120,7 +120,7 @@ bool is_own_axis(const Variable& v) {
          (v.name == "z" && v.attributes.text("positive") == "down");
 }
 
-// Rows of pictures often run downwards: each value keeps its coordinate.
+// Rows of images often descend; each value keeps its coordinate.
 void let_ascend(Dataset& dataset) {
   Names turned;
   for (const Variable& v : dataset.variables) {
@@ -129,8 +129,9 @@ void let_ascend(Dataset& dataset) {
     reverse_along(dataset, v.name);
   }
   if (turned.empty()) return;
-  dataset.notes.push_back(fmt::format("{} turned around with all that lay on {} descended",
-                                      fmt::join(turned, ", "), turned.size() > 1 ? "them: they" : "it: it"));
+  dataset.notes.push_back(fmt::format("descending coordinate{} {} reversed, with all values on {}",
+                                      turned.size() > 1 ? "s" : "", fmt::join(turned, ", "),
+                                      turned.size() > 1 ? "them" : "it"));
   add_history(dataset, dataset.notes.back());
 }
 

@@ -46,7 +46,7 @@ char* Bytes::room(std::size_t more) {
   return data_ + size_;
 }
 
-// Address space alone: what is not touched takes no memory.
+// Reserves address space only: untouched pages take no memory.
 void Bytes::grow(std::size_t capacity) {
   void* grown = data_ ? ::mremap(data_, capacity_, capacity, MREMAP_MAYMOVE)
                       : ::mmap(nullptr, capacity, PROT_READ | PROT_WRITE,
@@ -61,8 +61,7 @@ void refuse_rest(std::string_view rest, const std::string& variable) {
   if (std::ranges::all_of(rest, [](char c) { return c == '\0'; })) return;
   throw DataError(variable,
                   std::to_string(rest.size()) +
-                      " bytes follow its end, perhaps those of another one: give each in a file, or a "
-                      "stream, of its own");
+                      " bytes follow its end, perhaps a second one: give each in its own file or stream");
 }
 
 }  // namespace asperity

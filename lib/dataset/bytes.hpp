@@ -1,4 +1,4 @@
-/// Bytes that were read, and those that should not have been there.
+/// Bytes of a file, and the check for surplus bytes.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace asperity {
 
-/// They grow in place, and no memory is touched before it is filled.
+/// Bytes that grow in place; memory is not touched before it is filled.
 class Bytes {
  public:
   Bytes() = default;
-  /// A file's, to be read alone, when they are looked at. None where it cannot be mapped, as a pipe cannot.
+  /// A file mapped read-only. Empty if it cannot be mapped, such as a pipe.
   static Bytes mapped(const std::string& path);
   ~Bytes();
   Bytes(Bytes&& other) noexcept;
@@ -20,7 +20,7 @@ class Bytes {
 
   operator std::string_view() const { return {data_, size_}; }
   std::size_t size() const { return size_; }
-  /// Room for `more` bytes behind those that there are, zeros at first; add() says how many were written.
+  /// Room for `more` bytes after the present ones, initially zero; add() tells how many were written.
   char* room(std::size_t more);
   void add(std::size_t more) { size_ += more; }
 
@@ -31,8 +31,8 @@ class Bytes {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map unless all are
-/// zeros, which pad it: `cat a.nc b.nc | asperity-stats` would else lose the second without a word.
+/// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map, unless all are
+/// zeros of padding: `cat a.nc b.nc | asperity-stats` would otherwise ignore the second dataset.
 void refuse_rest(std::string_view rest, const std::string& variable);
 
 }  // namespace asperity

@@ -1,10 +1,10 @@
-/// What the tools write into a dataset: one table of results, their variables and their global attributes.
+/// The table of results that the tools write into a dataset, with their variables and global attributes.
 ///
-/// A result is what one run computes together. It rests on another one when it was computed from it:
+/// A result is computed by one run. It depends on the results that it was computed from:
 ///
 ///     kernel ← heights ← contact ← residual, stress          acf, psd ← the field that was measured
 ///
-/// What the table does not name is a user's own.
+/// Other names belong to the user.
 #pragma once
 
 #include <span>
@@ -12,39 +12,39 @@
 
 namespace asperity {
 
-/// A name of the table may end in *, which is any rest.
+/// A name in the table may end in *, which matches any rest.
 bool fits(std::string_view pattern, std::string_view name);
 
 struct KnownResult {
-  std::string_view name, rests_on;  ///< itself, and the results that it rests on, between blanks
+  std::string_view name, rests_on;  ///< its name, and the results it depends on, separated by blanks
   std::string_view prefix;          ///< of its attributes
-  std::string_view variables;       ///< its own, between blanks
+  std::string_view variables;       ///< its own, separated by blanks
 };
 
-/// What a number is: asked for, computed, said by a solver of itself, or none that a report has a place for.
+/// The role of a number: parameter, result, accuracy reached by a solver, or not part of a report.
 enum class Role { parameter, result, achieved, other };
 
 struct KnownAttribute {
   std::string_view name;
   Role role;
-  /// SI; "sample" counts cells of x and of y, "yes" is 0 or 1, "height" m or, of unit heights, 1; "" of text.
+  /// SI; "sample": cells of x and y, "yes": 0 or 1, "height": m, or 1 for unit heights; "" for text.
   std::string_view unit;
   std::string_view label;  ///< in words
-  bool open = false;       ///< it may be infinite, or not known, which is NaN
+  bool open = false;       ///< may be infinite, or NaN: unknown
 };
 
 std::span<const KnownResult> known_results();
-/// In the order in which the tools run, of each tool that in which a reader asks.
+/// In the order of the tools, and for each tool in the order of interest.
 std::span<const KnownAttribute> known_attributes();
 
-/// Null where the name is a user's own.
+/// Null for a name of the user.
 const KnownAttribute* known_attribute(std::string_view name);
-/// The result that a variable, or an attribute, belongs to; null where the name is a user's own.
+/// The result that a variable or an attribute belongs to; null for a name of the user.
 const KnownResult* result_of_variable(std::string_view name);
 const KnownResult* result_of_attribute(std::string_view name);
-/// Of the name of either.
+/// The same for a variable or an attribute.
 const KnownResult* result_of(std::string_view name);
-/// What a variable must measure where a tool reads it by its name; "": anything.
+/// The unit that a variable of this name must have, up to a factor; "": any.
 std::string_view unit_needed(std::string_view variable);
 
 }  // namespace asperity

@@ -13,14 +13,14 @@ enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attribut
 
 [[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
 
-// NC_MAX_NAME and NC_MAX_VAR_DIMS: libnetcdf's room for what it returns, beyond which it writes all the same.
+// NC_MAX_NAME and NC_MAX_VAR_DIMS: sizes of libnetcdf's buffers, which it overruns.
 constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
-// NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf looks for each name among all before it.
+// NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf compares each name with all before it.
 constexpr std::uint64_t longest_list = 8192;
 
 std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
 
-// Reads from the front of the bytes, and never beyond them.
+// Reads bytes in order, and never beyond their end.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {
@@ -32,7 +32,7 @@ class Reader {
   std::size_t size() const { return bytes_.size(); }
   std::size_t place() const { return place_; }
   std::size_t count_width() const { return count_width_; }
-  /// What a streaming writer leaves in place of the number of records.
+  /// The number of records in a file written as a stream.
   std::uint64_t greatest_count() const { return ~std::uint64_t{0} >> (64 - 8 * count_width_); }
 
   std::uint64_t count() { return number(count_width_); }
@@ -45,22 +45,27 @@ class Reader {
   }
   void skip_name() {
     const std::uint64_t length = count();
-    if (length > longest_name) refuse("its head has a name of " + std::to_string(length) + " bytes");
+    if (length > longest_name)
+      refuse("the header has a name of " + std::to_string(length) + " bytes, more than " +
+             std::to_string(longest_name));
     skip_padded(length, 1);
   }
   /// The number of elements of a list, each of which has at least `least` words.
   std::uint64_t list(Tag tag, std::uint64_t least) {
     const std::uint32_t found = word();
     const std::uint64_t n = count();
-    if (found != tag && (found != absent || n != 0)) refuse("its head is no NetCDF's");
+    if (found != tag && (found != absent || n != 0)) refuse("the header is damaged");
     if (n > left() / (4 * least)) refuse_cut_short();
     if (n > longest_list)
-      refuse("its head lists " + std::to_string(n) + " things of a kind, more than the " +
-             std::to_string(longest_list) + " that are read");
+      refuse("the header has " + std::to_string(n) +
+             (tag == dimensions  ? " dimensions"
+              : tag == variables ? " variables"
+                                 : " attributes") +
+             ", more than " + std::to_string(longest_list));
     return n;
   }
 
-  /// a b bytes, and the end of such as begin at a place, which must be in the file.
+  /// a b bytes, and the end of bytes that begin at `first`; both must be within the file.
   std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
     if (a != 0 && b > size() / a) refuse_cut_short();
     return a * b;
@@ -72,8 +77,7 @@ class Reader {
 
  private:
   [[noreturn]] void refuse_cut_short() const {
-    refuse("its header claims more than the " + std::to_string(size()) +
-           " bytes that there are: it is cut short");
+    refuse("the file is cut short: its header needs more than " + std::to_string(size()) + " bytes");
   }
   std::size_t left() const { return size() - place_; }
   void skip(std::uint64_t bytes) {
@@ -95,7 +99,8 @@ class Reader {
 // The bytes of a number of an external type, NC_BYTE = 1 to NC_UINT64 = 11.
 std::uint64_t size_of_type(std::uint32_t type) {
   constexpr std::array<std::uint64_t, 12> sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-  if (type == 0 || type >= sizes.size()) refuse("its head has a type that no classic NetCDF has");
+  if (type == 0 || type >= sizes.size())
+    refuse("number type " + std::to_string(type) + " in the header is not supported");
   return sizes[type];
 }
 
@@ -107,14 +112,14 @@ void check_attributes(Reader& reader) {
   }
 }
 
-// Where the values of a variable lie, of one record if it has records, and where the head tells it.
+// The position of a variable's values (of one record, if it has records), and of that entry in the header.
 struct Extent {
   std::uint64_t begin = 0, bytes = 0;
   bool records = false;
   std::size_t told = 0;
 };
 
-// The length of a dimension, 0 of that of records, and where the head tells it.
+// The length of a dimension, 0 for records, and the position of that entry in the header.
 struct Length {
   std::uint64_t points = 0;
   std::size_t told = 0;
@@ -131,10 +136,12 @@ Extent take_variable(Reader& reader, const std::vector<Length>& lengths) {
   reader.skip_name();
   std::uint64_t cells = 1;
   const std::uint64_t rank = reader.count();
-  if (rank > highest_rank) refuse("its head has a variable of " + std::to_string(rank) + " dimensions");
+  if (rank > highest_rank)
+    refuse("the header has a variable of " + std::to_string(rank) + " dimensions, more than " +
+           std::to_string(highest_rank));
   for (std::uint64_t d = 0; d < rank; ++d) {
     const std::uint64_t id = reader.count();
-    if (id >= lengths.size()) refuse("its head names a dimension that there is not");
+    if (id >= lengths.size()) refuse("the header is damaged: a variable has an unknown dimension");
     if (d == 0 && lengths[id].points == 0)
       out.records = true;
     else
@@ -162,8 +169,8 @@ Head take_head(Reader& reader) {
   return out;
 }
 
-// The end of all values. Records follow each other, each of all variables that have them, padded unless there
-// is one such variable; those whose number is not told reach to the end.
+// The end of all values. Each record holds all variables with records, padded if there are several. An
+// unknown number of records reaches to the end of the file.
 std::uint64_t end_of_values(const Reader& reader, const Head& head) {
   std::uint64_t end = 0, record = 0, last = 0, in_records = 0;
   for (const Extent& e : head.extents)

@@ -1,9 +1,9 @@
-/// The head of a NetCDF file in its classic formats (CDF-1, CDF-2, CDF-5), before the library reads it.
+/// Checks the header of a NetCDF file in the classic formats (CDF-1, CDF-2, CDF-5) before the library reads
+/// it.
 ///
-/// The library takes memory for as many names, attributes and variables as the head claims, and beyond the
-/// end of a file on disk it reads zeros. Here every count is compared with the bytes that are left, so that a
-/// head that passes needs memory of the order of its own length, and the values of every variable must end
-/// within the file.
+/// The library allocates memory for as many names, attributes and variables as the header claims, and reads
+/// zeros beyond the end of a file on disk. Here every count is compared with the remaining bytes, so that an
+/// accepted header needs memory proportional to its length, and all variables end within the file.
 ///
 ///     head = magic numrecs list(dimension) list(attribute) list(variable)
 ///     list = tag count element…     name = length text padding
@@ -19,12 +19,12 @@
 
 namespace asperity {
 
-/// Throws DataError("dataset", …) for a classic file whose head claims more or less than there is.
+/// Throws DataError("dataset", …) for a classic file whose header claims more or fewer bytes than it has.
 void check_classic_head(std::string_view bytes);
 
-/// The head at the front of a file of CDF-2 or CDF-5, for dimensions of these lengths and variables whose
-/// values (of one record, where the length of their first dimension is and stays 0) have these bytes: they
-/// follow it in order, each padded to four bytes.
+/// The header of a CDF-2 or CDF-5 file, changed to dimensions of these lengths and variables of these sizes
+/// in bytes (of one record, if the length of the first dimension is and stays 0). The values follow in order,
+/// each padded to four bytes.
 std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
                          const std::vector<std::uint64_t>& bytes);
 

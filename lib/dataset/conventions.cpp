@@ -23,21 +23,23 @@ bool is_floating(const Values& values) {
 }
 
 [[noreturn]] void refuse(const Variable& variable, const std::string& attribute, const std::string& what) {
-  throw DataError(variable.name, "its " + attribute + " is " + what + "; correct it in the file (ncatted)");
+  throw DataError(variable.name,
+                  "attribute " + attribute + " is " + what + ": correct it in the file (ncatted)");
 }
 
 std::string text_of(double value) { return in_digits(value, 6); }
 
-// The Users Guide's: the least number but one if it has a sign, else the greatest (but one of 64 bits).
+// As in the Users Guide: the second smallest number of signed types, the largest of unsigned types; for 64
+// bits the next one.
 template <class T>
 constexpr T default_fill() {
   if constexpr (std::is_floating_point_v<T>) return static_cast<T>(default_of_doubles);
-  constexpr T beyond = sizeof(T) == 8;  // 64 bits keep a number more
+  constexpr T beyond = sizeof(T) == 8;  // 64 bits: one further
   return static_cast<T>(std::is_signed_v<T> ? std::numeric_limits<T>::min() + 1 + beyond
                                             : std::numeric_limits<T>::max() - beyond);
 }
 
-// None of bytes and text.
+// Empty for bytes and text.
 Values default_fill_of(const Values& values) {
   return std::visit(
       []<class List>(const List&) -> Values {
@@ -47,7 +49,7 @@ Values default_fill_of(const Values& values) {
       values);
 }
 
-// A number as the type has it; nothing where a whole number cannot be it.
+// The number in this type; nothing if an integer type cannot hold it.
 template <class T>
 std::optional<T> as(double value) {
   if constexpr (std::is_floating_point_v<T>) return static_cast<T>(value);
@@ -56,7 +58,7 @@ std::optional<T> as(double value) {
   return fits && value == std::nearbyint(value) ? std::optional(static_cast<T>(value)) : std::nullopt;
 }
 
-// A list of the one number, of the type of these values; an empty one where it is none of them.
+// A list of one number in the type of these values; empty if the type cannot hold it.
 Values alone(double number, const Values& values) {
   return std::visit(
       [&]<class List>(const List&) -> Values {
@@ -71,7 +73,7 @@ std::optional<double> among(const Values& values, double number) {
   return list.empty() ? std::nullopt : std::optional(list[0]);
 }
 
-// The same bits of whole numbers, with a sign or without.
+// The same bits read as signed or unsigned integers.
 template <class List>
 Values with_sign(const List& list, bool sign) {
   using T = typename List::value_type;
@@ -82,7 +84,7 @@ Values with_sign(const List& list, bool sign) {
   return list;
 }
 
-// Of the numbers that are there, in the type of the values.
+// The range of the numbers that are not missing, in the type of the values.
 void set_range(Variable& variable) {
   const double mark = mark_of(variable);
   const Values range = std::visit(
@@ -101,12 +103,11 @@ void set_range(Variable& variable) {
   variable.attributes.set_values("actual_range", range);
 }
 
-// The Users Guide has them in the unpacked values, CF in the packed whole ones.
+// In the Users Guide bounds refer to unpacked values, in CF to packed integers.
 void refuse_floating_bounds(const Variable& variable) {
   for (const char* attribute : {"valid_range", "valid_min", "valid_max"})
     if (const Values* values = variable.attributes.find(attribute); values && is_floating(*values))
-      refuse(variable, attribute,
-             "of floating numbers beside packed whole ones: CF has it in the packed ones and of their type");
+      refuse(variable, attribute, "floating-point for packed integers; CF needs it in the packed type");
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ std::vector<double> present_numbers(const Variable& variable) {
   return out;
 }
 
-// ---- what a variable says ----
+// ---- attributes of a variable ----
 
 Conventions::Conventions(const Variable& packed) {
   if (is_text(packed.values)) return;
@@ -138,7 +139,7 @@ Conventions::Conventions(const Variable& packed) {
 std::vector<double> Conventions::numbers_in(const Variable& variable, const char* attribute) const {
   const Values* values = variable.attributes.find(attribute);
   if (!values) return {};
-  if (is_text(*values)) refuse(variable, attribute, "text where a number belongs");
+  if (is_text(*values)) refuse(variable, attribute, "text instead of a number");
   if (count(*values) == 0) refuse(variable, attribute, "empty");
   return numbers(values->index() == variable.values.index() ? own_type(*values) : *values);
 }
@@ -153,11 +154,11 @@ void Conventions::take_sign(const Variable& variable) {
   own_ = std::visit([]<class List>(const List&) -> Values { return List(); }, variable.values);
   if (!variable.attributes.find("_Unsigned")) return;
   const std::string word = variable.attributes.text("_Unsigned");
-  if (word != "true" && word != "false") refuse(variable, "_Unsigned", "neither true nor false");
+  if (word != "true" && word != "false") refuse(variable, "_Unsigned", "not true or false");
   own_ = std::visit([&](const auto& list) { return with_sign(list, word == "false"); }, own_);
 }
 
-// What is of the variable's own type has the sign that its values are meant with.
+// Attributes of the variable's own type have the intended sign of its values.
 Values Conventions::own_type(const Values& values) const {
   const bool sign =
       std::visit([]<class List>(const List&) { return std::is_signed_v<typename List::value_type>; }, own_);
@@ -179,13 +180,14 @@ void Conventions::take_range(const Variable& variable) {
   std::vector<double> range = numbers_in(variable, "valid_range");
   if (range.empty()) range = {least_, greatest_};
   if (range.size() != 2)
-    refuse(variable, "valid_range", "a list of " + std::to_string(range.size()) + " numbers, not of two");
+    refuse(variable, "valid_range", "a list of " + std::to_string(range.size()) + " numbers instead of 2");
   range[0] = std::max(number_in(variable, "valid_min").value_or(range[0]), range[0]);
   range[1] = std::min(number_in(variable, "valid_max").value_or(range[1]), range[1]);
   if (doubles_ && !is_floating(own_)) refuse_floating_bounds(variable);
   if (!(range[0] <= range[1]))
-    refuse(variable, "valid range", text_of(range[0]) + " to " + text_of(range[1]) + ", which holds nothing");
-  const bool single = std::holds_alternative<std::vector<float>>(own_);  // their 0.1 is none of doubles
+    refuse(variable, "valid_range", text_of(range[0]) + " to " + text_of(range[1]) + ", which is empty");
+  const bool single =
+      std::holds_alternative<std::vector<float>>(own_);  // 0.1 as float differs from 0.1 as double
   least_ = single ? static_cast<double>(static_cast<float>(range[0])) : range[0];
   greatest_ = single ? static_cast<double>(static_cast<float>(range[1])) : range[1];
 }
@@ -193,7 +195,7 @@ void Conventions::take_range(const Variable& variable) {
 void Conventions::take_marks(const Variable& variable) {
   if (const auto fill = number_in(variable, "_FillValue")) {
     const auto mark = among(own_, *fill);
-    if (!mark) refuse(variable, "_FillValue", text_of(*fill) + ", which is no number of its type");
+    if (!mark) refuse(variable, "_FillValue", text_of(*fill) + ", which its type cannot hold");
     marks_.push_back(*mark);
     plain_ = plain_ && variable.attributes.find("_FillValue")->index() == own_.index();
   }
@@ -204,7 +206,7 @@ void Conventions::take_marks(const Variable& variable) {
   if (!given) marks_.insert(marks_.end(), fill.begin(), fill.end());
   if (!marks_.empty()) mark_ = marks_[0];
   const bool bounded = std::isfinite(least_) || std::isfinite(greatest_);
-  if (!mark_ && bounded) doubles_ = true;  // bytes: none of them can be taken for a mark
+  if (!mark_ && bounded) doubles_ = true;  // bytes: no number can be the mark
   if (doubles_ && (mark_ || bounded)) mark_ = default_of_doubles;
 }
 

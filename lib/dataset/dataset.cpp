@@ -42,9 +42,9 @@ void Attributes::set(std::string_view name, std::string_view text) { set_values(
 void Attributes::set(std::string_view name, double number) {
   const KnownAttribute* known = std::isfinite(number) ? nullptr : known_attribute(name);
   if (!std::isfinite(number) && !(known && known->open))
-    throw DataError(std::string(name), std::string("it comes out ") +
-                                           (std::isnan(number) ? "as no number" : "infinite") +
-                                           ": what is asked for leaves the range of doubles");
+    throw DataError(std::string(name), std::string("the result is ") +
+                                           (std::isnan(number) ? "not a number" : "infinite") +
+                                           ": the parameters exceed double precision");
   set_values(name, std::vector<double>{number});
 }
 void Attributes::set(std::string_view name, int number) {

@@ -1,6 +1,6 @@
-/// A dataset in memory: dimensions, variables and attributes, in the order in which they stand in the file.
+/// A dataset in memory: dimensions, variables and attributes in the order of the file.
 ///
-/// It is plain data: what Asperity does not understand is kept, its type included, and written again.
+/// It is plain data: unknown variables and attributes pass through unchanged, with their types.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ using Values = std::variant<std::string, std::vector<std::int8_t>, std::vector<s
 
 /// Number of elements.
 std::size_t count(const Values& values);
-/// Their bytes.
+/// Number of bytes.
 std::size_t size_in_memory(const Values& values);
 
 struct Attribute {
@@ -29,20 +29,20 @@ struct Attribute {
   Values values;
 };
 
-/// Named attributes in order; setting one that exists replaces its value where it stands.
+/// Named attributes in order; setting an existing one replaces its value in place.
 class Attributes {
  public:
   void set(std::string_view name, std::string_view text);
-  /// Throws DataError(name, …) for a number that is not finite, unless by the catalogue it may be.
+  /// Throws DataError(name, …) for a number that is not finite, unless the catalogue allows it.
   void set(std::string_view name, double number);
   void set(std::string_view name, int number);
   void set_values(std::string_view name, Values values);
   void erase(std::string_view name);
 
   const Values* find(std::string_view name) const;
-  /// The text, or "" when there is no such attribute or it is a number.
+  /// The text, or "" if there is no such attribute or it is a number.
   std::string text(std::string_view name) const;
-  /// The first number, or `otherwise` when there is none.
+  /// The first number, or `otherwise` if there is none.
   double number(std::string_view name, double otherwise) const;
 
   auto begin() const { return list_.begin(); }
@@ -70,15 +70,15 @@ class Dataset {
   std::vector<Dimension> dimensions;
   std::vector<Variable> variables;
   Attributes attributes;  ///< global
-  /// What a reader settled that its user may want to know, a line each; of no file.
+  /// Notes of the reader for the user, one line each; not part of the file.
   std::vector<std::string> notes;
 
   bool has(std::string_view variable) const { return find(variable) != nullptr; }
   const Variable* find(std::string_view variable) const;
   Variable* find(std::string_view variable);
-  /// The variable; throws DataError naming it when there is none.
+  /// The variable; throws DataError with its name if there is none.
   const Variable& at(std::string_view variable) const;
-  /// Adds the variable, or replaces the one of that name where it stands.
+  /// Adds the variable, or replaces the one of that name in place.
   Variable& put(Variable variable);
   void erase(std::string_view variable);
 
@@ -87,7 +87,7 @@ class Dataset {
 
   /// The length of a dimension, or -1.
   Index length(std::string_view dimension) const;
-  /// Adds a dimension, or changes its length after erasing every variable that uses it with another length.
+  /// Adds a dimension, or changes its length and erases every variable on it with another length.
   void set_dimension(std::string_view name, Index length);
 };
 

@@ -14,10 +14,10 @@ FieldFile::FieldFile(const std::string& path, std::string_view variable, const M
       grid_(grid_of(dataset_)),
       variable_(variable) {
   if (dataset().at(variable_).dimensions != std::vector<std::string>{"x", "y"})
-    throw DataError(variable_, "it does not lie on (x, y)");
+    throw DataError(variable_, "is not a field on (x, y)");
 }
 
-// A dataset of its own with the coordinates of the part, read as any other.
+// A dataset of the part with its coordinates, read like any other.
 Field FieldFile::part(std::string_view axis, Index first, Index count) const {
   const Dataset& in_file = file_.dataset();
   const std::vector<double> points = numbers(in_file.at(axis).values);

@@ -1,5 +1,5 @@
-/// A dataset whose fields, on (x, y) or (y, x), stay in the file and are read by whole rows: for fields
-/// larger than memory. Everything else, coordinates, tables and attributes, is read.
+/// A dataset with its fields, on (x, y) or (y, x), left in the file and read by whole rows: for fields larger
+/// than memory. Coordinates, tables and attributes are read at once.
 #pragma once
 
 #include <string>
@@ -13,13 +13,14 @@ namespace asperity {
 
 class FieldFile {
  public:
-  /// A regular file; throws DataError as decode_netcdf does, and for a variable that field_of would refuse.
+  /// Opens a regular file. Throws DataError like decode_netcdf, and for a variable that field_of would
+  /// refuse.
   FieldFile(const std::string& path, std::string_view variable, const MemoryBound& memory = {});
 
   /// In Asperity's order, without the values of fields.
   const Dataset& dataset() const { return dataset_; }
   const Grid& grid() const { return grid_; }
-  /// `count` rows from `first` on in SI, missing points NaN. Throws DataError when one is infinite.
+  /// `count` rows from `first` in SI, NaN for missing points. Throws DataError when a value is infinite.
   Field rows(Index first, Index count) const { return part("x", first, count); }
   Field columns(Index first, Index count) const { return part("y", first, count); }
 

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/large_pages.hpp"
+#include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
 
@@ -20,11 +21,11 @@ using Names = std::vector<std::string>;
 
 using List = Eigen::Map<const Eigen::ArrayXd>;
 
-// A sum of zeros, unless a value is not finite: the looking costs less than the range.
+// 0 · values sums to 0 unless a value is not finite; this check is cheaper than the range.
 void refuse_results(const std::string& name, const List& values, Missing missing) {
   if ((0.0 * values).sum() == 0 || (missing != Missing::refused && !values.isInf().any())) return;
-  throw DataError(name, fmt::format("a value comes out {}: what is asked for leaves the range of doubles",
-                                    values.isInf().any() ? "infinite" : "as no number"));
+  throw DataError(name, fmt::format("a result is {}: the parameters exceed double precision",
+                                    values.isInf().any() ? "infinite" : "not a number"));
 }
 
 void set_actual_range(Variable& variable, const List& values) {
@@ -51,7 +52,7 @@ Variable coordinate(std::string_view name, std::vector<double> values, std::stri
   return make(name, {std::string(name)}, std::move(values), {unit, words});
 }
 
-// Whether two coordinates have the same points, but for six digits.
+// Whether two coordinates have the same points, to six digits.
 bool same_points(const Variable& one, const Variable& other) try {
   const double factor = unit_factor(unit_of(one), unit_of(other));
   const std::vector<double> a = numbers(one.values), b = numbers(other.values);
@@ -62,7 +63,7 @@ bool same_points(const Variable& one, const Variable& other) try {
   return false;
 }
 
-// In place of a former one, and of whatever stood on its points if these are others.
+// Replaces a former coordinate; if its points differ, removes the variables on it.
 void put_coordinate(Dataset& dataset, Variable axis) {
   const std::string name = axis.name;
   dataset.set_dimension(name, static_cast<Index>(count(axis.values)));
@@ -75,10 +76,10 @@ void put_coordinate(Dataset& dataset, Variable axis) {
 
 std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()}; }
 
-// The variable's two dimensions as a field, NaN where its mark stands.
+// A variable on two dimensions as a field, NaN for its mark.
 Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
   if (std::holds_alternative<std::string>(variable.values))
-    throw DataError(variable.name, "it holds text, not numbers");
+    throw DataError(variable.name, "contains text instead of numbers");
   const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
   Field out(rows, columns);
   prefer_large_pages(out.data(), static_cast<std::size_t>(out.size()) * sizeof(double));
@@ -107,15 +108,16 @@ void refuse_not_finite(const std::string& name, const Field& values, Missing mis
                                     std::isnan(*at) ? "not a number" : "infinite"));
 }
 
-// Marks have become NaN: only where there is one are they counted.
+// Marks have become NaN and are counted only if there is a NaN.
 void refuse_missing(const Dataset& dataset, const Variable& variable, const Field& values) {
   const auto refuse = [&](std::ptrdiff_t number, std::string_view how) {
     if (number > 0)
-      throw DataError(variable.name,
-                      fmt::format("{} of its points are {} and none is made up for them", number, how));
+      throw DataError(variable.name, fmt::format("{} {}: fill or crop the map with asperity-convert",
+                                                 counted(number, "point"), how));
   };
   if (const Variable* mask = dataset.find("mask"))
-    refuse(std::ranges::count_if(numbers(mask->values), [](double v) { return v != 0; }), "masked");
+    refuse(std::ranges::count_if(numbers(mask->values), [](double v) { return v != 0; }),
+           "masked as missing");
   if (!values.hasNaN()) return;
   const bool filled = variable.attributes.find("_FillValue"),
              named = variable.attributes.find("missing_value");
@@ -125,11 +127,11 @@ void refuse_missing(const Dataset& dataset, const Variable& variable, const Fiel
                                                                               : "missing (never written)");
 }
 
-// NaN wherever the mask says that there is no value.
+// Sets masked points to NaN.
 void leave_out_masked(const Dataset& dataset, const Variable& variable, Field& values) {
   const Variable* mask = dataset.find("mask");
   if (!mask) return;
-  if (mask->dimensions != variable.dimensions) throw DataError("mask", "it does not lie on (x, y)");
+  if (mask->dimensions != variable.dimensions) throw DataError("mask", "is not a field on (x, y)");
   values = (matrix(dataset, *mask, 1.0) != 0).select(std::numeric_limits<double>::quiet_NaN(), values);
 }
 
@@ -158,7 +160,7 @@ Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {
 Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
   const Variable& variable = dataset.at(name);
   const double factor = factor_to(unit, variable);
-  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "it does not lie on (x, y)");
+  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "is not a field on (x, y)");
   Field out = matrix(dataset, variable, factor);
   if (missing == Missing::refused) {
     refuse_missing(dataset, variable, out);
@@ -213,7 +215,7 @@ std::vector<double> depths_of(const Dataset& dataset) {
     if (!(d >= 0))
       throw DataError(
           "z",
-          fmt::format("{:f} m is no depth below the surface; of heights the attribute positive says up", d));
+          fmt::format("depth {:f} m is above the surface: for heights set the attribute positive to up", d));
   }
   return depths;
 }
@@ -247,7 +249,7 @@ void set_table(Dataset& dataset, std::string_view name, const Field& values, Axi
 Field table_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
   const Variable& variable = dataset.at(name);
   const double factor = unit.empty() ? 1 : factor_to(unit, variable);
-  if (variable.dimensions.size() != 2) throw DataError(variable.name, "it does not have two dimensions");
+  if (variable.dimensions.size() != 2) throw DataError(variable.name, "does not have 2 dimensions");
   Field out = matrix(dataset, variable, factor);
   refuse_not_finite(variable.name, out, missing);
   return out;

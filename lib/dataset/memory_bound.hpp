@@ -1,7 +1,7 @@
-/// How much memory reading a file may take, which its head tells before it is taken.
+/// Memory limit for reading a file, checked from its header before allocation.
 ///
-/// A map of n points takes three doubles a point at the most: its numbers as the file has them and those of
-/// the map, or those of the map and of its dataset, and what is worked with; its file comes on top.
+/// A map takes at most three doubles per point, plus its file: the numbers of the file and of the map, or of
+/// the map and of its dataset, and work space.
 #pragma once
 
 #include <cmath>
@@ -16,10 +16,10 @@ namespace asperity {
 
 struct MemoryBound {
   std::size_t bytes = std::numeric_limits<std::size_t>::max();  ///< in all
-  std::size_t taken = 0;                                        ///< of them, by what is held already
+  std::size_t taken = 0;                                        ///< of them, already in use
 
   std::size_t left() const { return bytes > taken ? bytes - taken : 0; }
-  /// With so many bytes more taken.
+  /// With `held` more bytes in use.
   MemoryBound beside(std::size_t held) const { return {bytes, taken + held}; }
 
   /// Throws DataError(variable, …) unless `more` bytes are left.
@@ -28,9 +28,9 @@ struct MemoryBound {
     const auto megabytes = [](double size) {
       return std::to_string(std::llround(std::ceil(size / 1e6))) + "MB";
     };
-    throw DataError(variable, "reading it takes " + megabytes(static_cast<double>(taken) + more) +
-                                  " of memory, more than the " + megabytes(static_cast<double>(bytes)) +
-                                  " that memory allows");
+    throw DataError(variable, "reading needs " + megabytes(static_cast<double>(taken) + more) +
+                                  ", the memory limit is " + megabytes(static_cast<double>(bytes)) +
+                                  ": raise memory");
   }
   static constexpr double per_point = 3 * sizeof(double);
   std::size_t most_points() const { return left() / static_cast<std::size_t>(per_point); }

@@ -19,8 +19,8 @@ namespace {
 
 bool is_netcdf4(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 
-// Where the superblock of an HDF5 file says that it ends (HDF5 File Format Specification 3.0, II.A); of one
-// that is not understood, all of it: the library refuses it.
+// The end of an HDF5 file by its superblock (HDF5 File Format Specification 3.0, II.A). For an unknown
+// superblock, all bytes: the library refuses the file.
 std::size_t end_of_hdf5(std::string_view bytes) {
   const auto byte = [&](std::size_t i) {
     return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;
@@ -33,7 +33,7 @@ std::size_t end_of_hdf5(std::string_view bytes) {
   return std::min<std::uint64_t>(end, bytes.size());
 }
 
-// What the library would take on trust, or not look at.
+// Checks what the library does not check.
 void check_extent(std::string_view bytes) {
   if (bytes.starts_with("CDF")) return check_classic_head(bytes);
   if (is_netcdf4(bytes)) refuse_rest(bytes.substr(end_of_hdf5(bytes)), "dataset");
@@ -46,8 +46,8 @@ int open_in_memory(std::string_view bytes, Handle& file) {
   return status;
 }
 
-// In memory the library reads a head by pieces, and answers EPERM for a file that ends within one, though the
-// head does not: then there is more to read of zeros.
+// In memory the library reads a header in pieces, and returns EPERM for a file that ends within a piece, even
+// if the header is complete: then zeros are appended.
 constexpr std::size_t piece = 1 << 14;
 
 std::string_view with_room(Bytes& bytes) { return {bytes.room(piece) - bytes.size(), bytes.size() + piece}; }
@@ -61,14 +61,14 @@ Dataset decode_here(std::string_view bytes, Extent extent) {
     status = open_in_memory(longer, file);
   }
   if (status == EPERM) refuse_cut_short("its header", bytes.size());
-  check(status, "it cannot be read");
+  check(status, "the file cannot be read");
   extent.bytes = bytes.size();
   return read_dataset(file.id, extent);
 }
 
 std::atomic<DoneApart> apart = nullptr;
 
-// The dataset in a classic format, made where the HDF5 library does no harm: it is there twice, as here.
+// The dataset in a classic format, converted in a separate process; it needs its memory twice, as here.
 Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory, bool whole) {
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
@@ -92,8 +92,8 @@ bool looks_like_netcdf(std::string_view bytes) {
 }
 
 Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
-  if (bytes.empty()) refuse("it is empty");
-  if (!looks_like_netcdf(bytes)) refuse("it is no NetCDF file");
+  if (bytes.empty()) refuse("the file is empty");
+  if (!looks_like_netcdf(bytes)) refuse("the file is not NetCDF");
   check_extent(bytes);
   const DoneApart done_apart = apart;
   if (is_netcdf4(bytes) && done_apart != nullptr) {

@@ -6,9 +6,9 @@
 namespace asperity::netcdf {
 namespace {
 
-// NetCDF-4 alone has attributes of type string; one of them is plain text elsewhere.
+// Only NetCDF-4 has attributes of type string; a single one becomes plain text.
 Values read_string_attribute(int file, int variable, const std::string& name, std::size_t n) {
-  if (n != 1) refuse(name + " is a list of strings, which only NetCDF-4 has");
+  if (n != 1) refuse("attribute " + name + " is a list of strings, which is not supported");
   char* text = nullptr;
   check(nc_get_att_string(file, variable, name.c_str(), &text), name);
   std::string copy = text ? text : "";
@@ -46,7 +46,7 @@ std::vector<Dimension> read_dimensions(int file, int number) {
   return out;
 }
 
-// Name, type, dimensions and attributes; the values stay in the file.
+// Name, type, dimensions and attributes, without the values.
 struct Header {
   Variable variable;
   nc_type type = 0;
@@ -65,7 +65,7 @@ Header read_header(int file, int id, const std::vector<Dimension>& dimensions) {
     const auto length = static_cast<std::size_t>(dimension.length);
     out.variable.dimensions.push_back(dimension.name);
     if (length > 0 && out.elements > SIZE_MAX / 16 / length)
-      refuse(out.variable.name + " claims an impossible size");
+      refuse(out.variable.name + " has an impossible size");
     out.elements *= length;
   }
   std::size_t size = 0;
@@ -75,8 +75,8 @@ Header read_header(int file, int id, const std::vector<Dimension>& dimensions) {
   return out;
 }
 
-// A classic file holds its values as they are: fewer bytes than values is a file cut short, and a header that
-// lies about its sizes must not make us allocate them.
+// A classic file stores its values uncompressed, so that fewer bytes than values mean a file cut short. Wrong
+// sizes in a header must not cause allocation.
 void refuse_if_cut_short(int file, const std::vector<Header>& headers, std::size_t bytes) {
   int format = 0;
   check(nc_inq_format(file, &format), "format");
@@ -86,14 +86,13 @@ void refuse_if_cut_short(int file, const std::vector<Header>& headers, std::size
     const std::string there = std::to_string(bytes);
     if (h.bytes > left && deflates)
       refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " + there +
-             " can hold");
-    if (h.bytes > left)
-      refuse(h.variable.name + " ends beyond the " + there + " bytes that there are: it is cut short");
+             " bytes can hold");
+    if (h.bytes > left) refuse_cut_short(h.variable.name, bytes);
     left -= h.bytes;
   }
 }
 
-// In memory the library answers EPERM where a variable reaches beyond the last byte.
+// In memory the library returns EPERM if a variable ends beyond the last byte.
 void read_values(int file, int id, Variable& variable, std::size_t bytes) {
   const int status = nc_get_var(file, id, data(variable.values));
   if (status == EPERM) refuse_cut_short(variable.name, bytes);
@@ -103,7 +102,7 @@ void read_values(int file, int id, Variable& variable, std::size_t bytes) {
 void refuse_groups(int file) {
   int groups = 0;
   if (nc_inq_grps(file, &groups, nullptr) == NC_NOERR && groups > 0)
-    refuse("it has groups, which only NetCDF-4 has");
+    refuse("groups of NetCDF-4 are not supported: move the variables to the root group");
 }
 
 bool stays(const Variable& variable, const Extent& extent) {
@@ -111,7 +110,7 @@ bool stays(const Variable& variable, const Extent& extent) {
   return extent.fields_stay && lies_on("x") && lies_on("y");
 }
 
-// The values so many times, and the largest variable as doubles where a whole one will be taken out.
+// Counts all copies of the values, and the largest variable as doubles if it will be converted.
 void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
   double values = 0, most = 0;
   for (const Header& h : headers) {
@@ -126,7 +125,7 @@ void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
 }  // namespace
 
 void refuse_cut_short(const std::string& name, std::size_t bytes) {
-  refuse(name + " ends beyond the " + std::to_string(bytes) + " bytes that there are: the file is cut short");
+  refuse("the file is cut short: " + name + " ends beyond its " + std::to_string(bytes) + " bytes");
 }
 
 std::size_t most_made_of(std::size_t bytes) {
@@ -137,7 +136,7 @@ std::size_t most_made_of(std::size_t bytes) {
 Dataset read_dataset(int file, const Extent& extent) {
   refuse_groups(file);
   int dimensions = 0, variables = 0, attributes = 0;
-  check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "it cannot be read");
+  check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "the file cannot be read");
   Dataset out;
   out.dimensions = read_dimensions(file, dimensions);
   out.attributes = read_attributes(file, NC_GLOBAL, attributes);

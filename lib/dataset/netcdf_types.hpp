@@ -1,4 +1,4 @@
-/// NetCDF's types and statuses as the program's own, and a dataset from a file; for dataset/netcdf*.cpp.
+/// Conversion of NetCDF types and statuses, and reading of a dataset; for dataset/netcdf*.cpp.
 #pragma once
 
 #include <cerrno>
@@ -27,7 +27,7 @@ inline void check(int status, const std::string& what) {
   if (status != NC_NOERR) refuse(what + ": " + nc_strerror(status));
 }
 
-// An open dataset, closed without a word when an exception passes.
+// An open dataset, closed when an exception passes.
 class Handle {
  public:
   Handle() = default;
@@ -40,7 +40,7 @@ class Handle {
   bool open = false;
 };
 
-// Of the alternatives of Values, in their order.
+// One for each alternative of Values, in their order.
 inline constexpr nc_type external_types[] = {NC_CHAR, NC_BYTE,  NC_UBYTE,  NC_SHORT, NC_USHORT, NC_INT,
                                              NC_UINT, NC_INT64, NC_UINT64, NC_FLOAT, NC_DOUBLE};
 static_assert(std::size(external_types) == std::variant_size_v<Values>);
@@ -60,7 +60,7 @@ std::vector<Element> room_for(std::size_t n) {
   return out;
 }
 
-// Room for n elements of an external type, looked for among those of Values from `alternative` on.
+// n elements of an external type; searches the alternatives of Values from `alternative`.
 template <std::size_t alternative = 0>
 Values allocate(nc_type type, std::size_t n, const std::string& name) {
   if constexpr (alternative == std::variant_size_v<Values>) {
@@ -85,16 +85,16 @@ inline const void* data(const Values& values) {
 struct Extent {
   std::size_t bytes = 0;  // of the file
   MemoryBound memory = {};
-  int times = 1;             // values are held so many times
-  bool whole = true;         // a variable will be taken out at once
-  bool fields_stay = false;  // the values of what lies on both x and y are not read
+  int times = 1;             // copies of the values in memory
+  bool whole = true;         // a whole variable will be converted to doubles
+  bool fields_stay = false;  // values of variables on both x and y are not read
 };
 
-// No size that the head states is believed: the values of a classic file are bytes of it, those of NetCDF-4
-// no more than deflating can make of its bytes, and together they take no more memory than is allowed.
+// Sizes in the header are checked: the values of a classic file are part of its bytes, those of NetCDF-4 are
+// limited by the expansion of deflate, and all together by the allowed memory.
 Dataset read_dataset(int file, const Extent& extent);
 
-// NetCDF-4 deflates, and need not hold what was never written: no more is believed than deflating could make.
+// NetCDF-4 compresses, and may omit values never written: the limit is the expansion of deflate.
 std::size_t most_made_of(std::size_t bytes);
 
 [[noreturn]] void refuse_cut_short(const std::string& name, std::size_t bytes);

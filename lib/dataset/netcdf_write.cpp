@@ -19,7 +19,7 @@ using namespace netcdf;
 
 namespace {
 
-// A positive status is the system's own: no room, or a limit.
+// A positive status is an error of the system: no space, or a limit.
 void write_checked(int status, const std::string& what) {
   check_for_want_of_memory(status);
   if (status > 0) throw std::system_error(status, std::generic_category(), what);
@@ -74,8 +74,8 @@ void define(int file, const Variable& variable) {
   write_attributes(file, id, variable.attributes);
 }
 
-// The library writes a file of the dataset's whole size, on disk or in memory; so it is given a small one,
-// with room for one value of each variable, or for none, where the dimension of records has none.
+// The library would write a file of full size, on disk or in memory. So it writes a small one, with room for
+// one value of each variable, or none if there are no records.
 std::string small_file_of(const Dataset& dataset) {
   Handle file;
   const int format = needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET;
@@ -120,7 +120,7 @@ void append_big_endian(std::string& bytes, std::span<const Element> values) {
   }
 }
 
-// Piece by piece, so that what is on its way stays in the cache.
+// In pieces that stay in the cache.
 void write_values(const Values& values, const std::function<void(std::string_view)>& sink) {
   constexpr std::size_t piece = 1 << 15;
   std::size_t bytes = 0;

@@ -27,7 +27,7 @@ struct Release {
 using Unit = std::unique_ptr<ut_unit, Release<ut_free>>;
 using Converter = std::unique_ptr<cv_converter, Release<cv_free>>;
 
-// UDUNITS speaks on standard error unless told not to; whoever else uses it finds it as it was.
+// Silences UDUNITS, which otherwise prints to standard error, and restores the former handler.
 class Silence {
  public:
   Silence() : former_(ut_set_error_message_handler(ut_ignore)) {}
@@ -39,44 +39,45 @@ class Silence {
   ut_error_message_handler former_;
 };
 
-// UDUNITS' parser keeps global state.
+// UDUNITS' parser has global state.
 std::mutex library;
 
-// For want of memory UDUNITS' parsers end the program.
+// UDUNITS' parsers end the program when memory runs out.
 constexpr std::size_t room_for_database = 2 << 20, room_for_unit = 1 << 18;
 
 // The database of units, read once.
 const ut_system* units() {
   static const std::unique_ptr<ut_system, Release<ut_free_system>> system(
       (require_room(room_for_database), ut_read_xml(nullptr)));
-  if (!system) throw std::runtime_error("the units database of UDUNITS-2 cannot be read");
+  if (!system)
+    throw std::runtime_error("cannot read the units database of UDUNITS-2: check its installation");
   return system.get();
 }
 
-// None of a name that it does not know. UDUNITS prints the line ends in a name on standard output.
+// Null for an unknown name. UDUNITS prints line ends in a name to standard output.
 Unit known(const std::string& name) {
   const ut_system* const all = units();
   if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; })) return nullptr;
   require_room(room_for_unit);
   const std::size_t first = std::min(name.find_first_not_of(' '), name.size()),
-                    behind = name.find_last_not_of(' ') + 1;  // of writers of fixed widths
+                    behind = name.find_last_not_of(' ') + 1;  // padding by programs with fixed widths
   return Unit(ut_parse(all, utf8_of(name.substr(first, behind - first)).c_str(), UT_UTF8));
 }
 
 Unit parse(const std::string& name) {
   Unit unit = known(name);
-  if (!unit) throw std::invalid_argument("'" + one_line(name, longest_unit) + "' is no known unit");
+  if (!unit) throw std::invalid_argument("'" + one_line(name, longest_unit) + "' is not a known unit");
   return unit;
 }
 
-// None where the two measure different things, or inverse ones, for which UDUNITS has a converter.
+// Null if the two measure different quantities, or inverse ones, for which UDUNITS has a converter.
 Converter converter_of(const Unit& from, const Unit& to) {
   if (!from || !to) return nullptr;
   Converter out(ut_get_converter(from.get(), to.get()));
   return out && std::isfinite(cv_convert_double(out.get(), 0.0)) ? std::move(out) : nullptr;
 }
 
-// Whether both are known and measure the same thing.
+// Whether both are known and measure the same quantity.
 bool measure_the_same(const std::string& unit, const std::string& other) {
   const std::lock_guard lock(library);
   const Silence silence;
@@ -90,10 +91,9 @@ double unit_factor(const std::string& from, const std::string& to) {
   const Silence silence;
   const Converter converter = converter_of(parse(from), parse(to));
   const std::string own = "'" + one_line(from, longest_unit) + "'";
-  if (!converter) throw std::invalid_argument(own + " does not measure what '" + to + "' measures");
+  if (!converter) throw std::invalid_argument(own + " cannot be converted to '" + to + "'");
   if (cv_convert_double(converter.get(), 0.0) != 0)
-    throw std::invalid_argument(own + " counts from another zero than '" + to +
-                                "': no factor makes one the other");
+    throw std::invalid_argument(own + " cannot be converted to '" + to + "': their zeros differ");
   return cv_convert_double(converter.get(), 1.0);
 }
 
@@ -114,9 +114,7 @@ double factor_to(std::string_view unit, const Variable& variable) {
   const std::string own = unit_of(variable), needed(unit);
   if (own == needed || (own.empty() && needed == "1")) return 1;
   if (own.empty())
-    throw DataError(variable.name,
-                    "it has no unit, where " + needed +
-                        " or another of the same quantity is needed: give it the attribute units");
+    throw DataError(variable.name, "has no unit: add the attribute units, " + needed + " or a multiple");
   try {
     const double factor = unit_factor(own, needed);
     if (factor > 0 && std::isfinite(factor)) return factor;
@@ -124,7 +122,7 @@ double factor_to(std::string_view unit, const Variable& variable) {
     throw DataError(variable.name, std::string(e.what()) + ": correct its attribute units");
   }
   throw DataError(variable.name,
-                  "'" + own + "' is no multiple of '" + needed + "': correct its attribute units");
+                  "'" + own + "' is not a multiple of '" + needed + "': correct its attribute units");
 }
 
 std::optional<std::vector<double>> lags_of(const Variable& axis) {
@@ -137,8 +135,7 @@ std::optional<std::vector<double>> lags_of(const Variable& axis) {
   for (std::size_t i = 1; i < lags.size(); ++i)
     if (!(std::abs(lags[i] - lags[i - 1] - 1) <= 1e-3))
       throw DataError(axis.name,
-                      "its lags have no unit and are not those of samples, one each: give it the "
-                      "attribute units");
+                      "lags without a unit must count samples in steps of 1: add the attribute units");
   return std::nullopt;
 }
 

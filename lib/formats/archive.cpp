@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::uint16_t day = 0x21;  // 1980-01-01, the first that an archive knows
+constexpr std::uint16_t day = 0x21;  // 1980-01-01, the earliest date of the format
 
 template <auto release>
 struct Release {
@@ -28,8 +28,8 @@ Source owned(zip_source_t* source) {
   return Source(source);
 }
 
-// The record that ends an archive is looked for from behind, and says how long the list before it is and
-// where it begins: nothing may stand around them (APPNOTE.TXT 4.3.16). In 64 bits another record says so.
+// The record that ends an archive is searched from the end of the file. It gives the length and the start of
+// the list before it; other bytes around them are refused (APPNOTE.TXT 4.3.16). ZIP64 uses another record.
 void refuse_more(std::string_view bytes) {
   constexpr std::size_t record = 22, locator = 20;
   const std::size_t at = bytes.rfind(std::string_view("PK\5\6", 4));
@@ -42,12 +42,11 @@ void refuse_more(std::string_view bytes) {
   const std::size_t listed = number(std::uint32_t{}, 12) + number(std::uint32_t{}, 16);
   const bool wide = at >= locator && bytes.substr(at - locator, 4) == std::string_view("PK\6\7", 4);
   if (listed < at && !wide)
-    refuse(
-        "{} bytes of it are not of its archive, perhaps those of another one: give each in a file of its own",
-        at - listed);
+    refuse("{} bytes do not belong to the archive, perhaps to a second one: put each in its own file",
+           at - listed);
 }
 
-// The archive takes a share in the source.
+// The archive shares ownership of the source.
 zip_t* open(zip_source_t* source, int flags) {
   zip_t* out = zip_open_from_source(source, flags, nullptr);
   if (out) zip_source_keep(source);
@@ -55,7 +54,7 @@ zip_t* open(zip_source_t* source, int flags) {
 }
 
 void require(bool done, zip_t* archive) {
-  if (!done) throw std::runtime_error(std::string("an archive cannot be written: ") + zip_strerror(archive));
+  if (!done) throw std::runtime_error(std::string("cannot write a zip archive: ") + zip_strerror(archive));
 }
 
 void add(zip_t* archive, const ZipEntry& entry) {
@@ -69,8 +68,8 @@ void add(zip_t* archive, const ZipEntry& entry) {
   require(zip_file_set_dostime(archive, place, 0, day, 0) == 0, archive);
 }
 
-// A string that an archive is written into: the library's own buffer would be a copy more. It has room for
-// all, so that nothing is thrown through the library.
+// A string to write an archive into; the library's own buffer would be a second copy. It has room for the
+// whole archive, so that no exception passes through the library.
 struct Sink {
   std::string bytes;
   std::size_t at = 0;
@@ -122,7 +121,7 @@ ZipArchive::ZipArchive(std::string_view bytes) {
   const Source source = owned(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr));
   archive_.reset(open(source.get(), ZIP_RDONLY));
   refuse_more(bytes);
-  if (!archive_) refuse("it is no zip archive, or is cut short");
+  if (!archive_) refuse("the file is not a zip archive, or is cut short");
 }
 
 bool ZipArchive::has(const std::string& name) const {
@@ -131,16 +130,17 @@ bool ZipArchive::has(const std::string& name) const {
 
 ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
   const zip_int64_t index = zip_name_locate(archive_.get(), name.c_str(), 0);
-  if (index < 0) refuse("there is no {}", named(name));
+  if (index < 0) refuse("{} is missing", named(name));
   zip_stat_t stat;
   const auto place = static_cast<zip_uint64_t>(index);
   constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
   if (zip_stat_index(archive_.get(), place, 0, &stat) != 0 || (stat.valid & needed) != needed)
-    refuse("{} states no size", named(name));
+    refuse("{} has no size", named(name));
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
-    refuse("{} is neither stored nor deflated", named(name));
+    refuse("{} has an unsupported compression: write it stored or deflated", named(name));
   if (stat.size / most_inflated > stat.comp_size)
-    refuse("{} claims {} bytes, more than its {} can hold", named(name), stat.size, stat.comp_size);
+    refuse("{} claims {} bytes, more than its {} compressed bytes can hold", named(name), stat.size,
+           stat.comp_size);
   return {place, stat.size, stat.comp_size};
 }
 
@@ -150,7 +150,7 @@ std::string ZipArchive::read(const std::string& name) const {
   if (!file) refuse("{} cannot be read: {}", named(name), zip_strerror(archive_.get()));
   constexpr std::size_t piece = 1 << 16;
   std::string out;
-  out.reserve(found.size + 1);  // address space alone, until it is filled
+  out.reserve(found.size + 1);  // address space only, until it is filled
   while (out.size() <= found.size) {
     const std::size_t before = out.size(), room = std::min(piece, found.size - before + 1);
     out.resize(before + room);
@@ -171,7 +171,7 @@ std::string zip_of(std::span<const ZipEntry> entries) {
   sink.bytes.reserve(bytes);
   const Source target = owned(zip_source_function_create(&answer, &sink, nullptr));
   zip_t* archive = open(target.get(), ZIP_TRUNCATE);
-  if (!archive) throw std::runtime_error("an archive cannot be made");
+  if (!archive) throw std::runtime_error("cannot create a zip archive");
   try {
     for (const ZipEntry& entry : entries) add(archive, entry);
     require(zip_close(archive) == 0, archive);

@@ -1,11 +1,10 @@
-/// Zip archives in memory, the only door to libzip.
+/// Zip archives in memory; no other code calls libzip.
 ///
-/// Reading trusts no number that the archive states: an entry must be stored or deflated, may claim no more
-/// than deflating can yield of its bytes (1032 times as many), is inflated piece by piece, and must end where
-/// it claims to. Writing stores entries as they are, all dated 1980-01-01: the same entries make the same
-/// bytes.
+/// Reading does not trust the sizes in the archive: an entry must be stored or deflated, may claim at most
+/// 1032 times its bytes (the limit of deflate), is inflated in pieces, and must end where it claims to.
+/// Writing stores entries uncompressed, all dated 1980-01-01: the same entries give the same bytes.
 ///
-/// Memory    of reading, what has been inflated; of writing, the entries once more.
+/// Memory    of reading, the inflated bytes; of writing, a copy of the entries.
 #pragma once
 
 #include <memory>
@@ -19,17 +18,16 @@ namespace asperity {
 
 class ZipArchive {
  public:
-  /// The bytes must outlive the archive. Throws DataError("map", …) when they are no archive.
+  /// The bytes must outlive the archive. Throws DataError("map", …) when they are not an archive.
   explicit ZipArchive(std::string_view bytes);
 
   bool has(const std::string& name) const;
   struct Entry {
-    std::size_t index, size,
-        stored;  ///< the bytes that it claims, inflated, and those that it has in the archive
+    std::size_t index, size, stored;  ///< claimed size when inflated, and size in the archive
   };
-  /// Throws DataError when there is none, or it cannot be so large.
+  /// Throws DataError when the entry is missing or claims an impossible size.
   Entry entry(const std::string& name) const;
-  /// All of an entry; throws DataError when it is not as its size and its checksum say.
+  /// The whole entry; throws DataError when its size or checksum is wrong.
   std::string read(const std::string& name) const;
 
  private:

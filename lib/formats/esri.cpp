@@ -1,16 +1,16 @@
-/// ESRI's ASCII grid, as GDAL and geographic programs write it.
+/// ESRI ASCII grid, as written by GDAL and geographic programs.
 ///
 ///     ncols 5                    points along a line, x
-///     nrows 3                    lines, y; the first is the north, the largest y
-///     xllcorner 0                where the grid stands (or xllcenter): of no meaning here
+///     nrows 3                    lines, y; the first line is the north, the largest y
+///     xllcorner 0                position of the grid (or xllcenter): ignored
 ///     yllcorner 0
-///     cellsize 1e-06             spacing; or dx and dy where the two differ, as GDAL has them
-///     NODATA_value -9999         a missing point; may be left out, and may be nan
-/// and nrows·ncols numbers, however they are broken into lines. Words in any case and order. The file knows
-/// no units: lengths are taken for metres, and heights are metres until something else is said.
+///     cellsize 1e-06             spacing; or dx and dy if the two differ, as in GDAL
+///     NODATA_value -9999         a missing point; optional, may be nan
+/// and nrows·ncols numbers with any line breaks. Keys in any case and order. The file has no units: lengths
+/// are metres, and so are heights unless the user gives another unit.
 ///
-/// A value is missing when it is NODATA to within single precision, in which many programs hold it. What is
-/// written has NODATA -9999, or a power of ten below everything where heights come near that.
+/// A value is missing when it equals NODATA to single precision, which many programs use. Files are written
+/// with NODATA -9999, or with a lower power of ten if heights come near it.
 ///
 /// GDAL, AAIGrid driver, https://gdal.org/drivers/raster/aaigrid.html
 #include <cctype>
@@ -32,7 +32,7 @@ bool begins_with_letter(std::string_view line) {
          !number_of(line.substr(0, line.find_first_of(blanks)));
 }
 
-// Taken off the bytes.
+// Removes the header from the bytes.
 Head head_of(std::string_view& bytes) {
   const std::string_view all = bytes;
   for (std::string_view next = bytes; begins_with_letter(trimmed(take_line(next)));) bytes = next;
@@ -55,7 +55,7 @@ double nodata_of(const Field& values) {
   const double low = values.minCoeff<Eigen::PropagateNumbers>();
   if (!(low < -5000)) return -9999;
   const double out = -std::pow(10.0, std::ceil(std::log10(-low)) + 1);
-  if (!std::isfinite(out)) refuse("its heights leave no number for missing points");
+  if (!std::isfinite(out)) refuse("no number is left to mark missing points below such heights");
   return out;
 }
 
@@ -88,6 +88,6 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::esri{"esri", "asc", "ESRI's ASCII grid", recognises, decode, encode};
+const Format format::esri{"esri", "asc", "ESRI ASCII grid", recognises, decode, encode};
 
 }  // namespace asperity

@@ -13,7 +13,7 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// (1) solved for the missing points, in the order of the field.
+// Solves (1) for the missing points, in the order of the field.
 Eigen::VectorXd membrane(const Field& z, const Grid& grid) {
   constexpr std::array<std::array<Index, 2>, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const std::array<double, 2> weights{1 / (grid.dx * grid.dx), 1 / (grid.dy * grid.dy)};
@@ -50,7 +50,7 @@ Field filled(Field z, const Grid& grid, Filling filling) {
   if (!z.hasNaN()) return z;
   const Field there = z.isNaN().select(0, z);
   const auto points = static_cast<double>((!z.isNaN()).count());
-  if (points == 0) throw DataError("heights", "every point is missing");
+  if (points == 0) throw DataError("heights", "all points are missing");
   if (filling == Filling::laplace) {
     const Eigen::VectorXd values = membrane(z, grid);
     for (Index k = 0, next = 0; k < z.size(); ++k)

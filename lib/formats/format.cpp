@@ -17,7 +17,7 @@ bool has_extension(const Format& format, std::string_view extension) {
 
 std::span<const Format> formats() {
   using namespace format;
-  // What is recognised by its first bytes stands before what is not.
+  // Formats recognised by their first bytes come first.
   static const Format all[] = {gwyddion_text, gsf, nrrd, npy, sdf, sdf_ascii, esri, x3p, format::text};
   return all;
 }
@@ -32,7 +32,7 @@ const Format& format_named(std::string_view name, const std::string& option) {
   std::string names;
   for (const Format& format : formats()) {
     if (format.name == name) return format;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+    names += fmt::format("{}{}", names.empty() ? "" : "|", format.name);
   }
   throw ParameterError(option, fmt::format("'{}' is none of {}", name, names));
 }
@@ -47,12 +47,12 @@ const Format* format_by_extension(std::string_view file_name) {
 }
 
 const Format& format_of(std::string_view bytes, std::string_view file_name) {
-  if (bytes.empty()) refuse("it is empty");
+  if (bytes.empty()) refuse("the file is empty");
   for (const Format& format : formats())
     if (format.recognises && format.recognises(bytes)) return format;
   if (const Format* format = format_by_extension(file_name); format && !format->recognises) return *format;
   if (is_text(bytes)) return format::text;
-  refuse("it is in none of the formats that are known, by its first bytes or its name");
+  refuse("unknown format: neither the first bytes nor the extension of the name tell it");
 }
 
 }  // namespace asperity

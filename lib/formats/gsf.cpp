@@ -2,14 +2,14 @@
 ///
 ///     Gwyddion Simple Field 1.0
 ///     XRes = 5                   points along a line, x; required, as is YRes, the number of lines
-///     XReal = 6.25e-07           size of the pixels' whole area, 1 if it is not stated; so is YReal
-///     XYUnits = m                a unit of length, else the size is unknown
-///     ZUnits = m                 of the values; nothing is assumed where it is not stated
+///     XReal = 6.25e-07           size of the area of all pixels, default 1; YReal likewise
+///     XYUnits = m                a unit of length; otherwise the size is unknown
+///     ZUnits = m                 unit of the values; unknown if missing
 ///     Title = heights
 /// then one to four NULs up to a multiple of four bytes, and the values: 32-bit floats, least significant
-/// byte first, line by line from the top of the image, which is the least y here. NaN is a missing point.
-/// Other keys (XOffset, YOffset) are passed over. Numbers are written with 24 bits, a relative error of 6e-8;
-/// those beyond 3.4e38 are refused.
+/// byte first, line by line from the top of the image, which is the smallest y here. NaN is a missing point.
+/// Other keys (XOffset, YOffset) are ignored. Numbers are written with 24 bits, a relative error of 6e-8;
+/// values beyond 3.4e38 are refused.
 ///
 /// Gwyddion user guide, Gwyddion Simple Field file format,
 /// http://gwyddion.net/documentation/user-guide-en/gsf.html
@@ -35,9 +35,9 @@ double spacing_of(const Head& head, std::string_view key, Index points) {
 bool recognises(std::string_view bytes) { return bytes.starts_with(magic); }
 
 Map decode(std::string_view bytes, const Reading& reading) {
-  if (!recognises(bytes)) refuse("it does not begin as a Gwyddion Simple Field");
+  if (!recognises(bytes)) refuse("the file is not a Gwyddion Simple Field");
   const std::size_t end = bytes.find('\0');
-  if (end == bytes.npos) refuse("its head has no end");
+  if (end == bytes.npos) refuse_cut_header();
   const Head head(bytes.substr(magic.size(), end - magic.size()), "=");
   const Shape shape{head.count("XRes"), head.count("YRes")};
   const std::string_view numbers = bytes.substr(std::min(4 * (end / 4 + 1), bytes.size()));

@@ -1,13 +1,13 @@
-/// Gwyddion's export of a channel as text.
+/// Text export of a channel from Gwyddion.
 ///
 ///     # Channel: ZSensor
-///     # Width: 10.00 µm          along a line, x; and the height along y, each with a unit of its own
+///     # Width: 10.00 µm          along a line, x; the height is along y; each has its own unit
 ///     # Height: 10.00 µm
 ///     # Value units: m
-/// and a line of values for each y, from the top of the image, which is the least y here. Its languages
-/// translate the words: the two that are followed by a number and a length are the size, whatever they are
-/// called, the first of them the width. Decimal commas and exponents of three digits are understood. The file
-/// says the size of pixels' whole area.
+/// and a line of values for each y, from the top of the image, which is the smallest y here. Gwyddion
+/// translates the words, so the size is read from the two lines with a number and a length; the first is the
+/// width. Decimal commas and exponents of three digits are accepted. The size is that of the area of all
+/// pixels.
 #include <optional>
 #include <vector>
 
@@ -25,7 +25,7 @@ struct Length {
   std::string_view unit;
 };
 
-// "10.00 µm" → {10.00, µm}; nothing where no number stands first, or no word behind it.
+// "10.00 µm" → {10.00, µm}; nothing without a number followed by a word.
 std::optional<Length> length_of(std::string_view text) {
   const std::size_t blank = text.find_first_of(" \t");
   if (blank == text.npos) return std::nullopt;
@@ -41,7 +41,7 @@ struct GwyddionHead {
   std::size_t lines = 0;
 };
 
-// Takes the lines that begin with # off the text.
+// Removes the lines that begin with # from the text.
 GwyddionHead take_head(std::string_view& text) {
   GwyddionHead out;
   for (; text.starts_with('#'); ++out.lines) {
@@ -59,7 +59,7 @@ GwyddionHead take_head(std::string_view& text) {
 
 double metres(const Length& length) {
   const double size = length.number * metres_per(length.unit);
-  if (!(size > 0)) refuse("its size {} is not positive", shortest(length.number));
+  if (!(size > 0)) refuse("size {} in the header is not positive", shortest(length.number));
   return size;
 }
 
@@ -72,7 +72,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   const GwyddionHead head = take_head(bytes);
   if (const std::size_t line = bytes.find("\n#"); line != bytes.npos)
     refuse_rest(bytes.substr(line + 1), "map");  // another head
-  if (head.lengths.size() < 2) refuse("its head does not state a width and a height");
+  if (head.lengths.size() < 2) refuse("the header has no width and height");
   Map map{.values = matrix_of(bytes, "map", head.lines + 1, reading).transpose(),
           .title = std::string(head.channel)};
   map.spacing = {metres(head.lengths[0]) / static_cast<double>(map.values.rows()),
@@ -92,7 +92,7 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::gwyddion_text{"gwyddion-text", "",     "Gwyddion's text export, with its head",
+const Format format::gwyddion_text{"gwyddion-text", "",     "Gwyddion text export with its header",
                                    recognises,      decode, encode};
 
 }  // namespace asperity

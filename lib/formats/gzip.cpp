@@ -21,7 +21,7 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  // The number of bytes put at `out`; 0 when there are no more, or they are damaged.
+  // The number of bytes written to `out`; 0 at the end, or when the data are damaged.
   std::size_t take(char* out, std::size_t size) {
     stream_.next_out = reinterpret_cast<Bytef*>(out);
     stream_.avail_out = static_cast<uInt>(size);
@@ -32,16 +32,16 @@ class Inflater {
     return state_ == Z_OK || state_ == Z_STREAM_END ? size - stream_.avail_out : 0;
   }
 
-  // Whether nothing follows, and gzip's own checksum is right.
+  // Whether the stream ends here with a correct gzip checksum.
   bool ends() {
     char next;
     return take(&next, 1) == 0 && state_ == Z_STREAM_END;
   }
-  // What stands behind the stream.
+  // The bytes after the stream.
   std::string_view rest() const { return {rest_.data() - stream_.avail_in, rest_.size() + stream_.avail_in}; }
 
  private:
-  // zlib counts in 32 bits.
+  // zlib counts bytes in 32 bits.
   void feed() {
     if (stream_.avail_in > 0) return;
     const std::size_t size = std::min<std::size_t>(rest_.size(), std::numeric_limits<uInt>::max());
@@ -59,18 +59,18 @@ class Inflater {
 
 std::string inflated(std::string_view bytes, std::size_t size) {
   if (size / most_inflated > bytes.size())
-    refuse("it is cut short: {} bytes of gzip hold no {}", bytes.size(), size);
+    refuse("the file is cut short: {} bytes of gzip cannot hold {}", bytes.size(), size);
   Inflater inflater(bytes);
   std::string out;
-  out.reserve(size);  // address space alone, until it is filled
+  out.reserve(size);  // address space only, until it is filled
   while (out.size() < size) {
     const std::size_t before = out.size();
     out.resize(std::min(size, before + piece));
     const std::size_t got = inflater.take(out.data() + before, out.size() - before);
-    if (got == 0) refuse("its gzip is damaged or cut short");
+    if (got == 0) refuse("the gzip data are damaged or cut short");
     out.resize(before + got);
   }
-  if (!inflater.ends()) refuse("its gzip is damaged, or holds more than it should");
+  if (!inflater.ends()) refuse("the gzip data are damaged, or hold more points than the header gives");
   refuse_rest(inflater.rest(), "map");
   return out;
 }

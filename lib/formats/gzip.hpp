@@ -1,4 +1,4 @@
-/// Gzip in memory, the only door to zlib.
+/// Gzip in memory; no other code calls zlib.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace asperity {
 
-/// Deflating makes of a byte this many at the most.
+/// Largest expansion by deflate: bytes from one compressed byte.
 inline constexpr std::size_t most_inflated = 1032;
 
-/// The `size` bytes that `bytes` inflate to. Throws DataError("map", …) before memory is taken for a size
-/// that so few cannot yield, and when they are damaged, fewer or more, or followed by other bytes
-/// (dataset/bytes.hpp). Memory: what has been inflated, whatever is claimed.
+/// Inflates `bytes` to `size` bytes. Throws DataError("map", …) before allocation when `bytes` are too few
+/// for this size, and when they are damaged, give another size, or are followed by other bytes
+/// (dataset/bytes.hpp). Memory: the bytes inflated so far.
 std::string inflated(std::string_view bytes, std::size_t size);
 
 }  // namespace asperity

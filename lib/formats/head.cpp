@@ -11,8 +11,8 @@ namespace {
 bool same_key(std::string_view a, std::string_view b) { return a.size() == b.size() && lower(a) == lower(b); }
 
 [[noreturn]] void refuse_value(std::string_view key, std::string_view value, std::string_view what) {
-  if (value.empty()) refuse("its head does not state {}", key);
-  refuse("its {}, {}, is {}", key, quoted(value), what);
+  if (value.empty()) refuse("{} is missing in the header", key);
+  refuse("{} {} in the header is not {}", key, quoted(value), what);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ std::size_t Head::lines() const {
   return out;
 }
 
-// A value is within the head, empty or not; none is null.
+// A value, even an empty one, points into the header; a missing one is null.
 std::string_view Head::text(std::string_view key) const {
   for (std::string_view rest = lines_; !rest.empty();) {
     const std::string_view line = trimmed(take_line(rest));
@@ -36,28 +36,27 @@ std::string_view Head::text(std::string_view key) const {
 double Head::number(std::string_view key) const {
   const std::string_view value = text(key);
   const double out = number_of(value).value_or(std::nan(""));
-  if (!std::isfinite(out)) refuse_value(key, value, "no number");
+  if (!std::isfinite(out)) refuse_value(key, value, "a number");
   return out;
 }
 
 double Head::positive(std::string_view key) const {
   const double out = number(key);
-  if (!(out > 0)) refuse_value(key, text(key), "not positive");
+  if (!(out > 0)) refuse_value(key, text(key), "positive");
   return out;
 }
 
 Index Head::count(std::string_view key) const {
   const auto out = whole_number_of(text(key));
-  if (!out) refuse_value(key, text(key), "no whole number from 0 on");
+  if (!out) refuse_value(key, text(key), "a whole number from 0");
   return *out;
 }
 
-std::string_view take_head(std::string_view& bytes, bool (*ends)(std::string_view line),
-                           std::string_view end) {
+std::string_view take_head(std::string_view& bytes, bool (*ends)(std::string_view line)) {
   const std::string_view all = bytes;
   while (!bytes.empty())
     if (ends(trimmed(take_line(bytes)))) return all.substr(0, all.size() - bytes.size());
-  refuse("its head has no end, {}", end);
+  refuse_cut_header();
 }
 
 }  // namespace asperity

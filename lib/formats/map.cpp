@@ -14,18 +14,19 @@ namespace {
 constexpr std::size_t longest_unit = 64;       // in bytes; what is longer is none
 constexpr double fill = 9.969209968386869e36;  // NetCDF's own for doubles
 
-// Points between these bounds are evenly spaced and have areas, whatever their number.
+// With a spacing between these bounds, the coordinates and areas of any number of points are representable.
 Grid grid_of(const Map& map) {
   constexpr double least = 1e-100, greatest = 1e100;
   for (const double spacing : map.spacing) {
     if (std::isnan(spacing))
-      throw DataError("x", "the file does not say how large the map is: asperity-convert gives it a size");
-    if (!(spacing >= least && spacing <= greatest)) throw DataError("x", "its spacing is not a length");
+      throw DataError("x", "the file does not give the size of the map: give asperity-convert its size");
+    if (!(spacing >= least && spacing <= greatest))
+      throw DataError("x", fmt::format("spacing {} m is not from {} m to {} m", spacing, least, greatest));
   }
   return {shape_of(map.values), map.spacing[0], map.spacing[1], false};
 }
 
-// The range is that of the points that are there.
+// The range omits missing points.
 void set_with_missing(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
   set_field(dataset, name, values.isNaN().select(fill, values), meaning);
   Attributes& attributes = dataset.find(name)->attributes;
@@ -49,7 +50,7 @@ double metres_per(std::string_view unit) {
   } catch (const std::invalid_argument& error) {
     refuse("{}", error.what());
   }
-  refuse("'{}' is no unit of length", name);
+  refuse("'{}' is not a unit of length", name);
 }
 
 void set_units(Map& map, std::string_view unit) {
@@ -62,19 +63,20 @@ void set_units(Map& map, std::string_view unit) {
   }
   map.units = "m";
   if (factor != 1) map.values *= factor;
-  if (map.values.isInf().any()) refuse("in metres a value is infinite");
+  if (map.values.isInf().any()) refuse("a value is infinite in metres");
 }
 
 void check_size(const Map& map, const std::string& format) {
   for (const double spacing : map.spacing)
     if (!(spacing > 0 && std::isfinite(spacing)))
-      refuse("{} needs the map's size, which is not known", format);
+      refuse("the map has no size, which {} needs: give asperity-convert its size", format);
 }
 
 void check_heights(const Map& map, const std::string& format) {
   check_size(map, format);
   if (!map.units.empty() && map.units != "m")
-    refuse("{} holds lengths in metres alone, not '{}'", format, map.units);
+    refuse("{} holds only lengths, not values in '{}': choose another format", format,
+           one_line(map.units, 24));
 }
 
 Dataset dataset_of(const Map& map) {
@@ -83,8 +85,8 @@ Dataset dataset_of(const Map& map) {
   const bool heights = map.units.empty() || map.units == "m";
   const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
                     words = map.title.empty() ? name : one_line(map.title);
-  if (map.values.isInf().any()) throw DataError(name, "a point is infinite");
-  if (map.values.isNaN().all()) throw DataError(name, "every point is missing");
+  if (map.values.isInf().any()) throw DataError(name, "a value is infinite");
+  if (map.values.isNaN().all()) throw DataError(name, "all points are missing");
   if (map.values.hasNaN())
     set_with_missing(out, name, map.values, {units, words});
   else

@@ -1,11 +1,12 @@
-/// A map of one quantity over a rectangle, as the files of other programs hold it.
+/// A map of one quantity over a rectangle, from a file of another program.
 ///
-/// It stands between their formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp). Values
-/// are (x, y), x the first index. Lengths become metres, heights too; any other quantity keeps its unit.
+/// It is the step between file formats (formats/format.hpp) and Asperity's dataset (dataset/layout.hpp).
+/// Values are (x, y), with x the first index. Lengths, heights too, become metres; any other quantity keeps
+/// its unit.
 ///
-/// Formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion's text) have x run along a line, and
-/// begin with the least y; ESRI's, a chart, begins with the north, the largest. A bare matrix (text, npy)
-/// does not say: Reading tells.
+/// In formats that name their axes (GSF, SDF, X3P, NRRD, ESRI, Gwyddion text) x runs along a line, and the
+/// first line has the smallest y; in ESRI grids the first line is the north, the largest y. A bare matrix
+/// (text, npy) does not give the order: Reading does.
 #pragma once
 
 #include <array>
@@ -19,50 +20,49 @@
 
 namespace asperity {
 
-/// The indices of a bare matrix, the slower one first: `xy` has a line for each x, `yx` one for each y.
+/// The indices of a bare matrix, the slower one first: `xy` has a line for each x, `yx` a line for each y.
 enum class Order { xy, yx };
 
-/// What stands between the numbers of a text, and what marks their decimals; `any` where the text is to tell.
+/// Separator of the numbers and decimal mark of a text; `any`: found from the text.
 enum class Separator { any, blank, tab, comma, semicolon };
 enum class DecimalMark { any, point, comma };
 
-/// What a user knows of a file that it does not say itself. Each format heeds what it leaves open.
+/// What the user tells about a file. Each format uses what its files do not say.
 struct Reading {
   Reading(Order order_of_matrix = Order::xy) : order(order_of_matrix) {}
 
   Order order;
   Separator separator = Separator::any;
   DecimalMark decimal = DecimalMark::any;
-  bool heights = false;  ///< a text's columns are heights, though the first of them look like coordinates
-  double coordinate =
-      0;  ///< a text's lines are points, x z or x y z, with x and y in this many metres; 0: heights
-  MemoryBound memory = {};  ///< beside the file's bytes, where the caller counts them as taken
+  bool matrix = false;      ///< a text is a bare matrix of heights, even if columns look like coordinates
+  double coordinate = 0;    ///< metres per unit of x and y in a text of points x z or x y z; 0: heights
+  MemoryBound memory = {};  ///< without the file's bytes, if the caller counts them as taken
 };
 
 struct Map {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  Field values;                                     ///< (x, y) in SI if they are lengths; NaN where missing
-  std::array<double, 2> spacing{unknown, unknown};  ///< Δx, Δy [m]; NaN where the file does not say
-  std::string units = {};  ///< "m", or what is not a length; "" where the file does not say
+  Field values;                                     ///< (x, y) in SI if they are lengths; NaN: missing
+  std::array<double, 2> spacing{unknown, unknown};  ///< Δx, Δy [m]; NaN: not in the file
+  std::string units = {};  ///< "m", or a unit that is not a length; "": not in the file
   std::string title = {};  ///< the channel's name, or ""
 };
 
-/// Metres in a unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) of others.
+/// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.
 double metres_per(std::string_view unit);
-/// In metres if the unit is a length, else as they are. Throws DataError("map", …) where one gets infinite.
+/// Converts lengths to metres; other values stay. Throws DataError("map", …) when a value becomes infinite.
 void set_units(Map& map, std::string_view unit);
 
-/// Throws DataError("map", …) for a map of unknown size, which `format` cannot do without.
+/// Throws DataError("map", …) for a map of unknown size, which `format` needs.
 void check_size(const Map& map, const std::string& format);
-/// The same, and for a quantity that is not a length, where `format` holds no other.
+/// Also for a quantity that is not a length, which `format` cannot hold.
 void check_heights(const Map& map, const std::string& format);
 
-/// As a dataset with x, y and `heights`, or `values` where the quantity is no length; missing points become
-/// `mask` and _FillValue. A unit that the file does not state is the metre. Throws DataError("x", …) when the
-/// map has no size, DataError(name, …) when a point is infinite or none is there.
+/// As a dataset with x, y and `heights`, or `values` if the quantity is not a length; missing points become
+/// `mask` and _FillValue. Without a unit, metres are assumed. Throws DataError("x", …) when the map has no
+/// size, DataError(name, …) when a point is infinite or all are missing.
 Dataset dataset_of(const Map& map);
-/// A variable on (x, y) of a dataset.
+/// The map of a variable on (x, y).
 Map map_of(const Dataset& dataset, std::string_view variable);
 
 }  // namespace asperity

@@ -3,12 +3,12 @@
 ///     \x93NUMPY, two bytes of version, the head's length (two bytes in version 1, else four, little-endian)
 ///     {'descr': '<f8', 'fortran_order': False, 'shape': (5, 3), }
 ///     padded with blanks and ended by a line feed, and then the numbers
-/// descr is < or > (the least or most significant byte first) or | (one byte), and f2, f4, f8, i1, i2, i4,
-/// i8, u1, u2, u4, u8 or b1 (truth, 0 or 1). Arrays of two dimensions are read; Order says which index of the
-/// array is x, whichever way the numbers lie in the file. NaN is a missing point. The file knows neither size
-/// nor units.
+/// descr is < or > (least or most significant byte first) or | (one byte), and f2, f4, f8, i1, i2, i4, i8,
+/// u1, u2, u4, u8 or b1 (bool, 0 or 1). Arrays of two dimensions are read; Order gives the index of the array
+/// that is x, for any storage order. NaN is a missing point. The file has neither size nor units.
 ///
-/// Written are doubles, '<f8', the last index fastest, in version 1, the numbers at a multiple of 64 bytes.
+/// Files are written in version 1 with doubles, '<f8', last index fastest, starting at a multiple of 64
+/// bytes.
 ///
 /// NumPy reference, numpy.lib.format, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 
-// Python's literals in a row, each taken off the text.
+// Reads Python literals one after the other from the text.
 class Literals {
  public:
   explicit Literals(std::string_view text) : text_(text) {}
@@ -62,7 +62,7 @@ class Literals {
     return out.number;
   }
 
-  // Calls item() for each of those that commas separate, a last comma or none behind them, up to the end.
+  // Calls item() for each item of a list with commas, which may end with a comma.
   template <class Item>
   void list(std::string_view begin, std::string_view end, Item item) {
     expect(begin);
@@ -74,7 +74,7 @@ class Literals {
   }
 
  private:
-  [[noreturn]] void refuse_here() const { refuse("its head is not understood at {}", quoted(text_)); }
+  [[noreturn]] void refuse_here() const { refuse("the header cannot be read at {}", quoted(text_)); }
   void skip_blanks() { text_.remove_prefix(std::min(text_.find_first_not_of(" \n"), text_.size())); }
 
   std::string_view text_;
@@ -90,8 +90,7 @@ void take_shape(Literals& text, std::vector<Index>& shape) {
   shape.clear();
   text.list("(", ")", [&] { shape.push_back(text.integer()); });
   if (shape.size() != 2)
-    refuse("its array has {}, where a map has two",
-           counted(static_cast<std::int64_t>(shape.size()), "dimension"));
+    refuse("the array has {}, a map has 2", counted(static_cast<std::int64_t>(shape.size()), "dimension"));
 }
 
 Described description_of(Literals text) {
@@ -106,10 +105,10 @@ Described description_of(Literals text) {
     else if (key == "shape")
       take_shape(text, out.shape);
     else
-      refuse("its head has the key {}", quoted(key));
+      refuse("key {} in the header is not supported", quoted(key));
   });
-  if (out.descr.empty()) refuse("its head does not state descr");
-  if (out.shape.empty()) refuse("its head does not state shape");
+  if (out.descr.empty()) refuse("descr is missing in the header");
+  if (out.shape.empty()) refuse("shape is missing in the header");
   return out;
 }
 
@@ -118,7 +117,7 @@ struct Kind {
   NumberType type;
 };
 
-// A half is read as its bits.
+// Half precision is read as bits.
 constexpr std::string_view half = "f2";
 constexpr Kind kinds[] = {
     {"b1", NumberType::uint8},   {"i1", NumberType::int8},    {"u1", NumberType::uint8},
@@ -131,7 +130,7 @@ NumberType type_of(std::string_view descr) {
     if (descr.substr(1) == kind.name && std::string_view("<>|").find(descr[0]) != descr.npos &&
         (descr[0] != '|' || size_of(kind.type) == 1))
       return kind.type;
-  refuse("its numbers are of type {}, which is not read", quoted(descr));
+  refuse("number type {} is not supported", quoted(descr));
 }
 
 // IEEE 754's binary16: a sign, five bits of exponent, ten of fraction.
@@ -145,16 +144,16 @@ double half_of_bits(double number) {
 
 bool recognises(std::string_view bytes) { return bytes.starts_with(magic); }
 
-// Taken off the bytes.
+// Removes the header from the bytes.
 std::string_view head_of(std::string_view& bytes) {
-  if (!recognises(bytes)) refuse("it does not begin as NumPy's .npy");
+  if (!recognises(bytes)) refuse("the file is not a NumPy array");
   const std::size_t width = bytes.size() > 6 && bytes[6] == 1 ? 2 : 4, begin = 8 + width;
-  if (bytes.size() < begin) refuse("its head has no end");
+  if (bytes.size() < begin) refuse_cut_header();
   if (bytes[6] < 1 || bytes[6] > 3)
-    refuse("it is of version {:d} of NumPy's .npy; 1 to 3 are read", int{bytes[6]});
+    refuse("version {:d} of .npy is not supported, only 1 to 3", int{bytes[6]});
   const std::size_t size = width == 2 ? number_from<std::uint16_t>(bytes.data() + 8, std::endian::little)
                                       : number_from<std::uint32_t>(bytes.data() + 8, std::endian::little);
-  if (bytes.size() - begin < size) refuse("its head has no end");
+  if (bytes.size() - begin < size) refuse_cut_header();
   const std::string_view head = bytes.substr(begin, size);
   bytes.remove_prefix(begin + size);
   return head;
@@ -187,6 +186,6 @@ std::string encode(const Map& map, Order order) {
 
 }  // namespace
 
-const Format format::npy{"npy", "npy", "NumPy's array", recognises, decode, encode};
+const Format format::npy{"npy", "npy", "NumPy array", recognises, decode, encode};
 
 }  // namespace asperity

@@ -3,19 +3,19 @@
 ///     NRRD0004
 ///     type: double               integers of 8 to 64 bits, float, double, by all their names
 ///     dimension: 2               or more, if no more than two axes are longer than 1
-///     sizes: 5 3                 points along x, the fastest axis, and y, from the least on
+///     sizes: 5 3                 points along x, the fastest axis, and y, in ascending order
 ///     spacings: 1e-06 2e-06      or axis mins and maxs (with centers), or the lengths of space directions:
-///                            an axis against its space is turned around, a mirrored map refused
+///                            an axis against its direction is reversed, a mirrored map is refused
 ///     units: "m" "m"             of each axis (space units with space directions); else the size is unknown
 ///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem)
 ///     content: heights           the title
 ///     endian: little             or big
 ///     encoding: raw              or text (ascii, txt), or gzip (gz)
-/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and fields that say
-/// something else are passed over. A header whose data stand in another file is refused, since a file that is
-/// read names no others to be opened; so are line skip and byte skip, and the encodings hex and bzip2.
+/// in any order, then an empty line and the numbers. NaN is a missing point. Comments (#) and other fields
+/// are ignored. A header with its data in another file is refused, because a file must not name others to
+/// open; so are line skip and byte skip, and the encodings hex and bzip2.
 ///
-/// Written are raw doubles, the least significant byte first.
+/// Files are written with raw doubles, least significant byte first.
 ///
 /// Definition of the NRRD file format, https://teem.sourceforge.net/nrrd/format.html
 #include <algorithm>
@@ -36,7 +36,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::size_t most_axes = 16;  // teem's own
+constexpr std::size_t most_axes = 16;  // as in teem
 
 struct Type {
   NumberType type;
@@ -57,7 +57,7 @@ constexpr Type types[] = {
     {NumberType::float64, "|double|"},
 };
 
-// A field that has two spellings, with a blank and without.
+// A field with two spellings, with a blank and without.
 std::string_view field(const Head& head, std::string_view name) {
   if (head.has(name)) return head.text(name);
   std::string joined(name);
@@ -65,16 +65,16 @@ std::string_view field(const Head& head, std::string_view name) {
   return head.text(joined);
 }
 
-// The first of some characters from a place on, or the end.
+// The first of these characters from a position, or the end.
 std::size_t find_end(std::string_view text, std::string_view ends, std::size_t from) {
   return std::min(text.find_first_of(ends, from), text.size());
 }
 
-// Words between blanks, or what is between quotes, or between parentheses.
+// Words between blanks, quotes or parentheses.
 Words words_of(std::string_view text) {
   Words out;
   while (!(text = trimmed(text)).empty()) {
-    if (out.size() == most_axes) refuse("it has more than 16 axes");
+    if (out.size() == most_axes) refuse("the array has more than 16 dimensions, a map has 2");
     const bool in_quotes = text.front() == '"', in_parentheses = text.front() == '(',
                inside = in_quotes || in_parentheses;
     const std::size_t end = find_end(text, in_quotes ? "\"" : in_parentheses ? ")" : " \t", inside);
@@ -84,7 +84,7 @@ Words words_of(std::string_view text) {
   return out;
 }
 
-// One of a field's words, "" where there is none.
+// One word of a field, "" if there is none.
 std::string_view word(const Head& head, std::string_view name, std::size_t place) {
   const Words words = words_of(field(head, name));
   return place < words.size() ? words[place] : std::string_view();
@@ -93,7 +93,7 @@ std::string_view word(const Head& head, std::string_view name, std::size_t place
 double number_in(const Head& head, std::string_view name, std::size_t place) {
   const std::string_view text = word(head, name, place);
   const auto out = number_of(text);
-  if (!out) refuse("its {} have {}, which is no number", name, quoted(text));
+  if (!out) refuse("{} {} in the header is not a number", name, quoted(text));
   return *out;
 }
 
@@ -102,35 +102,35 @@ struct Axes {
   Shape shape;
 };
 
-// The last axes of 1 are left out until there are two.
+// Removes last axes of length 1 until two remain.
 Axes axes_of(const Head& head) {
   const Words words = words_of(head.text("sizes"));
   const Index dimension = head.count("dimension"), count = static_cast<Index>(words.size());
-  if (count != dimension) refuse("it has {} for a dimension of {}", counted(count, "size"), dimension);
+  if (count != dimension) refuse("the header has {} for dimension {}", counted(count, "size"), dimension);
   const auto size = [&](std::size_t axis) { return whole_number_of(words[axis]).value_or(0); };
   std::vector<std::size_t> axes(words.size());
   std::iota(axes.begin(), axes.end(), 0);
   for (std::size_t axis = words.size(); axis-- > 0 && axes.size() > 2;)
     if (size(axis) == 1) std::erase(axes, axis);
   if (axes.size() != 2)
-    refuse("it has {}, where a map has two", counted(static_cast<Index>(axes.size()), "dimension"));
+    refuse("the array has {}, a map has 2", counted(static_cast<Index>(axes.size()), "dimension"));
   return {axes[0], axes[1], {size(axes[0]), size(axes[1])}};
 }
 
-// The components of a space direction; none of "none".
+// The components of a space direction; empty for "none".
 std::vector<double> components_of(std::string_view direction) {
   std::vector<double> out;
   while (!direction.empty() && direction != "none") {
     const std::size_t end = find_end(direction, ",", 0);
     const auto component = number_of(trimmed(direction.substr(0, end)));
-    if (!component) refuse("its space directions have {}, which is no number", quoted(direction));
+    if (!component) refuse("space directions {} in the header is not a number", quoted(direction));
     out.push_back(*component);
     direction.remove_prefix(std::min(end + 1, direction.size()));
   }
   return out;
 }
 
-// They have the space's units.
+// In the units of the space.
 double length_of(const std::vector<double>& direction, const Head& head) {
   double length = direction.empty() ? Map::unknown : 0;
   for (std::size_t i = 0; i < direction.size(); ++i) {
@@ -141,7 +141,7 @@ double length_of(const std::vector<double>& direction, const Head& head) {
   return length;
 }
 
-// An axis that runs against its space's is turned around. A map may be turned in the plane, but not mirrored.
+// Reverses an axis that runs against its direction. A map may be rotated in the plane, but not mirrored.
 void orient(Field& values, const Head& head, const Axes& axes) {
   const std::vector<double> x = components_of(word(head, "space directions", axes.x)),
                             y = components_of(word(head, "space directions", axes.y));
@@ -150,14 +150,14 @@ void orient(Field& values, const Head& head, const Axes& axes) {
   };
   if (!flat(x) || !flat(y)) return;
   if (x[1] != 0 || y[0] != 0) {
-    if (x[0] * y[1] < x[1] * y[0]) refuse("its space directions mirror it: write the map along x and y");
+    if (x[0] * y[1] < x[1] * y[0]) refuse("space directions mirror the map: write it along x and y");
     return;
   }
   if (x[0] < 0) values = values.colwise().reverse().eval();
   if (y[1] < 0) values = values.rowwise().reverse().eval();
 }
 
-// In the axis's own unit.
+// In the unit of the axis.
 double step_of(const Head& head, std::size_t axis, Index points) {
   if (!field(head, "spacings").empty()) return number_in(head, "spacings", axis);
   if (field(head, "axis mins").empty() || field(head, "axis maxs").empty()) return Map::unknown;
@@ -174,7 +174,8 @@ double spacing_of(const Head& head, std::size_t axis, Index points) {
     out = length_of(components_of(word(head, "space directions", axis)), head);
   else if (!unit.empty())
     out = step_of(head, axis, points) * metres_per(unit);
-  if (!std::isnan(out) && !(out > 0 && std::isfinite(out))) refuse("its spacing is not positive");
+  if (!std::isnan(out) && !(out > 0 && std::isfinite(out)))
+    refuse("the spacing in the header is not positive");
   return out;
 }
 
@@ -182,13 +183,14 @@ NumberType type_of(const Head& head) {
   const std::string name = lower(head.text("type"));
   for (const Type& type : types)
     if (name.find('|') == name.npos && type.names.find("|" + name + "|") != type.names.npos) return type.type;
-  refuse("its numbers are of type {}, which is not read", quoted(name));
+  refuse("number type {} is not supported", quoted(name));
 }
 
 std::endian endian_of(const Head& head, NumberType type) {
   const std::string name = lower(head.text("endian"));
   if (name == "big") return std::endian::big;
-  if (name != "little" && size_of(type) > 1) refuse("its endian is {}, neither little nor big", quoted(name));
+  if (name != "little" && size_of(type) > 1)
+    refuse("endian {} in the header is not little or big", quoted(name));
   return std::endian::little;
 }
 
@@ -200,7 +202,7 @@ Field values_of(const Head& head, std::string_view bytes, Shape shape, const Rea
   const Raster raster{type, endian_of(head, type)};
   if (encoding == "raw") return field_from(bytes, shape, raster, reading.memory);
   if (encoding != "gzip" && encoding != "gz")
-    refuse("its encoding is {}, which is not read", quoted(encoding));
+    refuse("encoding {} is not supported: write raw, text or gzip", quoted(encoding));
   check_shape(shape, most_inflated * bytes.size() / size_of(type));
   reading.memory.require_map(shape, "map");
   const std::size_t size = static_cast<std::size_t>(shape.cells()) * size_of(type);
@@ -208,10 +210,11 @@ Field values_of(const Head& head, std::string_view bytes, Shape shape, const Rea
 }
 
 void check_attached(const Head& head) {
-  if (!field(head, "data file").empty()) refuse("its data stand in another file, which is not read");
+  if (!field(head, "data file").empty())
+    refuse("data in another file are not supported: write header and data into one file");
   for (const std::string_view skip : {"line skip", "byte skip"})
     if (const auto value = field(head, skip); !value.empty() && value != "0")
-      refuse("it has a {}, which is not read", skip);
+      refuse("{} in the header is not supported", skip);
 }
 
 bool recognises(std::string_view bytes) {
@@ -220,9 +223,9 @@ bool recognises(std::string_view bytes) {
 }
 
 Map decode(std::string_view bytes, const Reading& reading) {
-  if (!recognises(bytes)) refuse("it does not begin as NRRD0001 to NRRD0005");
+  if (!recognises(bytes)) refuse("the file is not NRRD, version 1 to 5");
   const auto empty = [](std::string_view line) { return line.empty(); };
-  const Head head(take_head(bytes, empty, "an empty line"), ":");
+  const Head head(take_head(bytes, empty), ":");
   check_attached(head);
   const Axes axes = axes_of(head);
   const std::array spacing{spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index block = 32;
 
-// Calls at(i, j, place) for all cells, place counted in the file's order, such that both stay in the cache.
+// Calls at(i, j, place) for all cells, with place in the file's order, in cache-friendly blocks.
 template <class At>
 void for_each_cell(Shape shape, Order order, At at) {
   if (order == Order::xy) {
@@ -32,7 +32,8 @@ T whole(double value) {
   const double least = static_cast<double>(std::numeric_limits<T>::min()),
                beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);
   if (!(rounded >= least && rounded < beyond))
-    throw DataError("values", fmt::format("{} does not fit into {} bits", shortest(value), 8 * sizeof(T)));
+    throw DataError("values",
+                    fmt::format("value {} does not fit into {} bits", shortest(value), 8 * sizeof(T)));
   return static_cast<T>(rounded);
 }
 
@@ -41,7 +42,7 @@ T converted(double value) {
   if constexpr (std::is_integral_v<T>) return whole<T>(value);
   if constexpr (std::is_same_v<T, float>)
     if (std::abs(value) > std::numeric_limits<float>::max())
-      throw DataError("values", shortest(value) + " does not fit into single precision");
+      throw DataError("values", "value " + shortest(value) + " does not fit into single precision");
   return static_cast<T>(value);
 }
 
@@ -53,9 +54,9 @@ std::size_t size_of(NumberType type) {
 
 void check_shape(Shape shape, std::size_t cells) {
   const std::string size = fmt::format("{} x {}", shape.nx, shape.ny);
-  if (shape.nx < 1 || shape.ny < 1) refuse("its size {} holds no point", size);
+  if (shape.nx < 1 || shape.ny < 1) refuse("the map has no points: its size is {}", size);
   if (static_cast<std::size_t>(shape.nx) > cells / static_cast<std::size_t>(shape.ny))
-    refuse("it is cut short: {} points are more than the {} that it holds", size, cells);
+    refuse("the file is cut short: it holds {} points of {}", cells, size);
 }
 
 Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const MemoryBound& memory) {

@@ -1,6 +1,6 @@
-/// Numbers as a file's bytes, and back: of any type and byte order, a matrix in either order of its indices.
+/// Converts numbers from and to bytes, in any type and byte order, and matrices in either order of indices.
 ///
-/// Accuracy  exact into double but for 64-bit integers, which are rounded to 53 bits.
+/// Accuracy  exact, except that 64-bit integers are rounded to the 53 bits of a double.
 /// Cost      one pass, transposed in blocks that stay in the cache.
 #pragma once
 
@@ -33,7 +33,7 @@ auto with_type(NumberType type, Visit visit) {
   return std::visit(visit, numbers[static_cast<std::size_t>(type)]);
 }
 
-/// A number of type T from its bytes.
+/// The number of type T with these bytes.
 template <class T>
 T number_from(const char* bytes, std::endian order) {
   std::array<char, sizeof(T)> raw;
@@ -49,21 +49,21 @@ std::array<char, sizeof(T)> bytes_of(T number, std::endian order) {
   return raw;
 }
 
-/// How a file's block of numbers is to be read.
+/// Layout of a block of numbers in a file.
 struct Raster {
   NumberType type = NumberType::float64;
   std::endian endian = std::endian::little;
-  Order order = Order::yx;  ///< which index is the slower one
+  Order order = Order::yx;  ///< the slower index first
 };
 
-/// The cells that `bytes` are, as a field. Throws DataError("map", …) before any memory is taken when there
-/// are fewer bytes than the shape needs, or more (dataset/bytes.hpp), the shape is empty or impossible, or
-/// its map takes more than is allowed.
+/// The field stored in `bytes`. Throws DataError("map", …) before allocation when there are fewer bytes than
+/// the shape needs, or more (dataset/bytes.hpp), the shape is empty or impossible, or the map needs more
+/// memory than allowed.
 Field field_from(std::string_view bytes, Shape shape, const Raster& raster, const MemoryBound& memory = {});
-/// Values are rounded to whole numbers for an integer type; those that a type cannot hold throw DataError.
+/// Values are rounded to whole numbers for an integer type; values outside its range throw DataError.
 std::string bytes_of(const Field& field, const Raster& raster = {});
 
-/// Throws DataError("map", …) unless the shape is one of at least one cell and at most `cells` of them.
+/// Throws DataError("map", …) unless the shape has 1 to `cells` cells.
 void check_shape(Shape shape, std::size_t cells);
 
 }  // namespace asperity

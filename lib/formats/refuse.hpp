@@ -1,4 +1,4 @@
-/// How a map's file is refused, and what of it is shown.
+/// Refusals of a map's file.
 #pragma once
 
 #include <string>
@@ -18,7 +18,10 @@ template <class... Parts>
   throw DataError("map", fmt::format(message, std::forward<Parts>(parts)...));
 }
 
-/// The beginning and the end of a file's words, quoted.
+/// Every format words this fault alike.
+[[noreturn]] inline void refuse_cut_header() { refuse("the file is cut short: its header has no end"); }
+
+/// Text from a file in quotes, shortened in the middle.
 inline std::string quoted(std::string_view words) { return "'" + one_line(words, 24) + "'"; }
 
 }  // namespace asperity

@@ -1,32 +1,31 @@
-/// SDF, the surface data file of ISO 25178-71, in text and in binary.
+/// SDF, the surface data file of ISO 25178-71, text and binary.
 ///
 ///     aISO-1.0                   a for text, b for binary; ISO-1.0, ISO-2.0, or BCR-1.0, the proposal
 ///     ManufacID = Asperity       10 characters in binary; CreateDate and ModDate 12 (ddmmyyyyhhmm)
-///     NumPoints = 5              of a line, x; two bytes in binary, four in ISO-2.0. NumProfiles: lines, y
+///     NumPoints = 5              per line, x; two bytes in binary, four in ISO-2.0. NumProfiles: lines, y
 ///     Xscale = 1e-6              spacing [m]; a double in binary, as are Yscale, Zscale, Zresolution
-///     Zscale = 1                 metres of one unit of a number
-///     Compression = 0            one byte in binary, as DataType and CheckType; others are refused
+///     Zscale = 1                 metres per unit of the numbers
+///     Compression = 0            one byte in binary, as DataType and CheckType; other values are refused
 ///     DataType = 7               0 to 2 unsigned, 4 to 6 signed, of 8, 16, 32 bits, 3 floats, 7 doubles
 ///     CheckType = 0
 ///     *
-/// and the numbers, line by line from the least y, which end with another * or the file; text that follows is
-/// passed over, and a second map is refused. Names stand in any order in text, and are left out in binary,
-/// where all is least significant byte first (the standard knows no other) and the numbers follow the 81
-/// bytes (85) at once; two fields of four bytes that Olympus puts between are known. Yscale means nothing,
-/// and the spacing is unknown, where there is a single line.
+/// and the numbers, line by line from the smallest y, up to another * or the end of the file. Text after it
+/// is ignored, a second map is refused. In text the names may have any order. Binary files have no names; all
+/// numbers are least significant byte first (the only order in the standard), and the data follow the 81 (85)
+/// bytes of the header directly, or two fields of four bytes that Olympus inserts. With a single line, Yscale
+/// has no meaning and the spacing in y is unknown.
 ///
-/// A missing point is BAD in text. In binary it is NaN or the number that is furthest from 0 of a floating
-/// type, the greatest of an unsigned one, and of a signed one the least; BCR means the greatest by it, and
-/// there both are missing.
+/// A missing point is BAD in text. In binary it is NaN or the largest number of either sign for floating
+/// types, the largest for unsigned types, and the smallest for signed ones; in BCR, the largest too.
 ///
-/// Gwyddion's reader of text knows no missing points, neither the standard's BAD nor any other: it refuses
-/// `sdf-ascii` that has some. Of binary it masks them; `sdf` is for it.
+/// Gwyddion cannot read missing points in text, neither the standard's BAD nor any other, and refuses such
+/// `sdf-ascii`. In binary it masks them: use `sdf` for Gwyddion.
 ///
-/// `sdf` is written with doubles, missing points NaN, `sdf-ascii` with the shortest decimal fractions: both
-/// exact. Each holds heights in metres only, and 65535 points along each side at the most. Their dates are
-/// the first day of 2000, so that the same map makes the same bytes.
+/// `sdf` is written with doubles and NaN for missing points, `sdf-ascii` with the shortest decimal fractions:
+/// both are exact. Both hold only heights in metres, with at most 65535 points per side. The dates are
+/// 1 January 2000, so that the same map gives the same bytes.
 ///
-/// ISO 25178-71:2017; the types and the missing values of BCR as Gwyddion 2.61 and sdfio read them.
+/// ISO 25178-71:2017; types and missing values of BCR as in Gwyddion 2.61 and sdfio.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -50,9 +49,9 @@ constexpr NumberType types[] = {NumberType::uint8,   NumberType::uint16, NumberT
 constexpr std::size_t binary_head = 81;
 constexpr Index most = 65535;
 constexpr std::string_view maker = "Asperity", date = "010120000000";
-constexpr std::string_view olympus("\5\0\0\0\1\0\0\0", 8);  // between the head and the numbers
+constexpr std::string_view olympus("\5\0\0\0\1\0\0\0", 8);  // between the header and the numbers
 
-// What both kinds of head say.
+// The content of both kinds of header.
 struct Described {
   Shape shape;
   double dx = 0, dy = 0, unit = 0;
@@ -67,13 +66,13 @@ bool recognises(std::string_view bytes, char kind) {
 }
 
 void check(const Described& d) {
-  if (d.compression != 0) refuse("its numbers are compressed, which is not read");
-  if (d.check != 0) refuse("it has checksums of CheckType {}, which are not read", d.check);
-  if (d.type < 0 || d.type > 7) refuse("its DataType {} is none of 0 to 7", d.type);
+  if (d.compression != 0) refuse("Compression {} is not supported, only 0", d.compression);
+  if (d.check != 0) refuse("CheckType {} is not supported, only 0", d.check);
+  if (d.type < 0 || d.type > 7) refuse("number type {} is not supported, only DataType 0 to 7", d.type);
   const auto positive = [](double scale) { return scale > 0 && std::isfinite(scale); };
-  if (!positive(d.dx)) refuse("its Xscale is not positive");
-  if (d.shape.ny > 1 && !positive(d.dy)) refuse("its Yscale is not positive");
-  if (!positive(d.unit)) refuse("its Zscale is not positive");
+  if (!positive(d.dx)) refuse("Xscale {} in the header is not positive", d.dx);
+  if (d.shape.ny > 1 && !positive(d.dy)) refuse("Yscale {} in the header is not positive", d.dy);
+  if (!positive(d.unit)) refuse("Zscale {} in the header is not positive", d.unit);
 }
 
 Map heights_of(Field values, const Described& d) {
@@ -82,7 +81,7 @@ Map heights_of(Field values, const Described& d) {
   return map;
 }
 
-// The maker's text may follow the numbers, and no second map.
+// Text of the manufacturer may follow the numbers, but not a second map.
 void check_trailer(std::string_view rest) {
   bool another = !is_text(rest);
   for (std::string_view lines = rest; !lines.empty() && !another;) {
@@ -95,7 +94,7 @@ void check_trailer(std::string_view rest) {
 
 Map decode_text(std::string_view bytes, const Reading& reading) {
   const auto star = [](std::string_view line) { return line.starts_with('*'); };
-  const Head head(take_head(bytes, star, "a line that begins with *"), "=");
+  const Head head(take_head(bytes, star), "=");
   const Described d{{head.count("NumPoints"), head.count("NumProfiles")},
                     head.number("Xscale"),
                     head.number("Yscale"),
@@ -110,7 +109,7 @@ Map decode_text(std::string_view bytes, const Reading& reading) {
   return heights_of(std::move(values), d);
 }
 
-// Takes numbers off the bytes one after the other.
+// Reads numbers from the bytes one after the other.
 template <class T>
 T take(std::string_view& bytes) {
   const T out = number_from<T>(bytes.data(), std::endian::little);
@@ -120,7 +119,7 @@ T take(std::string_view& bytes) {
 
 template <class Count>
 Described take_binary_head(std::string_view& bytes) {
-  if (bytes.size() < binary_head + 2 * (sizeof(Count) - 2)) refuse("its head is cut short");
+  if (bytes.size() < binary_head + 2 * (sizeof(Count) - 2)) refuse_cut_header();
   bytes.remove_prefix(8 + 10 + 12 + 12);
   Described d;
   d.shape.nx = take<Count>(bytes);
@@ -136,7 +135,7 @@ Described take_binary_head(std::string_view& bytes) {
   return d;
 }
 
-// The numbers that stand for none, NaN where there is but one.
+// The numbers that mark missing points; NaN fills in for a second mark.
 std::array<double, 2> missing_of(NumberType type, bool bcr) {
   return with_type(type, [bcr]<class T>(T) -> std::array<double, 2> {
     const auto least = static_cast<double>(std::numeric_limits<T>::lowest()),
@@ -165,7 +164,8 @@ Map decode_binary(std::string_view bytes, const Reading& reading) {
 void check_holds(const Map& map) {
   check_heights(map, "SDF");
   if (std::max(map.values.rows(), map.values.cols()) > most)
-    refuse("SDF holds 65535 points along each side, and this map has more");
+    refuse("SDF holds at most 65535 points per side, the map has {} x {}", map.values.rows(),
+           map.values.cols());
 }
 
 template <class T>
@@ -177,11 +177,11 @@ void append(std::string& bytes, T number) {
 bool recognises_binary(std::string_view bytes) { return recognises(bytes, 'b'); }
 bool recognises_text(std::string_view bytes) { return recognises(bytes, 'a'); }
 
-// Of either kind.
+// Reads both kinds.
 Map decode(std::string_view bytes, const Reading& reading) {
   if (recognises_binary(bytes)) return decode_binary(bytes, reading);
   if (recognises_text(bytes)) return decode_text(bytes, reading);
-  refuse("it does not begin as an SDF of ISO 25178-71 or BCR");
+  refuse("the file is not SDF, ISO 25178-71 or BCR");
 }
 
 std::string encode_binary(const Map& map, Order) {

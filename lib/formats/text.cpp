@@ -1,13 +1,13 @@
 /// Numbers in plain text: a matrix of heights, one line for each x or for each y, or points of a surface.
 ///
-/// A line of the form `# units: um` states the unit of the values. Neither that nor the size need be there: a
-/// matrix says little about itself. How its numbers are separated is in formats/text_table.hpp. Lines of x z
-/// or x y z are read where Reading says that they are; a matrix whose first columns look like coordinates is
-/// refused until it says what they are, for a map of its columns would be no error that anyone sees.
+/// A line `# units: um` gives the unit of the values. Both the unit and the size are optional. Separators are
+/// described in formats/text_table.hpp. Lines of x z or x y z are read as points if Reading says so. A matrix
+/// whose first columns look like coordinates is refused unless Reading tells what they are: a map that
+/// contains coordinates as heights would go unnoticed.
 ///
-/// The coordinates of points are those of a grid: along each axis evenly spaced to a twentieth of the
-/// spacing, in any order. A point that is not given is missing; at least half of them are there. The spacing
-/// is the range of the coordinate by the number of steps. A profile x z has its spacing in y too.
+/// The points must form a grid, in any order: evenly spaced along each axis to a twentieth of the spacing. At
+/// least half of the points must be given; the others are missing. The spacing is the range of a coordinate
+/// divided by the number of steps. A profile x z has the same spacing in y.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -29,13 +29,13 @@ using Column = Eigen::ArrayXd;
 struct Axis {
   double first = 0, step = 0;
   Index count = 1;
-  double worst = 0;  // the coordinate that is furthest from its place, by `off` of the spacing
+  double worst = 0;  // the coordinate furthest from its grid position, by `off` of the spacing
   double off = 0;
 
   Index place(double x) const { return count > 1 ? std::llround((x - first) / step) : 0; }
 };
 
-// Coordinates further apart than a quarter of the widest gap are different ones.
+// Coordinates are different if more than a quarter of the widest gap apart.
 Axis axis_of(const Column& coordinates) {
   std::vector<double> sorted(coordinates.begin(), coordinates.end());
   std::ranges::sort(sorted);
@@ -68,7 +68,7 @@ bool even(const Column& c) {
   return axis.count == c.size() && axis.off <= unevenness;
 }
 
-// Whether pairs stand on different places of a grid that they fill at least by half.
+// Whether pairs lie on different points of a grid and fill at least half of it.
 bool on_grid(const Column& a, const Column& b) {
   const Axis x = axis_of(a), y = axis_of(b);
   if (std::min(x.count, y.count) < 2 || x.count > 2 * a.size() / y.count) return false;
@@ -84,13 +84,13 @@ bool on_grid(const Column& a, const Column& b) {
 
 bool constant(const Column& c) { return c.maxCoeff() <= c.minCoeff(); }
 
-// It changes, and never turns.
+// Monotonic, and not constant.
 bool scanned(const Column& c) {
   const Column steps = steps_of(c);
   return !constant(c) && ((steps >= 0).all() || (steps <= 0).all());
 }
 
-// Of lines x y z: a profile along an axis, points on a grid, or a scan of which one coordinate never turns.
+// For lines x y z: a profile along an axis, points on a grid, or a scan with one monotonic coordinate.
 bool are_coordinates(const Column& x, const Column& y, const Column& z) {
   if ((constant(x) && even(y)) || (constant(y) && even(x))) return true;
   if (even(x)) return !even(z);
@@ -105,17 +105,17 @@ bool labelled(const Field& lines) {
 }
 
 Axis grid_axis(const Column& coordinates, char name) {
-  if (!coordinates.isFinite().all()) refuse("a coordinate {} is missing", name);
+  if (!coordinates.isFinite().all()) refuse("a coordinate {} is missing or infinite", name);
   const Axis out = axis_of(coordinates);
   if (out.off > unevenness)
-    refuse("its {} coordinates {} are not evenly spaced: {} lies {} spacings from its place", out.count, name,
+    refuse("the {} coordinates {} are not evenly spaced: {} is off by {} spacings", out.count, name,
            shortest(out.worst), shortest(std::round(100 * out.off) / 100));
   return out;
 }
 
-// Whether the columns are not all heights, to the eye: the first one ascends or descends in even steps where
-// the last one does not; the first of two does so steadily; the first two of three stand on a grid, or one of
-// them never turns; or the first line ascends evenly too, whatever stands in the corner.
+// Whether some columns look like coordinates: the first ascends or descends in even steps and the last does
+// not; the first of two is monotonic; the first two of three lie on a grid or one of them is monotonic; or
+// the first line, apart from its corner, ascends evenly too.
 bool has_coordinates(const Field& lines) {
   const Index n = lines.rows(), columns = lines.cols();
   if (n < 3 || columns < 2) return false;
@@ -131,19 +131,19 @@ bool has_coordinates(const Field& lines) {
 Map map_of_points(const Field& lines, double metres) {
   const Index columns = lines.cols(), points = lines.rows();
   if (columns != 2 && columns != 3)
-    refuse("lines of points are x z or x y z, and these hold {}", counted(columns, "number"));
+    refuse("lines of points must be x z or x y z, these have {}", counted(columns, "number"));
   const Column xs = lines.col(0), ys = columns == 3 ? Column(lines.col(1)) : Column::Zero(points);
   const Axis x = grid_axis(xs, 'x'), y = grid_axis(ys, 'y');
-  if (x.count * y.count < 2) refuse("one point is no map");
+  if (x.count * y.count < 2) refuse("a map needs at least 2 points");
   if (x.count > 2 * points / y.count)
-    refuse("{} points are less than half of a grid of {} x {}", points, x.count, y.count);
+    refuse("{} points fill less than half of a grid of {} x {}", points, x.count, y.count);
   Map map{.values = Field::Constant(x.count, y.count, Map::unknown)};
   std::vector<bool> given(static_cast<std::size_t>(map.values.size()));
   for (Index i = 0; i < points; ++i) {
     const Index at_x = x.place(xs(i)), at_y = y.place(ys(i));
     const auto at = static_cast<std::size_t>(at_x * y.count + at_y);
     if (given[at])
-      refuse("the point x = {}{} is given twice", shortest(xs(i)),
+      refuse("point x = {}{} is given twice", shortest(xs(i)),
              columns == 3 ? ", y = " + shortest(ys(i)) : "");
     given[at] = true;
     map.values(at_x, at_y) = lines(i, columns - 1);
@@ -152,7 +152,7 @@ Map map_of_points(const Field& lines, double metres) {
   return map;
 }
 
-// Of the last line "# units: …", behind which no second matrix may stand.
+// From the last line "# units: …"; a second matrix after it is refused.
 std::string_view units_in(std::string_view text) {
   constexpr std::string_view states_units = "# units:";
   std::string_view units, second;
@@ -171,10 +171,11 @@ std::string_view units_in(std::string_view text) {
 
 Map map_of_lines(Field lines, const Reading& reading) {
   if (reading.coordinate > 0) return map_of_points(lines, reading.coordinate);
-  if (!reading.heights && has_coordinates(lines))
+  if (!reading.matrix && has_coordinates(lines))
     refuse(
-        "its first columns look like coordinates, not heights: tell asperity-convert the unit of the "
-        "points in lines of x z or x y z, or that every column is of heights");
+        "the first columns look like coordinates: give asperity-convert the unit of the points (xyz), or "
+        "tell "
+        "it that all columns are heights (matrix)");
   if (reading.order == Order::yx) lines.transposeInPlace();
   return {.values = std::move(lines)};
 }

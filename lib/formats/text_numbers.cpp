@@ -20,7 +20,7 @@ bool is_missing(std::string_view word) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// "1,234,567.5": one to three digits, the first no zero, and groups of three.
+// "1,234,567.5": one to three digits without a leading zero, then groups of three.
 bool has_thousands(std::string_view word) {
   const std::string_view whole = word.substr(0, word.find('.'));
   if (whole.starts_with('0') || whole.size() > 19) return false;
@@ -31,7 +31,7 @@ bool has_thousands(std::string_view word) {
   return true;
 }
 
-// A number as C writes it: what others write for its sign, its exponent and its decimal mark replaced.
+// The number as C writes it: replaces other spellings of sign, exponent and decimal mark.
 std::optional<std::string> in_c(std::string_view word, Comma comma) {
   constexpr std::string_view minus = "\u2212";
   std::string out;
@@ -58,7 +58,7 @@ std::optional<std::string> in_c(std::string_view word, Comma comma) {
   return out;
 }
 
-// Infinite, or 0, where it is beyond the range of doubles.
+// Infinite, or 0, for a number beyond the range of doubles.
 std::optional<double> plain_number_of(std::string_view word) {
   const auto out = leading_number<double>(word);
   return out.found && out.rest.empty() ? std::optional(out.number) : std::nullopt;

@@ -1,8 +1,7 @@
-/// Numbers in text, in the spellings that instruments and programs have for them.
+/// Numbers in text, in the spellings of instruments and programs.
 ///
-/// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212); `nan`, `bad`, `na`, `n/a` (any case) and two hyphens or more
-/// are missing points. The process's language does not matter. What separates them is said in
-/// formats/text_table.hpp.
+/// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212); `nan`, `bad`, `na`, `n/a` (any case) and two or more hyphens
+/// are missing points. The locale does not matter. Separators: formats/text_table.hpp.
 #pragma once
 
 #include <optional>
@@ -13,19 +12,19 @@
 
 namespace asperity {
 
-/// What a comma is in a number: nothing, the decimal mark, or one between thousands.
+/// The meaning of a comma in a number: none, decimal mark, or thousands separator.
 enum class Comma { none, decimal, thousands };
 
-/// A whole word as a number, missing ones NaN; nothing when it is none. A decimal comma has digits on both
-/// sides, and no point beside it.
+/// A whole word as a number, NaN for a missing point; nothing when it is not a number. A decimal comma has
+/// digits on both sides, and no point in the same number.
 std::optional<double> number_of(std::string_view word, Comma comma = Comma::none);
-/// A whole word as a whole number from 0 on; nothing when it is none, or too large.
+/// A whole word as a whole number from 0; nothing when it is not one, or too large.
 std::optional<Index> whole_number_of(std::string_view word);
 
-/// A line for each row of the field, with a word for what is missing.
+/// A line for each row of the field, with a word for missing points.
 std::string text_of(const Field& rows, char separator = '\t', std::string_view missing = "nan");
 
-/// The next line without its end (LF, CR LF or CR), taken off `text`.
+/// The next line without its end (LF, CR LF or CR), removed from `text`.
 std::string_view take_line(std::string_view& text);
 /// Without blanks at both ends.
 std::string_view trimmed(std::string_view text);

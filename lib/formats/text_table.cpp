@@ -27,11 +27,11 @@ struct Fault {
   std::string what;
 };
 
-// What is asked of a text beside its dialect.
+// What a text must hold, for any dialect.
 struct Asked {
-  std::size_t first_line;      // what the first line is called
-  std::optional<Shape> shape;  // of all numbers, whatever the lines; of a matrix it is not known
-  std::string variable;        // what refusals name
+  std::size_t first_line;      // number of the first line
+  std::optional<Shape> shape;  // of all numbers, with any line breaks; unknown for a matrix
+  std::string variable;        // named in refusals
   MemoryBound memory;
 };
 
@@ -39,14 +39,14 @@ struct Table {
   Dialect dialect;
   std::vector<double> values;
   Index lines = 0, columns = 0;  // columns of the first line
-  std::optional<Fault> fault;    // of the first line that cannot be read so
+  std::optional<Fault> fault;    // of the first line that does not fit the dialect
 };
 
 char character_of(Separator separator) {
   return separator == Separator::tab ? '\t' : separator == Separator::comma ? ',' : ';';
 }
 
-// The next cell of a line, taken off it; behind the last one the line is null.
+// The next cell, removed from the line; after the last cell the line is null.
 std::string_view take_cell(std::string_view& line, Separator separator) {
   const bool word = separator == Separator::blank;
   const std::size_t end = word ? line.find_first_of(blanks) : line.find(character_of(separator));
@@ -57,7 +57,7 @@ std::string_view take_cell(std::string_view& line, Separator separator) {
   return cell;
 }
 
-// What of a line holds cells; nothing of a comment.
+// The part of a line with cells; empty for a comment.
 std::string_view content_of(std::string_view line, Separator separator) {
   const std::string_view content = trimmed(line);
   const bool comment = content.starts_with('#') || content.starts_with('%') ||
@@ -67,12 +67,11 @@ std::string_view content_of(std::string_view line, Separator separator) {
 }
 
 std::string fault_of(std::string_view cell, bool first) {
-  const std::string what = quoted(cell) + ", is no number";
+  const std::string what = quoted(cell) + " is not a number";
   const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
   if (cell.find(',') != cell.npos && cell.find('.') != cell.npos)
-    return what + ": marks between thousands are not understood";
-  if (first && std::ranges::any_of(cell.substr(0, 1), letter))
-    return what + ": let lines that hold words begin with #";
+    return what + ": remove thousands separators";
+  if (first && std::ranges::any_of(cell.substr(0, 1), letter)) return what + ": begin lines of words with #";
   return what;
 }
 
@@ -96,11 +95,11 @@ class TableReader {
   }
 
  private:
-  // Room for all lines being as long as the first, in address space alone until it is filled.
+  // Room for all lines if they are as long as the first; address space only, until it is filled.
   void reserve() {
     const auto ends = [&](char end) { return static_cast<std::size_t>(std::ranges::count(rest_, end)); };
     const std::size_t columns = table_.values.size(), lines = 2 + std::max(ends('\n'), ends('\r'));
-    const std::size_t most = columns + rest_.size();  // numbers, of a byte at the least
+    const std::size_t most = columns + rest_.size();  // numbers of at least one byte each
     table_.values.reserve(lines > most / columns ? most : lines * columns);
   }
 
@@ -122,20 +121,20 @@ class TableReader {
     }
     if (!asked_.shape && count != table_.columns)
       fail(line.data(),
-           fmt::format("{} has {}, the first one {}", here(), counted(count, "number"), table_.columns));
+           fmt::format("{} has {}, the first line {}", here(), counted(count, "number"), table_.columns));
   }
 
   void add_cell(std::string_view cell) {
     const auto value = cell.empty() ? std::optional(Map::unknown) : number_of(cell, table_.dialect.comma);
     if (!value)
-      fail(cell.data(), here() + ", " + fault_of(cell, table_.values.empty()));
+      fail(cell.data(), here() + ": " + fault_of(cell, table_.values.empty()));
     else if (std::isinf(*value))
-      fail(cell.data(), fmt::format("{}, {}, is infinite", here(), quoted(cell)));
+      fail(cell.data(), fmt::format("{}: {} is infinite", here(), quoted(cell)));
     else
       push(*value);
   }
 
-  // Refused is the table that the first line lets expect.
+  // The memory is that of the table expected from the first line.
   void push(double value) {
     table_.values.push_back(value);
     if (table_.values.size() > most_)
@@ -144,9 +143,9 @@ class TableReader {
 
   void finish() {
     const std::size_t numbers = table_.values.size();
-    if (table_.lines == 0) return fail(rest_.data(), "there are no numbers in it");
+    if (table_.lines == 0) return fail(rest_.data(), "the file has no numbers");
     if (asked_.shape && numbers != static_cast<std::size_t>(asked_.shape->cells()))
-      return fail(rest_.data(), fmt::format("it holds {} where its head says {} x {}",
+      return fail(rest_.data(), fmt::format("the file has {}, its header gives {} x {}",
                                             counted(static_cast<Index>(numbers), "number"), asked_.shape->nx,
                                             asked_.shape->ny));
     if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
@@ -165,7 +164,7 @@ class TableReader {
   std::size_t line_, most_;  // most_: numbers
 };
 
-// What a user did not rule out, and the text does not by its characters.
+// The dialects that neither the user nor the characters of the text exclude.
 std::vector<Dialect> dialects_of(std::string_view text, const Reading& reading) {
   const bool commas = text.find(',') != text.npos;
   std::vector<Dialect> out;
@@ -182,8 +181,7 @@ std::vector<Dialect> dialects_of(std::string_view text, const Reading& reading) 
       if (!asked && s != Separator::blank && text.find(character_of(s)) == text.npos) continue;
       out.push_back({s, c});
     }
-  if (out.empty())
-    throw ParameterError("decimal", "a comma cannot separate numbers and mark their decimals at once");
+  if (out.empty()) throw ParameterError("decimal", "a comma cannot be both decimal mark and separator");
   return out;
 }
 
@@ -196,7 +194,7 @@ bool same(const Table& a, const Table& b) {
   return a.columns == b.columns && std::ranges::equal(a.values, b.values, equal);
 }
 
-// Tabs that only keep columns apart would leave one empty where each of them ends a cell.
+// Tabs used only for alignment would leave a column empty if each of them ended a cell.
 bool tabs_decide(const Table& a, const Table& b) {
   const bool tabs = a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
                     a.dialect.comma == b.dialect.comma;
@@ -207,13 +205,13 @@ bool tabs_decide(const Table& a, const Table& b) {
 std::string words_of(const Table& table) {
   constexpr std::string_view separators[] = {"", "blanks", "tabs", "commas", "semicolons"};
   constexpr std::string_view commas[] = {"", " and decimal commas", " and commas between thousands"};
-  return fmt::format("{}, {} a line, with {} between them{}",
+  return fmt::format("{}, {} per line, separated by {}{}",
                      counted(static_cast<Index>(table.values.size()), "number"), table.columns,
                      separators[static_cast<std::size_t>(table.dialect.separator)],
                      commas[static_cast<std::size_t>(table.dialect.comma)]);
 }
 
-// The fault of that way which gets furthest.
+// Whether a table's fault is further on in the text.
 bool further(const Table& a, const std::optional<Table>& b) {
   if (!b || a.fault->line != b->fault->line) return !b || a.fault->line > b->fault->line;
   return a.dialect.separator == b->dialect.separator && a.fault->at > b->fault->at;
@@ -221,13 +219,13 @@ bool further(const Table& a, const std::optional<Table>& b) {
 
 std::string_view without_mark(std::string_view text, const std::string& variable) {
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    throw DataError(variable, "it is text in UTF-16: save it as UTF-8");
+    throw DataError(variable, "the text is in UTF-16: save it as UTF-8");
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   return text;
 }
 
-// The text with semicolons for the commas that have a blank beside them, where others have none: those may
-// mark decimals, as in "1,5, 2,5". Nothing where all are alike.
+// The text with semicolons for commas next to a blank, if other commas have no blank: these may be decimal
+// marks, as in "1,5, 2,5". Nothing if all commas are alike.
 std::string commas_apart(std::string_view text) {
   const auto blank = [&](std::size_t i) { return i < text.size() && text[i] == ' '; };
   const auto beside = [&](std::size_t comma) { return blank(comma + 1) || (comma > 0 && blank(comma - 1)); };
@@ -253,7 +251,7 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
     } else if (!found) {
       found = std::move(table);
     } else if (!same(*found, table) && !tabs_decide(*found, table)) {
-      throw DataError(variable, fmt::format("it can be read as {}; or as {}: tell asperity-convert the "
+      throw DataError(variable, fmt::format("the text is ambiguous: {}; or {}: give asperity-convert the "
                                             "separator or the decimal mark",
                                             words_of(*found), words_of(table)));
     }
@@ -263,9 +261,9 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
   if (found->dialect.separator != Separator::comma || told) return *std::move(found);
   const std::string apart = commas_apart(text);
   if (!apart.empty() && !TableReader(apart, {Separator::semicolon, Comma::decimal}, asked).read().fault)
-    throw DataError(variable, "it can be read as " + words_of(*found) +
-                                  "; or with a comma and a blank between them and decimal commas: "
-                                  "tell asperity-convert that the comma separates, or write semicolons");
+    throw DataError(variable, "the text is ambiguous: " + words_of(*found) +
+                                  "; or separated by comma and blank, with decimal commas: tell "
+                                  "asperity-convert that the comma is the separator, or write semicolons");
   return *std::move(found);
 }
 

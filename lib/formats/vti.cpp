@@ -19,7 +19,7 @@ namespace {
 using Names = std::vector<std::string>;
 using Points = std::vector<double>;
 
-// ---- what the dataset holds ----
+// ---- content of the dataset ----
 
 bool is_field(const Variable& v) { return v.dimensions == Names{"x", "y"}; }
 bool is_volume(const Variable& v) { return v.dimensions == Names{"z", "x", "y"}; }
@@ -29,7 +29,7 @@ bool is_flags(const Variable& v) { return std::holds_alternative<std::vector<std
 
 Points ascending(Points points, const std::string& name) {
   for (std::size_t i = 1; i < points.size(); ++i)
-    if (!(points[i] > points[i - 1])) throw DataError(name, "its points do not ascend");
+    if (!(points[i] > points[i - 1])) throw DataError(name, "coordinates are not in ascending order");
   return points;
 }
 
@@ -41,7 +41,7 @@ Points coordinate_of(const Dataset& dataset, const std::string& name) {
   return ascending(std::move(out), name);
 }
 
-// Upwards, the deepest first.
+// Heights, with the deepest layer first.
 Points heights_of_layers(const Dataset& dataset) {
   if (!has_volumes(dataset)) return {0.0};
   Points out = ascending(depths_of(dataset), "z");
@@ -55,7 +55,7 @@ double step_of(const Points& points, double otherwise) {
                            : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
 }
 
-// Ranges of depths are sums of steps: far nearer than a millionth of one.
+// Ranges of depths are sums of steps, with errors far below a millionth of a step.
 bool evenly_spaced(const Points& points) {
   const double step = step_of(points, 0);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -63,10 +63,10 @@ bool evenly_spaced(const Points& points) {
   return true;
 }
 
-// Into that of a field field_of converts; a volume keeps its own.
+// The unit of a field after field_of; a volume keeps its own.
 std::string unit_shown(const Variable& v) { return is_field(v) && !is_flags(v) ? si_unit_of(v) : unit_of(v); }
 
-// Layer k of a variable; a field is its own only one.
+// Layer k of a variable; a field has a single layer.
 Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
   if (is_field(variable) && !is_flags(variable))
     return field_of(dataset, variable.name, Missing::not_a_number);
@@ -84,9 +84,9 @@ Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
       variable.values);
 }
 
-// ---- the arrays, and the bytes that follow the XML ----
+// ---- the arrays and the bytes after the XML ----
 
-// Its numbers are made when they are written, a layer at a time.
+// Its numbers are computed when written, one layer at a time.
 struct Array {
   std::string name, unit;
   NumberType type;
@@ -111,7 +111,7 @@ struct Block {
                       static_cast<Index>(layers), [&](Index k) { return layer_of(data, v, k); }});
     }
     if (fields.empty() && volumes.empty())
-      throw DataError("dataset", "it has no field on (x, y) and no volume on (z, x, y)");
+      throw DataError("dataset", "the dataset has no field on (x, y) and no volume on (z, x, y)");
   }
 
   std::string extent() const {
@@ -126,7 +126,7 @@ Array coordinate(std::string name, const Points& points) {
   return {std::move(name), "m", NumberType::float64, points.size(), 1, all};
 }
 
-// Of XML 1.0, which has no control characters, and none of ]]> but at the end of a section.
+// For XML 1.0, which has no control characters and allows ]]> only at the end of a section.
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : one_line(text)) {
@@ -137,7 +137,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// An element of arrays, from this place among the bytes that follow, which is moved behind them.
+// An element of arrays that begin at `place` in the appended bytes; moves `place` to their end.
 std::string declared(std::string_view element, const Arrays& arrays, std::size_t& place) {
   std::string out = fmt::format("<{}>\n", element);
   for (const Array& a : arrays) {
@@ -154,7 +154,7 @@ std::string declared(std::string_view element, const Arrays& arrays, std::size_t
   return out + fmt::format("</{}>\n", element);
 }
 
-// `geometry` is what the element of the whole says of its points, unless their coordinates are listed.
+// `geometry` holds attributes of the grid element; empty if coordinates are listed.
 std::string encode(const Block& block, std::string_view kind, std::string_view geometry,
                    const Arrays& coordinates) {
   const bool volumes = !block.volumes.empty();
@@ -184,8 +184,7 @@ std::string encode_vti(const Dataset& dataset) {
   const Block block(dataset);
   const Grid grid = grid_of(dataset);
   if (!evenly_spaced(block.z))
-    throw DataError("z",
-                    "its depths are not evenly spaced, as image data needs: write a rectilinear grid, vtr");
+    throw DataError("z", "depths are not evenly spaced, which vti needs: write vtr");
   const std::string geometry = fmt::format(
       " Origin=\"{} {} {}\" Spacing=\"{} {} {}\"", shortest(block.x.front()), shortest(block.y.front()),
       shortest(block.z.front()), shortest(grid.dx), shortest(grid.dy), shortest(step_of(block.z, grid.dx)));

@@ -1,19 +1,20 @@
-/// X3P, ISO 5436-2 and ISO 25178-72: a zip archive of main.xml, which describes the map, and of its numbers.
+/// X3P, ISO 5436-2 and ISO 25178-72: a zip archive with main.xml, which describes the map, and its numbers.
 ///
-///     Record1/Axes     CX, CY: AxisType I, Increment [m]; CZ: DataType I (int16), L (int32), F, D, Increment
-///                      and Offset [m] that numbers are multiplied by and shifted, 1 and 0 where absent
+///     Record1/Axes     CX, CY: AxisType I, Increment [m]; CZ: DataType I (int16), L (int32), F, D, and
+///                      Increment (default 1) and Offset (default 0) [m], factor and shift of the numbers
 ///     Record3          MatrixDimension SizeX, SizeY, SizeZ; DataLink to a file of numbers, little-endian,
-///                      x fastest, with its MD5; or DataList, a Datum each
+///                      x fastest, with its MD5; or DataList, a Datum for each number
 ///     md5checksum.hex  the MD5 of main.xml
-/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (the least first) is 0 in the
-/// file that ValidPointsLink names. Integers are signed, as openGPS and Gwyddion have them;
-/// SurfaceTopography's are not. Elements are known by their names whatever the name space. A checksum that is
-/// there must be right. Profiles (PRF) and clouds of points (PCL) are no maps, nor is more than one layer.
-/// Beside a DataList main.xml has at most 1 MiB, and md5checksum.hex 64 KiB.
+/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (least significant first) is
+/// 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
+/// SurfaceTopography. Name spaces of elements are ignored. Checksums are optional but must be correct.
+/// Profiles (PRF), point clouds (PCL) and more than one layer are refused. main.xml without its DataList may
+/// have 1 MiB, and md5checksum.hex 64 KiB.
 ///
-/// Memory    of reading, twice the map, and main.xml. A DataList is parsed by pieces.
+/// Memory    of reading, twice the map, and main.xml. A DataList is parsed in pieces.
 ///
-/// Written are doubles, NaN where missing, stored: deflating saves 4 % of a measured surface's bytes.
+/// Files are written with doubles, NaN for missing points, and uncompressed: deflate saves only 4 % for a
+/// measured surface.
 ///
 /// ISO 25178-72:2017, Geometrical product specifications: Surface texture: Areal, part 72, XML file format
 #include <cmath>
@@ -33,11 +34,11 @@ namespace {
 
 const std::string main_file = "main.xml", checksum_file = "md5checksum.hex", data_file = "bindata/data.bin";
 
-constexpr std::size_t most_of_main = 1 << 20, most_of_checksums = 1 << 16;  // bytes that are sensible
-constexpr std::string_view elsewhere = "@";  // stands for a list that was taken out of main.xml
+constexpr std::size_t most_of_main = 1 << 20, most_of_checksums = 1 << 16;  // limits in bytes
+constexpr std::string_view elsewhere = "@";  // replaces a list cut out of main.xml
 
 [[noreturn]] void refuse_size(std::string_view name, std::size_t size) {
-  refuse("{} claims {} bytes, more than is sensible", name, size);
+  refuse("{} claims {} bytes, more than is allowed", name, size);
 }
 
 // ---- main.xml ----
@@ -60,18 +61,18 @@ double number_in(pugi::xml_node node, std::string_view name, double otherwise) {
   const std::string_view text = text_of_child(node, name);
   if (text.empty()) return otherwise;
   const auto number = number_of(text);
-  if (!number || !std::isfinite(*number)) refuse("{} {} is no number", name, quoted(text));
+  if (!number || !std::isfinite(*number)) refuse("{} {} in main.xml is not a number", name, quoted(text));
   return *number;
 }
 
 Index size_in(pugi::xml_node dimensions, std::string_view name) {
   const std::string_view text = text_of_child(dimensions, name);
   const auto size = to_number<Index>(text);
-  if (!size) refuse("{} {} is no size", name, quoted(text));
+  if (!size) refuse("{} {} in main.xml is not a whole number from 0", name, quoted(text));
   return *size;
 }
 
-// A list of numbers deflates less than 32-fold; a document of elements without end a thousandfold.
+// Deflate compresses a list of numbers less than 32-fold, but endless equal elements a thousandfold.
 std::string read_main(const ZipArchive& archive, const MemoryBound& memory) {
   const auto [index, size, stored] = archive.entry(main_file);
   if (size > most_of_main + 32 * stored) refuse_size(main_file, size);
@@ -80,10 +81,10 @@ std::string read_main(const ZipArchive& archive, const MemoryBound& memory) {
 }
 
 void check_md5(std::string_view digits, std::string_view expected, std::string_view name) {
-  if (lower(expected) != digits) refuse("the checksum of {} is wrong: it is damaged", name);
+  if (lower(expected) != digits) refuse("{} is damaged: its checksum is wrong", name);
 }
 
-// Lines of a checksum, and of the name of its file, which other programs put an asterisk or a path before.
+// Each line is a checksum and a file name; other programs put an asterisk or a path before the name.
 void check_main(const ZipArchive& archive, std::string_view main) {
   if (!archive.has(checksum_file)) return;
   if (const std::size_t size = archive.entry(checksum_file).size; size > most_of_checksums)
@@ -106,9 +107,10 @@ struct Head {
 
 double spacing_of(pugi::xml_node axes, std::string_view name) {
   const pugi::xml_node axis = child(axes, name);
-  if (text_of_child(axis, "AxisType") != "I") refuse("{} is no axis of even increments", name);
+  if (text_of_child(axis, "AxisType") != "I")
+    refuse("axis {} in main.xml is not incremental (AxisType I)", name);
   const double out = number_in(axis, "Increment", 0);
-  if (!(out > 0)) refuse("the increment of {} is not positive", name);
+  if (!(out > 0)) refuse("Increment {} of {} in main.xml is not positive", out, name);
   return out;
 }
 
@@ -119,32 +121,32 @@ NumberType type_of(std::string_view code) {
                                                                {"D", NumberType::float64}};
   for (const auto& [name, type] : types)
     if (code == name) return type;
-  refuse("the data type {} of CZ is none of I, L, F, D", quoted(code));
+  refuse("number type {} is not supported, only I, L, F, D", quoted(code));
 }
 
 Head head_of(pugi::xml_node root) {
   const pugi::xml_node first = child(root, "Record1"), axes = child(first, "Axes"), z = child(axes, "CZ");
   const std::string_view feature = text_of_child(first, "FeatureType");
   if (!feature.empty() && feature != "SUR")
-    refuse("its feature type is {}, not SUR, a surface", quoted(feature));
+    refuse("feature type {} is not supported, only SUR, a surface", quoted(feature));
   const pugi::xml_node dimensions = child(child(root, "Record3"), "MatrixDimension");
-  if (size_in(dimensions, "SizeZ") != 1) refuse("it has more than one layer: SizeZ is not 1");
+  if (size_in(dimensions, "SizeZ") != 1) refuse("the file has more than one layer: SizeZ is not 1");
   Head out{.shape = {size_in(dimensions, "SizeX"), size_in(dimensions, "SizeY")},
            .spacing = {spacing_of(axes, "CX"), spacing_of(axes, "CY")},
            .type = type_of(text_of_child(z, "DataType")),
            .increment = number_in(z, "Increment", 1),
            .offset = number_in(z, "Offset", 0)};
-  if (out.increment == 0) refuse("the increment of CZ is zero");
+  if (out.increment == 0) refuse("Increment 0 of CZ in main.xml is not allowed");
   return out;
 }
 
 // ---- the numbers ----
 
-// An entry that must hold `bytes` of them, compared with a checksum if there is one.
+// An entry that must have `bytes` bytes, and the checksum if there is one.
 std::string linked(const ZipArchive& archive, const std::string& name, std::size_t bytes,
                    std::string_view checksum) {
   const std::size_t size = archive.entry(name).size;
-  if (size != bytes) refuse("'{:.64}' has {} bytes where the map's size needs {}", name, size, bytes);
+  if (size != bytes) refuse("'{:.64}' has {} bytes, the map needs {}", name, size, bytes);
   std::string out = archive.read(name);
   if (!checksum.empty()) check_md5(md5_of(out), checksum, name.substr(0, 64));
   return out;
@@ -173,16 +175,16 @@ Field values_linked(const ZipArchive& archive, pugi::xml_node link, const Head& 
   return out;
 }
 
-// The last of a Datum's numbers, which semicolons separate, is the height.
+// The height is the last number of a Datum, after semicolons.
 double datum(std::string_view text) {
   text = trimmed(text.substr(text.find_last_of(';') + 1));
   if (text.empty()) return Map::unknown;
   const auto number = number_of(text);
-  if (!number) refuse("the Datum {} is no number", quoted(text));
+  if (!number) refuse("Datum {} in main.xml is not a number", quoted(text));
   return *number;
 }
 
-// Of the list's node, unless that says that the list is elsewhere.
+// From the node of the list, or from `list` if it was cut out.
 Field values_listed(pugi::xml_node node, std::string_view list, Shape shape, const MemoryBound& memory) {
   constexpr std::size_t least = std::string_view("<Datum/>").size();
   memory.require_map(shape, "map");
@@ -197,7 +199,7 @@ Field values_listed(pugi::xml_node node, std::string_view list, Shape shape, con
     for (const pugi::xml_node n : node) take(n);
   check_shape(shape, values.size());
   if (static_cast<std::size_t>(shape.cells()) != values.size())
-    refuse("it lists {} points, more than its size", values.size());
+    refuse("main.xml lists {} points, its header gives {} x {}", values.size(), shape.nx, shape.ny);
   return Eigen::Map<const Field>(values.data(), shape.ny, shape.nx).transpose();
 }
 
@@ -216,7 +218,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   rest += std::string_view(main).substr(place.end);
   pugi::xml_document document;
   if (const auto parsed = document.load_buffer_inplace(rest.data(), rest.size()); !parsed)
-    refuse("main.xml is no XML: {}", parsed.description());
+    refuse("main.xml is not valid XML: {}", parsed.description());
   const pugi::xml_node root = child(document, "ISO5436_2"), third = child(root, "Record3"),
                        link = child(third, "DataLink");
   const Head head = head_of(root);
@@ -230,7 +232,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
 
 // ---- writing ----
 
-// With two spacings, two numbers of points, the file of numbers, its checksum, and the list's name.
+// Takes two spacings, two numbers of points, the data file, its checksum, and the checksum file.
 constexpr char main_form[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-// Behind the mark that ends what a comment and the like hold, which is no markup; 0 where none begins.
+// The end of a comment or CDATA section that begins here; 0 if none begins.
 std::size_t behind_no_markup(std::string_view xml, std::size_t at) {
   constexpr std::pair<std::string_view, std::string_view> marks[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}};
   for (const auto& [begin, end] : marks)
@@ -19,7 +19,7 @@ std::size_t behind_no_markup(std::string_view xml, std::size_t at) {
   return 0;
 }
 
-// The first of the elements that begin from a place on.
+// The first element from this position.
 std::size_t find_element(std::string_view list, std::size_t from) {
   std::size_t at = list.find('<', from);
   while (at != list.npos && at + 1 < list.size() && list[at + 1] == '/') at = list.find('<', at + 1);
@@ -50,7 +50,7 @@ void for_each_element(std::string_view list, const std::function<void(pugi::xml_
     const std::size_t end = find_element(list, piece);
     constexpr unsigned parts = pugi::parse_default | pugi::parse_fragment;
     const auto parsed = document.load_buffer(list.data(), end, parts, pugi::encoding_utf8);
-    if (!parsed) refuse("the DataList is no XML: {}", parsed.description());
+    if (!parsed) refuse("DataList in main.xml is not valid XML: {}", parsed.description());
     for (const pugi::xml_node node : document) take(node);
     list.remove_prefix(end);
   }

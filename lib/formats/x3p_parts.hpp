@@ -1,4 +1,5 @@
-/// Checksums of an X3P, and its DataList by pieces: a parser's nodes take twenty times the map's memory.
+/// Checksums of an X3P, and its DataList read in pieces: parsed whole, it needs twenty times the map's
+/// memory.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +13,13 @@ class xml_node;
 
 namespace asperity {
 
-/// Where the content of the first DataList stands; at the end, and empty, where there is none.
+/// The position of the content of the first DataList; empty and at the end if there is none.
 struct ListPlace {
   std::size_t begin, end;
 };
 ListPlace list_in(std::string_view xml);
 
-/// Calls take(element) for all of a list. Throws DataError("map", …) where it is no XML.
+/// Calls take(element) for each element of a list. Throws DataError("map", …) if it is not valid XML.
 void for_each_element(std::string_view list, const std::function<void(pugi::xml_node)>& take);
 
 /// The MD5 of bytes, 32 digits in lower case.

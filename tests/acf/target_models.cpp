@@ -36,8 +36,8 @@ TEST_CASE("a model is named as on the command line and an unknown name is refuse
   for (Model model : every_model) CHECK(enum_named<Model>(name_of(model), "target") == model);
   CHECK(name_of(Model::stretched_exponential) == "stretched-exponential");
   CHECK_THROWS_MATCHES(enum_named<Model>("fractal", "target"), ParameterError,
-                       Message("'fractal' is none of exponential, gaussian, matern, stretched-exponential, "
-                               "self-affine and exponential-cosine"));
+                       Message("'fractal' is none of exponential|gaussian|matern|stretched-exponential|"
+                               "self-affine|exponential-cosine"));
 }
 
 // The tabulated logarithm is off by at most 2e-11; the closed forms are round-off.
@@ -254,7 +254,8 @@ TEST_CASE("each parameter of a model is refused by its name, and only where the 
       CHECK(refused(model, &EllipticTarget::spacing_x, bad) == "spacing");
       CHECK(refused(model, &EllipticTarget::spacing_y, bad) == "spacing");
     }
-    for (double bad : {0.0, 1.0, -0.5, none}) CHECK(refused(model, &EllipticTarget::level, bad) == "length-level");
+    for (double bad : {0.0, 1.0, -0.5, none})
+      CHECK(refused(model, &EllipticTarget::level, bad) == "length-level");
     CHECK(refused(model, &EllipticTarget::angle, none) == "angle");
     for (double bad : {-1.0, none, 1e101}) {
       auto name = [&](Model owner, const char* text) { return model == owner ? text : ""; };

@@ -89,8 +89,7 @@ TEST_CASE("what was never written is missing, of every type but bytes", "[conven
       read(surface(Twelve<double>{fill, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, with<double>("_FillValue", {3}))),
       {fill, 1, 2, none, 4, 5, 6, 7, 8, 9, 10, 11});
   Dataset never = decode_netcdf(encode_netcdf(surface(Twelve<double>(12, fill))));
-  CHECK_THROWS_WITH(field_of(never, "heights"),
-                    ContainsSubstring("12 of its points are missing (never written)"));
+  CHECK_THROWS_WITH(field_of(never, "heights"), ContainsSubstring("12 points missing (never written)"));
 }
 
 TEST_CASE("a list of missing values marks all of them, and one mark is left in the dataset",
@@ -154,7 +153,7 @@ TEST_CASE("coordinates and masks are unpacked as fields are", "[conventions][exa
   CHECK(z.isNaN().count() == 11);
   x.attributes.set_values("_FillValue", std::vector<std::int16_t>{20});
   CHECK_THROWS_WITH(grid_of(decode_netcdf(encode_netcdf(data))),
-                    ContainsSubstring("a point of it is missing"));
+                    ContainsSubstring("a coordinate is missing"));
 }
 
 TEST_CASE("after reading nothing is packed any more, and the range is that of the values",
@@ -188,17 +187,17 @@ TEST_CASE("what cannot be understood is refused by the variable and the attribut
   Attributes sign;
   sign.set("_Unsigned", 1.0);
   const std::pair<Attributes, const char*> cases[] = {
-      {text, "its scale_factor is text"},
-      {mark, "its missing_value is text"},
-      {sign, "its _Unsigned is neither true nor false"},
-      {with<double>("scale_factor", {0}), "its scale_factor is 0"},
-      {with<double>("scale_factor", {none}), "its scale_factor is nan"},
-      {with<double>("scale_factor", {1, 2}), "its scale_factor is a list of 2 numbers"},
-      {with<double>("add_offset", {HUGE_VAL}), "its add_offset is inf"},
-      {with<double>("valid_min", {2}, with<double>("valid_max", {1})), "2 to 1, which holds nothing"},
-      {with<double>("valid_range", {none, 1}), "which holds nothing"},
-      {with<double>("valid_range", {1}), "a list of 1 numbers, not of two"},
-      {with<double>("valid_range", {0, 1}, with<double>("scale_factor", {2})), "CF has it in the packed"},
+      {text, "attribute scale_factor is text"},
+      {mark, "attribute missing_value is text"},
+      {sign, "attribute _Unsigned is not true or false"},
+      {with<double>("scale_factor", {0}), "attribute scale_factor is 0"},
+      {with<double>("scale_factor", {none}), "attribute scale_factor is nan"},
+      {with<double>("scale_factor", {1, 2}), "attribute scale_factor is a list of 2 numbers"},
+      {with<double>("add_offset", {HUGE_VAL}), "attribute add_offset is inf"},
+      {with<double>("valid_min", {2}, with<double>("valid_max", {1})), "2 to 1, which is empty"},
+      {with<double>("valid_range", {none, 1}), "which is empty"},
+      {with<double>("valid_range", {1}), "a list of 1 numbers instead of 2"},
+      {with<double>("valid_range", {0, 1}, with<double>("scale_factor", {2})), "CF needs it in the packed"},
   };
   for (const auto& [attributes, words] : cases) {
     CAPTURE(words);

@@ -65,7 +65,8 @@ TEST_CASE("whatever lies on a coordinate that descends is turned around with it,
   for (const char* name : {"x", "y", "z", "lag_x", "lag_y"}) {
     CAPTURE(name);
     Dataset back = decode_netcdf(encode_netcdf(turned(data, name)));
-    const std::string line = std::string(name) + " turned around with all that lay on it: it descended";
+    const std::string line =
+        "descending coordinate " + std::string(name) + " reversed, with all values on it";
     CHECK(back.attributes.text("history") == line);
     CHECK(back.notes == std::vector{line});
     back.attributes.erase("history");
@@ -75,7 +76,7 @@ TEST_CASE("whatever lies on a coordinate that descends is turned around with it,
   CHECK((field_of(both, "heights") == field_of(data, "heights")).all());
   CHECK(grid_of(both).periodic);
   CHECK(both.notes ==
-        std::vector<std::string>{"x, y turned around with all that lay on them: they descended"});
+        std::vector<std::string>{"descending coordinates x, y reversed, with all values on them"});
 }
 
 TEST_CASE("a z that is not said to be a depth is not turned, and one above the surface is refused",
@@ -85,5 +86,5 @@ TEST_CASE("a z that is not said to be a depth is not turned, and one above the s
   const Dataset back = decode_netcdf(encode_netcdf(data));
   CHECK(back.at("z").values == data.at("z").values);
   data.find("z")->values = std::vector<double>{-0.4, -0.1, 0};
-  CHECK_THROWS_WITH(depths_of(data), ContainsSubstring("is no depth below the surface"));
+  CHECK_THROWS_WITH(depths_of(data), ContainsSubstring("is above the surface"));
 }

@@ -137,7 +137,7 @@ TEST_CASE("a length or a period that is text is refused", "[layout][contract]") 
   for (const char* name : {"length", "periodic"}) {
     Dataset data = with_heights(random_field(grid.shape, 7));
     data.find("y")->attributes.set(name, "1");
-    CHECK_THROWS_WITH(grid_of(data), ContainsSubstring("is text where a number belongs"));
+    CHECK_THROWS_WITH(grid_of(data), ContainsSubstring("is text instead of a number"));
   }
 }
 

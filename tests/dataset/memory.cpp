@@ -37,9 +37,8 @@ TEST_CASE("a dataset that takes more memory than is allowed is refused, and says
           "[netcdf][memory][contract]") {
   const std::string bytes = encode_netcdf(surface());
   CHECK_NOTHROW(decode_netcdf(bytes, {2 * field + axes}));
-  CHECK_THROWS_WITH(
-      decode_netcdf(bytes, {2 * field + axes - 1}),
-      ContainsSubstring("reading it takes 1MB of memory, more than the 1MB that memory allows"));
+  CHECK_THROWS_WITH(decode_netcdf(bytes, {2 * field + axes - 1}),
+                    ContainsSubstring("reading needs 1MB, the memory limit is 1MB: raise memory"));
   CHECK_THROWS_AS(decode_netcdf(bytes, {2 * field + axes + 7, 8}), DataError);
 }
 
@@ -55,7 +54,7 @@ TEST_CASE("a head that lists more than there can be of a kind is refused before 
   const std::size_t list = bytes.find(std::string("\0\0\0\f\0\0 \0", 8));  // of attributes, and their number
   REQUIRE(list != bytes.npos);
   bytes[list + 7] = 1;
-  CHECK_THROWS_WITH(decode_netcdf(bytes), ContainsSubstring("lists 8193 things of a kind"));
+  CHECK_THROWS_WITH(decode_netcdf(bytes), ContainsSubstring("has 8193 attributes"));
   heights.attributes.set("one more", 1);
   CHECK_THROWS_AS(encode_netcdf(data), DataError);  // rather than what nobody reads
 }
@@ -73,5 +72,5 @@ TEST_CASE("of a dataset whose fields stay in the file, these take no memory", "[
 TEST_CASE("a NetCDF-4 file that takes more memory than is allowed is refused", "[netcdf][memory][contract]") {
   const std::string bytes = content(ASPERITY_TEST_DATA "/../corpus/netcdf4/whole");
   CHECK_NOTHROW(decode_netcdf(bytes, {100'000}));
-  CHECK_THROWS_WITH(decode_netcdf(bytes, {100}), ContainsSubstring("that memory allows"));
+  CHECK_THROWS_WITH(decode_netcdf(bytes, {100}), ContainsSubstring("raise memory"));
 }

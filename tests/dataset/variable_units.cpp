@@ -1,8 +1,7 @@
 // In what unit a variable is read, and which are refused.
-#include "dataset/units.hpp"
-
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/units.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -45,13 +44,13 @@ TEST_CASE("a field comes in the unit that is asked for, converted", "[units][exa
 
 TEST_CASE("a field without a unit, of another quantity or another zero is refused by name, with what to do",
           "[units][contract]") {
-  CHECK_THAT(refused("pressure", "", "Pa"), ContainsSubstring("pressure: it has no unit, where Pa") &&
-                                                ContainsSubstring("give it the attribute"));
-  CHECK_THAT(refused("pressure", "m", "Pa"), ContainsSubstring("'m' does not measure what 'Pa' measures"));
-  CHECK_THAT(refused("pressure", "word", "Pa"), ContainsSubstring("'word' is no known unit"));
-  CHECK_THAT(refused("gap", "m @ 5", "m"), ContainsSubstring("counts from another zero"));
-  CHECK_THAT(refused("gap", "m-1", "m"), ContainsSubstring("does not measure what 'm' measures"));
-  CHECK_THAT(refused("gap", "-1 m", "m"), ContainsSubstring("is no multiple of 'm'"));
+  CHECK_THAT(refused("pressure", "", "Pa"),
+             ContainsSubstring("pressure: has no unit") && ContainsSubstring("add the attribute units"));
+  CHECK_THAT(refused("pressure", "m", "Pa"), ContainsSubstring("'m' cannot be converted to 'Pa'"));
+  CHECK_THAT(refused("pressure", "word", "Pa"), ContainsSubstring("'word' is not a known unit"));
+  CHECK_THAT(refused("gap", "m @ 5", "m"), ContainsSubstring("their zeros differ"));
+  CHECK_THAT(refused("gap", "m-1", "m"), ContainsSubstring("cannot be converted to 'm'"));
+  CHECK_THAT(refused("gap", "-1 m", "m"), ContainsSubstring("is not a multiple of 'm'"));
   CHECK_THROWS_AS(unit_factor("degC", "K"), std::invalid_argument);
   // what tools know by its name is what its name says, whoever asks
   for (const char* name : {"pressure", "von_mises"})
@@ -90,5 +89,5 @@ TEST_CASE("lags are lengths, or samples of one each", "[units][exact]") {
   CHECK_THROWS_AS(lags_of(lags), DataError);
   lags.attributes.erase("units");
   lags.values = std::vector<double>{0, 1e-6, 2e-6};
-  CHECK_THROWS_WITH(lags_of(lags), ContainsSubstring("no unit"));
+  CHECK_THROWS_WITH(lags_of(lags), ContainsSubstring("without a unit"));
 }

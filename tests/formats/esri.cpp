@@ -60,22 +60,22 @@ TEST_CASE("an ESRI grid that lies about itself is refused with what is wrong", "
   const auto refused = [](const std::string& bytes, const std::string& with) {
     CHECK_THROWS_WITH(format::esri.decode(bytes, Order::xy), ContainsSubstring(with));
   };
-  refused("ncols 3\n", "does not state nrows");
-  refused(head + "1 2 3 4 5\n", "holds 5 numbers where its head says 3 x 2");
-  refused(head + "1 2 3 4 5 6 7\n", "holds 7 numbers");
-  refused(head + "1 2 3 4 5 six\n", "line 6, 'six', is no number");
-  refused("ncols 3\nnrows 2\n1 2 3 4 5 6\n", "does not state cellsize");
-  refused("ncols 3\nnrows 2\ndx 1\n1 2 3 4 5 6\n", "does not state dy");
+  refused("ncols 3\n", "nrows is missing in the header");
+  refused(head + "1 2 3 4 5\n", "has 5 numbers, its header gives 3 x 2");
+  refused(head + "1 2 3 4 5 6 7\n", "has 7 numbers");
+  refused(head + "1 2 3 4 5 six\n", "line 6: 'six' is not a number");
+  refused("ncols 3\nnrows 2\n1 2 3 4 5 6\n", "cellsize is missing in the header");
+  refused("ncols 3\nnrows 2\ndx 1\n1 2 3 4 5 6\n", "dy is missing in the header");
   refused("ncols 3\nnrows 2\ncellsize 0\n1 2 3 4 5 6\n", "not positive");
   refused("ncols 3000000000\nnrows 3000000000\ncellsize 1\n1 2 3\n", "cut short");
-  refused(head + "NODATA_value x\n1 2 3 4 5 6\n", "NODATA_value, 'x', is no number");
+  refused(head + "NODATA_value x\n1 2 3 4 5 6\n", "NODATA_value 'x' in the header is not a number");
   Map map = small_map();
   map.spacing[0] = Map::unknown;
   CHECK_THROWS_WITH(format::esri.encode(map, Order::xy),
-                    "an ESRI grid needs the map's size, which is not known");
+                    "the map has no size, which an ESRI grid needs: give asperity-convert its size");
   map = small_map();
   map.values(0, 0) = -1e308;
-  CHECK_THROWS_WITH(format::esri.encode(map, Order::xy), ContainsSubstring("no number for missing points"));
+  CHECK_THROWS_WITH(format::esri.encode(map, Order::xy), ContainsSubstring("to mark missing points"));
 }
 
 TEST_CASE("a name that ends in asc is an ESRI grid to write, and one to read if it begins as such",

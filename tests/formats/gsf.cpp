@@ -55,15 +55,15 @@ TEST_CASE("a GSF that lies about itself is refused with what is wrong", "[format
   const auto refused = [](const std::string& bytes, const std::string& with) {
     CHECK_THROWS_WITH(format::gsf.decode(bytes, Order::xy), ContainsSubstring(with));
   };
-  refused("Gwyddion", "does not begin");
+  refused("Gwyddion", "is not a Gwyddion Simple Field");
   refused("Gwyddion Simple Field 1.0\nXRes=1\n", "no end");
-  refused(file("XRes=2\n"), "does not state YRes");
-  refused(file("XRes=2\nYRes=1.5\n"), "YRes, '1.5', is no whole number");
-  refused(file("XRes=-2\nYRes=-1\n"), "no whole number");
-  refused(file("XRes=0\nYRes=1\n"), "holds no point");
+  refused(file("XRes=2\n"), "YRes is missing in the header");
+  refused(file("XRes=2\nYRes=1.5\n"), "YRes '1.5' in the header is not a whole number");
+  refused(file("XRes=-2\nYRes=-1\n"), "is not a whole number from 0");
+  refused(file("XRes=0\nYRes=1\n"), "the map has no points");
   refused(file("XRes=2\nYRes=2\n"), "cut short");
   refused(file("XRes=4611686018427387904\nYRes=4611686018427387904\n"), "cut short");
-  refused(file("XRes=99999999999999999999\nYRes=1\n"), "no whole number");
-  refused(file("XRes=2\nYRes=1\nXReal=-1\nXYUnits=m\n"), "XReal, '-1', is not positive");
+  refused(file("XRes=99999999999999999999\nYRes=1\n"), "is not a whole number from 0");
+  refused(file("XRes=2\nYRes=1\nXReal=-1\nXYUnits=m\n"), "XReal '-1' in the header is not positive");
   refused(file("XRes=2\nYRes=1\nXReal=1\nXYUnits=V\n"), "V");
 }

@@ -87,7 +87,7 @@ TEST_CASE("a .npy that lies about itself is refused with what is wrong", "[forma
   const auto refused = [](const std::string& bytes, const std::string& with) {
     CHECK_THROWS_WITH(format::npy.decode(bytes, Order::xy), ContainsSubstring(with));
   };
-  refused("NUMPY", "does not begin");
+  refused("NUMPY", "is not a NumPy array");
   refused("\x93NUMPY", "no end");
   refused(std::string("\x93NUMPY\x01\0\xff\xff{", 11), "no end");
   refused(npy(dictionary("<f8"), std::string(16, '\0'), 4), "version 4");
@@ -96,15 +96,15 @@ TEST_CASE("a .npy that lies about itself is refused with what is wrong", "[forma
   refused(npy(dictionary("<f8", "(1, 1, 2)"), std::string(16, '\0')), "has 3 dimensions");
   refused(npy(dictionary("<f8", "()"), std::string(16, '\0')), "has 0 dimensions");
   refused(npy(dictionary("<f8", "(4611686018427387904, 8)"), std::string(16, '\0')), "cut short");
-  refused(npy(dictionary("<f8", "(-1, 8)"), std::string(16, '\0')), "not understood at '-1, 8)");
-  refused(npy(dictionary("<f8", "(0, 8)"), std::string(16, '\0')), "holds no point");
-  refused(npy(dictionary("<c16"), std::string(32, '\0')), "type '<c16', which is not read");
+  refused(npy(dictionary("<f8", "(-1, 8)"), std::string(16, '\0')), "cannot be read at '-1, 8)");
+  refused(npy(dictionary("<f8", "(0, 8)"), std::string(16, '\0')), "the map has no points");
+  refused(npy(dictionary("<c16"), std::string(32, '\0')), "number type '<c16' is not supported");
   refused(npy(dictionary("|f8"), std::string(16, '\0')), "type '|f8'");
   refused(npy(dictionary("f"), std::string(16, '\0')), "type 'f'");
-  refused(npy("{'shape': (1, 2)}", "ab"), "does not state descr");
-  refused(npy("{'descr': '|u1'}", "ab"), "does not state shape");
-  refused(npy("{'descr': [('x', '|u1')]}", "ab"), "not understood at '[(");
-  refused(npy("{'descr': '|u1", "ab"), "not understood");
-  refused(npy("{'size': 3}", "ab"), "the key 'size'");
-  refused(npy("{'fortran_order': 1}", "ab"), "not understood at '1}'");
+  refused(npy("{'shape': (1, 2)}", "ab"), "descr is missing in the header");
+  refused(npy("{'descr': '|u1'}", "ab"), "shape is missing in the header");
+  refused(npy("{'descr': [('x', '|u1')]}", "ab"), "cannot be read at '[(");
+  refused(npy("{'descr': '|u1", "ab"), "cannot be read");
+  refused(npy("{'size': 3}", "ab"), "key 'size' in the header");
+  refused(npy("{'fortran_order': 1}", "ab"), "cannot be read at '1}'");
 }

@@ -131,7 +131,7 @@ def check_xarray():
         assert np.array_equal(np.isnan(found), np.isnan(exact)), what
         assert np.nanmax(np.abs(found - exact)) <= 2 * np.finfo(np.float32).eps * 1e-5, what
         line = xarray.open_dataset(converted("theirs.nc", "again.nc"), engine="scipy").history.split("\n")
-        assert ("turned around" in line[1]) == bool(backwards), (what, line)
+        assert ("reversed" in line[1]) == bool(backwards), (what, line)
 
 
 with tempfile.TemporaryDirectory() as folder:

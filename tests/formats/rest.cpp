@@ -36,7 +36,7 @@ TEST_CASE("a second map behind the first is refused, in every format that says i
     CHECK(words != "read");
     // a grid of ESRI's and a text of NRRD's hold words where numbers should be
     if (format.name == "esri") continue;
-    CHECK_THAT(words, ContainsSubstring(format.name == "x3p" ? "bytes of it are not of its archive"
+    CHECK_THAT(words, ContainsSubstring(format.name == "x3p" ? "bytes do not belong to the archive"
                                                              : "bytes follow"));
     const std::size_t trailer = format.name == "sdf-ascii" ? 3 : 0;  // a line of its own after the numbers
     CHECK_THAT(words, ContainsSubstring(std::to_string(one.size() + trailer) + " bytes"));

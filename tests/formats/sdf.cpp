@@ -116,10 +116,12 @@ TEST_CASE("what is written as SDF is read again the same, missing points too", "
 TEST_CASE("a map that SDF cannot hold is not written as one", "[formats][contract]") {
   Map map = small_map();
   map.units = "V";
-  CHECK_THROWS_WITH(format::sdf.encode(map, Order::xy), "SDF holds lengths in metres alone, not 'V'");
+  CHECK_THROWS_WITH(format::sdf.encode(map, Order::xy),
+                    "SDF holds only lengths, not values in 'V': choose another format");
   map = small_map();
   map.spacing[1] = Map::unknown;
-  CHECK_THROWS_WITH(format::sdf_ascii.encode(map, Order::xy), "SDF needs the map's size, which is not known");
+  CHECK_THROWS_WITH(format::sdf_ascii.encode(map, Order::xy),
+                    "the map has no size, which SDF needs: give asperity-convert its size");
   map = small_map();
   map.values = Field::Zero(65536, 1);
   CHECK_THROWS_WITH(format::sdf.encode(map, Order::xy), ContainsSubstring("65535 points"));
@@ -133,20 +135,20 @@ TEST_CASE("an SDF that lies about itself is refused with what is wrong", "[forma
     return bytes.replace(at, part.size(), part);
   };
   const std::string good = binary("ISO-1.0", 2, 4, "\3\4");
-  refused("cISO-1.0", "does not begin");
-  refused(good.substr(0, 80), "head is cut short");
-  refused(binary("ISO-2.0", 2, 4, "").substr(0, 83), "head is cut short");
-  refused(good.substr(0, 82), "it is cut short");
-  refused(with(good, 42, "\xff\xff\xff\xff"), "it is cut short: 65535 x 65535");
-  refused(with(good, 42, std::string(2, '\0')), "holds no point");
-  refused(with(good, 46, std::string(8, '\0')), "Xscale is not positive");
-  refused(with(good, 62, std::string("\0\0\0\0\0\0\xf8\x7f", 8)), "Zscale is not positive");
-  refused(with(good, 78, "\1"), "compressed");
-  refused(with(good, 79, "\x8"), "DataType 8");
+  refused("cISO-1.0", "is not SDF");
+  refused(good.substr(0, 80), "header has no end");
+  refused(binary("ISO-2.0", 2, 4, "").substr(0, 83), "header has no end");
+  refused(good.substr(0, 82), "cut short");
+  refused(with(good, 42, "\xff\xff\xff\xff"), "the file is cut short: it holds");
+  refused(with(good, 42, std::string(2, '\0')), "the map has no points");
+  refused(with(good, 46, std::string(8, '\0')), "Xscale 0 in the header is not positive");
+  refused(with(good, 62, std::string("\0\0\0\0\0\0\xf8\x7f", 8)), "Zscale nan in the header is not positive");
+  refused(with(good, 78, "\1"), "Compression 1");
+  refused(with(good, 79, "\x8"), "number type 8");
   refused(with(good, 80, "\2"), "CheckType 2");
   refused("aISO-1.0\nNumPoints = 2\n", "no end");
-  refused(text("NumPoints = 2\n", "1 2\n"), "does not state NumProfiles");
-  refused(text(head, "1 2 3\n*\n4"), "holds 3 numbers where its head says 2 x 2");
-  refused(text(head, "1 2 3 x\n*\n"), "line 12, 'x', is no number");
+  refused(text("NumPoints = 2\n", "1 2\n"), "NumProfiles is missing in the header");
+  refused(text(head, "1 2 3\n*\n4"), "has 3 numbers, its header gives 2 x 2");
+  refused(text(head, "1 2 3 x\n*\n"), "line 12: 'x' is not a number");
   refused(text("NumPoints = 3000000000\n" + head, "1 2 3 4\n"), "cut short");
 }

@@ -71,13 +71,13 @@ TEST_CASE("a comma is decimal where another separator stands beside it", "[forma
 }
 
 TEST_CASE("a matrix is refused with the line that does not fit", "[formats][contract]") {
-  CHECK_THROWS_WITH(matrix_of("1 2\n3\n", "map"), "line 2 has 1 number, the first one 2");
-  CHECK_THROWS_WITH(matrix_of("1;2;3;\n4;5;6\n", "map"), "line 2 has 3 numbers, the first one 4");
-  CHECK_THROWS_WITH(matrix_of("1 2\n3 x\n", "map", 5), "line 6, 'x', is no number");
-  CHECK_THROWS_WITH(matrix_of("1 inf", "map"), "line 1, 'inf', is infinite");
-  CHECK_THROWS_WITH(matrix_of(" \n\n", "map"), "there are no numbers in it");
+  CHECK_THROWS_WITH(matrix_of("1 2\n3\n", "map"), "line 2 has 1 number, the first line 2");
+  CHECK_THROWS_WITH(matrix_of("1;2;3;\n4;5;6\n", "map"), "line 2 has 3 numbers, the first line 4");
+  CHECK_THROWS_WITH(matrix_of("1 2\n3 x\n", "map", 5), "line 6: 'x' is not a number");
+  CHECK_THROWS_WITH(matrix_of("1 inf", "map"), "line 1: 'inf' is infinite");
+  CHECK_THROWS_WITH(matrix_of(" \n\n", "map"), "the file has no numbers");
   CHECK_THROWS_WITH(matrix_of("X,Y\n1,2\n", "map"),
-                    ContainsSubstring("line 1, 'X', is no number: let lines"));
+                    ContainsSubstring("line 1: 'X' is not a number: begin lines"));
   CHECK_THROWS_WITH(matrix_of("\xff\xfe\x31\0", "map"), ContainsSubstring("UTF-16"));
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("what can be read in two ways is refused until it is told, thousands t
   for (const char* text : {"1,234", "1,234 5,678\n", "1,234.5\n2,000.5\n", "1\t\t2\n3\t\t4\n"})
     CHECK_THAT(refusal(text), ContainsSubstring("the separator or the decimal mark"));
   for (const char* text : {"1.234,5;2.000,5\n", "1.234.567,8 2\n", "1,5 2.500\n"})
-    CHECK_THAT(refusal(text), ContainsSubstring("is no number"));
+    CHECK_THAT(refusal(text), ContainsSubstring("is not a number"));
   CHECK(same(matrix_of("1,234.5 2,000\n3.5 1\n", "map"), field({{1234.5, 2000}, {3.5, 1}})));
   CHECK_THAT(refusal("1.234,5;2.000,5\n"), ContainsSubstring("thousands"));
   CHECK_THROWS_AS(matrix_of("1,5", "map", 1, reading(Separator::comma, DecimalMark::comma)), ParameterError);
@@ -142,9 +142,9 @@ TEST_CASE("columns that look like coordinates are refused until it is told what 
   for (const char* text : texts) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), ContainsSubstring("the unit of the points"));
-    Reading heights;
-    heights.heights = true;
-    CHECK(refusal(text, heights) == "read");
+    Reading matrix;
+    matrix.matrix = true;
+    CHECK(refusal(text, matrix) == "read");
   }
   CHECK(refusal("2 4 6\n3 5 7\n4 6 8\n5 7 9\n") == "read");
   CHECK(refusal("7 1 9 2\n0 7 3 7\n2 9 1 2\n4 4 4 9\n") == "read");
@@ -173,13 +173,13 @@ TEST_CASE(
 
 TEST_CASE("points that are no grid are refused", "[formats][contract]") {
   CHECK_THAT(refusal("0 1\n1 2\n2.2 3\n", points(1)),
-             ContainsSubstring("not evenly spaced: 1 lies 0.09 spacings"));
+             ContainsSubstring("not evenly spaced: 1 is off by 0.09 spacings"));
   CHECK_THAT(refusal("0 0 1\n1 1 2\n2 2 3\n3 3 4\n", points(1)),
-             ContainsSubstring("less than half of a grid of 4 x 4"));
+             ContainsSubstring("fill less than half of a grid of 4 x 4"));
   CHECK_THAT(refusal("0 1\n1 2\n1 3\n", points(1)), ContainsSubstring("x = 1 is given twice"));
   CHECK_THAT(refusal("0 1\n1 2\nnan 3\n", points(1)), ContainsSubstring("a coordinate x is missing"));
   CHECK_THAT(refusal("1 2 3 4\n", points(1)), ContainsSubstring("x z or x y z"));
-  CHECK_THAT(refusal("1 2\n", points(1)), ContainsSubstring("one point is no map"));
+  CHECK_THAT(refusal("1 2\n", points(1)), ContainsSubstring("at least 2 points"));
 }
 
 TEST_CASE("a text matrix has a line for each x, or as asked for each y, and may state its unit",
@@ -239,10 +239,10 @@ TEST_CASE("formats of text with a head have missing points and refuse what is ra
   CHECK(same(format::gwyddion_text.decode(gwyddion + "1\t\t3\n4\t5\t---\n", {}).values,
              field({{1, gap, 3}, {4, 5, gap}}).transpose()));
   CHECK_THROWS_WITH(format::gwyddion_text.decode(gwyddion + "1\t2\t3\n4\t5\n", {}),
-                    "line 4 has 2 numbers, the first one 3");
+                    "line 4 has 2 numbers, the first line 3");
   const Format& grid = format_named("esri", "from");
   CHECK(same(grid.decode(esri + "1,,3\n4,5,\n6", {}).values, field({{4, 1}, {5, gap}, {6, 3}})));
   CHECK(same(grid.decode(esri + "\t1\t2\t\t3\n4\t5\t6", {}).values, field({{4, 1}, {5, 2}, {6, 3}})));
-  CHECK_THROWS_WITH(grid.decode(esri + "1 2 3\n4 5 6\n7", {}), ContainsSubstring("it holds 7 numbers"));
+  CHECK_THROWS_WITH(grid.decode(esri + "1 2 3\n4 5 6\n7", {}), ContainsSubstring("the file has 7 numbers"));
   CHECK_THROWS_WITH(grid.decode(esri + "1,234 2 3\n4 5 6", {}), ContainsSubstring("the decimal mark"));
 }

@@ -40,7 +40,7 @@ inline Reading any_reading(std::size_t size) {
   Reading out(size % 2 == 0 ? Order::yx : Order::xy);
   out.separator = static_cast<Separator>(size % 11 < 5 ? size % 11 : 0);
   out.decimal = static_cast<DecimalMark>(out.separator == Separator::comma || size % 7 > 2 ? 0 : size % 7);
-  out.heights = size % 3 == 0;
+  out.matrix = size % 3 == 0;
   out.coordinate = size % 5 == 0 ? 1e-6 : 0;
   return out;
 }

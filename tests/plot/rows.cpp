@@ -42,7 +42,7 @@ TEST_CASE("a row of points is drawn along the row, whichever way it runs", "[plo
           shell("asperity-plot scene.nc -o a.svg --section " + along + "=0 --kind " + std::string(kind));
       CAPTURE(shape.nx, kind, no.error);
       CHECK((no.exit == 4 && lines(no.error) == 1));
-      CHECK(no.error.find("needs two points, and there is one") != no.error.npos);
+      CHECK(no.error.find("needs at least two points, found 1") != no.error.npos);
     }
   }
 }
@@ -76,7 +76,7 @@ TEST_CASE("a surface of two long rows is drawn in perspective, and one of a row 
     write_scene(shape);
     const Outcome no = shell("asperity-plot scene.nc -o a.svg --kind surface");
     CHECK((no.exit == 4 && lines(no.error) == 1));
-    CHECK(no.error.find("heights: a surface in perspective needs 2 x 2 points") != no.error.npos);
+    CHECK(no.error.find("heights: a perspective view needs at least 2 x 2 points") != no.error.npos);
   }
 }
 
@@ -87,6 +87,6 @@ TEST_CASE("of a single point maps are drawn, and profiles and sections refused b
     const Outcome no = shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind);
     CAPTURE(no.error);
     CHECK((no.exit == 4 && lines(no.error) == 1));
-    CHECK(no.error.find("needs two points, and there is one") != no.error.npos);
+    CHECK(no.error.find("needs at least two points, found 1") != no.error.npos);
   }
 }

@@ -131,7 +131,8 @@ TEST_CASE("the unloaded surface carries the load again, elastically and under th
 TEST_CASE("smooth bodies that yield leave a dent that is pressed again through the pipe",
           "[contact][exact]") {
   const std::string tight = " --tolerance 1e-9 --radius 50mm --load 5000N ";
-  require(smooth + tight + "--limit-pressure 2GPa --add heights_residual | asperity-contact --variable heights_residual" +
+  require(smooth + tight +
+          "--limit-pressure 2GPa --add heights_residual | asperity-contact --variable heights_residual" +
           tight + elastic + "-o dent.nc");
   CHECK(read_dataset("dent.nc").attributes.number("contact_max_pressure", 0) <= 2e9 * (1 + 1e-7));
 }
@@ -200,9 +201,9 @@ TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 
   with("none.nc", [&](Dataset& d, Variable&) { d.erase("heights"); });
   const std::pair<std::string, std::string> bad[] = {
       {"nan.nc", "nan.nc: heights: the value at point (1, 6) is not a number"},
-      {"fill.nc", "fill.nc: heights: 1 of its points are missing (_FillValue)"},
-      {"missing.nc", "missing.nc: heights: 1 of its points are missing (missing_value)"},
-      {"mask.nc", "mask.nc: heights: 1 of its points are masked"},
+      {"fill.nc", "fill.nc: heights: 1 point missing (_FillValue)"},
+      {"missing.nc", "missing.nc: heights: 1 point missing (missing_value)"},
+      {"mask.nc", "mask.nc: heights: 1 point masked as missing"},
       {"force.nc", "force.nc: heights: 'N'"},
       {"none.nc", "none.nc: heights: is missing"},
       {"--counter nan.nc good.nc", "nan.nc: heights: "},

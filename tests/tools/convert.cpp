@@ -98,7 +98,7 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   write_text("xz.txt", "0 1\n1 2\n2 4\n");
   write_text("spaced.csv", "1,5, 2,5, 3,5\n4,5, 5,5, 6,5\n");  // six numbers a line, or three
   const std::pair<const char*, const char*> cases[] = {{"both.csv", "the separator or the decimal mark"},
-                                                       {"spaced.csv", "that the comma separates"},
+                                                       {"spaced.csv", "that the comma is the separator"},
                                                        {"xyz.txt", "the unit of the points"},
                                                        {"xz.txt", "the unit of the points"}};
   for (const auto& [file, option] : cases)
@@ -119,7 +119,7 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
   CHECK(shape_of(converted("spaced.csv --separator comma --size 1mm")) == Shape{2, 6});
   CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
-  CHECK(shape_of(converted("xyz.txt --heights --size 1mm")) == Shape{6, 3});
+  CHECK(shape_of(converted("xyz.txt --matrix --size 1mm")) == Shape{6, 3});
   const Field z = converted("xyz.txt --xyz mm");
   REQUIRE(shape_of(z) == Shape{3, 2});
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
@@ -133,9 +133,9 @@ TEST_CASE("what an option tells of a text is refused where the input is none, or
   write_numbers();
   for (const char* arguments :
        {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --xyz um",
-        "numbers.txt --heights", "surface.nc --heights", "numbers.txt --separator comma --decimal comma",
+        "numbers.txt --matrix", "surface.nc --matrix", "numbers.txt --separator comma --decimal comma",
         "numbers.txt --separator word", "numbers.txt --from text --xyz s",
-        "numbers.txt --from text --xyz um --heights"}) {
+        "numbers.txt --from text --xyz um --matrix"}) {
     const Outcome run = shell(std::string("asperity-convert ") + arguments + " -o out.nc");
     CAPTURE(arguments, run.error);
     CHECK(run.exit == 2);
@@ -183,7 +183,7 @@ TEST_CASE("a dataset with depths becomes an image for ParaView, one of uneven de
   const Outcome uneven =
       shell(stress + "0,0.1mm,0.3mm && asperity-convert s.nc -o s.vtr && asperity-convert s.nc -o no.vti");
   CHECK(uneven.exit == 4);
-  CHECK_THAT(uneven.error, ContainsSubstring("asperity-convert: z: its depths are not evenly spaced"));
+  CHECK_THAT(uneven.error, ContainsSubstring("asperity-convert: s.nc: z: depths are not evenly spaced"));
   CHECK_THAT(shell("head -c 400 s.vtr").out, ContainsSubstring("type=\"RectilinearGrid\""));
 }
 
@@ -244,17 +244,17 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
   write_text("matrix.txt", "1 2\n3 4\n");
   write_text("rubbish.gsf", std::string("\x01\x02\x00\x03", 4));
   const std::pair<const char*, std::pair<int, const char*>> cases[] = {
-      {"matrix.txt", {4, "asperity-convert: x: the file does not say how large the map is"}},
+      {"matrix.txt", {4, "asperity-convert: matrix.txt: x: the file does not give the size of the map"}},
       {"rubbish.gsf", {4, "asperity-convert: map: "}},
       {"numbers.txt --from gsf", {4, "asperity-convert: "}},
       {"numbers.txt --from word", {2, "asperity-convert: --from: "}},
       {"numbers.txt --to word", {2, "asperity-convert: --to: "}},
       {"numbers.txt --crop 3:2,0:1",
-       {2, "asperity-convert: --crop: '3:2' is no range A:B with 0 <= A < B <= 6"}},
+       {2, "asperity-convert: --crop: '3:2' is not a range A:B with 0 <= A < B <= 6"}},
       {"numbers.txt --crop 0:7,0:1", {2, "asperity-convert: --crop: '0:7'"}},
       {"numbers.txt --crop 0:2", {2, "asperity-convert: --crop: '0:2' is not of the form A:B,C:D"}},
       {"numbers.txt --decimate 0x1", {2, "asperity-convert: --decimate: "}},
-      {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file says that its values are in m"}},
+      {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file gives its own unit, m"}},
       {"matrix.txt --size 0mm", {2, "asperity-convert: --size: "}},
   };
   for (const auto& [arguments, expected] : cases) {

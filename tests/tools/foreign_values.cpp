@@ -84,14 +84,15 @@ TEST_CASE("a pressure of no unit, of another quantity, that pulls or is no numbe
     CAPTURE(run.error);
     CHECK(run.exit == 4);
     CHECK(lines(run.error) == 1);
-    CHECK_THAT(run.error, ContainsSubstring("asperity-stress: other.nc: pressure: ") && ContainsSubstring(words));
+    CHECK_THAT(run.error,
+               ContainsSubstring("asperity-stress: other.nc: pressure: ") && ContainsSubstring(words));
   };
   write_pressure("other.nc", nullptr, 1);
-  refused("it has no unit");
+  refused("has no unit");
   write_pressure("other.nc", "m", 1);
-  refused("'m' does not measure what 'Pa' measures");
+  refused("'m' cannot be converted to 'Pa'");
   write_pressure("other.nc", "Pa @ 5", 1);
-  refused("counts from another zero");
+  refused("their zeros differ");
   for (const auto& [value, words] : {std::pair{-3e6, "at point (2, 1) it is -3"},
                                      {std::nan(""), "the value at point (2, 1) is not a number"}}) {
     Dataset data = read_dataset("pressed.nc");
@@ -126,7 +127,7 @@ TEST_CASE("a kernel whose lags and heights are in mm and um draws the same surfa
   data.find("acf_target")->attributes.set("units", "Pa2");
   write_dataset(data, "other.nc");
   CHECK_THAT(shell("asperity-generate --kernel other.nc --shape 32x24 --seed 3 -o d.nc").error,
-             ContainsSubstring("acf_target: 'Pa2' does not measure"));
+             ContainsSubstring("acf_target: 'Pa2' cannot be converted"));
 }
 
 // Parameters of the mirror image; the place of the largest stress had the wrong sign.
@@ -141,7 +142,7 @@ TEST_CASE("a surface whose x descends is turned around, which a note and the his
                 other = shell(find + "down.nc -o down-stress.nc");
   INFO(other.error);
   REQUIRE((one.exit == 0 && other.exit == 0));
-  const std::string line = "x turned around with all that lay on it: it descended";
+  const std::string line = "descending coordinate x reversed, with all values on it";
   const std::string said = "asperity-stress: down.nc: " + line + "\n";
   const std::size_t at = other.error.find(said);
   CHECK((at != other.error.npos && other.error.find(said, at + 1) == other.error.npos));

@@ -209,9 +209,8 @@ std::string numbered(const std::string& option, const std::string& pattern, std:
 
 void refuse_terminal(const std::string& output, const std::string& what, const std::string& hint) {
   if (output == "-" && stdout_is_terminal())
-    throw ParameterError(
-        "output",
-        what + " is binary and standard output is a terminal: pipe it or name a file with -o" + hint);
+    throw ParameterError("output",
+                         what + " cannot be shown on a terminal: use a pipe or give -o FILE" + hint);
 }
 
 bool stdin_is_device() {

@@ -84,8 +84,7 @@ class OutputFile {
 /// "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) for a pattern without %d.
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 
-/// Throws ParameterError("output", …) where `what`, which is binary, would go to a terminal; `hint` ends the
-/// message.
+/// Throws ParameterError("output", …) if `what` would go to a terminal; `hint` ends the message.
 void refuse_terminal(const std::string& output, const std::string& what = "a dataset",
                      const std::string& hint = "");
 bool stdin_is_terminal();

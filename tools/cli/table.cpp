@@ -43,8 +43,8 @@ Json json_of(const Cell& cell) {
 }
 
 [[noreturn]] void refuse(const std::string& name, double number) {
-  throw DataError(name, std::string("it comes out ") + (std::isnan(number) ? "as no number" : "infinite") +
-                            ": what is asked for leaves the range of doubles");
+  throw DataError(name, std::string("the result is ") + (std::isnan(number) ? "not a number" : "infinite") +
+                            ": the parameters exceed double precision");
 }
 
 void put(const Tool& tool, const std::string& json, const Table& table) {

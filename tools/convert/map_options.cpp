@@ -12,7 +12,7 @@
 namespace asperity::cli {
 namespace {
 
-// "A:B" of n points, either end may be left out.
+// "A:B" of n points; either end may be omitted.
 auto range_of(const std::string& word, Index n) {
   const auto index = [](std::string_view end, Index otherwise) {
     return end.empty() ? otherwise : to_number<Index>(end).value_or(-1);
@@ -21,11 +21,11 @@ auto range_of(const std::string& word, Index n) {
   const Index a = index(word.substr(0, colon), 0),
               b = colon == word.npos ? -1 : index(word.substr(colon + 1), n);
   if (!(a >= 0 && a < b && b <= n))
-    throw UsageError("crop", "'" + word + "' is no range A:B with 0 <= A < B <= " + std::to_string(n));
+    throw UsageError("crop", "'" + word + "' is not a range A:B with 0 <= A < B <= " + std::to_string(n));
   return Eigen::seqN(a, b - a);
 }
 
-// The size of what is left stays that of its points.
+// Keeps the spacing.
 Map cropped(Map map, const std::string& crop) {
   const std::vector<std::string> words = split(crop, ',');
   if (words.size() != 2) throw UsageError("crop", "'" + crop + "' is not of the form A:B,C:D");
@@ -34,7 +34,7 @@ Map cropped(Map map, const std::string& crop) {
   return map;
 }
 
-// The points 0, step, 2 step, …, of a spacing so many times as large.
+// The points 0, step, 2 step, …; the spacing grows by the same factor.
 Map decimated(Map map, Shape step) {
   const Index nx = (map.values.rows() + step.nx - 1) / step.nx,
               ny = (map.values.cols() + step.ny - 1) / step.ny;
@@ -44,7 +44,7 @@ Map decimated(Map map, Shape step) {
   return map;
 }
 
-// A unit of length, in metres.
+// Metres per unit of length.
 double coordinate_of(const std::string& unit) {
   double metres = 0;
   try {
@@ -52,7 +52,7 @@ double coordinate_of(const std::string& unit) {
   } catch (const std::invalid_argument& error) {
     throw UsageError("xyz", error.what());
   }
-  if (!(metres > 0)) throw UsageError("xyz", "'" + unit + "' is no length");
+  if (!(metres > 0)) throw UsageError("xyz", "'" + unit + "' is not a unit of length");
   return metres;
 }
 
@@ -72,48 +72,49 @@ Enum chosen(const Words& words, const std::string& word) {
 void MapOptions::declare(Tool& tool) {
   tool.choice(
       "--separator", separator_, separators,
-      "What stands between the numbers of a text; auto: what lets every line hold as many, refused where "
-      "that is not one thing",
+      "Separator of the numbers in a text; auto: the one that gives every line the same number of values; "
+      "an ambiguous text is refused",
       "Input");
   tool.choice("--decimal", decimal_, decimals,
-              "What marks the decimals of a text; auto: a point, or a comma that cannot be anything else",
-              "Input");
+              "Decimal mark in a text; auto: a point, or a comma if it cannot be a separator", "Input");
   tool.text(
       "--xyz", points_, "UNIT",
-      "The lines of a text are points of a grid in any order, x z or x y z, with x and y in this unit: um",
+      "Read a text as lines x z or x y z in any order; the points form a grid, UNIT is that of x and y: um",
       "Input");
-  tool.flag("--heights", heights_,
-            "Every column of a text holds heights, though the first of them look like coordinates", "Input");
+  tool.flag("--matrix", matrix_,
+            "Read a text as a bare matrix of heights; no column holds coordinates, even if it looks so",
+            "Input");
   tool.quantities("--size", size_, "m",
-                  "Lx,Ly, the sides of the map, where the file does not say or says it wrongly", "Input");
-  tool.text("--unit", unit_, "UNIT",
-            "Unit of the values, where the file does not say: um, nm, V (default: m)", "Input");
+                  "Side lengths Lx,Ly; needed if the file does not give them, and replaces wrong ones",
+                  "Input");
+  tool.text("--unit", unit_, "UNIT", "Unit of the values, if the file gives none: um, nm, V (default: m)",
+            "Input");
   tool.text(
       "--crop", crop_, "A:B,C:D",
-      "Keep the points A to B-1 in x and C to D-1 in y, counted from 0; an end that is left out is the map's",
+      "Keep points A to B-1 in x and C to D-1 in y; the first point is 0, an omitted end is the map's edge",
       "Map");
   tool.counts("--decimate", decimate_, 1, "Keep every A-th point in x and every B-th in y", "Map");
   tool.choice("--fill", fill_, {"none", "laplace", "mean", "least"},
-              "Give missing points values: a membrane over each hole (Laplace's equation), the mean or the "
-              "least height",
+              "Fill missing points; laplace: with a membrane over each hole (Laplace's equation), mean: with "
+              "the mean height, least: with the smallest height",
               "Map");
 }
 
 Reading MapOptions::reading(std::string_view bytes, std::string_view format) const {
-  if (!points_.empty() && heights_) throw UsageError("xyz", "it cannot be given with --heights");
+  if (!points_.empty() && matrix_) throw UsageError("xyz", "cannot be combined with --matrix");
   if (decimal_ == "comma" && separator_ == "comma")
-    throw UsageError("decimal", "a comma cannot separate numbers and mark their decimals at once");
+    throw UsageError("decimal", "'comma' cannot be combined with --separator comma");
   const auto refuse = [&](const char* option) {
-    throw UsageError(option, "the input is " + std::string(format) + ", which tells by itself");
+    throw UsageError(option, "applies to text only, and the input is " + std::string(format) + ": omit it");
   };
   if (separator_ != "auto" && !is_text(bytes)) refuse("separator");
   if (decimal_ != "auto" && !is_text(bytes)) refuse("decimal");
   if (!points_.empty() && format != "text") refuse("xyz");
-  if (heights_ && format != "text") refuse("heights");
+  if (matrix_ && format != "text") refuse("matrix");
   Reading out;
   out.separator = chosen<Separator>(separators, separator_);
   out.decimal = chosen<DecimalMark>(decimals, decimal_);
-  out.heights = heights_;
+  out.matrix = matrix_;
   if (!points_.empty()) out.coordinate = coordinate_of(points_);
   return out;
 }
@@ -125,12 +126,14 @@ bool MapOptions::changes() const {
 
 Map MapOptions::applied(Map map) const {
   if (!unit_.empty()) {
-    if (!map.units.empty()) throw UsageError("unit", "the file says that its values are in " + map.units);
+    if (!map.units.empty())
+      throw UsageError("unit", "the file gives its own unit, " + one_line(map.units, 24) + ": omit it");
     set_units(map, unit_);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (std::isnan(size_[axis])) continue;
-    if (!(size_[axis] > 0 && std::isfinite(size_[axis]))) throw UsageError("size", "it is not positive");
+    if (!(size_[axis] > 0 && std::isfinite(size_[axis])))
+      throw UsageError("size", format_quantity(size_[axis], "m") + " is not a positive length");
     map.spacing[axis] = size_[axis] / static_cast<double>(axis == 0 ? map.values.rows() : map.values.cols());
   }
   if (!crop_.empty()) map = cropped(std::move(map), crop_);

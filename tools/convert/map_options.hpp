@@ -1,5 +1,4 @@
-/// What is told of a map and done to it on its way from one format to another: how its text is to be
-/// understood, its size and unit; cut, thinned, filled.
+/// Options for converting a map: how to read a text, size and unit, cropping, thinning, filling.
 #pragma once
 
 #include <array>
@@ -14,9 +13,9 @@ namespace asperity::cli {
 class MapOptions {
  public:
   void declare(Tool& tool);
-  /// What the options tell of a text; throws UsageError for other bytes, or a format that tells by itself.
+  /// How to read a text. Throws UsageError when an option for texts is given for another format.
   Reading reading(std::string_view bytes, std::string_view format) const;
-  /// Whether anything is asked for.
+  /// Whether any option changes the map.
   bool changes() const;
   /// In this order: unit and size, --crop, --decimate, --fill.
   Map applied(Map map) const;
@@ -26,7 +25,7 @@ class MapOptions {
 
   std::array<double, 2> size_{absent, absent};
   std::string unit_, crop_, fill_ = "none", separator_ = "auto", decimal_ = "auto", points_;
-  bool heights_ = false;
+  bool matrix_ = false;
   Shape decimate_{1, 1};
 };
 

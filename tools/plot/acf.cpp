@@ -16,20 +16,20 @@ namespace asperity::plot {
 namespace {
 
 struct Point {
-  double lag;  ///< in metres, or samples where no spacing is known
+  double lag;  ///< in metres, or in samples if the spacing is unknown
   double rho, error = 0;
 };
 using Curve = std::vector<Point>;
 
-// Both profiles of a case: the target and what is held against it.
+// Both profiles of a case: the target and the curve compared with it.
 struct Profiles {
   Curve target[2], found[2];  ///< along x, along y
-  bool estimated = false;     ///< found in the heights, not the kernel's own
-  bool with_errors = false;   ///< that can be told
+  bool estimated = false;     ///< from the heights; otherwise from the kernel
+  bool with_errors = false;   ///< standard errors are known
   bool in_metres = true;
 };
 
-// The lags of a dimension in metres, or in samples where that is all that is known.
+// The lags of a dimension in metres, or in samples if the spacing is unknown.
 std::vector<double> lags_of(const Dataset& data, const char* name, bool& in_metres) {
   const Variable& axis = data.at(name);
   if (const auto metres = asperity::lags_of(axis)) return *metres;
@@ -43,8 +43,7 @@ std::vector<double> lags_of(const Dataset& data, const char* name, bool& in_metr
 Index zero_of(const std::vector<double>& lags, const char* name) {
   const auto at = std::ranges::min_element(lags, {}, [](double lag) { return std::abs(lag); });
   const double step = lags.size() > 1 ? std::abs(lags[1] - lags[0]) : 1;
-  if (at == lags.end() || !(std::abs(*at) <= 1e-6 * step))
-    throw DataError(name, "the lag 0 is not among its points");
+  if (at == lags.end() || !(std::abs(*at) <= 1e-6 * step)) throw DataError(name, "lag 0 is missing");
   return at - lags.begin();
 }
 
@@ -54,13 +53,13 @@ void read_profiles(const Dataset& data, const char* name, Curve (&curves)[2], bo
   const std::vector<double> p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);
   const Index p0 = zero_of(p, "p"), q0 = zero_of(q, "q");
   auto add = [&](Curve& curve, double lag, double value) {
-    if (!std::isnan(value)) curve.push_back({lag, value / table(p0, q0)});  // it is beyond a target's table
+    if (!std::isnan(value)) curve.push_back({lag, value / table(p0, q0)});  // NaN: beyond the target's table
   };
   for (Index i = p0; i < table.rows(); ++i) add(curves[0], p[static_cast<std::size_t>(i)], table(i, q0));
   for (Index j = q0; j < table.cols(); ++j) add(curves[1], q[static_cast<std::size_t>(j)], table(p0, j));
 }
 
-// Without a target to go by, four 10 % lengths show all that there is to see.
+// Without a target, four 10 % lengths show the whole decay.
 double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Grid& grid) {
   if (!profiles.target[0].empty())
     return 1.25 * std::max(profiles.target[0].back().lag, profiles.target[1].back().lag);
@@ -97,7 +96,7 @@ Profiles profiles_of(const Case& c) {
   return out;
 }
 
-// Lag and ρ, or lag and both ends of the band of two standard errors.
+// Lag and ρ, or lag and both ends of the band of ± 2 standard errors.
 Field rows_of(const Curve& curve, double factor, bool band = false) {
   Field out(static_cast<Index>(curve.size()), band ? 3 : 2);
   for (Index k = 0; const Point& p : curve)
@@ -108,7 +107,7 @@ Field rows_of(const Curve& curve, double factor, bool band = false) {
   return out;
 }
 
-// Bands first, then what was found, the target on top.
+// Bands first, then the curves, the target on top.
 std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
   std::vector<Layer> out;
   for (std::size_t d = 0; d < 2 && profiles.with_errors; ++d)
@@ -151,7 +150,7 @@ Figure acf(const Cases& cases, const Request& request) {
   Figure out = side_by_side(request, cases);
   out.title = !all[0].estimated    ? "kernel"
               : all[0].with_errors ? "surface ± 2 standard errors"
-                                   : "surface, of too few independent heights for errors";
+                                   : "surface, too few independent heights for errors";
   out.legend = legend(all[0]);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Panel& panel = out.panels[c];

@@ -13,14 +13,14 @@ constexpr double em_of_cairo = 0.75;  // its points are 4/3 of a pixel or of a p
 constexpr double bar_distance = 0.8, bar_width = 0.9;
 constexpr const char *x_label_tag = "100", *y_label_tag = "101";  // beyond the tags of labels that have none
 
-// The length of the longest number on a colour bar, in characters.
+// Characters of the longest number on a colour bar.
 std::size_t longest_tic(Range range, double step) {
   std::size_t longest = 1;
   for (const double v : multiples(range, step)) longest = std::max(longest, fmt::format("{:.6g}", v).size());
   return longest;
 }
 
-// An em is so many pixels of a PNG or an SVG, and 0.25 cm of a PDF.
+// The em is `at.em` pixels in PNG and SVG, and 0.25 cm in PDF.
 std::string terminal(const Layout& at, const std::string& format) {
   const double em = at.em;
   if (format == "pdf")
@@ -59,7 +59,7 @@ class Writer {
             "center");
   }
 
-  // In a comparison only the lowest panels name their x axis, only those on the left their y axis.
+  // In a comparison only the lowest panels label the x axis, and only the leftmost label the y axis.
   void x_axis(std::size_t panel, const Axis& x) {
     axis("x", x, std::max(2.0, at_.panel_width / em_ / 3.2));
     label(x.label, at_.x_of(panel) + 0.5 * at_.panel_width, at_.y_of(panel) - (figure_.bottom - 0.8) * em_,
@@ -87,7 +87,7 @@ class Writer {
     if (with_bar && !bar.name.empty()) colour_bar(shown, bar);
   }
 
-  // Entries with even gaps, centred over the panels, or on the sheet where they are longer.
+  // Entries with even gaps, centred over the panels, or on the sheet if they are wider than the panels.
   void legend() {
     double y = at_.bottom + at_.panels_high + (figure_.comparison ? label_height : 0) * em_ + 1.1 * em_ +
                line_of_legend * em_ * static_cast<double>(at_.legend.size());
@@ -109,7 +109,7 @@ class Writer {
   Script script;
 
  private:
-  // `tag`: of a label that is unset by it.
+  // `tag` names a label that is unset later.
   void label(const std::string& text, double x, double y, const char* style, const std::string& tag = "") {
     script.line("set label {}{}{} at screen {},{} {} noenhanced", tag, tag.empty() ? "" : " ",
                 gnuplot_string(text), screen_x(x), screen_y(y), style);
@@ -122,7 +122,7 @@ class Writer {
     script.line("set {}tics {} format '%g'", name, round_step(range.width(), most_steps));
   }
 
-  // As high as the panels but not lower than is legible; its label stands right of its longest number.
+  // As high as the panels, but always legible; its label is to the right of the longest number.
   void colour_bar(Range shown, const ColourBar& bar) {
     const double high = std::max(at_.panels_high, 5 * em_), middle = at_.bottom + 0.5 * at_.panels_high,
                  x = at_.left + at_.panels_wide + bar_distance * em_;

@@ -19,7 +19,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// Without a name, gone with the process whatever happens.
+// A file without a name, which disappears with the process.
 File nameless(std::string_view content = {}) {
   File out(std::tmpfile(), &std::fclose);
   if (!out || std::fwrite(content.data(), 1, content.size(), out.get()) != content.size() ||
@@ -37,7 +37,7 @@ std::string content_of(const File& file) {
   return out;
 }
 
-// With these files as its standard input, output and error; whether it succeeds.
+// Runs gnuplot with these files as its standard input, output and error; returns whether it succeeds.
 bool gnuplot(const File& input, const File& output, const File& error) {
   char program[] = "gnuplot", defaults[] = "--default-settings", standard_input[] = "-";
   char* const arguments[] = {program, defaults, standard_input, nullptr};
@@ -58,7 +58,7 @@ bool gnuplot(const File& input, const File& output, const File& error) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-// The first line of gnuplot's complaint that gives a reason; what follows it are consequences.
+// The first line of gnuplot's messages that gives a reason; later lines are consequences.
 std::string reason(const std::string& remarks) {
   for (auto begin = remarks.find("line "); begin != remarks.npos; begin = remarks.find("line ", begin + 1)) {
     const std::string line = remarks.substr(begin, remarks.find('\n', begin) - begin);
@@ -67,7 +67,7 @@ std::string reason(const std::string& remarks) {
   return "it gave no reason";
 }
 
-// A PDF says when it was made; spaces in place of it leave every other byte where it is.
+// Replaces the creation date of a PDF with spaces, so that all other bytes keep their place.
 void blank_date(std::string& bytes) {
   const auto begin = bytes.find("/CreationDate (");
   if (!bytes.starts_with("%PDF") || begin == bytes.npos) return;
@@ -75,7 +75,7 @@ void blank_date(std::string& bytes) {
   if (end != bytes.npos) bytes.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
 }
 
-// In the text of XML ]]> ends what was never begun, and gnuplot leaves it.
+// Escapes ]]> in XML text, where it is not allowed; gnuplot does not.
 void escape_ends_of_sections(std::string& bytes) {
   if (!bytes.starts_with("<?xml")) return;
   constexpr std::string_view end = "]]>", escaped = "]]&gt;";
@@ -83,7 +83,7 @@ void escape_ends_of_sections(std::string& bytes) {
     bytes.replace(at, end.size(), escaped);
 }
 
-// Of an image gnuplot draws no line of cells alone: it stands twice, at half the width.
+// gnuplot does not draw an image of a single line of cells: the line is doubled at half the width.
 void halve(Field& values, double& first, double& step, bool rows) {
   values = rows ? Field(values.replicate(2, 1)) : Field(values.replicate(1, 2));
   first -= 0.25 * step;
@@ -121,7 +121,7 @@ void Script::draw(std::string_view verb, const std::vector<Layer>& layers) {
   text_ += '\n';
 }
 
-// After \056 gnuplot takes a further digit for one more of the number.
+// gnuplot reads a digit after \056 as part of the octal number.
 std::string gnuplot_string(std::string_view text) {
   std::string out = "\"";
   bool as_number = false;

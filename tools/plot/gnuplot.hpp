@@ -1,8 +1,8 @@
-/// Pictures through gnuplot, the only door to that program.
+/// Draws pictures with gnuplot; no other code calls that program.
 ///
-/// A script is text with the numbers of each plot inline, as doubles in binary: nothing is rounded, nothing
-/// passes through a shell or a named file. User's text enters only through gnuplot_string(), which leaves no
-/// command, macro or end of a string to read.
+/// A script is text with the numbers of each plot inline, as binary doubles: nothing is rounded, and neither
+/// a shell nor a named file is involved. User text enters only through gnuplot_string(), which escapes
+/// commands, macros and ends of strings.
 ///
 /// T. Williams, C. Kelley et al., gnuplot 5.4: an interactive plotting program (2020).
 #pragma once
@@ -17,17 +17,17 @@
 
 namespace asperity::plot {
 
-/// Something drawn with numbers of its own: "'-' binary …" without the dash, and the numbers.
+/// One plot with its own numbers: "'-' binary …" without the dash, and the numbers.
 struct Layer {
   std::string command;
   std::vector<double> numbers;
 };
 
-/// The rows of a table, drawn as `style` says: "with lines lw 2".
+/// The rows of a table, drawn in the `style`: "with lines lw 2".
 Layer points(const Field& table, std::string_view style);
 
-/// A field of cells of dx × dy whose first centre is (x, y), on paper ("plot") or in space ("splot"); a cell
-/// that is not a number stays empty.
+/// A field of cells of dx × dy with first centre (x, y), in the plane ("plot") or in space ("splot"); a NaN
+/// cell stays empty.
 struct Lattice {
   double x, y, dx, dy;
   bool in_space = false;
@@ -49,8 +49,8 @@ class Script {
   std::string text_;
 };
 
-/// Text as a gnuplot string in double quotes, one line of UTF-8: of ASCII all but letters, blanks and most
-/// digits by octal numbers. (In single quotes gnuplot 5.4 misreads a pair of them at either end.)
+/// Text as a gnuplot string in double quotes, one line of UTF-8: ASCII characters except letters, blanks and
+/// most digits become octal numbers. (In single quotes gnuplot 5.4 misreads a pair of quotes at either end.)
 std::string gnuplot_string(std::string_view text);
 
 struct Picture {
@@ -59,7 +59,7 @@ struct Picture {
 };
 
 /// Runs the gnuplot found on PATH; the same script gives the same bytes, a PDF without its date. Throws
-/// std::runtime_error where there is none or it fails.
+/// std::runtime_error if gnuplot is missing or fails.
 Picture run_gnuplot(const Script& script);
 
 }  // namespace asperity::plot

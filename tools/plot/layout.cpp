@@ -12,10 +12,10 @@ constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the si
 constexpr double free_aspect = 0.62, free_aspect_of_rows = 0.45;
 constexpr double title_height = 2.0, letter_width = 0.6;
 
-// The width of a sheet [em]: of one column 32, of three 60.
+// The width of a sheet [em]: 32 for one column, 60 for three.
 double em_across(std::size_t columns) { return 18.0 + 14.0 * static_cast<double>(columns); }
 
-// A line is broken before the entry that would not fit in.
+// Breaks a line before an entry that does not fit.
 std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double longest) {
   std::vector<LegendLine> out;
   for (const LegendEntry& e : entries) {
@@ -25,11 +25,11 @@ std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double
   return out;
 }
 
-// Panels into rows of this height.
+// Fits panels into rows of this height.
 void fit(Layout& layout, double room, bool keeps_aspect) {
   if (!(room >= 2 * layout.em))
-    throw ParameterError(
-        "pixels", fmt::format("{}x{} is too flat for this figure", layout.pixels.nx, layout.pixels.ny));
+    throw ParameterError("pixels", fmt::format("'{}x{}' is too flat for this figure: give more in height",
+                                               layout.pixels.nx, layout.pixels.ny));
   if (!keeps_aspect) layout.panel_height = room;
   layout.panel_width = std::min(layout.panel_width, room / (layout.panel_height / layout.panel_width));
   layout.panel_height = std::min(layout.panel_height, room);
@@ -37,7 +37,7 @@ void fit(Layout& layout, double room, bool keeps_aspect) {
 
 }  // namespace
 
-// Of UTF-8 every byte but the continuing ones begins a character.
+// In UTF-8 every byte except continuation bytes begins a character.
 double length_of(const LegendEntry& e) {
   const auto letters =
       std::ranges::count_if(e.name, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });

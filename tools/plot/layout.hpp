@@ -1,7 +1,7 @@
-/// Where the parts of a figure stand on its sheet [pixel].
+/// Positions of the parts of a figure on its sheet [pixel].
 ///
-/// The em is the width over 32, 46, 60 for one, two, three columns of panels, and 0.25 cm of a PDF: letters
-/// of 7 pt in print 8, 11.5, 15 cm wide.
+/// The em is the width divided by 32, 46, 60 for one, two, three columns of panels, and 0.25 cm in a PDF:
+/// letters are 7 pt in print 8, 11.5, 15 cm wide.
 #pragma once
 
 #include "tools/plot/figure.hpp"
@@ -10,7 +10,7 @@ namespace asperity::plot {
 
 using LegendLine = std::vector<LegendEntry>;
 inline constexpr double key_length = 2.0, legend_gap = 1.6, line_of_legend = 2.0, label_height = 1.5;  // [em]
-/// Of an entry, and of a line of them [em].
+/// Length of an entry, and of a line of entries [em].
 double length_of(const LegendEntry& entry);
 double length_of(const LegendLine& line);
 
@@ -31,8 +31,8 @@ struct Layout {
   }
 };
 
-/// Panels as large as the sheet allows; where they are too high for it, narrower and centred. Throws
-/// ParameterError("pixels", …) where they have no room.
+/// Panels as large as the sheet allows; narrower and centred if they would be too high. Throws
+/// ParameterError("pixels", …) if there is no room for them.
 Layout layout_of(const Figure& figure, const Request& request);
 
 }  // namespace asperity::plot

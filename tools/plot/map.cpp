@@ -1,4 +1,4 @@
-// Fields seen from above, both axes to one scale.
+// Fields seen from above, with equal scales on both axes.
 #include <algorithm>
 
 #include "core/error.hpp"
@@ -7,7 +7,7 @@
 namespace asperity::plot {
 namespace {
 
-// Apart in lightness too, so that a grey print tells them: L* 94, 62, 34.
+// The lightness differs too, L* 94, 62, 34, so that the states differ in grey print.
 constexpr struct {
   const char *colour, *name;
 } states[] = {{"#ecece6", "open"}, {"#4d9fd6", "elastic"}, {"#a3123a", "at the limit"}};
@@ -26,7 +26,7 @@ Figure plan_view(const Cases& cases, const std::vector<Patch>& patches, double u
   return out;
 }
 
-// One field needs no label in its panel; its title says what the colours cannot.
+// The title of a single field gives its range in numbers.
 std::string range_in_words(const Patch& patch, const Quantity& quantity) {
   const Range range = range_of(patch.values);
   const Unit unit = unit_for(range.magnitude(), quantity.unit);
@@ -61,8 +61,9 @@ Figure contact(const Cases& cases, const Request& request) {
   const std::vector<Patch> patches = patches_of(cases, variable, request);
   for (const Patch& p : patches)
     if (const Range r = range_of(p.values); r.low < 0 || r.high > 2)
-      throw DataError(variable, fmt::format("the state {} is none of 0 (open), 1 (elastic), 2 (at the limit)",
-                                            r.low < 0 ? r.low : r.high));
+      throw DataError(variable,
+                      fmt::format("contact state {} is none of 0 (open), 1 (elastic), 2 (at the limit)",
+                                  r.low < 0 ? r.low : r.high));
   Figure out = plan_view(cases, patches, 1, request);
   if (!out.comparison) out.title = shares_in_words(patches[0].values);
   for (const auto& state : states) out.legend.push_back({LegendEntry::Key::box, state.colour, state.name});

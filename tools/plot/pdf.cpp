@@ -37,7 +37,7 @@ double gaussian(const Moments& m, double z) {
 }
 
 struct Scales {
-  Unit height, per;  ///< of the axis, and what the density is per: its numbers are 1 to 1000
+  Unit height, per;  ///< of the axis; the density is per `per`, so that its numbers are 1 to 1000
   Range x;           ///< in SI
   double top;        ///< of the density, per unit of height
 };

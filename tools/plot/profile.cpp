@@ -7,7 +7,7 @@
 namespace asperity::plot {
 namespace {
 
-// Along the section what the range shows of the whole field: a row a point, its place and its value in SI.
+// The field along the section, within the range: a row per point, with position and value in SI.
 Field trace_of(const Case& c, const std::string& variable, const Section& section, const Request& request) {
   Request along = request;
   (section.along_x ? along.y : along.x) = {-unlimited, unlimited};
@@ -18,11 +18,11 @@ Field trace_of(const Case& c, const std::string& variable, const Section& sectio
     out.row(k) << (section.along_x ? patch.x_at(k) : patch.y_at(k)), values(k, section.index);
   if (out.rows() < 2)
     throw DataError(variable,
-                    fmt::format("a profile along {} needs two points, and there is one", section.along()));
+                    fmt::format("a profile along {} needs at least two points, found 1", section.along()));
   return out;
 }
 
-// Unless one is asked for, along both sides, or along the one that has more than a point.
+// The requested section; by default along both sides, or only along the side with more than one point.
 std::vector<std::string> sections(const Request& request, const Dataset& data) {
   if (!request.section.empty()) return {request.section};
   const Shape shape = grid_of(data).shape;
@@ -31,13 +31,13 @@ std::vector<std::string> sections(const Request& request, const Dataset& data) {
   return {"y=0", "x=0"};
 }
 
-// A little room above and below, none below zero for what is never negative.
+// Adds some room above and below, but none below zero for values that are never negative.
 Range with_room(Range r) {
   const double room = r.width() > 0 ? 0.06 * r.width() : 1;
   return {r.low == 0 ? 0 : r.low - room, r.high + room};
 }
 
-// A section and its traces, one a case.
+// A section and its traces, one per case.
 struct Row {
   Section section;
   std::vector<Field> traces;

@@ -19,7 +19,7 @@ constexpr double most_multiples = 1000;
 
 Range drawable(Range r) {
   if (!(std::abs(r.low) <= largest && std::abs(r.high) <= largest))
-    throw DataError("picture", fmt::format("its numbers reach beyond {:g}, which cannot be drawn", largest));
+    throw DataError("picture", fmt::format("values beyond {:g} cannot be drawn", largest));
   if (r.width() > std::max(narrowest * r.magnitude(), least)) return r;
   const double half = r.magnitude() > least ? 0.05 * r.magnitude() : 0.5;
   return {r.low - half, r.high + half};

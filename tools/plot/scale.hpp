@@ -19,11 +19,11 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// The range of the numbers among the values; {0, 0} where there are none.
+/// The range of the values, without NaN; {0, 0} if all are NaN.
 Range range_of(const Field& values);
 Range united(Range a, Range b);
 
-/// A unit with the prefix that brings a magnitude into [1, 1000): 3e-3 m is in mm.
+/// A unit with the prefix that brings a magnitude into [1, 1000): mm for 3e-3 m.
 struct Unit {
   double factor = 1;  ///< in SI
   std::string name;   ///< "µm"; empty for pure numbers
@@ -33,14 +33,14 @@ struct Unit {
 };
 Unit unit_for(double magnitude, const std::string& si_unit);
 
-/// The least of 1, 2, 5 × 10ⁿ that cuts the width into at most so many steps.
+/// The smallest of 1, 2, 5 × 10ⁿ that divides the width into at most `most_steps` steps.
 double round_step(double width, double most_steps);
-/// A range that can be drawn: one narrower than 1e-13 of its numbers is widened by a twentieth either way.
-/// Throws DataError("picture", …) for numbers beyond 1e300.
+/// A range that can be drawn: if narrower than 1e-13 of its magnitude, it is widened by 5 % either way.
+/// Throws DataError("picture", …) for values beyond 1e300.
 Range drawable(Range range);
-/// The multiples of `step` in a range; none where there were more than a thousand.
+/// The multiples of `step` in a range; none if there are more than a thousand.
 std::vector<double> multiples(Range range, double step);
-/// A number to as many digits as a reader wants, "2.72".
+/// A number to three digits, "2.72".
 std::string brief(double value);
 
 /// Colours from low to high. Both palettes are ours and even in CIE lightness, so that equal differences look

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index fine_columns = 480, fine_rows = 320;
 
-// Where a position falls among ascending points: the point before it and the share of the next one.
+// The place of a position among ascending points: the point before it and the weight of the next one.
 struct Place {
   std::size_t before;
   double share;
@@ -24,7 +24,7 @@ Place place_in(const std::vector<double>& points, double at) {
   return {k, std::clamp((at - points[k]) / (points[k + 1] - points[k]), 0.0, 1.0)};
 }
 
-// In SI; what is missing is not a number here.
+// In SI; missing values are NaN.
 std::vector<double> present_values(const Variable& variable) {
   std::vector<double> values = present_numbers(variable);
   const double factor = factor_to(si_unit_of(variable), variable);
@@ -32,7 +32,7 @@ std::vector<double> present_values(const Variable& variable) {
   return values;
 }
 
-// Whether the dataset holds one section alone, computed as such.
+// Whether the dataset holds a single section instead of a volume.
 bool is_section(const Variable& variable) {
   return variable.dimensions == std::vector<std::string>{"z", "x"} ||
          variable.dimensions == std::vector<std::string>{"z", "y"};
@@ -41,7 +41,7 @@ bool is_section(const Variable& variable) {
 Section section_on(const Dataset& data, const Variable& variable, const std::string& asked) {
   const std::string widest = data.length("x") < 2 ? "x=0" : "y=0";
   if (!is_section(variable)) return section_of(data, asked.empty() ? widest : asked);
-  if (!asked.empty()) throw ParameterError("section", "the dataset holds one section alone, which is drawn");
+  if (!asked.empty()) throw ParameterError("section", "the dataset holds a single section: omit it");
   const bool along_x = variable.dimensions[1] == "x";
   return {along_x, present_values(data.at(along_x ? "section_y" : "section_x")).at(0), 0};
 }
@@ -53,7 +53,7 @@ Field section_values(const Dataset& data, const Variable& variable, const Sectio
   const Index columns = section.along_x ? nx : ny;
   if (is_section(variable)) return Eigen::Map<const Field>(values.data(), nz, columns);
   if (variable.dimensions != std::vector<std::string>{"z", "x", "y"})
-    throw DataError(variable.name, "it does not lie on (z, x, y)");
+    throw DataError(variable.name, "is not a volume on (z, x, y)");
   return Field::NullaryExpr(nz, columns, [&](Index k, Index c) {
     const Index i = section.along_x ? c : section.index, j = section.along_x ? section.index : c;
     return values[static_cast<std::size_t>((k * nx + i) * ny + j)];
@@ -80,21 +80,21 @@ Field resampled(const Field& values, const std::vector<double>& along, const std
 
 Range clipped(Range asked, Range present, const char* option) {
   const Range out{std::max(asked.low, present.low), std::min(asked.high, present.high)};
-  if (!(out.width() > 0)) throw ParameterError(option, "nothing of the section lies in it");
+  if (!(out.width() > 0)) throw ParameterError(option, "contains no part of the section");
   return out;
 }
 
-// As it is drawn: along the section (x) and down (y), evenly spaced.
+// The section as drawn: evenly spaced, x along the section, y downwards.
 Patch patch_of(const Dataset& data, const std::string& variable, const Grid& grid, const Section& section,
                const Request& request) {
   const std::vector<double> depths = depths_of(data);
   if (depths.size() < 2 || !std::ranges::is_sorted(depths, std::less_equal<>()))
-    throw DataError("z", "a section needs two depths or more, each below the one before");
+    throw DataError("z", "a section needs at least two depths in ascending order");
   std::vector<double> along;
   for (Index i = 0; i < (section.along_x ? grid.shape.nx : grid.shape.ny); ++i)
     along.push_back(section.along_x ? grid.x(i) : grid.y(i));
   if (along.size() < 2)
-    throw DataError(section.along(), "a section along it needs two points, and there is one");
+    throw DataError(section.along(), "a section in this direction needs at least two points, found 1");
   const Range position = clipped(section.along_x ? request.x : request.y, {along.front(), along.back()},
                                  section.along_x ? "x-range" : "y-range"),
               depth = clipped(request.depth, {depths.front(), depths.back()}, "depth-range");
@@ -102,9 +102,9 @@ Patch patch_of(const Dataset& data, const std::string& variable, const Grid& gri
   return {resampled(values, along, depths, position, depth), position, depth};
 }
 
-// The sections of all cases, their values in one unit, and how they are coloured.
+// The sections of all cases, with values in one unit, and their colours.
 struct Cuts {
-  std::vector<Patch> patches;  ///< along the surface and down, a case each
+  std::vector<Patch> patches;  ///< one per case: along the surface and down
   std::vector<Section> sections;
   Quantity quantity;
   Range range;  ///< of the values
@@ -116,7 +116,7 @@ void scale_by_hertz(Cuts& cuts, const Cases& cases) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const double p0 = cases[c].data.attributes.number("contact_hertz_pressure", -1);
     if (!(p0 > 0))
-      throw DataError("contact_hertz_pressure", "the dataset does not have this attribute to scale by");
+      throw DataError("contact_hertz_pressure", "the dataset has no such attribute: omit --scale-by p0");
     cuts.patches[c].values /= p0;
   }
   cuts.quantity.name += " / p₀";

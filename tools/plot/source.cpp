@@ -15,7 +15,7 @@
 namespace asperity::plot {
 namespace {
 
-// The cells whose centres lie in a range, and the outer edges of what they cover.
+// The cells with centres in a range, and the outer edges of their area.
 struct Span {
   Index first, count;
   Range edges;
@@ -26,7 +26,7 @@ Span cells_within(Range range, Index n, double spacing, Position position, const
   while (first < n && position(first) < range.low) ++first;
   while (last >= 0 && position(last) > range.high) --last;
   if (first > last)
-    throw ParameterError(option, fmt::format("no point lies in it; they reach from {} to {}",
+    throw ParameterError(option, fmt::format("contains no point: give a part of {} to {}",
                                              cli::format_quantity(position(0), "m"),
                                              cli::format_quantity(position(n - 1), "m")));
   return {first, last - first + 1, {position(first) - 0.5 * spacing, position(last) + 0.5 * spacing}};
@@ -54,7 +54,7 @@ Patch patch_of(const Dataset& data, const std::string& variable, const Request& 
   const Span j = cells_within(
       request.y, grid.shape.ny, grid.dy, [&](Index k) { return grid.y(k); }, "y-range");
   Patch patch{all.block(i.first, j.first, i.count, j.count), i.edges, j.edges};
-  if (!patch.values.isFinite().any()) throw DataError(variable, "none of its points is a number");
+  if (!patch.values.isFinite().any()) throw DataError(variable, "all points to be drawn are missing");
   return patch;
 }
 
@@ -96,9 +96,9 @@ Section section_of(const Dataset& data, const std::string& text) {
 Range value_range(const Request& request, const std::string& unit, Range otherwise) {
   if (request.range.empty()) return otherwise;
   const auto [low, high] = cli::parse_quantities("range", request.range, unit);
-  if (!(low < high)) cli::refuse("range", request.range, "does not rise");
+  if (!(low < high)) cli::refuse("range", request.range, "must have its lower bound first");
   if (!(drawable({low, high}) == Range{low, high}))
-    cli::refuse("range", request.range, "is too narrow: doubles hardly tell its ends apart");
+    cli::refuse("range", request.range, "is too narrow for double precision: widen it");
   return {low, high};
 }
 

@@ -1,6 +1,6 @@
-/// What a figure takes out of a dataset: rectangles of values with their places and their meaning.
+/// What a figure reads from a dataset: rectangles of values with their positions and meaning.
 ///
-/// Missing points are not numbers here and stay empty in a picture; nothing is made up for them.
+/// Missing points are NaN here and stay empty in a picture.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace asperity::plot {
 
-/// Values at cell centres; `x` and `y` are the outer edges of what they cover [m].
+/// Values at cell centres; `x` and `y` are the outer edges of the cells [m].
 struct Patch {
   Field values;
   Range x, y;
@@ -21,7 +21,7 @@ struct Patch {
   double y_at(Index j) const { return y.low + (static_cast<double>(j) + 0.5) * dy(); }
 };
 
-/// How a quantity is named and coloured.
+/// Name and colours of a quantity.
 struct Quantity {
   std::string name;   ///< "pressure"
   std::string unit;   ///< SI
@@ -29,13 +29,13 @@ struct Quantity {
 };
 Quantity quantity_of(const Variable& variable);
 
-/// variable(x, y) within the request's x and y ranges; masked points are not numbers.
+/// variable(x, y) within the request's x and y ranges; missing points are NaN.
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request);
 std::vector<Patch> patches_of(const Cases& cases, const std::string& variable, const Request& request);
 Range range_of(const std::vector<Patch>& patches);
-/// The largest magnitude of the places shown [m].
+/// The largest magnitude of the coordinates shown [m].
 double reach(const Patch& patch);
-/// Where its cells lie, in these units.
+/// The positions of its cells in these units.
 Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y, bool in_space = false);
 
 /// Where a straight section runs: along x at y = place, or along y at x = place.
@@ -51,10 +51,11 @@ struct Section {
 /// nearest row of cells (of two as near, the second); throws ParameterError("section", …).
 Section section_of(const Dataset& data, const std::string& text);
 
-/// The values that --range allows, in SI, or `otherwise`.
+/// The value range requested, in SI, or `otherwise`.
 Range value_range(const Request& request, const std::string& unit, Range otherwise);
 
-/// Of fields side by side: heights evenly about their mean, what has a sign about zero, else from zero up.
+/// For fields side by side: heights symmetric about their mean, signed values about zero, others from zero
+/// up.
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request);
 
 }  // namespace asperity::plot

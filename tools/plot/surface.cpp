@@ -12,7 +12,7 @@ namespace {
 constexpr Index most_points = 128;     // along a side: more are not legible on paper
 constexpr double height_share = 0.22;  // of the longer side that the range of values should take
 
-// Two points are left along a side, however narrow.
+// Keeps at least two points along a side.
 Patch thinned(const Patch& patch, Index most) {
   const Index rows = patch.values.rows(), columns = patch.values.cols();
   const Index along_x = std::min(most, rows - 1), along_y = std::min(most, columns - 1);
@@ -26,18 +26,17 @@ Patch thinned(const Patch& patch, Index most) {
       {y0, y0 + step_y * static_cast<double>(ny)}};
 }
 
-// The k-th points in both directions, so that at most `most_points` are left along a side.
+// The stride that leaves at most `most_points` points along a side.
 Index stride_of(const std::string& variable, const Field& values) {
   const Index nx = values.rows(), ny = values.cols();
   if (nx < 2 || ny < 2)
-    throw DataError(variable,
-                    fmt::format("a surface in perspective needs 2 x 2 points, and there are {} x {}: "
-                                "map and profile draw them",
-                                nx, ny));
+    throw DataError(variable, fmt::format("a perspective view needs at least 2 x 2 points, found {} x {}: "
+                                          "draw a map or a profile",
+                                          nx, ny));
   return (std::max(nx, ny) + most_points - 1) / most_points;
 }
 
-// Multiples of the step, or what lies amid two where there is room for one only: one number is no scale.
+// Multiples of the step; if only one fits, the midpoints between multiples, so that the axis has two numbers.
 std::string tics(Range values, double step, double scale, const Unit& unit) {
   const Range shown{values.low / unit.factor, values.high / unit.factor};
   std::vector<double> at = multiples(shown, step);
@@ -51,16 +50,16 @@ std::string tics(Range values, double step, double scale, const Unit& unit) {
   return out;
 }
 
-// All cases as they are drawn: thinned alike, on one scale.
+// All cases as drawn: thinned alike, on one scale.
 struct Relief {
   std::vector<Patch> patches;
   Quantity quantity;
   Range values = {};
   Index stride = 1;
-  double factor = 1;             ///< plotted metres a unit of the quantity: 1, 2 or 5 × 10ⁿ
+  double factor = 1;             ///< plotted metres per unit of the quantity: 1, 2 or 5 × 10ⁿ
   Unit length = {}, value = {};  ///< of the axes
 
-  double scale() const { return factor / length.factor; }  ///< plotted units a unit of the quantity
+  double scale() const { return factor / length.factor; }  ///< plotted units per unit of the quantity
 };
 
 Relief relief_of(const Cases& cases, const Request& request) {
@@ -95,8 +94,8 @@ Script view_of(const Relief& relief) {
   return script;
 }
 
-// Of the heights' numbers, 0.8 em apart or more: in this view the longer side takes some 0.6 of the panel's
-// width. A finer choice than round_step's, for there is room for two or three.
+// The step of the height axis: numbers at least 0.8 em apart. In this view the longer side takes about 0.6 of
+// the panel's width. There is room for two or three numbers, so the choice is finer than round_step's.
 double step_of_heights(double ems_wide, const Relief& relief, const Patch& p) {
   const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * ems_wide;
   const double side = std::max(p.x.width(), p.y.width()) / relief.length.factor;

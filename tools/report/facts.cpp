@@ -13,7 +13,7 @@
 namespace asperity::report {
 namespace {
 
-// Of both bodies; one number where they agree.
+// The numbers of both bodies; a single number if they agree.
 std::string numbers_text(const std::vector<double>& values, const std::string& unit) {
   std::vector<std::string> words;
   for (const double v : values) words.push_back(readable(v, unit));
@@ -21,7 +21,7 @@ std::string numbers_text(const std::vector<double>& values, const std::string& u
   return words.empty() ? "–" : alike ? words.front() : fmt::format("{}", fmt::join(words, ", "));
 }
 
-// Of x, and of y; in metres too where the samples have a grid.
+// In samples of x and y, and in metres if the dataset has a grid.
 std::string samples_text(const Dataset& data, const std::vector<double>& values) {
   std::vector<std::string> counts, lengths;
   for (const double v : values) counts.push_back(digits_of(v));
@@ -76,19 +76,19 @@ std::string warnings(const Dataset& data) {
   };
   if (a.number("kernel_converged", 1) == 0)
     warn(
-        fmt::format("The kernel did not converge ({}): residual {}, tolerance {}. Surfaces drawn from it do "
-                    "not have the autocorrelation asked for.",
+        fmt::format("The kernel did not converge ({}): residual {}, tolerance {}. Surfaces generated from it "
+                    "do not have the requested autocorrelation.",
                     a.text("kernel_reason"), number("kernel_residual"), number("kernel_tolerance")));
   if (a.number("contact_converged", 1) == 0)
     warn(
-        fmt::format("The contact did not converge: residual {}, tolerance {}. Pressure, area and all that "
-                    "rests on them are not a solution.",
+        fmt::format("The contact did not converge: residual {}, tolerance {}. Pressure, area and all "
+                    "quantities computed from them are not a solution.",
                     number("contact_residual"), number("contact_tolerance")));
   const std::string answer = a.text("kernel_answer");
   if ((answer == "nearest" || answer == "least-squares") && a.number("kernel_change", 0) > 1e-6)
     warn(
-        fmt::format("No kernel of this reach has the autocorrelation asked for; it was changed by up to {} "
-                    "of the variance.",
+        fmt::format("No kernel of this size has the requested autocorrelation; the autocorrelation was "
+                    "changed by up to {} of the variance.",
                     number("kernel_change")));
   return out;
 }

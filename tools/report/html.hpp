@@ -1,4 +1,4 @@
-/// Text as HTML: what a file holds is shown, and never taken for markup.
+/// Text as HTML; text from files is never interpreted as markup.
 #pragma once
 
 #include <initializer_list>
@@ -7,16 +7,16 @@
 
 namespace asperity::report {
 
-/// For an element or a quoted attribute; control characters but line feeds and tabs become U+FFFD.
+/// Escaped for an element or a quoted attribute; control characters except line feeds and tabs become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// RFC 4648, section 4.
 std::string base64(std::string_view bytes);
 
-/// `<name class="…">content</name>`; the content is HTML already, and "" where it is.
+/// `<name class="…">content</name>` for content in HTML; "" if the content is empty.
 std::string element(std::string_view name, std::string_view content, std::string_view css_class = "");
 
-// Of tables, from HTML.
+// Parts of tables, from HTML.
 std::string labelled(std::string_view name, std::string_view meaning);  ///< the head of a row
 std::string cell(std::string_view content, std::string_view css_class);
 std::string table(std::initializer_list<const char*> columns, const std::string& rows,

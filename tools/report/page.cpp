@@ -25,7 +25,7 @@ std::string section(const std::string& title, const std::string& content) {
   return content.empty() ? "" : element("section", element("h2", escaped(title)) + content);
 }
 
-// ---- what the dataset is ----
+// ---- description of the dataset ----
 
 std::vector<std::string> parts(const Content& c) {
   const Dataset& data = c.dataset[0].data;
@@ -33,7 +33,7 @@ std::vector<std::string> parts(const Content& c) {
   const bool drawn = data.attributes.find("generate_seed") != nullptr;
   if (!c.groups.empty())
     out.push_back(c.variable != "heights" ? "the field " + c.variable
-                  : drawn                 ? "a drawn surface"
+                  : drawn                 ? "a generated surface"
                                           : "a surface");
   if (data.has("kernel"))
     out.push_back(c.groups.empty() ? "a kernel and its autocorrelation"
@@ -43,7 +43,7 @@ std::vector<std::string> parts(const Content& c) {
         const KnownResult* result = result_of_variable(v.name);
         return result && result->name == "stress";
       }))
-    out.push_back(out.empty() ? "stress below a surface" : "the stress below it");
+    out.push_back(out.empty() ? "stress below a surface" : "the stress below the surface");
   return out;
 }
 
@@ -57,12 +57,12 @@ std::string what_it_is(const Content& c) {
   out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
   if (!data.has("x") || !data.has("y")) return out + ".";
   const Grid grid = grid_of(data);
-  return out + fmt::format(": {} × {} points of {} × {}, {} × {} in all{}.", grid.shape.nx, grid.shape.ny,
+  return out + fmt::format(": {} × {} points, spacing {} × {}, size {} × {}{}.", grid.shape.nx, grid.shape.ny,
                            readable(grid.dx, "m"), readable(grid.dy, "m"), readable(grid.size_x(), "m"),
                            readable(grid.size_y(), "m"), grid.periodic ? ", periodic" : "");
 }
 
-// ---- the numbers that a reader looks for first ----
+// ---- key numbers ----
 
 std::string tile(const std::string& label, const std::string& text) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", label, escaped(text));
@@ -104,9 +104,9 @@ std::string parameters_of_surface(const Content& c) {
         "p", "Warning: no standard errors and intervals can be given: " + escaped(c.untold) + ".", "warning");
   return untold +
          element("p",
-                 "Measured above " + escaped(c.reference) +
-                     ". Standard errors and 95\u00A0% intervals allow for the correlation of neighbouring "
-                     "points; where a quantity has none, none is known.",
+                 "Measured from " + escaped(c.reference) +
+                     ". Standard errors and 95\u00A0% intervals account for the correlation of neighbouring "
+                     "points; an empty cell means that none is known.",
                  "soft") +
          out;
 }
@@ -127,7 +127,7 @@ std::string of_the_file(const Dataset& data) {
 std::string foot(const Dataset& data) {
   const std::string source = data.attributes.text("source");
   return element("footer",
-                 fmt::format("Reported {} by asperity-report {}{}", cli::timestamp(), cli::version(),
+                 fmt::format("Page written {} by asperity-report {}{}", cli::timestamp(), cli::version(),
                              source.empty() ? "." : ". The dataset was written by " + escaped(source) + "."));
 }
 
@@ -138,8 +138,8 @@ std::string body(const Content& c) {
          section("Contact", contact_results(data)) +
          section("Stress below the surface", facts(data, Role::result, "stress")) +
          section(c.variable == "heights" ? "Surface" : "Field " + c.variable, parameters_of_surface(c)) +
-         section("What the solvers achieved", by_stage(data, Role::achieved)) +
-         section("Parameters in effect", by_stage(data, Role::parameter)) +
+         section("Accuracy of the solvers", by_stage(data, Role::achieved)) +
+         section("Parameters", by_stage(data, Role::parameter)) +
          section("History", history(data.attributes.text("history"))) +
          section("Contents of the dataset", of_the_file(data)) + foot(data);
 }

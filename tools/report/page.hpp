@@ -1,4 +1,4 @@
-/// The page of a dataset: everything in one file, nothing fetched, no script.
+/// The page of a dataset: one self-contained file without scripts.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace asperity::report {
 
-/// A group of parameters of the surface, or why it has none.
+/// A group of surface parameters, or why it is omitted.
 struct Group {
   std::string title;
   Parameters rows;
@@ -22,7 +22,7 @@ struct Content {
   std::string title, variable;
   std::string reference;      ///< of heights, in words
   std::vector<Group> groups;  ///< none: the dataset has no such field
-  std::string untold;         ///< why no error of theirs is told; "" where they are
+  std::string untold;         ///< why standard errors are missing; "" if they are given
 };
 
 std::string page(const Content& content);

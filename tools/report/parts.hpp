@@ -1,5 +1,5 @@
-/// The parts of a report as HTML; "" where the dataset has nothing for one. Numbers of tables are <data>
-/// elements with their exact value in SI.
+/// The parts of a report as HTML; "" if the dataset has no content for one. Numbers in tables are <data>
+/// elements with the exact SI value.
 #pragma once
 
 #include <string>
@@ -11,23 +11,23 @@
 
 namespace asperity::report {
 
-/// What a reader must know before believing a number: solvers that did not converge, a target changed.
+/// Warnings about solvers that did not converge and changed targets.
 std::string warnings(const Dataset& data);
 
-/// The pictures that the dataset has something for, fields as PNG, curves as SVG, and why others are not
-/// drawn. `variable` takes the place of heights.
+/// All pictures that the dataset allows, fields as PNG, curves as SVG, and the reasons why others are
+/// missing. `variable` replaces heights.
 std::string pictures(const plot::Cases& dataset, const std::string& variable);
 
-/// Value, standard error and 95 % interval, a row a quantity.
+/// Value, standard error and 95 % interval, one row per quantity.
 std::string measurements(const Parameters& rows);
-/// What the contact came to, beside smooth bodies where Hertz has a closed form.
+/// Results of the contact, and those of smooth bodies if Hertz theory applies.
 std::string contact_results(const Dataset& data);
 /// Variables with their dimensions, units and meaning.
 std::string contents(const Dataset& data);
 
-/// Label and value of the attributes of this role and stage: kernel, generate, contact, stress.
+/// Label and value of the attributes with this role and stage: kernel, generate, contact, stress.
 std::string facts(const Dataset& data, Role role, std::string_view stage);
-/// The global attributes that are none of these, but for the history and source.
+/// All other global attributes except history and source.
 std::string other_attributes(const Dataset& data);
 /// The lines of the history, the last run first.
 std::string history(const std::string& text);

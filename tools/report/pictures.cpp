@@ -22,7 +22,7 @@ bool is_field(const Dataset& data, const std::string& name) {
   return variable && variable->dimensions == std::vector<std::string>{"x", "y"};
 }
 
-// Where a volume says where its largest stress is, the section goes through it.
+// A section goes through the largest stress if the volume gives its position.
 std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
   std::vector<Wanted> out;
   const bool field = is_field(data, variable);

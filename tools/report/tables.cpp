@@ -16,7 +16,7 @@ std::string data_element(double value, const std::string& text) {
   return std::isfinite(value) ? fmt::format("<data value=\"{}\">{}</data>", shortest(value), text) : text;
 }
 
-// An end that lies beyond what can be told is left open.
+// An unknown bound leaves the interval open.
 std::string interval(double low, double high, const Measurement& m) {
   const bool below = std::isfinite(low), above = std::isfinite(high);
   const std::string from = data_element(low, m.low), to = data_element(high, m.high);
@@ -36,7 +36,7 @@ std::string row_of(const Parameter& row) {
   return element("tr", out + cell(escaped(m.unit), "unit"));
 }
 
-// A result, what it would be of smooth bodies, and their ratio.
+// A result, the same of smooth bodies, and their ratio.
 struct Comparison {
   const char* label;
   double value, smooth;
