@@ -24,7 +24,7 @@ StressMaximum search(const cli::Tool& tool, const StressSolver& volume) {
   cli::Progress progress(tool);
   cli::StepTable probes(tool, {"layer", "depth [um]", "greatest von_mises [MPa]"});
   return maximum_von_mises(volume, [&](const StressProbe& p) {
-    progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers of the search");
+    progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers searched");
     probes.row({std::to_string(p.done), fmt::format("{:.6g}", p.depth * 1e6),
                 fmt::format("{:.6g}", p.von_mises * 1e-6)});
   });

@@ -7,9 +7,14 @@
 
 #include "dataset/catalogue.hpp"
 #include "stats/measure/parameter.hpp"
+#include "tools/cli/readable.hpp"
 #include "tools/plot/figure.hpp"
 
 namespace asperity::report {
+
+using cli::digits_of;
+using cli::Measurement;
+using cli::readable;
 
 /// What a reader must know before believing a number: solvers that did not converge, a target changed.
 std::string warnings(const Dataset& data);

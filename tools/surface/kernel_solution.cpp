@@ -103,7 +103,8 @@ Kernel solved(const Tool& tool, KernelProblem& problem) {
                       .tolerance = request.tolerance / 2,
                       .spent = p.spent,
                       .steps = static_cast<double>(p.products),
-                      .name = "products"});
+                      .name = "products",
+                      .portion = 0.8});  // another iteration may follow
     if (p.step == 0) tool.detail(std::string(p.iteration));
     steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
   };
