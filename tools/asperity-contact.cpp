@@ -36,7 +36,7 @@ class ProgressCounter {
       progress_.count(static_cast<double>(load_) + (p.finest ? cli::decades_done(p.residual, tolerance_) : 0),
                       static_cast<double>(loads_), "loads");
     else
-      progress_.iterate({.stage = grid,
+      progress_.iterate({.stage = {grid},
                          .residual = p.residual,
                          .tolerance = tolerance_,
                          .steps = static_cast<double>(p.convolutions),

@@ -50,9 +50,10 @@ std::optional<double> TimeLeft::at(double seconds, double share, double least) {
   const double end = seconds + (1 - share) * elapsed / gained;
   const double smoothing = std::max(least_time, elapsed / 5);
   end_ = known_ ? end + (end_ - end) * std::exp((seconds_ - seconds) / smoothing) : end;
-  const double expected = std::max(end_ - seconds, 0.0), counted = std::max(told_ + seconds_ - seconds, 0.0);
-  const bool keeps = known_ && expected > counted && expected < std::max(counted + 2, 1.2 * counted);
-  told_ = keeps ? counted : expected;
+  const double expected = std::max(end_ - seconds, 0.0), counted = told_ + seconds_ - seconds;
+  const bool keeps = known_ && expected > counted && expected < std::max(counted + 2, 1.5 * counted);
+  // Where it is a little too short, it falls at half the pace until it is not.
+  told_ = keeps ? std::max(counted + (seconds - seconds_) / 2, 0.0) : expected;
   seconds_ = seconds;
   known_ = true;
   return told_;
@@ -84,8 +85,7 @@ void Progress::draw(const std::vector<std::string>& words) {
   std::size_t others = name_.size() + 12;
   for (const std::string& word : words) {
     const std::string more = (text.empty() ? "" : ", ") + word;
-    if (others + shortest_bar + text.size() + more.size() > width) break;
-    text += more;
+    if (others + shortest_bar + text.size() + more.size() <= width) text += more;
   }
   others += text.size();
   const std::size_t bar = std::clamp(width - std::min(width, others), shortest_bar, longest_bar);
@@ -124,7 +124,8 @@ void Progress::iterate(const IterationStatus& now) {
   }
   share_ = std::max(share_, stage_.share + stage_.portion * std::clamp(share, 0.0, 1.0));
   if (!(shown_ && (begins || is_due()))) return;
-  std::vector<std::string> words{fmt::format("residual {:.1e}", now.residual), now.stage};
+  std::vector<std::string> words = now.stage;
+  words.push_back(fmt::format("residual {:.1e}", now.residual));
   const std::optional<double> left = left_.at(at, share, least_decades);
   if (left && now.last) words.insert(words.begin(), duration(*left) + " left");
   if (now.steps > stage_.steps && at > stage_.seconds)

@@ -15,7 +15,7 @@ namespace asperity::cli {
 
 /// State of an iteration whose residual falls to its tolerance; the bar shows the share of the decades.
 struct IterationStatus {
-  std::string stage;  ///< such as the grid; the time left is estimated anew when it changes
+  std::vector<std::string> stage;  ///< such as the grid; the time left is estimated anew when it changes
   double residual = 1, tolerance = 0;
   double spent = 0;  ///< share of the steps allowed, where that is more
   double steps = 0;
@@ -46,7 +46,7 @@ class Progress {
 
   /// Of steady work: "7 s left, 17 of 40 surfaces, 3.1/s".
   void count(double done, double of, const std::string& units);
-  /// "7 s left, residual 1.3e-04, 64x64, 85 products/s": if each decade takes as long.
+  /// "7 s left, 64x64, residual 1.3e-04, 85 products/s": if each decade takes as long.
   void iterate(const IterationStatus& now);
   /// Wipes the line of whichever progress drew it, and lets another tool draw.
   static void wipe();
@@ -69,7 +69,7 @@ class Progress {
   double share_ = 0;  ///< of the bar: it never falls
   TimeLeft left_;
   struct Beginning {
-    std::string stage;
+    std::vector<std::string> stage;
     double seconds = 0, steps = 0, share = 0, portion = 1;
     bool known = false;
   } stage_;

@@ -98,7 +98,7 @@ Kernel solved(const Tool& tool, KernelProblem& problem) {
   StepTable steps(tool, {"lags", "step", "products", "residual"});
   request.progress = [&](const KernelProgress& p) {
     const std::string residual = fmt::format("{:.2e}", p.residual);
-    progress.iterate({.stage = std::string(p.iteration) + ", " + text(p.lags) + " lags",
+    progress.iterate({.stage = {std::string(p.iteration), text(p.lags) + " lags"},
                       .residual = p.residual,
                       .tolerance = request.tolerance / 2,
                       .spent = p.spent,
