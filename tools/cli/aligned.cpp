@@ -6,61 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "tools/cli/layout.hpp"
 #include "tools/cli/readable.hpp"
 
 namespace asperity::cli {
 namespace {
 
-using Words = std::vector<std::string>;
-
-constexpr const char* gap = "  ";
-constexpr std::size_t gap_width = 2, least_meaning = 20, indent = 4;
+constexpr std::size_t least_meaning = 20, indent = 4;
 constexpr double largest_count = 1e15;  // that is shown whole
 constexpr int least_place = -4;         // of a first digit that follows zeros
-
-// ---- text ----
-
-// Columns on a terminal, where a µ takes one place and two bytes.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-enum class Side { left, right };
-
-std::string padded(const std::string& text, std::size_t width, Side side) {
-  const std::string blanks(width - std::min(width, width_of(text)), ' ');
-  return side == Side::left ? text + blanks : blanks + text;
-}
-
-std::size_t widest(const Words& texts) {
-  std::size_t out = 0;
-  for (const std::string& text : texts) out = std::max(out, width_of(text));
-  return out;
-}
-
-// At blanks, in lines of `width`; a longer word has a line of its own.
-Words wrapped(const std::string& text, std::size_t width) {
-  Words lines(1);
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (lines.back().empty())
-      lines.back() = word;
-    else if (width_of(lines.back()) + 1 + width_of(word) <= width)
-      lines.back() += " " + word;
-    else
-      lines.push_back(word);
-    begin = end + 1;
-  }
-  return lines;
-}
-
-// With an ellipsis where it is too long, and no blanks at its end.
-std::string line_of(std::string text, std::size_t width) {
-  text.resize(text.find_last_not_of(' ') + 1);
-  return (width_of(text) > width ? one_line(text, width) : text) + "\n";
-}
 
 // As it can be copied and read back: an ASCII minus, e-3 for a power of ten.
 std::string plain(std::string text) {
@@ -77,16 +31,6 @@ std::string number_in(const Scale& scale, double value) {
 }
 
 // ---- the columns of a general table ----
-
-// What stands below a heading.
-struct Shown {
-  std::string heading;
-  Words texts;
-  Side side = Side::left;
-  std::size_t width = 0;
-
-  void measure() { width = std::max(width_of(heading), widest(texts)); }
-};
 
 // Numbers of a column in its unit: counts whole, otherwise at most six significant digits, and decimals alike
 // where that leaves each at least four.
@@ -212,27 +156,6 @@ std::size_t keys_of(const Table& table) {
   while (words < table.columns.size() && holds_words(table, words)) ++words;
   if (words == table.columns.size() || table.columns[words].unit == "SI") return words;
   return run_end(table.columns, words);
-}
-
-std::size_t total(const std::vector<Shown>& columns) {
-  std::size_t out = 0;
-  for (const Shown& column : columns) out += (out ? gap_width : 0) + column.width;
-  return out;
-}
-
-// Line 0 is the headings.
-std::string row_of(const std::vector<Shown>& columns, std::size_t line) {
-  std::string out;
-  for (const Shown& column : columns)
-    out += (&column == columns.data() ? "" : gap) +
-           padded(line ? column.texts[line - 1] : column.heading, column.width, column.side);
-  return out;
-}
-
-std::string block(const std::vector<Shown>& columns, std::size_t rows, std::size_t width) {
-  std::string out;
-  for (std::size_t line = 0; line <= rows; ++line) out += line_of(row_of(columns, line), width);
-  return out;
 }
 
 // ---- parameters ----

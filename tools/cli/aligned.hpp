@@ -1,7 +1,7 @@
 /// Tables for people, on a terminal: columns one below the other, units with prefixes, numbers rounded.
 ///
-/// A line is at most as long as the terminal is wide: meanings are wrapped, and a table with more columns than
-/// fit continues below with its leading columns repeated.
+/// No line is longer than the terminal is wide: meanings are wrapped, and a table with too many columns
+/// continues below with its leading columns repeated.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace asperity::cli {
 
-/// Neighbouring columns of the same unit share a prefix, chosen by their largest modulus. Columns in "SI" have
-/// the unit of their row, and end where the second digit of its "standard_error" ends.
+/// Neighbouring columns of the same unit share a prefix, chosen by their largest modulus. Columns in "SI"
+/// have the unit of their row, and end where the second digit of its "standard_error" ends.
 std::string aligned(const Table& table, std::size_t width);
 /// Columns quantity, value ± error, 95 % interval, unit, meaning.
 std::string aligned(const Parameters& parameters, std::size_t width);

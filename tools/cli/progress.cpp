@@ -59,8 +59,8 @@ std::optional<double> TimeLeft::at(double seconds, double share, double least) {
   return told_;
 }
 
-// An inherited descriptor shares its lock with the other tools of a pipe: the terminal is opened anew. Where it
-// cannot be, every tool draws.
+// An inherited descriptor shares its lock with the other tools of a pipe: the terminal is opened anew.
+// Where it cannot be opened, every tool draws.
 bool Progress::take_line() {
   if (line_ >= 0 || !stderr_is_terminal()) return true;
   char name[256] = {};

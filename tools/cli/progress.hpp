@@ -1,5 +1,5 @@
-/// Progress of a long computation: a line on standard error, redrawn a few times a second and wiped before any
-/// message, or with --verbose a table of its steps.
+/// Progress of a long computation: a line on standard error, redrawn a few times a second and wiped before
+/// any message, or with --verbose a table of its steps.
 ///
 /// Of several tools in a pipe one at a time draws: the one that holds a lock on the terminal.
 #pragma once
@@ -24,7 +24,7 @@ struct IterationStatus {
   bool last = true;       ///< no other stage is known to follow: the time left is shown
 };
 
-/// Time left of work whose share grows, smoothed: it counts down, and rises only when it is clearly too short.
+/// Time left of work whose share grows, smoothed: it counts down, and rises only if it was clearly too short.
 class TimeLeft {
  public:
   void start(double seconds, double share);

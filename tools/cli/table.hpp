@@ -1,8 +1,8 @@
-/// Tables on stdout: aligned on a terminal (cli/aligned.hpp), tab-separated with a # header line in a pipe, or
-/// one JSON object.
+/// Tables on stdout: aligned on a terminal (cli/aligned.hpp), tab-separated with a # header line in a pipe,
+/// or one JSON object.
 ///
-/// In a pipe numbers have the shortest form that reads back to the same double; nan is an unknown value, and an
-/// infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they
+/// In a pipe numbers have the shortest form that reads back to the same double; nan is an unknown value, and
+/// an infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they
 /// are whole.
 #pragma once
 

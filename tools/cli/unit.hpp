@@ -14,11 +14,11 @@ struct Unit {
   std::string label(std::string_view quantity) const;
 };
 
-/// Of m, Pa and N the prefix that brings a magnitude into [1, 1000): 3e-3 m is in mm. Any other unit stays SI.
+/// The prefix of m, Pa or N that brings a magnitude into [1, 1000): 3e-3 m is in mm. Other units stay SI.
 Unit prefixed(double magnitude, const std::string& si_unit);
 
-/// The same for powers of a length from m-4 to m4 (mm²), for products and quotients that begin with m, Pa or N
-/// (kN/m), for rad m-1 (rad/mm), times, and angles, which are in degrees. Any other unit stays SI.
+/// The same for powers of a length from m-4 to m4 (mm²), products and quotients that begin with m, Pa or N
+/// (kN/m), rad m-1 (rad/mm), times, and angles, which are in degrees. Other units stay SI.
 Unit unit_for(double magnitude, const std::string& si_unit);
 
 /// "⁻²"
