@@ -89,12 +89,18 @@ void Progress::draw(const std::vector<std::string>& words) {
   }
   others += text.size();
   const std::size_t bar = std::clamp(width - std::min(width, others), shortest_bar, longest_bar);
-  const auto full = static_cast<std::size_t>(std::floor(share_ * static_cast<double>(bar)));
+  const auto full = static_cast<std::size_t>(std::floor(bar_ * static_cast<double>(bar)));
   std::string line = fmt::format("{}: [{}{}] {:3.0f} %  {}", name_, std::string(full, '#'),
-                                 std::string(bar - full, '.'), std::floor(100 * share_), text);
+                                 std::string(bar - full, '.'), std::floor(100 * bar_), text);
   line.resize(std::min(line.size(), width));
   std::cerr << "\r" + line + "\033[K" << std::flush;
   drawn_ = true;
+}
+
+void Progress::advance(double share) {
+  if (begin_ < 0) begin_ = bar_;
+  share_ = std::max(share_, std::clamp(share, 0.0, 1.0));
+  bar_ = std::max(bar_, begin_ + portion_ * (1 - begin_) * share_);
 }
 
 void Progress::count(double done, double of, const std::string& units) {
@@ -105,7 +111,7 @@ void Progress::count(double done, double of, const std::string& units) {
     stage_.steps = done;
     left_.start(at, share);
   }
-  share_ = std::max(share_, share);
+  advance(share);
   std::vector<std::string> words;
   const std::optional<double> left = left_.at(at, share_, least_counted);
   if (left) words.push_back(duration(*left) + " left");
@@ -116,17 +122,19 @@ void Progress::count(double done, double of, const std::string& units) {
 }
 
 void Progress::iterate(const IterationStatus& now) {
-  const double share = std::max(decades_done(now.residual, now.tolerance), now.spent), at = clock_.seconds();
+  const double share = std::clamp(std::max(decades_done(now.residual, now.tolerance), now.spent), 0.0, 1.0),
+               at = clock_.seconds();
   const bool begins = !stage_.known || now.stage != stage_.stage;
   if (begins) {
     stage_ = {now.stage, at, now.steps, share_, now.portion * (1 - share_), true};
     left_.start(at, share);
   }
-  share_ = std::max(share_, stage_.share + stage_.portion * std::clamp(share, 0.0, 1.0));
+  advance(stage_.share + stage_.portion * share);
   if (!(shown_ && (begins || is_due()))) return;
   std::vector<std::string> words = now.stage;
   words.push_back(fmt::format("residual {:.1e}", now.residual));
-  const std::optional<double> left = left_.at(at, share, least_decades);
+  const double reached = stage_.portion > 0 ? (share_ - stage_.share) / stage_.portion : 1;
+  const std::optional<double> left = left_.at(at, reached, least_decades);
   if (left && now.last) words.insert(words.begin(), duration(*left) + " left");
   if (now.steps > stage_.steps && at > stage_.seconds)
     words.push_back(fmt::format("{:.3g} {}/s", (now.steps - stage_.steps) / (at - stage_.seconds), now.name));

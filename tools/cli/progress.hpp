@@ -39,7 +39,9 @@ class TimeLeft {
 
 class Progress {
  public:
-  explicit Progress(const Tool& tool) : name_(tool.name()), shown_(tool.shows_progress()) {}
+  /// `portion` is its part of what is left of the bar: less than 1 where the run goes on with another one.
+  explicit Progress(const Tool& tool, double portion = 1)
+      : name_(tool.name()), shown_(tool.shows_progress()), portion_(portion) {}
   ~Progress() { wipe(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -57,16 +59,18 @@ class Progress {
 
  private:
   bool is_due() const { return clock_.seconds() >= next_; }
+  void advance(double share);
   void draw(const std::vector<std::string>& words);
   static bool take_line();
 
   static inline bool drawn_ = false;
-  static inline int line_ = -1;  ///< the descriptor that holds the lock
+  static inline double bar_ = 0;  ///< share of the bar that is full: of all progress in a run, never less
+  static inline int line_ = -1;   ///< the descriptor that holds the lock
   std::string name_;
   bool shown_;
   Stopwatch clock_;
-  double next_ = 0;   ///< when the line may be redrawn [s]
-  double share_ = 0;  ///< of the bar: it never falls
+  double next_ = 0;                          ///< when the line may be redrawn [s]
+  double portion_, begin_ = -1, share_ = 0;  ///< of the bar; where it began there, the largest share so far
   TimeLeft left_;
   struct Beginning {
     std::vector<std::string> stage;
