@@ -17,6 +17,8 @@ using namespace asperity;
 
 namespace {
 
+constexpr double coarse_portion = 0.1;  // of the rest of the progress bar, for a grid before the finest
+
 // Progress of the solution, for a terminal.
 class ProgressCounter {
  public:
@@ -34,11 +36,12 @@ class ProgressCounter {
       progress_.count(static_cast<double>(load_) + (p.finest ? cli::decades_done(p.residual, tolerance_) : 0),
                       static_cast<double>(loads_), "loads");
     else
-      progress_.iterate({.stage = grid,
+      progress_.iterate({.stage = {grid},
                          .residual = p.residual,
                          .tolerance = tolerance_,
                          .steps = static_cast<double>(p.convolutions),
                          .name = "convolutions",
+                         .portion = p.finest ? 1 : coarse_portion,
                          .last = p.finest});
     rounds_.row({grid, std::to_string(p.convolutions), fmt::format("{:.2e}", p.residual),
                  fmt::format("{:.6g}", p.area * 1e6), fmt::format("{:.6g}", p.max_pressure * 1e-6)});

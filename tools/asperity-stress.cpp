@@ -20,11 +20,12 @@ namespace {
 
 constexpr double round_off = 1e-12;  // of a pressure that is balanced to it
 
-StressMaximum search(const cli::Tool& tool, const StressSolver& volume) {
-  cli::Progress progress(tool);
+// `layers`: those of a dataset follow.
+StressMaximum search(const cli::Tool& tool, const StressSolver& volume, bool layers) {
+  cli::Progress progress(tool, layers ? 0.5 : 1);
   cli::StepTable probes(tool, {"layer", "depth [um]", "greatest von_mises [MPa]"});
   return maximum_von_mises(volume, [&](const StressProbe& p) {
-    progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers of the search");
+    progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers searched");
     probes.row({std::to_string(p.done), fmt::format("{:.6g}", p.depth * 1e6),
                 fmt::format("{:.6g}", p.von_mises * 1e-6)});
   });
@@ -61,7 +62,7 @@ void warn_if_at_edge(const cli::Tool& tool, const Grid& grid, const StressMaximu
 
 // In whole layers.
 StressMaximum find_maximum(const cli::Tool& tool, cli::StressScene& scene, const StressSolver& solver) {
-  const StressMaximum top = search(tool, solver);
+  const StressMaximum top = search(tool, solver, !scene.depths.empty());
   Attributes& a = scene.data.attributes;
   a.set("stress_max_von_mises", top.von_mises);
   a.set("stress_max_x", top.x);

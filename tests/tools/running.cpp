@@ -1,8 +1,12 @@
 // What a run tells while it goes on and when it is over, and that its bytes do not depend on how it is run.
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <random>
 #include <regex>
 
 #include "support.hpp"
+#include "tools/cli/progress.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 
@@ -11,6 +15,7 @@ using namespace asperity::test;
 namespace {
 
 const std::string draw = "asperity-generate --shape 64x48 --size 3mm --rq 0.4um --length 6px --seed 3 ";
+const std::string fine = "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 6px --seed 3 ";
 const std::string press =
     "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 5kN --yield 1.2GPa ";
 // Nothing to warn of: no limit pressure, and the largest stress lies deep.
@@ -18,6 +23,26 @@ const std::string smooth =
     "asperity-contact --smooth --shape 64x48 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 --load "
     "5kN ";
 const std::string wiped = "\r\033[K";
+
+// The percentages of a tool's bar, in the order of their drawing.
+std::vector<int> percentages(const std::string& transcript, const std::string& tool) {
+  const std::regex form(tool + R"(: \[[#.]*\] +([0-9]+) %)");
+  std::vector<int> out;
+  for (std::sregex_iterator at(transcript.begin(), transcript.end(), form), end; at != end; ++at)
+    out.push_back(std::stoi((*at)[1]));
+  return out;
+}
+
+// What a terminal shows of each line before it is redrawn or ended.
+std::vector<std::string> drawings(const std::string& transcript) {
+  std::vector<std::string> out(1);
+  for (std::size_t at = 0; at < transcript.size(); ++at)
+    if (transcript[at] == '\r' || transcript[at] == '\n')
+      out.emplace_back();
+    else
+      out.back() += transcript[at];
+  return out;
+}
 
 // Of 1.52 s, CPU 2.9 s (2.7 s user, 0.2 s system), peak memory 61 MB the number of MB.
 double peak_of(const std::string& told) {
@@ -111,15 +136,15 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
           "[progress][contract][slow]") {
   require(draw + "-o s.nc; " + press + "s.nc -o p.nc; " + smooth + "-o smooth.nc");
   const auto [command, told] = GENERATE(table<std::string, std::string>(
-      {{draw + "-o a.nc", ", Newton-Krylov"},
+      {{draw + "-o a.nc", "Newton-Krylov, "},
        {draw + "--count 30 -o a_%d.nc", " of 30 surfaces"},
        {"asperity-kernel --length 6px --lags 9x9 --method conjugate-gradient -o a.nc",
-        ", conjugate gradients"},
+        "conjugate gradients, "},
        {press + "s.nc -o a.nc", "64x48"},
        {press.substr(0, press.find("--load")) + "--sweep 2kN,5kN s.nc", " of 2 loads"},
        {"asperity-stats s.nc s.nc s.nc", " of 3 surfaces"},
-       {"asperity-stress smooth.nc --maximum -o a.nc", " layers of the search"},
-       {"asperity-stress smooth.nc --depths 0:1mm:30 -o a.nc", " of 30 layers, "}}));
+       {"asperity-stress smooth.nc --maximum -o a.nc", " layers searched"},
+       {"asperity-stress smooth.nc --depths 0:1mm:30 -o a.nc", " of 30 layers"}}));
   CAPTURE(command);
   const Outcome always = shell(command + " --progress always");
   CHECK(always.exit == 0);
@@ -146,7 +171,7 @@ TEST_CASE("every iteration that a kernel takes has its progress, its name and it
   const std::string line = shell(cut + options + " --progress always").error;
   const std::string steps = shell(cut + options + " -v").error;
   for (const std::string& name : names) {
-    CHECK_THAT(line, ContainsSubstring(", " + name));
+    CHECK_THAT(line, ContainsSubstring(name + ", "));
     CHECK_THAT(steps, ContainsSubstring(name + "\n"));
   }
 }
@@ -168,4 +193,81 @@ TEST_CASE("the option --verbose tells each step of an iteration in a line under 
   CHECK(lines(stress.error) == 8);
   CHECK_THAT(stress.error, ContainsSubstring("    layer  depth [um]  greatest von_mises [MPa]\n") &&
                                ContainsSubstring("\n        7        1000  "));
+}
+
+TEST_CASE("the bar never runs backwards: of grid after grid, and of one task after another",
+          "[progress][law][slow]") {
+  require(fine + "-o f.nc; " + smooth + "-o smooth.nc");
+  const auto [command, first, last] = GENERATE(table<std::string, std::string, std::string>(
+      {{press + "f.nc -o p.nc", "128x128", "512x512"},
+       {fine + "--count 3 -o a_%d.nc", "Newton-Krylov", " of 3 surfaces"},
+       {"asperity-stress smooth.nc --maximum --depths 0:1mm:30 -o a.nc", " searched", " of 30 layers"}}));
+  const std::string line = require(command + " --progress always").error;
+  CHECK_THAT(line, ContainsSubstring(first) && ContainsSubstring(last));
+  const std::vector<int> percent = percentages(line, "asperity-[a-z]+");
+  CAPTURE(line);
+  CHECK(percent.size() >= 2);
+  CHECK(std::ranges::is_sorted(percent));
+}
+
+TEST_CASE("of several tools in a pipe one at a time draws its progress on a terminal",
+          "[progress][contract][slow]") {
+  const std::string field = "asperity-generate --size 3mm --rq 0.4um ";
+  const std::string pipe = field + "--shape 512x512 --length 40px --seed 2 | " + press + "-o p.nc; ";
+  const std::string busy = field + "--shape 256x256 --length 6px --seed 1 --count 30 -o a_%d.nc & ";
+  const std::string seen =
+      require("script -qec 'stty cols 70; " + busy + pipe + "wait; echo alone; " + pipe + "' /dev/null").out;
+  const std::string alone = seen.substr(seen.find("alone"));
+  CHECK(seen.find("asperity-generate: [") != seen.npos);
+  CHECK(alone.find("asperity-contact: [") != alone.npos);
+  for (const std::string& drawn : drawings(seen)) {
+    CAPTURE(drawn);
+    CHECK(drawn.find("asperity-", 1 + drawn.find("asperity-")) == drawn.npos);
+    if (drawn.find(" %") != drawn.npos) CHECK(drawn.substr(0, drawn.find('\033')).size() < 70);
+  }
+  CHECK(std::ranges::is_sorted(percentages(alone, "asperity-contact")));
+}
+
+TEST_CASE("a tool that finds the terminal taken draws nothing, and its messages clear the line",
+          "[progress][contract]") {
+  require(draw + "-o s.nc");
+  const std::string run = press + "s.nc -o p.nc; ";
+  const std::string seen =
+      require("script -qec 'exec 9<$(tty); flock 9; " + run + "echo free; exec 9<&-; " + run + "' /dev/null")
+          .out;
+  CAPTURE(seen);
+  const std::size_t drawn = seen.find("asperity-contact: [");
+  CHECK(drawn != seen.npos);
+  CHECK(drawn > seen.find("free"));
+  CHECK_THAT(shell("script -qec 'asperity-stats absent.nc' /dev/null").out,
+             Catch::Matchers::StartsWith(wiped + "asperity-stats: "));
+}
+
+TEST_CASE("the time left is told when it can be, counts down, and rises when it is clearly too short",
+          "[progress][law]") {
+  asperity::cli::TimeLeft steady;
+  steady.start(5, 0.2);
+  CHECK_FALSE(steady.at(5.5, 0.3, 0.05));  // too early
+  CHECK_FALSE(steady.at(7, 0.24, 0.05));   // too little
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> jitter(-0.005, 0.005);
+  double former = INFINITY;
+  for (double t = 10; t < 45; t += 0.2) {
+    const double left = steady.at(t, 0.2 + 0.8 * (t - 5) / 40 + jitter(random), 0.05).value();
+    CHECK(left <= former);
+    CHECK(std::abs(left - (45 - t)) < 4);
+    former = left;
+  }
+  asperity::cli::TimeLeft slower;  // to a tenth of the rate at half of the work
+  slower.start(0, 0);
+  int rises = 0;
+  former = INFINITY;
+  for (double t = 1; t < 110; t += 0.2) {
+    const double left = slower.at(t, t < 10 ? t / 20 : 0.5 + (t - 10) / 200, 0.05).value();
+    rises += left > former;
+    former = left;
+  }
+  CHECK(rises > 0);
+  CHECK(rises < 40);
+  CHECK(former < 5);
 }

@@ -1,11 +1,14 @@
-#include "tools/cli/table.hpp"
-
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "support.hpp"
+#include "tools/cli/aligned.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
 
 using namespace asperity::cli;
 using namespace asperity::test;
@@ -14,6 +17,16 @@ namespace {
 
 const Table table{{{"lag", "m"}, {"acf", "1"}, {"word", ""}},
                   {{1e-6, 1.0 / 3.0, "a"}, {0.1 + 0.2, -0.5, "bc"}}};
+
+std::size_t widest_line(const std::string& text) {
+  std::size_t out = 0, at = 0;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) ++at;
+    if (c == '\n') at = 0;
+    out = std::max(out, at);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -28,7 +41,7 @@ TEST_CASE("a table in a pipe is one head line with units and tabs between", "[ta
 }
 
 TEST_CASE("the columns of a table on a terminal stand one below the other", "[table][law]") {
-  const std::string text = table.aligned();
+  const std::string text = aligned(table, 80);
   const auto end = text.find('\n');
   CHECK(text.substr(0, end).find("word") == text.substr(end + 1).find("a"));
 }
@@ -45,4 +58,72 @@ TEST_CASE("what is not finite is null in JSON, for JSON has no word for it", "[t
   const auto json = nlohmann::json::parse(json_of(q));
   CHECK(json["Rq"]["value"].is_null());
   CHECK_FALSE(json["Rq"].contains("standard_error"));
+}
+
+TEST_CASE(
+    "on a terminal neighbouring columns of a unit share a prefix, and numbers have the digits that count",
+    "[table][exact]") {
+  const Table one{{{"lag", "m"}, {"acf", "1"}, {"se", "1", Holds::unknown}, {"psd", "m4"}, {"err", "m4"}},
+                  {{0.0, 1.0, std::nan(""), 3.64e-21, 1e-22}, {23.4375e-6, -0.680239, 0.012545, 1e-30, 0.0}}};
+  CHECK(aligned(one, 80) ==
+        "lag [µm]      acf       se   psd [µm⁴]  err [µm⁴]\n"
+        "       0   1.0000        -      3640.0      100.0\n"
+        "   23.44  -0.6802  0.01255  1.0000e-06          0\n");
+}
+
+TEST_CASE("rows with units of their own are rounded to their standard error", "[table][exact]") {
+  const Table rows{{{"quantity", ""},
+                    {"unit", ""},
+                    {"mean", "SI", Holds::unknown},
+                    {"standard_error", "SI", Holds::unknown},
+                    {"p", "1"}},
+                   {{"Sq", "m", 4.0128995e-7, 8.2539e-9, 0.85236},
+                    {"Sdr", "1", 1.2034e-4, 1.6e-6, 1e-9},
+                    {"all", "1", NAN, NAN, 0.5}}};
+  CHECK(aligned(rows, 80) ==
+        "quantity  unit      mean  standard_error           p\n"
+        "Sq        nm       401.3             8.3     0.85236\n"
+        "Sdr             120.3e-6          1.6e-6  1.0000e-09\n"
+        "all                    -               -     0.50000\n");
+}
+
+TEST_CASE("parameters on a terminal are a value, its error and its interval in one unit", "[table][exact]") {
+  using asperity::Interval;
+  const double open = std::numeric_limits<double>::infinity();
+  const asperity::Parameters q{
+      {"Sq", 3.86749e-7, "m", 9.454e-9, "rms", Interval::of(3.86749e-7, 3.69902e-7, 4.07151e-7)},
+      {"Ssk", -0.019974, "1", 0.057935, "skewness, 0 for a Gaussian"},
+      {"Sal", 9e-5, "m", 7e-6, "length", Interval::of(9e-5, 8e-5, open)},
+      {"Std", 0.5, "rad", NAN, "direction"}};
+  CHECK(aligned(q, 80) ==
+        "quantity   value ± error  95 % interval    unit  meaning\n"
+        "Sq         386.7 ± 9.5     369.9 to 407.2  nm    rms\n"
+        "Ssk       -0.020 ± 0.058  -0.134 to 0.094        skewness, 0 for a Gaussian\n"
+        "Sal         90.0 ± 7.0    above 80.0       µm    length\n"
+        "Std        28.65          -                °     direction\n");
+  CHECK_THAT(aligned(q, 72), ContainsSubstring("skewness, 0 for a\n" + std::string(49, ' ') + "Gaussian\n"));
+  CHECK_THAT(aligned(q, 50), ContainsSubstring("\n    skewness, 0 for a Gaussian\n"));
+}
+
+TEST_CASE("a table on a terminal is no wider than that, one elsewhere is unchanged",
+          "[table][contract][slow]") {
+  require(
+      "asperity-generate --shape 64x48 --size 3mm --rq 0.4um --length 6px --seed 3 -o s.nc; asperity-contact "
+      "--radius 50mm --young 208GPa --poisson 0.3 --load 5kN s.nc -o p.nc; printf '0 0 1e-4\\n' > points");
+  const std::string command =
+      GENERATE(as<std::string>(), "stats s.nc --parameters all", "stats s.nc s.nc", "validate s.nc",
+               "pdf s.nc", "stress p.nc --points points --components all");
+  const std::string whole = "asperity-" + command + " -q --progress never";
+  const std::string former = shell(whole).out;
+  CHECK_THAT(former, Catch::Matchers::StartsWith("# ") && ContainsSubstring("\t"));
+  for (const std::size_t width : {40, 66, 80, 130}) {
+    CAPTURE(command, width);
+    const Outcome run = shell("script -qec 'stty cols " + std::to_string(width) + "; " + whole +
+                              " 2>/dev/null' /dev/null | tr -d '\\r'");
+    CHECK(run.out.find('\t') == std::string::npos);
+    CHECK(widest_line(run.out) <= width);
+    CHECK(widest_line(run.out) > width / 2);
+  }
+  CHECK_THAT(shell("script -qec '" + whole + " -o t.tsv' /dev/null; cat t.tsv").out,
+             ContainsSubstring(former));
 }

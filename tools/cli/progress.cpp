@@ -1,29 +1,36 @@
 #include "tools/cli/progress.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <fcntl.h>
 #include <iostream>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "tools/cli/stream.hpp"
+
 namespace asperity::cli {
 namespace {
 
-constexpr double period = 0.2;       // between two drawings of the line [s]
-constexpr double least_gain = 0.05;  // of the decades, before the time left is told
-constexpr std::size_t shortest_bar = 8, longest_bar = 20;
+constexpr double period = 0.2;  // between two drawings of the line [s]
+constexpr double least_time = 1, least_counted = 0.01, least_decades = 0.05;  // before the time left is told
+constexpr std::size_t shortest_bar = 8, longest_bar = 20, longest_line = 80;
 constexpr std::size_t column = 9;  // characters of a table of steps, at least
+constexpr const char* erased = "\r\033[K";
 
 std::size_t terminal_width() {
   winsize size{};
-  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? std::min<std::size_t>(size.ws_col, longest_line) : longest_line;
 }
 
 std::string duration(double seconds) {
-  const auto s = static_cast<long>(std::ceil(std::min(seconds, 1e9)));
+  const auto s = static_cast<long>(std::ceil(std::clamp(seconds, 1.0, 1e9)));
   if (s < 100) return fmt::format("{} s", s);
   if (s < 100 * 60) return fmt::format("{} min", (s + 59) / 60);
   return fmt::format("{:.1f} h", static_cast<double>(s) / 3600);
@@ -31,46 +38,122 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-// Name, bar, percentage and text; the bar gives way where the terminal is narrow.
-void Progress::draw(double share, const std::string& text) {
+void TimeLeft::start(double seconds, double share) {
+  *this = {};
+  begin_ = seconds;
+  share_ = share;
+}
+
+std::optional<double> TimeLeft::at(double seconds, double share, double least) {
+  const double elapsed = seconds - begin_, gained = share - share_;
+  if (elapsed < least_time || !(gained >= least)) return std::nullopt;
+  const double end = seconds + (1 - share) * elapsed / gained;
+  const double smoothing = std::max(least_time, elapsed / 5);
+  end_ = known_ ? end + (end_ - end) * std::exp((seconds_ - seconds) / smoothing) : end;
+  const double expected = std::max(end_ - seconds, 0.0), counted = told_ + seconds_ - seconds;
+  const bool keeps = known_ && expected > counted && expected < std::max(counted + 2, 1.5 * counted);
+  // Where it is a little too short, it falls at half the pace until it is not.
+  told_ = keeps ? std::max(counted + (seconds - seconds_) / 2, 0.0) : expected;
+  seconds_ = seconds;
+  known_ = true;
+  return told_;
+}
+
+// An inherited descriptor shares its lock with the other tools of a pipe: the terminal is opened anew.
+// Where it cannot be opened, every tool draws.
+bool Progress::take_line() {
+  if (line_ >= 0 || !stderr_is_terminal()) return true;
+  char name[256] = {};
+  if (::ttyname_r(STDERR_FILENO, name, sizeof name) != 0) return true;
+  const int fd = ::open(name, O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (fd < 0) return true;
+  if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+    const bool taken = errno == EWOULDBLOCK;
+    ::close(fd);
+    return !taken;
+  }
+  line_ = fd;
+  return true;
+}
+
+// Name, bar, percentage and the words that fit; the bar gives way where the terminal is narrow.
+void Progress::draw(const std::vector<std::string>& words) {
   next_ = clock_.seconds() + period;
-  share = std::clamp(share, 0.0, 1.0);
-  const std::size_t width = terminal_width() - 1, others = name_.size() + text.size() + 12;
+  if (!take_line()) return;
+  const std::size_t width = terminal_width() - 1;
+  std::string text;
+  std::size_t others = name_.size() + 12;
+  for (const std::string& word : words) {
+    const std::string more = (text.empty() ? "" : ", ") + word;
+    if (others + shortest_bar + text.size() + more.size() <= width) text += more;
+  }
+  others += text.size();
   const std::size_t bar = std::clamp(width - std::min(width, others), shortest_bar, longest_bar);
-  const auto full = static_cast<std::size_t>(std::floor(share * static_cast<double>(bar)));
+  const auto full = static_cast<std::size_t>(std::floor(bar_ * static_cast<double>(bar)));
   std::string line = fmt::format("{}: [{}{}] {:3.0f} %  {}", name_, std::string(full, '#'),
-                                 std::string(bar - full, '.'), std::floor(100 * share), text);
+                                 std::string(bar - full, '.'), std::floor(100 * bar_), text);
   line.resize(std::min(line.size(), width));
-  std::cerr << '\r' << line << "\033[K" << std::flush;
+  std::cerr << "\r" + line + "\033[K" << std::flush;
   drawn_ = true;
+}
+
+void Progress::advance(double share) {
+  if (begin_ < 0) begin_ = bar_;
+  share_ = std::max(share_, std::clamp(share, 0.0, 1.0));
+  bar_ = std::max(bar_, begin_ + portion_ * (1 - begin_) * share_);
 }
 
 void Progress::count(double done, double of, const std::string& units) {
   if (!shown_ || !is_due()) return;
-  const double elapsed = clock_.seconds(), rate = done / elapsed;
+  const double at = clock_.seconds(), share = std::clamp(done / of, 0.0, 1.0);
+  if (!std::exchange(stage_.known, true)) {
+    stage_.seconds = at;
+    stage_.steps = done;
+    left_.start(at, share);
+  }
+  advance(share);
   std::vector<std::string> words;
-  if (done > 0) words.push_back(duration((of - done) / rate) + " left");
+  const std::optional<double> left = left_.at(at, share_, least_counted);
+  if (left) words.push_back(duration(*left) + " left");
   if (!units.empty()) words.push_back(fmt::format("{:.0f} of {:.0f} {}", std::floor(done), of, units));
-  if (!units.empty() && done > 0) words.push_back(fmt::format("{:.3g}/s", rate));
-  draw(done / of, fmt::format("{}", fmt::join(words, ", ")));
+  if (left && !units.empty())
+    words.push_back(fmt::format("{:.3g}/s", (done - stage_.steps) / (at - stage_.seconds)));
+  draw(words);
 }
 
 void Progress::iterate(const IterationStatus& now) {
-  const double share = std::max(decades_done(now.residual, now.tolerance), now.spent), at = clock_.seconds();
-  const bool begins = now.stage != stage_.stage;
-  if (begins) stage_ = {now.stage, at, share, now.steps};
+  const double share = std::clamp(std::max(decades_done(now.residual, now.tolerance), now.spent), 0.0, 1.0),
+               at = clock_.seconds();
+  const bool begins = !stage_.known || now.stage != stage_.stage;
+  if (begins) {
+    stage_ = {now.stage, at, now.steps, share_, now.portion * (1 - share_), true};
+    left_.start(at, share);
+  }
+  advance(stage_.share + stage_.portion * share);
   if (!(shown_ && (begins || is_due()))) return;
-  const double elapsed = at - stage_.seconds, gained = share - stage_.share;
-  std::string text = fmt::format("residual {:.1e}, {}", now.residual, now.stage);
-  if (now.last && gained > least_gain) text = duration((1 - share) * elapsed / gained) + " left, " + text;
-  if (now.steps > stage_.steps && elapsed > 0)
-    text += fmt::format(", {:.3g} {}/s", (now.steps - stage_.steps) / elapsed, now.name);
-  draw(share, text);
+  std::vector<std::string> words = now.stage;
+  words.push_back(fmt::format("residual {:.1e}", now.residual));
+  const double reached = stage_.portion > 0 ? (share_ - stage_.share) / stage_.portion : 1;
+  const std::optional<double> left = left_.at(at, reached, least_decades);
+  if (left && now.last) words.insert(words.begin(), duration(*left) + " left");
+  if (now.steps > stage_.steps && at > stage_.seconds)
+    words.push_back(fmt::format("{:.3g} {}/s", (now.steps - stage_.steps) / (at - stage_.seconds), now.name));
+  draw(words);
 }
 
 void Progress::wipe() {
-  if (drawn_) std::cerr << "\r\033[K" << std::flush;
-  drawn_ = false;
+  if (std::exchange(drawn_, false)) std::cerr << erased << std::flush;
+  if (const int fd = std::exchange(line_, -1); fd >= 0) ::close(fd);
+}
+
+void Progress::say(const std::string& message) {
+  wipe();
+  std::cerr << (stderr_is_terminal() ? erased : "") + message + "\n" << std::flush;
+}
+
+void Progress::clear() {
+  wipe();
+  if (stderr_is_terminal()) std::cerr << erased << std::flush;
 }
 
 double decades_done(double residual, double tolerance) {

@@ -221,10 +221,10 @@ bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) == 1; }
 bool stdout_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
-std::size_t columns_of(int fd) {
+std::size_t columns_of(int fd, std::size_t most) {
   winsize size{};
   const bool known = ::ioctl(fd, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? std::clamp<std::size_t>(size.ws_col, 40, 100) : 80;
+  return known ? std::clamp<std::size_t>(size.ws_col, 40, most) : 80;
 }
 
 }  // namespace asperity::cli

@@ -91,7 +91,7 @@ bool stdin_is_terminal();
 bool stdin_is_device();  ///< a terminal, or /dev/null: nobody pipes anything in
 bool stdout_is_terminal();
 bool stderr_is_terminal();
-/// Of the terminal there, 40 to 100; 80 where there is none.
-std::size_t columns_of(int fd);
+/// Width of the terminal there, from 40 to `most`; 80 where there is none.
+std::size_t columns_of(int fd, std::size_t most = 100);
 
 }  // namespace asperity::cli

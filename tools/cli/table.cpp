@@ -1,15 +1,16 @@
 #include "tools/cli/table.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <ranges>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "tools/cli/aligned.hpp"
 #include "tools/cli/output_name.hpp"
+#include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -17,18 +18,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t widest = 1000;  // line of a table on a terminal
+
 std::string text_of(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) return one_line(*words);
   return shortest(std::get<double>(cell));
-}
-
-// For eyes: six digits are enough, and what is not known is a dash.
-std::string short_text_of(const Cell& cell) {
-  const auto* number = std::get_if<double>(&cell);
-  if (!number) return text_of(cell);
-  if (std::isnan(*number)) return "-";
-  char digits[32] = {};
-  return {digits, std::to_chars(digits, digits + sizeof digits, *number, std::chars_format::general, 6).ptr};
 }
 
 std::string heading(const Column& column) {
@@ -47,15 +41,13 @@ Json json_of(const Cell& cell) {
                             ": the parameters exceed double precision");
 }
 
-void put(const Tool& tool, const std::string& json, const Table& table) {
+template <class Rows, class Json, class Tsv>
+void put(const Tool& tool, const Rows& rows, const Json& json, const Tsv& tsv) {
   check_table_name(tool.output_name(), tool.json());
-  tool.write_text(tool.json() ? json : tool.output_is_terminal() ? table.aligned() : table.tsv());
-}
-
-// Columns on a terminal, where a µ takes one place and two bytes.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  const bool for_people = tool.output_is_terminal() && !tool.json();
+  tool.write_text(tool.json()  ? json()
+                  : for_people ? aligned(rows, columns_of(STDOUT_FILENO, widest))
+                               : tsv());
 }
 
 }  // namespace
@@ -64,28 +56,6 @@ std::string Table::tsv() const {
   std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
   for (const auto& row : rows)
     out += fmt::format("{}\n", fmt::join(row | std::views::transform(text_of), "\t"));
-  return out;
-}
-
-std::string Table::aligned() const {
-  std::vector<std::vector<std::string>> lines(1);
-  for (const Column& column : columns) lines[0].push_back(heading(column));
-  for (const auto& row : rows) {
-    lines.emplace_back();
-    for (const Cell& cell : row) lines.back().push_back(short_text_of(cell));
-  }
-  std::vector<std::size_t> widths(columns.size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], width(line[c]));
-  std::string out;
-  for (const auto& line : lines) {
-    for (std::size_t c = 0; c < line.size(); ++c) {
-      const std::string padding(widths[c] - width(line[c]), ' ');
-      const bool words = c == 0 || columns[c].unit.empty();
-      out += (c ? "  " : "") + (words ? line[c] + (c + 1 < line.size() ? padding : "") : padding + line[c]);
-    }
-    out += '\n';
-  }
   return out;
 }
 
@@ -148,12 +118,14 @@ void check_finite(const Table& table) {
 
 void print(const Tool& tool, const Table& table) {
   check_finite(table);
-  put(tool, tool.json() ? table.json() : "", table);
+  put(
+      tool, table, [&] { return table.json(); }, [&] { return table.tsv(); });
 }
 
 void print(const Tool& tool, const Parameters& parameters) {
   check_finite(parameters);
-  put(tool, tool.json() ? json_of(parameters) : "", table_of(parameters));
+  put(
+      tool, parameters, [&] { return json_of(parameters); }, [&] { return table_of(parameters).tsv(); });
 }
 
 }  // namespace asperity::cli

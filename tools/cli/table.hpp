@@ -1,7 +1,8 @@
-/// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
+/// Tables on stdout: aligned on a terminal (cli/aligned.hpp), tab-separated with a # header line in a pipe,
+/// or one JSON object.
 ///
-/// Numbers have the shortest form that reads back to the same double; nan is what is not known, and an
-/// infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they
+/// In a pipe numbers have the shortest form that reads back to the same double; nan is an unknown value, and
+/// an infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they
 /// are whole.
 #pragma once
 
@@ -34,8 +35,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
 
-  std::string tsv() const;      ///< "# name [unit]\t…" and one line a row
-  std::string aligned() const;  ///< for eyes
+  std::string tsv() const;  ///< "# name [unit]\t…" and one line a row
   /// {"columns": {"name": {"unit": …, "values": […]}}}
   std::string json() const;
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <csignal>
 #include <fcntl.h>
-#include <iostream>
 #include <random>
 #include <unistd.h>
 #include <utility>
@@ -68,10 +67,7 @@ std::uint64_t Tool::seed_value() {
 }
 
 // A line on standard error, in place of one of progress, whatever the texts of files in it.
-void Tool::say(const std::string& line) {
-  Progress::wipe();
-  std::cerr << one_line(line) << '\n';
-}
+void Tool::say(const std::string& line) { Progress::say(one_line(line)); }
 
 int Tool::fail(Exit code, const std::string& message) const {
   say(name_ + ": " + message);
@@ -211,7 +207,10 @@ void Tool::write_report(const Dataset& dataset) const {
 }
 
 void Tool::write_text(const std::string& text) const {
-  Progress::wipe();  // which may stand on the same terminal
+  if (output_is_terminal())
+    Progress::clear();
+  else
+    Progress::wipe();
   write_all(output_, text);
 }
 

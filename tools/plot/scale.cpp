@@ -36,24 +36,6 @@ Range range_of(const Field& values) {
 
 Range united(Range a, Range b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
-std::string Unit::label(std::string_view quantity) const {
-  return name.empty() ? std::string(quantity) : fmt::format("{} [{}]", quantity, name);
-}
-
-Unit unit_for(double magnitude, const std::string& si_unit) {
-  if (si_unit.empty() || si_unit == "1") return {};
-  if (si_unit != "m" && si_unit != "Pa" && si_unit != "N") return {1, si_unit};
-  constexpr struct {
-    double factor;
-    const char* symbol;
-  } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}};
-  if (!(magnitude > 0)) return {1, si_unit};
-  const double limit = magnitude * (1 + 1e-9);
-  const auto* fit = std::ranges::find_if(prefixes, [&](const auto& p) { return limit >= p.factor; });
-  if (fit == std::end(prefixes)) --fit;
-  return {fit->factor, fit->symbol + si_unit};
-}
-
 double round_step(double width, double most_steps) {
   const double least = width / most_steps, decade = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0})

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "tools/cli/unit.hpp"
 
 namespace asperity::plot {
 
@@ -23,15 +24,11 @@ struct Range {
 Range range_of(const Field& values);
 Range united(Range a, Range b);
 
-/// A unit with the prefix that brings a magnitude into [1, 1000): mm for 3e-3 m.
-struct Unit {
-  double factor = 1;  ///< in SI
-  std::string name;   ///< "µm"; empty for pure numbers
-
-  /// "height [µm]"
-  std::string label(std::string_view quantity) const;
-};
-Unit unit_for(double magnitude, const std::string& si_unit);
+using cli::Unit;
+/// Powers, angles and all but m, Pa and N stay SI.
+inline Unit unit_for(double magnitude, const std::string& si_unit) {
+  return cli::prefixed(magnitude, si_unit);
+}
 
 /// The smallest of 1, 2, 5 × 10ⁿ that divides the width into at most `most_steps` steps.
 double round_step(double width, double most_steps);

@@ -8,7 +8,6 @@
 #include "dataset/layout.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"
-#include "tools/report/readable.hpp"
 
 namespace asperity::report {
 namespace {

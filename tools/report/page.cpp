@@ -10,7 +10,6 @@
 #include "tools/cli/record.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"
-#include "tools/report/readable.hpp"
 #include "tools/report/style.hpp"
 
 namespace asperity::report {

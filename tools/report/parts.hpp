@@ -7,9 +7,14 @@
 
 #include "dataset/catalogue.hpp"
 #include "stats/measure/parameter.hpp"
+#include "tools/cli/readable.hpp"
 #include "tools/plot/figure.hpp"
 
 namespace asperity::report {
+
+using cli::digits_of;
+using cli::Measurement;
+using cli::readable;
 
 /// Warnings about solvers that did not converge and changed targets.
 std::string warnings(const Dataset& data);

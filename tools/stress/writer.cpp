@@ -136,7 +136,7 @@ void StressWriter::survey(std::size_t output, Values values) {
 void StressWriter::tell(std::size_t l, const Field& values) {
   ++done_;
   progress_.count(static_cast<double>(done_), static_cast<double>(passes_ * depths_.size()),
-                  passes_ == 1 ? "layers" : "layers, some of them again");
+                  passes_ == 1 ? "layers" : "layers, in several passes");
   if (tool_.verbose() && done_ <= depths_.size())
     steps_.row({std::to_string(l + 1), fmt::format("{:.6g}", depths_[l] * 1e6),
                 fmt::format("{:.6g}", values.abs().maxCoeff() * 1e-6)});

@@ -92,18 +92,20 @@ Kernel predistorted(KernelProblem& problem) {
   return problem.period ? periodic(problem) : predistortion.solve(problem.request);
 }
 
-Kernel solved(const Tool& tool, KernelProblem& problem) {
+Kernel solved(const Tool& tool, KernelProblem& problem, bool aside) {
+  constexpr double before_drawing = 0.3;  // of the bar
   KernelRequest& request = problem.request;
-  Progress progress(tool);
+  Progress progress(tool, aside ? before_drawing : 1);
   StepTable steps(tool, {"lags", "step", "products", "residual"});
   request.progress = [&](const KernelProgress& p) {
     const std::string residual = fmt::format("{:.2e}", p.residual);
-    progress.iterate({.stage = std::string(p.iteration) + ", " + text(p.lags) + " lags",
+    progress.iterate({.stage = {std::string(p.iteration), text(p.lags) + " lags"},
                       .residual = p.residual,
                       .tolerance = request.tolerance / 2,
                       .spent = p.spent,
                       .steps = static_cast<double>(p.products),
-                      .name = "products"});
+                      .name = "products",
+                      .portion = 0.8});  // another iteration may follow
     if (p.step == 0) tool.detail(std::string(p.iteration));
     steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
   };
@@ -199,7 +201,7 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
 }
 
 KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside) {
-  const Kernel kernel = solved(tool, problem);
+  const Kernel kernel = solved(tool, problem, aside);
   set_kernel(problem.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, problem.has_height,
                             problem.spacing, problem.marginal.has_value(), problem.period});
   record_kernel(problem.data.attributes, problem.request, kernel);

@@ -1,0 +1,42 @@
+/// Numbers for people: in a unit with a prefix, rounded to the digits that their error leaves.
+///
+/// The standard error has two significant digits; the value and its interval end at the same place. Without
+/// an error there are four digits, and all digits of a whole number. Numbers below 0.01 of their unit, or too
+/// large for it, have a power of a thousand as a factor.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stats/measure/parameter.hpp"
+#include "tools/cli/unit.hpp"
+
+namespace asperity::cli {
+
+/// Four digits, a true minus, and ∞; a dash for an unknown number.
+std::string digits_of(double value);
+/// Rounded to a multiple of 10^-places, which may exceed 1.
+std::string rounded(double value, int places);
+
+/// "386.7 nm".
+std::string readable(double value, const std::string& si_unit);
+
+/// How to show numbers that share a unit and a standard error.
+struct Scale {
+  Unit unit;
+  int exponent = 0;           ///< a multiple of three: numbers are those of 10^exponent units
+  std::optional<int> places;  ///< after the point; none: four significant digits
+  double number(double value) const;
+  std::string text(double value) const;
+};
+/// `largest` is the largest modulus among them; an `error` of zero or NaN counts as unknown.
+Scale scale_for(double largest, double error, const std::string& si_unit);
+
+struct Measurement {
+  Scale scale;
+  std::string value, error, low, high;  ///< all but the value empty where the error is unknown
+  std::string unit;                     ///< with the power of ten: "× 10⁻³"
+};
+Measurement readable(const Parameter& row);
+
+}  // namespace asperity::cli
