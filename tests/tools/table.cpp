@@ -109,7 +109,8 @@ TEST_CASE("a table on a terminal is no wider than that, one elsewhere is unchang
           "[table][contract][slow]") {
   require(
       "asperity-generate --shape 64x48 --size 3mm --rq 0.4um --length 6px --seed 3 -o s.nc; asperity-contact "
-      "--radius 50mm --young 208GPa --poisson 0.3 --load 5kN s.nc -o p.nc; printf '0 0 1e-4\\n' > points");
+      "--radius 50mm --young 208GPa --poisson 0.3 --load 5kN s.nc -o p.nc; printf '0um 0um 100um\\n' > "
+      "points");
   const std::string command =
       GENERATE(as<std::string>(), "stats s.nc --parameters all", "stats s.nc s.nc", "validate s.nc",
                "pdf s.nc", "stress p.nc --points points --components all");
