@@ -89,7 +89,7 @@ TEST_CASE("what asperity-acf and asperity-psd write is that of --result, on a te
     const std::string on_terminal = "script -qec '" + command;
     const Outcome binary = shell(on_terminal + "' /dev/null");
     CHECK(binary.exit == 2);
-    CHECK_THAT(binary.out, ContainsSubstring("is a terminal") && ContainsSubstring(tables));
+    CHECK_THAT(binary.out, ContainsSubstring("on a terminal") && ContainsSubstring(tables));
     CHECK_THAT(shell(on_terminal + " --result profiles' /dev/null").out, ContainsSubstring("standard_error"));
     CHECK(shell(command + " --result table").exit == 2);
     CHECK_THAT(shell(command + " --profiles").error, EndsWith("--profiles: it is now --result profiles\n"));
