@@ -161,7 +161,7 @@ Result estimate(const Surface& surface, const Options& what, Shape max_lag, int 
 // ---- the command line ----
 
 void declare_estimate(cli::Tool& tool, Options& what) {
-  tool.counts("--max-lag", what.max_lag, 0, "Longest lags in x and y, in samples; default: half the field",
+  tool.counts("--max-lag", what.max_lag, 0, "Longest lags in x and y, in samples. Default: half the field",
               "Estimate");
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
   tool.flag("--absolute", what.absolute,

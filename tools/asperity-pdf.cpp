@@ -29,7 +29,7 @@ struct Options {
     tool.integer("--bins", bins, rows,
                  "Number of bins of equal width; 0: by Scott's rule, a width of 3.49 Sq / N^(1/3)", group);
     tool.number("--bandwidth", bandwidth,
-                "Standard deviation of the kernel, in Sq; default: Silverman's rule, 1.06 / N^(1/5)", group);
+                "Standard deviation of the kernel, in Sq. Default: Silverman's rule, 1.06 / N^(1/5)", group);
     tool.integer("--rows", points, rows, "Rows of the kernel's curve or of quantiles; 0: 256 and 99", group);
   }
 

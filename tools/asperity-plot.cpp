@@ -44,26 +44,27 @@ void declare_figure(cli::Tool& tool, Options& o) {
               "states; von-mises: vertical section of this stress; section: vertical section of --variable",
               group)
       .required();
-  tool.text("--variable", o.request.variable, "NAME",
-            "Field on (x, y) to draw, on (z, x, y) in a section: heights, pressure, stress_zz, ... (default: "
-            "depends on --kind)",
-            group);
-  tool.text("--section", o.request.section, "AXIS=PLACE",
-            "Place of a section or profile; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
-            "runs through the "
-            "nearest row of cells. Default: y=0, or x=0 of a single row; profiles along both",
-            group);
+  tool.text(
+      "--variable", o.request.variable, "NAME",
+      "Field on (x, y) to draw, on (z, x, y) in a section: heights, pressure, stress_zz, ... Default: by "
+      "--kind",
+      group);
+  tool.text(
+      "--section", o.request.section, "AXIS=PLACE",
+      "Place of a section or profile; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
+      "runs through the nearest row of cells. Default: y=0, or x=0 of a single row; profiles along both",
+      group);
   tool.may_be_empty(tool.text("--title", o.request.title, "TEXT",
-                              "Title of the figure; \"\": none (default: key values)", group));
+                              "Title of the figure; \"\": none. Default: key values", group));
   tool.input_format();
-  tool.text("--labels", o.labels, "A,B,...", "Names of the inputs in the figure; default: file names", group);
+  tool.text("--labels", o.labels, "A,B,...", "Names of the inputs in the figure. Default: file names", group);
   tool.integer("--columns", o.request.columns, 1,
-               "Number of panels in a row; 1, 2, 3 are for print 8, 11.5, 15 cm wide (default: one row)",
+               "Number of panels in a row; 1, 2, 3 are for print 8, 11.5, 15 cm wide. Default: one row",
                group)
       .without_default();
   tool.counts("--pixels", o.request.pixels, {200, 10'000, "of which a picture takes 400 MB"},
               "Size of the picture; letters grow with the width. A PDF takes only its shape: it is 8, 11.5 "
-              "or 15 cm wide for 1, 2 or 3 columns (default: fits the figure)",
+              "or 15 cm wide for 1, 2 or 3 columns. Default: fits the figure",
               group);
   tool.choice("--to", o.request.format, {"png", "svg", "pdf"},
               "Format on standard output; that of a file follows from its name", group);

@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
   Options options;
   tool.input();
   options.measured.declare(tool);
-  tool.text("--title", options.title, "TEXT", "Title of the page; default: file name", "Page");
+  tool.text("--title", options.title, "TEXT", "Title of the page. Default: file name", "Page");
   tool.text("-o,--output", options.output, "FILE.html", "Output file; - is standard output", "Page");
   tool.threads();
   tool.example(

@@ -31,16 +31,16 @@ struct Options {
               "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
     tool.text(
         "--acf", target, "FILE",
-        "Prescribed autocorrelation. A table as asperity-kernel --acf reads it; default: acf_target of the "
+        "Prescribed autocorrelation. A table as asperity-kernel --acf reads it. Default: acf_target of the "
         "first surface",
         asked);
-    tool.quantity("--rq", rq, "m", "Prescribed rms height; default: that of the target, if it has one",
+    tool.quantity("--rq", rq, "m", "Prescribed rms height. Default: that of the target, if it has one",
                   asked);
     tool.number("--skewness", skewness,
-                "Prescribed skewness; default: that the first surface was drawn with, else 0", asked);
+                "Prescribed skewness. Default: that the first surface was drawn with, else 0", asked);
     tool.number(
         "--kurtosis", kurtosis,
-        "Prescribed kurtosis; default: that the first surface was drawn with, else 3 + 1.5 SKEWNESS^2, "
+        "Prescribed kurtosis. Default: that the first surface was drawn with, else 3 + 1.5 SKEWNESS^2, "
         "which is 3 for a Gaussian",
         asked);
     tool.number("--significance", significance,

@@ -87,7 +87,7 @@ void MapOptions::declare(Tool& tool) {
   tool.quantities("--size", size_, "m",
                   "Side lengths Lx,Ly; needed if the file does not give them, and replaces wrong ones",
                   "Input");
-  tool.text("--unit", unit_, "UNIT", "Unit of the values, if the file gives none: um, nm, V (default: m)",
+  tool.text("--unit", unit_, "UNIT", "Unit of the values, if the file gives none: um, nm, V. Default: m",
             "Input");
   tool.text(
       "--crop", crop_, "A:B,C:D",
