@@ -51,7 +51,7 @@ double StressBound::in(const Dataset& data) const {
 
 std::string StressBound::label() const {
   if (of_ == Of::itself) return format_quantity(value_, "Pa");
-  return shortest(value_) + (of_ == Of::hertz ? " p₀" : " of the largest pressure");
+  return shortest(value_) + (of_ == Of::hertz ? " p₀" : " pmax");
 }
 
 }  // namespace asperity::cli

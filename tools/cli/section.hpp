@@ -34,7 +34,7 @@ class StressBound {
   bool given() const { return value_ > 0; }
   /// In Pa. Throws DataError where the dataset lacks what it is a share of.
   double in(const Dataset& data) const;
-  /// "0.1 p₀", "0.1 of the largest pressure", "100 MPa"
+  /// "0.1 p₀", "0.1 pmax", "100 MPa"
   std::string label() const;
 
  private:
