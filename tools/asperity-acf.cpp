@@ -34,6 +34,11 @@ struct Options {
       throw cli::UsageError("add", "acf_quantiles needs --result dataset");
     if (adds("structure_function") && result.result == "lengths")
       throw cli::UsageError("add", "structure_function needs --result dataset or --result profiles");
+    for (const char* option : {"levels", "direction"})
+      if (tool.given(std::string("--") + option) && result.result == "profiles")
+        throw cli::UsageError(option, "needs --result dataset or --result lengths");
+    if (absolute && result.result == "lengths")
+      throw cli::UsageError("absolute", "needs --result dataset or --result profiles");
   }
 };
 

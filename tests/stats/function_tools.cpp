@@ -92,6 +92,7 @@ TEST_CASE("what asperity-acf and asperity-psd write is that of --result, on a te
     CHECK_THAT(binary.out, ContainsSubstring("on a terminal") && ContainsSubstring(tables));
     CHECK_THAT(shell(on_terminal + " --result profiles' /dev/null").out, ContainsSubstring("standard_error"));
     CHECK(shell(command + " --result table").exit == 2);
+    CHECK_THAT(shell(command + " -o table.tsv").error, ContainsSubstring(tables));
     CHECK_THAT(shell(command + " --profiles").error, EndsWith("--profiles: it is now --result profiles\n"));
   }
 }
@@ -108,6 +109,11 @@ TEST_CASE("asperity-acf --add refuses words for which the result has no place", 
     CHECK((run.exit == 2 && lines(run.error) == 1));
     CHECK_THAT(run.error, ContainsSubstring(std::string("--add: ") + needs));
   }
+  for (const std::string option : {"--levels 0.5", "--direction 30deg"})
+    CHECK_THAT(run_on_surface("asperity-acf drawn.nc --result profiles " + option).error,
+               ContainsSubstring("needs --result dataset or --result lengths"));
+  CHECK_THAT(run_on_surface("asperity-acf drawn.nc --result lengths --absolute").error,
+             ContainsSubstring("--absolute: needs --result dataset or --result profiles"));
 }
 
 TEST_CASE("asperity-acf measures lengths at any level and in any direction, and the ellipse of the contour",

@@ -127,7 +127,10 @@ void ResultOption::check(Tool& tool) const {
   std::string table;
   for (const std::string& word : tables) table += (table.empty() ? "--result " : " or --result ") + word;
   if (tool.json()) throw UsageError("json", "needs " + table + ": a dataset is NetCDF");
-  check_dataset_name(tool.output_name());
+  if (!names_dataset(extension_of(tool.output_name())))
+    refuse(
+        "output", tool.output_name(),
+        "names another format, but a dataset is NetCDF: end the name in .nc, or print a table with " + table);
   refuse_terminal(tool.output_name(), "a dataset", ", or print a table with " + table);
 }
 
