@@ -15,7 +15,7 @@ struct Options {
 void declare(cli::Tool& tool, Options& o) {
   o.kernel.declare(tool);
   tool.quantity("--rq", o.kernel.rms, "m", "Rms height. Default: that of --acf, else 1", "Autocorrelation");
-  tool.quantities("--spacing", o.spacing, "m", "Distance of samples in x and y, or --shape and --size",
+  tool.quantities("--spacing", o.spacing, "m", "Sample spacing in x and y; or give --shape and --size",
                   "Sampling");
   tool.counts("--shape", o.shape, 1, "Samples in x and y", "Sampling");
   tool.quantities("--size", o.size, "m", "Side lengths in x and y", "Sampling");

@@ -62,12 +62,12 @@ void declare_figure(cli::Tool& tool, Options& o) {
                "Number of panels in a row; 1, 2, 3 are for print 8, 11.5, 15 cm wide. Default: one row",
                group)
       .without_default();
-  tool.counts("--pixels", o.request.pixels, {200, 10'000, "of which a picture takes 400 MB"},
-              "Size of the picture; letters grow with the width. A PDF takes only its shape: it is 8, 11.5 "
-              "or 15 cm wide for 1, 2 or 3 columns. Default: fits the figure",
+  tool.counts("--pixels", o.request.pixels, {200, 10'000, "at which a picture takes 400 MB"},
+              "Size of the picture; letters grow with the width. For a PDF only the proportions count: it is "
+              "8, 11.5 or 15 cm wide for 1, 2 or 3 columns. Default: fits the figure",
               group);
   tool.choice("--to", o.request.format, {"png", "svg", "pdf"},
-              "Format on standard output; that of a file follows from its name", group);
+              "Format on standard output; the name of a file decides its own", group);
   tool.text("-o,--output", o.output, "FILE.png|.svg|.pdf", "Output file; - is standard output", group)
       .required();
 }

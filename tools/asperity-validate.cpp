@@ -122,7 +122,7 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
 }
 
 void document(cli::Tool& tool) {
-  tool.exit_status(not_as_prescribed, "a quantity differs from what is prescribed");
+  tool.exit_status(not_as_prescribed, "the surfaces differ from the prescription");
   tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--errors", "--variable",
                   "--json", "--output", "--threads"});
   tool.example(

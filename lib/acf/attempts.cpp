@@ -148,7 +148,7 @@ Attempt spectral_root(const KernelProblem& problem) {
 Attempt newton(const KernelProblem& problem) {
   Attempt out;
   if (problem.recognised) {
-    out.effort.reason = "recognised before any iteration";
+    out.effort.reason = "detected before any iteration";
     return out;
   }
   std::vector<double> u = problem.equations->start();
@@ -156,7 +156,7 @@ Attempt newton(const KernelProblem& problem) {
   if (out.effort.converged)
     out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
   else if (out.effort.steps == 0)
-    out.effort.reason = "its windowed root is no start";
+    out.effort.reason = "its windowed root is not a valid start";
   return out;
 }
 

@@ -1,9 +1,9 @@
 /// The search for a kernel at given lags: the ways to one, each from the problem to a candidate, if it has
 /// one.
 ///
-/// Before any iteration the spectrum of the cut target is looked at. One that is negative beyond round-off
-/// under Fejér's window belongs to no surface, one whose negative part is a tenth of the whole is hopeless:
-/// neither is iterated on. Else Newton's iteration, which keeps to positive spectra, decides in a few steps,
+/// Before any iteration the spectrum of the cut target is checked. If it is negative beyond round-off under
+/// Fejér's window, no surface has it; if its negative part is a tenth of the whole, it is hopeless. Neither
+/// is iterated on. Otherwise Newton's iteration, which keeps to positive spectra, decides in a few steps,
 /// and least squares find the few kernels whose spectrum changes sign. A target that has no kernel then is
 /// refused, or met by a wider kernel, or by that of least squares, as KernelRequest::infeasible says:
 ///
@@ -15,10 +15,10 @@
 ///     wider kernel or least squares   as the policy says: the wider one meets the equations exactly where an
 ///                                     autocorrelation with these lags exists
 ///
-/// The first attempt that solves the equations ends the search; else the candidate of the least error over
-/// all lags is kept, or of a table, the one of the least change. A target whose spectrum is negative however
-/// many lags it is taken from (a predistorted smooth one, say) gets the root of the positive part. Patir's
-/// equations have no wider kernel: least squares answer for them.
+/// The first attempt that solves the equations ends the search. Otherwise the candidate with the least error
+/// over all lags is kept or, for a table, the one with the least change. A target whose spectrum stays
+/// negative for any number of lags (such as a predistorted smooth one) gets the root of the positive part.
+/// Patir's equations have no wider kernel and fall back on least squares.
 #pragma once
 
 #include <memory>
@@ -66,17 +66,17 @@ struct Attempt {
   std::vector<double> unknowns = {};  ///< where least squares have come to
 };
 
-/// The root of what is positive of the spectrum, on a torus of four times the lags.
+/// The root of the positive part of the spectrum, on a torus of four times the lags.
 Attempt spectral_root(const KernelProblem& problem);
 /// Newton's iteration from the windowed root, where it is worth its time: a candidate where it converges.
 Attempt newton(const KernelProblem& problem);
-/// The best that they come to.
+/// The best result of least squares.
 Attempt conjugate_gradient(const KernelProblem& problem);
-/// On from `start`, or the windowed root where that is empty, by so many products at the most.
+/// Continues from `start`, or from the windowed root if `start` is empty, with at most this many products.
 Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products);
 /// A kernel of twice the lags by projections (acf/projections.hpp), and where equations are to be met exactly
-/// the least change that meets them (acf/minimum_norm_newton.hpp). Of a table that is met within what is
-/// tolerated, of more lags until the ends of the kernel do no harm, or the `best` so far is good enough.
+/// the least change that meets them (acf/minimum_norm_newton.hpp). For a table met within the tolerance, lags
+/// are added until the ends of the kernel do no harm, or until the `best` so far is good enough.
 Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& best);
 
 }  // namespace asperity

@@ -117,8 +117,8 @@ class KernelSolver {
   std::string closest() const {
     if (!best_) return "; nothing close to it was found";
     return "; the closest one found changes it by " + number(best_->report.residual) +
-           " of the variance, more than " + number(bound()) + " (see infeasible, acf-tolerance" +
-           (problem_.request.target.known ? "; a biased estimate is one that a surface has)" : ")");
+           " of the variance, more than " + number(bound()) + " (see `infeasible`, `acf-tolerance`" +
+           (problem_.request.target.known ? "; a biased estimate is always a valid one)" : ")");
   }
 
   void complete(KernelReport& report) const {

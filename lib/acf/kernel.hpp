@@ -4,11 +4,11 @@
 ///     R(p,q) = Σ_k Σ_l kernel(k,l) kernel(k+p, l+q).                                                    (1)
 /// `solve_kernel` finds the kernel with R = σ² target at the lags |p| < n, |q| < m (symmetric and oriented
 /// formulations), or at 0 ≤ p < n, 0 ≤ q < m only (Patir's); acf/equations.hpp has the equations. Beyond, R
-/// is free and ends at 2n - 2 (n - 1 in Patir's). The target is never cut: where R has ended, the target is
-/// the error. Of a table all lags are prescribed unless fewer are asked for, and nothing beyond them.
+/// is free and ends at 2n - 2 (n - 1 in Patir's). The target is never cut: beyond the end of R, the error is
+/// the target itself. For a table, all lags are prescribed unless fewer are requested, and none beyond them.
 ///
-/// At too few lags there can be no kernel: of an exponential that has fallen to e⁻ᶜ at the last lag, n is
-/// about 0.3 c eᶜ at the most. The remedy is more lags, or a kernel wider than its lags (acf/attempts.hpp).
+/// With too few lags there may be no kernel: for an exponential that has fallen to e⁻ᶜ at the last lag, n is
+/// at most about 0.3 c eᶜ. The remedy is more lags, or a kernel wider than its lags (acf/attempts.hpp).
 ///
 /// Symbols   σ  rms height [m]   n, m  lags [samples]   errors are relative to σ²
 /// Accuracy  residual ≤ tolerance (1e-10) at the prescribed lags. Over all lags an exponential target with c

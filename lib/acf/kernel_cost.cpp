@@ -44,7 +44,7 @@ void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
   throw ParameterError("memory", megabytes(request.memory) + ": a kernel of " + text(lags) +
                                      " lags needs some " + megabytes(cost.memory) +
                                      "; shorter lengths, wider samples, fewer lags or a "
-                                     "larger acf-tolerance need less");
+                                     "larger `acf-tolerance` need less");
 }
 
 }  // namespace asperity

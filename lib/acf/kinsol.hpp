@@ -1,8 +1,8 @@
 /// KINSOL's objects with owners, and its vectors. The only door to SUNDIALS.
 ///
-/// SUNDIALS does not survive want of memory: N_VClone writes into the vector that it was not given, and
-/// KINInit frees what its caller frees again. So an iteration asks for the room of all its vectors
-/// beforehand.
+/// SUNDIALS does not survive running out of memory: N_VClone writes into a vector that it failed to allocate,
+/// and KINInit frees what its caller then frees again. An iteration therefore checks beforehand that
+/// there is memory for all its vectors.
 #pragma once
 
 #include <memory>
@@ -34,7 +34,7 @@ inline void check(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(std::string(call) + " failed with " + std::to_string(flag));
 }
 
-/// Says nothing on stderr: how an iteration ended is told by its result.
+/// Prints nothing on stderr: the result of an iteration says how it ended.
 inline void silence([[maybe_unused]] void* kinsol, [[maybe_unused]] sundials::Context& context) {
 #if SUNDIALS_VERSION_MAJOR < 7
   check(KINSetErrFile(kinsol, nullptr), "KINSetErrFile");
@@ -43,8 +43,7 @@ inline void silence([[maybe_unused]] void* kinsol, [[maybe_unused]] sundials::Co
 #endif
 }
 
-/// The pointer, or std::bad_alloc: nothing but want of memory keeps SUNDIALS from making what is asked for
-/// here.
+/// The pointer, or std::bad_alloc: here SUNDIALS can fail only for lack of memory.
 template <class Pointer>
 Pointer made(Pointer pointer) {
   if (!pointer) throw std::bad_alloc();
@@ -58,7 +57,7 @@ inline std::span<double> values(N_Vector v) {
 /// SUNDIALS' vector over `values`. Its operations are by vector instructions; the library's serial vector, as
 /// it is packaged, would take as long as the transforms.
 Vector vector_of(std::span<double> values, sundials::Context& context);
-/// Throws std::bad_alloc where there is no room for so many vectors, and what SUNDIALS takes beside them.
+/// Throws std::bad_alloc if there is no memory for this many vectors plus SUNDIALS' own.
 void require_vectors(std::size_t size, std::size_t count);
 
 }  // namespace asperity::kinsol

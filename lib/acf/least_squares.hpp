@@ -1,10 +1,10 @@
-/// The coefficients of least squares, where the autocorrelation equations have no solution.
+/// Least-squares coefficients for autocorrelation equations that have no solution.
 ///
-/// ½‖F(u)‖², weighted by the multiplicity, is made least by GSL's trust-region method for large systems: each
+/// GSL's trust-region method for large systems minimises ½‖F(u)‖², weighted by the multiplicity: each
 /// step minimises the linear model ‖F + J s‖ within ‖s‖ ≤ Δ by conjugate gradients that stop at the bound
 /// (Steihaug), with products J v and J*v only.
 ///
-/// GSL's error handler, which is the process's, is left as it is, and called for want of memory alone.
+/// GSL's error handler, which is global to the process, is left alone; it is called only if memory runs out.
 ///
 /// Cost      two transforms there and back a product. Memory O(n·m).
 ///

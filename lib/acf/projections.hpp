@@ -1,4 +1,4 @@
-/// The autocorrelation closest to a target that is none, and its kernel.
+/// The autocorrelation closest to a target that is not an autocorrelation, and its kernel.
 ///
 /// A function R of the lag is the autocorrelation of some surface of unit variance exactly when its spectrum
 /// S is nowhere negative and has the mean R(0,0) = 1. Two convex sets of functions on a torus of fn × fm
@@ -10,8 +10,8 @@
 /// that begins with the target where it is known and 0 elsewhere; what lies beyond n and m is free. Where the
 /// sets meet, P_B ends in an extension of the target, mostly after finitely many steps; else in the
 /// autocorrelation that is closest to it in the mean square [3]. The kernel is the zero-phase root kernel^ =
-/// √S on the whole torus; what it has beyond is lost, less on a larger torus, and its error is to be
-/// measured.
+/// √S on the whole torus. Its part beyond the torus is lost, less of it on a larger torus; measure the
+/// resulting error.
 ///
 /// Accuracy  an exponential cut where it has fallen to e⁻²·³ is met to round-off after 30 steps of 7² and 13²
 ///           lags, 100 of 31²; a Gaussian cut at 1 %, on the edge of what is feasible, to 1e-5 after 100.

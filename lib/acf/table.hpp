@@ -1,10 +1,10 @@
 /// Autocorrelations given as tables: measured, computed elsewhere, or those of another kernel.
 ///
-/// A table holds R(p,q) over the half plane p = 0…P (rows), q = -Q…Q (columns, odd in number), R(-p,-q) being
-/// R(p,q). As a target it is known at |p| ≤ P, |q| ≤ Q only, is divided by R(0,0), and is the table to the
-/// last bit elsewhere than in row 0, whose halves must agree. Refused is what can be no autocorrelation:
-/// R(0,0) not positive, |R| above it, a number that is not finite. Whether it is positive definite the solver
-/// finds out.
+/// A table holds R(p,q) over the half plane p = 0…P (rows), q = -Q…Q (an odd number of columns), where
+/// R(-p,-q) = R(p,q). As a target it is known at |p| ≤ P, |q| ≤ Q only and is divided by R(0,0). It equals
+/// the table to the last bit, except in row 0, whose halves must agree. A table that cannot be an
+/// autocorrelation is refused: R(0,0) not positive, |R| above it, or a number that is not finite. The solver
+/// finds out whether it is positive definite.
 #pragma once
 
 #include <vector>

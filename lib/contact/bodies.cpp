@@ -14,7 +14,7 @@ namespace {
 
 void check_radii(const char* name, double first, double second) {
   for (double r : {first, second})
-    if (std::isnan(r) || r == 0) throw ParameterError(name, fmt::format("{} m is no radius", r));
+    if (std::isnan(r) || r == 0) throw ParameterError(name, fmt::format("{} m is not a radius", r));
   if (!(1 / first + 1 / second >= 0))
     throw ParameterError(name, fmt::format("the hollow of {} m is narrower than the other body, {} m",
                                            std::min(first, second), std::max(first, second)));

@@ -41,9 +41,8 @@ std::string lengthen(const Grid& grid, const Bodies& bodies, const Contact& cont
   const double curvature = along_x ? bodies.curvature_y() : bodies.curvature_x();
   const double b = hertz_line(bodies.composite_modulus(), curvature, contact.load / length).half_width;
   const bool across = along_x ? touched.along_y : touched.along_x;
-  return fmt::format(
-             ", where a cylinder ends and presses harder than without an end: give a radius along {} too",
-             along_x ? "x" : "y") +
+  return fmt::format(", where the end of a cylinder raises the pressure: give a radius along {} too",
+                     along_x ? "x" : "y") +
          (across
               ? fmt::format(", and a domain of {:.3g} m across for a contact of {:.3g} m", sides * b, 2 * b)
               : "");
@@ -52,7 +51,7 @@ std::string lengthen(const Grid& grid, const Bodies& bodies, const Contact& cont
 std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
   return fmt::format("the contact touches the edge of the domain, {:.3g} x {:.3g} m", grid.size_x(),
                      grid.size_y()) +
-         (bodies.flat() ? ", and flat bodies go on beyond it: make them periodic, or give a radius"
+         (bodies.flat() ? ", but flat bodies continue beyond it: make them periodic, or give a radius"
           : has_point_contact(bodies) ? enlarge(grid, bodies, contact, touched)
                                       : lengthen(grid, bodies, contact, touched));
 }

@@ -24,7 +24,7 @@ class ElasticOperator {
   /// The same body on cells twice as long and wide; asked only of even shapes.
   virtual std::unique_ptr<ElasticOperator> coarsened() const = 0;
   /// The same body on a rectangle of its cells, of this shape or somewhat more: K of pressures that are 0
-  /// elsewhere. Wherever the rectangle lies: bodies are uniform. None where that would not be worth it.
+  /// elsewhere. Its position does not matter: bodies are uniform. Null if it would not save time.
   virtual std::shared_ptr<ElasticOperator> windowed(Shape) { return nullptr; }
   /// Spent so far on coefficients, plans and spectra.
   virtual double setup_seconds() const { return 0; }

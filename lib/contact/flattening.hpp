@@ -1,7 +1,7 @@
-/// What a contact at its limit pressure leaves behind when the load is taken off.
+/// The plastic flattening that remains when a contact at its limit pressure is unloaded.
 ///
-/// Where p = p_Y the undeformed bodies overlap, pressed together, by δ - g > 0 (contact/problem.hpp): so much
-/// has yielded. It stays; the elastic displacement springs back, and p = 0:
+/// Where p = p_Y the pressed bodies would overlap by δ - g > 0 (contact/problem.hpp). This amount has yielded
+/// and remains after unloading to p = 0; the elastic displacement springs back:
 ///     w  = max(0, -gap) where p = p_Y, 0 elsewhere      plastic flattening                     (1)
 ///     z' = z - w                                        heights of the unloaded surface        (2)
 /// Under the same load z' carries the same pressure elastically: the undeformed gap is h + w, and

@@ -1,9 +1,11 @@
 /// The stiffness of a contact: how its load grows with the approach.
 ///
-/// While no cell changes its state the gap stays 0 on the free cells C, other pressures stay: q = dp/dδ obeys
+/// While no cell changes state, the gap stays 0 on the free cells C and the other pressures stay constant;
+/// q = dp/dδ obeys
 ///     K q = 1 on C,   q = 0 elsewhere,                                                       (1)
 ///     S = dQ/dδ = ΔxΔy Σ q,                                                                   (2)
-/// the flat punch of the contact's outline, by conjugate gradients on C. Of an approximate q with u = K q,
+/// as for a flat punch with the outline of the contact, solved by conjugate gradients on C. For an
+/// approximate q with u = K q,
 ///     S ≈ ΔxΔy Σ q (2 - u)                                                                    (3)
 /// is low by ΔxΔy (q* - q)·K(q* - q), of the second order in the residual max|1 - u| on C; (2) errs by that
 /// residual at most, relative, where q* ≥ 0.
@@ -38,7 +40,7 @@ struct Stiffness {
 /// The residual at which S is accepted.
 inline constexpr double stiffness_tolerance = 1e-6;
 
-/// S of a solved pressure on the body's cells; at most about so many convolutions.
+/// S for a solved pressure on the body's cells, within about this many convolutions.
 Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double limit_pressure,
                             double cell_area, double convolutions, int threads = 1);
 

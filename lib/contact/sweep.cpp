@@ -15,7 +15,7 @@ void check_loads(std::span<const double> loads, const Grid& grid, double limit_p
   for (std::size_t i = 1; i < loads.size(); ++i)
     if (!(loads[i] > loads[i - 1] && std::isfinite(loads[i])))
       throw ParameterError("sweep",
-                           fmt::format("{} N is not above {} N, the one before", loads[i], loads[i - 1]));
+                           fmt::format("{} N is not above {} N, the previous load", loads[i], loads[i - 1]));
   check_carried("sweep", loads.back(), grid, limit_pressure);
 }
 

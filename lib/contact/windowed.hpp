@@ -1,15 +1,15 @@
 /// The contact problem on one grid, solved on the window of it that matters.
 ///
-/// Away from the contact p = 0, and nothing is wanted of the gap but that it be open. So the iteration sees a
-/// window W, a rectangle of cells around the contact, with the operator of a body of that many cells:
+/// Away from the contact p = 0, and the gap only has to be open. The iteration therefore works on a window W,
+/// a rectangle of cells around the contact, with the operator of a body of that size:
 ///     W ← the least window of p > 0, with a margin
 ///     until ε ≤ tolerance on the grid:
 ///       minimise on W, p = 0 elsewhere                                 contact/bound_constrained_cg.hpp
 ///       g ← h + K p on the grid                                    one application of the whole K
 ///       W ← W ∪ the least window of g < δ, with a margin
-/// W grows only, and the energy falls. Whatever ends the iteration on W, round-off too, W grows while there
-/// is a violation outside; only the limit of convolutions ends it without. W is the whole grid where the
-/// start is in contact everywhere, no window is worth it, or p_Y on W does not carry the load.
+/// W only grows, and the energy falls. Whatever ends the iteration on W, even round-off, W grows while there
+/// is a violation outside; only the limit of convolutions stops this. W is the whole grid if the start is in
+/// contact everywhere, if a window would not save time, or if p_Y on W does not carry the load.
 ///
 /// Accuracy  ε is that of the last g on the grid, which no recurrence has touched.
 /// Cost      an application of K or M on W costs, and counts, as the share that W has of the grid's cells.

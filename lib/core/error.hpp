@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// A parameter outside its bounds. `name` is spelled as on the command line, with hyphens.
+/// A parameter outside its bounds. `name` is spelled as on the command line, with hyphens. Messages
+/// name other parameters between ` and `.
 class ParameterError : public std::invalid_argument {
  public:
   ParameterError(std::string parameter, const std::string& message)

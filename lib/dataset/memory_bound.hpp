@@ -30,7 +30,7 @@ struct MemoryBound {
     };
     throw DataError(variable, "reading needs " + megabytes(static_cast<double>(taken) + more) +
                                   ", the memory limit is " + megabytes(static_cast<double>(bytes)) +
-                                  ": raise memory");
+                                  ": raise `memory`");
   }
   static constexpr double per_point = 3 * sizeof(double);
   std::size_t most_points() const { return left() / static_cast<std::size_t>(per_point); }

@@ -55,7 +55,7 @@ double nodata_of(const Field& values) {
   const double low = values.minCoeff<Eigen::PropagateNumbers>();
   if (!(low < -5000)) return -9999;
   const double out = -std::pow(10.0, std::ceil(std::log10(-low)) + 1);
-  if (!std::isfinite(out)) refuse("no number is left to mark missing points below such heights");
+  if (!std::isfinite(out)) refuse("the heights are so low that no number below them can mark missing points");
   return out;
 }
 

@@ -52,7 +52,7 @@ const Format& format_of(std::string_view bytes, std::string_view file_name) {
     if (format.recognises && format.recognises(bytes)) return format;
   if (const Format* format = format_by_extension(file_name); format && !format->recognises) return *format;
   if (is_text(bytes)) return format::text;
-  refuse("unknown format: neither the first bytes nor the extension of the name tell it");
+  refuse("unknown format: neither the first bytes nor the file extension identifies it");
 }
 
 }  // namespace asperity

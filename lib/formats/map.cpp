@@ -19,9 +19,9 @@ Grid grid_of(const Map& map) {
   constexpr double least = 1e-100, greatest = 1e100;
   for (const double spacing : map.spacing) {
     if (std::isnan(spacing))
-      throw DataError("x", "the file does not give the size of the map: give asperity-convert its size");
+      throw DataError("x", "the file does not give the size of the map: give asperity-convert its `size`");
     if (!(spacing >= least && spacing <= greatest))
-      throw DataError("x", fmt::format("spacing {} m is not from {} m to {} m", spacing, least, greatest));
+      throw DataError("x", fmt::format("spacing {} m is outside {} m to {} m", spacing, least, greatest));
   }
   return {shape_of(map.values), map.spacing[0], map.spacing[1], false};
 }
@@ -69,7 +69,7 @@ void set_units(Map& map, std::string_view unit) {
 void check_size(const Map& map, const std::string& format) {
   for (const double spacing : map.spacing)
     if (!(spacing > 0 && std::isfinite(spacing)))
-      refuse("the map has no size, which {} needs: give asperity-convert its size", format);
+      refuse("the map has no size, which {} needs: give asperity-convert its `size`", format);
 }
 
 void check_heights(const Map& map, const std::string& format) {

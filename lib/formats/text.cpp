@@ -173,9 +173,9 @@ Map map_of_lines(Field lines, const Reading& reading) {
   if (reading.coordinate > 0) return map_of_points(lines, reading.coordinate);
   if (!reading.matrix && has_coordinates(lines))
     refuse(
-        "the first columns look like coordinates: give asperity-convert the unit of the points (xyz), or "
+        "the first columns look like coordinates: give asperity-convert the unit of the points (`xyz`), or "
         "tell "
-        "it that all columns are heights (matrix)");
+        "it that all columns are heights (`matrix`)");
   if (reading.order == Order::yx) lines.transposeInPlace();
   return {.values = std::move(lines)};
 }

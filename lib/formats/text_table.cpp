@@ -252,7 +252,7 @@ Table table_of(std::string_view text, const Asked& asked, const Reading& reading
       found = std::move(table);
     } else if (!same(*found, table) && !tabs_decide(*found, table)) {
       throw DataError(variable, fmt::format("the text is ambiguous: {}; or {}: give asperity-convert the "
-                                            "separator or the decimal mark",
+                                            "`separator` or the `decimal` mark",
                                             words_of(*found), words_of(table)));
     }
   }

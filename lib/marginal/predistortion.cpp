@@ -65,7 +65,7 @@ Kernel Predistortion::solve(const KernelRequest& heights) const {
   const std::string bound = "heights of this distribution correlate no lower than " + number(map_->lowest());
   if (!allows(heights.infeasible, below))
     refuse(heights.target, "the autocorrelation falls to " + number(map_->lowest() - below) + ", but " +
-                               bound + " (see infeasible)");
+                               bound + " (see `infeasible`)");
   KernelRequest gaussian = heights;
   gaussian.target = target(heights.target);
   gaussian.rms = 1;
@@ -79,7 +79,7 @@ Kernel Predistortion::solve(const KernelRequest& heights) const {
   if ((report.answer == Answer::nearest || report.answer == Answer::least_squares) &&
       !(report.change <= heights.acf_tolerance) && !allows(heights.infeasible, report.change))
     refuse(heights.target, report.reason + "; the closest one found changes it by " + number(report.change) +
-                               " (see infeasible)");
+                               " (see `infeasible`)");
   judge(report, heights);
   kernel.rms = heights.rms;
   kernel.acf_target *= heights.rms * heights.rms;

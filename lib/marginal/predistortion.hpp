@@ -1,11 +1,11 @@
-/// The autocorrelation that a Gaussian field needs for its translation z = g(y) to have the one asked for.
+/// The autocorrelation that a Gaussian field y needs so that its translation z = g(y) has the target's.
 ///
 ///     ρ(p,q) = R_z⁻¹(R(p,q)),    R_z of marginal/correlation_map.hpp,                                    (1)
 /// is a target like any other: a surface z = σ g(y) drawn with its kernel has R_z of what the kernel
 /// achieves.
 ///
-/// Correlations below R_z(-1) are met by none; the target then asks for R_z(-1). Of a smooth target the
-/// spectrum of ρ turns a little negative, for which acf/attempts.hpp has its answers.
+/// No ρ gives a correlation below R_z(-1); the target is then R_z(-1) there. For a smooth target the spectrum
+/// of ρ may become slightly negative; acf/attempts.hpp deals with that.
 ///
 /// M. Grigoriu, Simulation of stationary non-Gaussian translation processes, J. Eng. Mech. 124 (1998)
 /// 121-126.

@@ -43,7 +43,7 @@ Translation PrescribedHeights::noise(const Field& kernel) const {
   check_parameter(allows(infeasible, short_by * f.fourth), "kurtosis",
                   number(kurtosis) + ": needs noise of skewness " + number(skewness_of_noise) +
                       " and kurtosis " + number(kurtosis_of_noise) +
-                      ", which does not exist; with this kernel and skewness at least " +
+                      ", which does not exist; the least kurtosis with this kernel and skewness is " +
                       number(3 + (least - 3) * f.fourth));
   return johnson_translation(skewness_of_noise, kurtosis_of_noise + short_by);
 }

@@ -5,7 +5,7 @@
 /// Filter        the white noise is η = g(y) and the kernel a is that of a Gaussian surface. Sums of
 ///               independent values add their cumulants, so that z = Σ a η has
 ///                   Sk = Sk_η f₃,  f₃ = Σa³/(Σa²)^(3/2),        K - 3 = (K_η - 3) f₄,  f₄ = Σa⁴/(Σa²)²,  (1)
-///               and the autocorrelation of the kernel. Of wide kernels there is often no such noise.
+///               and the autocorrelation of the kernel. For wide kernels such noise often does not exist.
 ///
 /// Where a skewness alone is given, the kurtosis follows it as in the gamma family,
 ///     K = 3 + 1.5 Sk²,                                                                                  (2)
@@ -13,8 +13,8 @@
 /// S_B, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2; of a kurtosis of
 /// 3 at |Sk| = 1 it would be J-shaped, cut at 1.1 Sq.
 ///
-/// Every distribution has K ≥ Sk² + 1. Where a kurtosis is too low, for the heights or for the noise, the
-/// least one of the same skewness takes its place if that is allowed.
+/// Every distribution has K ≥ Sk² + 1. If a kurtosis is too low for the heights or for the noise, the least
+/// kurtosis possible at that skewness replaces it, if the request allows this.
 ///
 /// Y. Z. Hu, K. Tonder, Simulation of 3-D random rough surface by 2-D digital filter and Fourier analysis,
 /// Int. J. Mach. Tools Manuf. 32 (1992) 83-90; V. Bakolas, Wear 254 (2003) 546-554.

@@ -16,12 +16,12 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 /// L with L Lᵀ = C, a covariance; eigenvalues that round-off made negative are zero.
 Eigen::MatrixXd covariance_root(const Eigen::MatrixXd& covariance);
 
-/// A x = b of a positive definite A, of which the lower triangle is read; nothing where a pivot of LDLᵀ is
-/// not above `least_pivot` of the largest.
+/// Solves A x = b for a positive definite A, reading its lower triangle only; returns nothing if a pivot of
+/// LDLᵀ does not exceed `least_pivot` times the largest.
 std::optional<Eigen::VectorXd> solve_positive(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
                                               double least_pivot);
 
-/// A x = b of any 3 × 3 matrix; of a singular one a solution of those that are nearest.
+/// Solves A x = b for any 3 × 3 matrix; for a singular one, gives one of the least-squares solutions.
 Eigen::Vector3d solve(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& right);
 
 }  // namespace asperity

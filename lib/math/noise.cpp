@@ -46,7 +46,7 @@ std::shared_ptr<void> taus2() {
   gsl_rng* const rng = gsl_rng_alloc(gsl_rng_taus2);
   if (rng == nullptr) throw std::bad_alloc();
   if (gsl_rng_size(rng) != sizeof(Taus2))
-    throw std::runtime_error("this GSL keeps another state in its taus2");
+    throw std::runtime_error("this version of GSL has a different taus2 state");
   return {rng, gsl_rng_free};
 }
 

@@ -5,8 +5,8 @@
 /// started from
 ///     h(seed, c, row) = mix(mix(mix(seed + g) + c + g) + row + g),   c = 2³² stream + surface,           (1)
 /// with g = 2⁶⁴/φ and mix one-to-one on 64 bits: a row is the same whoever draws it, in whatever order and on
-/// however many threads, and a longer row begins as a shorter one. Of one seed, no two (stream, surface) have
-/// the same hash, nor two rows of a surface.
+/// however many threads, and a longer row begins as a shorter one. For one seed, no two pairs (stream,
+/// surface) and no two rows of a surface have the same hash.
 ///
 /// The generator is GSL's taus2 (period 2⁸⁸), the normals come from its ziggurat. Among 10⁵ rows two would
 /// probably have the same seed of GSL's 32 bits; here all 88 bits of the state are set from the hash.

@@ -40,7 +40,7 @@ void LoadedBody::check() const {
   if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
   if (pressure.size() == 0) throw DataError("pressure", "it has no cells");
   if (!(grid.dx > 0 && grid.dy > 0 && grid.size_x() <= farthest && grid.size_y() <= farthest))
-    throw DataError("pressure", fmt::format("its cells of {} m x {} m are no cells", grid.dx, grid.dy));
+    throw DataError("pressure", fmt::format("its cells have invalid sides, {} m x {} m", grid.dx, grid.dy));
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
   const double largest = pressure.abs().maxCoeff();
   if (largest != 0 && !(largest >= least_pressure && largest <= greatest_pressure))

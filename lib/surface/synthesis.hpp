@@ -2,9 +2,9 @@
 ///
 ///     z(i,j) = Σ_{k<K} Σ_{l<L} kernel(k,l) η(i+k, j+l),    0 ≤ i < N, 0 ≤ j < M                         (1)
 ///
-/// from noise of (N+K-1) × (M+L-1) values, or, on a periodic surface, of N × M values that repeat themselves,
-/// however large the kernel. The autocorrelation of z is that of the kernel, or its periodic sum, of another
-/// variance where it reaches around (acf/periodic.hpp has the kernel for that).
+/// from noise of (N+K-1) × (M+L-1) values or, on a periodic surface, of N × M values that repeat, however
+/// large the kernel. The autocorrelation of z is that of the kernel or, on a periodic surface, its periodic
+/// sum, whose variance differs if the correlation is longer than half the period (see acf/periodic.hpp).
 ///
 /// The surface is drawn from its first row to its last in bands of whole tiles (surface/tile_filter.hpp). A
 /// band's noise is drawn row by row, the last K-1 rows are kept for the next band, and threads share the rows

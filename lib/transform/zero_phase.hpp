@@ -90,8 +90,8 @@ class ZeroPhaseTransform {
   Index column_;  ///< points of a column that make the spectrum
 };
 
-/// That of a half plane where `oriented`, else of a quarter, on the smallest fast torus that holds the field
-/// and has at least so many points.
+/// For a half plane if `oriented`, otherwise for a quarter, on the smallest fast torus that holds the field
+/// and has at least this many points.
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented);
 
 inline Index ZeroPhaseTransform::place(Index k, Index l) const {

@@ -34,7 +34,7 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
     const double ratio = x->value / y->value,
                  relative = std::hypot(x->standard_error / x->value, y->standard_error / y->value),
                  error = estimate.size.gives_errors() ? relative : unknown;
-    out.add(prefix + "gamma_" + level.tag, "1", "ellipticity, length in x over length in y",
+    out.add(prefix + "gamma_" + level.tag, "1", "ratio of lengths, x over y",
             {ratio, ratio * error, Interval::of_ratio(ratio, half_width_95 * error)});
   }
   if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {

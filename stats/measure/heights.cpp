@@ -47,14 +47,14 @@ constexpr Definition<Heights> height_table[] = {
      moment<&Moments::ssk, &MomentErrors::ssk, &MomentIntervals::ssk>},
     {"Sku", "1", "kurtosis, 3 for a Gaussian",
      moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>},
-    {"Sp", of_field, "highest peak of the whole field", extreme<&Moments::sp>},
-    {"Sv", of_field, "deepest valley of the whole field", extreme<&Moments::sv>},
+    {"Sp", of_field, "maximum peak height of the whole field", extreme<&Moments::sp>},
+    {"Sv", of_field, "maximum pit depth of the whole field", extreme<&Moments::sv>},
     {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
     {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }},
-    {"N_eff_mean", "1", "number of independent points with the same error of the mean", worth<1>},
-    {"N_eff", "1", "number of independent points with the same error of Sq", worth<2>},
-    {"N_eff_Ssk", "1", "number of independent points with the same error of Ssk", worth<3>},
-    {"N_eff_Sku", "1", "number of independent points with the same error of Sku", worth<4>}};
+    {"N_eff_mean", "1", "effective sample size for the mean", worth<1>},
+    {"N_eff", "1", "effective sample size for Sq", worth<2>},
+    {"N_eff_Ssk", "1", "effective sample size for Ssk", worth<3>},
+    {"N_eff_Sku", "1", "effective sample size for Sku", worth<4>}};
 
 // For Gaussian heights, or for the distribution that the field was drawn with or evidently has.
 Heights heights_of(const Sample& sample) {

@@ -38,7 +38,7 @@ struct ProfileMoments : ProfileSpectralMoments {
 Estimate with_relative_error(double value, double error) { return {value, value * error}; }
 
 constexpr Definition<Slopes> slope_table[] = {
-    {"Sdq", "1", "root mean square slope",
+    {"Sdq", "1", "root mean square gradient",
      [](const Slopes& s) { return with_relative_error(s.sdq, 0.5 * s.square_error); }},
     {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell",
      [](const Slopes& s) { return with_relative_error(s.sdr, s.square_error); }}};

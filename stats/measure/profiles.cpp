@@ -26,12 +26,12 @@ constexpr std::array<Definition1D, profile_parameters_count> table{
      {"q", of_field, "root mean square height"},
      {"sk", "1", "skewness, 0 for a Gaussian"},
      {"ku", "1", "kurtosis, 3 for a Gaussian"},
-     {"p", of_field, "peak height, mean over the sections"},
-     {"v", of_field, "valley depth, mean over the sections"},
-     {"z", of_field, "maximum height, mean over the sections"},
+     {"p", of_field, "peak height, mean over the section lengths"},
+     {"v", of_field, "pit depth, mean over the section lengths"},
+     {"z", of_field, "maximum height, mean over the section lengths"},
      {"t", of_field, "total height of the profile"},
      {"dq", "1", "root mean square slope, from seven points"},
-     {"Sm", "m", "mean spacing of profile elements"}}};
+     {"Sm", "m", "mean profile element spacing"}}};
 
 }  // namespace
 
@@ -58,7 +58,7 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
             {.meaning = symbol});
   }
   out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});
-  out.add("profiles_eff", "1", "number of independent profiles with the same error", {averages.independent});
+  out.add("profiles_eff", "1", "effective number of independent profiles", {averages.independent});
   return std::move(out).all();
 }
 

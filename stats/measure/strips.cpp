@@ -18,7 +18,7 @@ Index rows_of_strip(const Grid& grid, std::size_t memory) {
   if (most < 4)
     throw ParameterError("memory", "'" + std::to_string(memory) + "' bytes do not hold 4 rows of " +
                                        std::to_string(grid.shape.ny) + " points; allow at least " +
-                                       std::to_string(4 * row));
+                                       std::to_string(4 * row) + " bytes");
   const Index strips = (grid.shape.nx + most - 1) / most;
   return (grid.shape.nx + strips - 1) / strips;
 }

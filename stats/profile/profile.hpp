@@ -1,6 +1,6 @@
 /// Profile parameters by ISO 21920-2 (formerly ISO 4287), averaged over all profiles along x or y.
 ///
-/// Of a profile z_0 … z_{n-1}, a row of heights Δ apart, measured from its own mean:
+/// For a profile z_0 … z_{n-1}, a row of heights Δ apart, measured from its own mean:
 ///     a = 1/n Σ|z|,  q = √(1/n Σz²),  sk = 1/n Σz³/q³,  ku = 1/n Σz⁴/q⁴                             (1)
 ///     p, v, z        highest peak, deepest valley, z = p + v, means over the sections of length l_sc
 ///     t              the same as z over the whole profile

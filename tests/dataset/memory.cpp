@@ -38,7 +38,7 @@ TEST_CASE("a dataset that takes more memory than is allowed is refused, and says
   const std::string bytes = encode_netcdf(surface());
   CHECK_NOTHROW(decode_netcdf(bytes, {2 * field + axes}));
   CHECK_THROWS_WITH(decode_netcdf(bytes, {2 * field + axes - 1}),
-                    ContainsSubstring("reading needs 1MB, the memory limit is 1MB: raise memory"));
+                    ContainsSubstring("reading needs 1MB, the memory limit is 1MB: raise `memory`"));
   CHECK_THROWS_AS(decode_netcdf(bytes, {2 * field + axes + 7, 8}), DataError);
 }
 
@@ -72,5 +72,5 @@ TEST_CASE("of a dataset whose fields stay in the file, these take no memory", "[
 TEST_CASE("a NetCDF-4 file that takes more memory than is allowed is refused", "[netcdf][memory][contract]") {
   const std::string bytes = content(ASPERITY_TEST_DATA "/../corpus/netcdf4/whole");
   CHECK_NOTHROW(decode_netcdf(bytes, {100'000}));
-  CHECK_THROWS_WITH(decode_netcdf(bytes, {100}), ContainsSubstring("raise memory"));
+  CHECK_THROWS_WITH(decode_netcdf(bytes, {100}), ContainsSubstring("raise `memory`"));
 }

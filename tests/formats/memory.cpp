@@ -56,7 +56,7 @@ TEST_CASE("each format refuses a map that takes more memory than is allowed, and
     const std::string bytes = format.encode(map, Order::xy);
     CHECK_NOTHROW(format.decode(bytes, within(needed + 4096)));
     CHECK_THROWS_WITH(format.decode(bytes, within(needed - 1)),
-                      ContainsSubstring("reading needs 1MB, the memory limit is 1MB: raise memory"));
+                      ContainsSubstring("reading needs 1MB, the memory limit is 1MB: raise `memory`"));
   }
 }
 

@@ -113,13 +113,13 @@ TEST_CASE("the ends of lines, a byte-order mark and comments are no numbers", "[
 // "1.234,5;2.000,5" became four columns, "1,234" one thing or the other by the other lines.
 TEST_CASE("what can be read in two ways is refused until it is told, thousands too", "[formats][contract]") {
   const std::string both = "1,5\n2,5\n";
-  CHECK_THAT(refusal(both), ContainsSubstring("the separator or the decimal mark"));
+  CHECK_THAT(refusal(both), ContainsSubstring("the `separator` or the `decimal` mark"));
   CHECK(same(matrix_of(both, "map", 1, reading(Separator::comma)), field({{1, 5}, {2, 5}})));
   CHECK(
       same(matrix_of(both, "map", 1, reading(Separator::any, DecimalMark::point)), field({{1, 5}, {2, 5}})));
   CHECK(same(matrix_of(both, "map", 1, reading(Separator::any, DecimalMark::comma)), field({{1.5}, {2.5}})));
   for (const char* text : {"1,234", "1,234 5,678\n", "1,234.5\n2,000.5\n", "1\t\t2\n3\t\t4\n"})
-    CHECK_THAT(refusal(text), ContainsSubstring("the separator or the decimal mark"));
+    CHECK_THAT(refusal(text), ContainsSubstring("the `separator` or the `decimal` mark"));
   for (const char* text : {"1.234,5;2.000,5\n", "1.234.567,8 2\n", "1,5 2.500\n"})
     CHECK_THAT(refusal(text), ContainsSubstring("is not a number"));
   CHECK(same(matrix_of("1,234.5 2,000\n3.5 1\n", "map"), field({{1234.5, 2000}, {3.5, 1}})));

@@ -41,7 +41,7 @@ TEST_CASE("a kurtosis that no noise gives is refused with the least one that it 
   }
   const double least = 3 + (least_kurtosis(0) - 3) / 9;
   CAPTURE(message, least);
-  CHECK_THAT(message, ContainsSubstring("at least 2.78"));
+  CHECK_THAT(message, ContainsSubstring("is 2.78"));
   heights.kurtosis = least + 1e-6;
   CHECK_NOTHROW(heights.noise(kernel));
   heights = {0, 1.8, InfeasiblePolicy::nearest};

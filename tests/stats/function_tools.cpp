@@ -84,7 +84,7 @@ TEST_CASE("what asperity-acf and asperity-psd write is that of --result, on a te
     CHECK(same);
     const Outcome json = shell(command + " --json"), named = shell(command + " --json -o profiles.json");
     CHECK((json.exit == 2 && named.exit == 2 && json.out.empty()));
-    CHECK_THAT(json.error, EndsWith(": --json: needs " + tables + ": a dataset is NetCDF\n"));
+    CHECK_THAT(json.error, EndsWith(": --json needs " + tables + ": a dataset is NetCDF\n"));
     CHECK(named.error == json.error);
     const std::string on_terminal = "script -qec '" + command;
     const Outcome binary = shell(on_terminal + "' /dev/null");
@@ -113,7 +113,7 @@ TEST_CASE("asperity-acf --add refuses words for which the result has no place", 
     CHECK_THAT(run_on_surface("asperity-acf drawn.nc --result profiles " + option).error,
                ContainsSubstring("needs --result dataset or --result lengths"));
   CHECK_THAT(run_on_surface("asperity-acf drawn.nc --result lengths --absolute").error,
-             ContainsSubstring("--absolute: needs --result dataset or --result profiles"));
+             ContainsSubstring("--absolute needs --result dataset or --result profiles"));
 }
 
 TEST_CASE("asperity-acf measures lengths at any level and in any direction, and the ellipse of the contour",

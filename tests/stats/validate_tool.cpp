@@ -44,8 +44,8 @@ TEST_CASE("asperity-validate answers 0 for the ensemble that was drawn and 5 for
   CHECK(lines(same.out) == 6);
   CHECK(same.out.find("differs") == std::string::npos);
   CHECK(shell("asperity-validate e_*.nc -q --rq 0.45um").exit == 5);
-  CHECK_THAT(shell("asperity-validate --help").out, ContainsSubstring("5 a quantity differs"));
-  CHECK_THAT(shell("asperity-validate --man").out, ContainsSubstring("a quantity differs"));
+  CHECK_THAT(shell("asperity-validate --help").out, ContainsSubstring("5 the surfaces differ"));
+  CHECK_THAT(shell("asperity-validate --man").out, ContainsSubstring("the surfaces differ"));
 
   write_ensemble(0.45e-6);
   const Outcome other = shell("asperity-validate e_*.nc --json -q");

@@ -83,13 +83,14 @@ TEST_CASE("a small file of a large map is refused by its head, whoever reads it"
         std::string("asperity-convert bomb.nrrd -o c.npy"),
         std::string("asperity-plot bomb.nrrd --kind map -o p.png"), press + "bomb.nrrd",
         std::string("asperity-validate bomb.nrrd"), draw + "--length 3px --marginal bomb.nrrd"})
-    refused(line + " --memory 1GB", 4, {"reading needs 6937MB, the memory limit is 1000MB", "raise memory"});
+    refused(line + " --memory 1GB", 4,
+            {"reading needs 6937MB, the memory limit is 1000MB", "raise --memory"});
 }
 
 TEST_CASE("an input without an end is read as far as --memory allows", "[bombs][contract]") {
-  refused("asperity-stats /dev/zero --memory 30MB", 4, {"/dev/zero", "raise memory"});
-  refused("asperity-stats --memory 30MB < /dev/zero", 4, {"standard input", "raise memory"});
-  refused("asperity-kernel --acf /dev/zero --memory 30MB -o k.nc", 4, {"/dev/zero", "raise memory"});
+  refused("asperity-stats /dev/zero --memory 30MB", 4, {"/dev/zero", "raise --memory"});
+  refused("asperity-stats --memory 30MB < /dev/zero", 4, {"standard input", "raise --memory"});
+  refused("asperity-kernel --acf /dev/zero --memory 30MB -o k.nc", 4, {"/dev/zero", "raise --memory"});
 }
 
 // The destructor of toml++ calls itself for each part of a key: 50 000 were a SIGSEGV of all tools.
@@ -142,7 +143,7 @@ TEST_CASE("a number of things that takes memory or time without end is refused w
       {smooth + "--shape 99999999999999999999x3", "--shape: '99999999999999999999x3'"},
       {"asperity-pdf s.nc --bins 100000000", "--bins: 100000000 is above 1048576"},
       {"asperity-pdf s.nc --estimate kernel --rows 100000000", "--rows: 100000000 is above 1048576"},
-      {"asperity-plot s.nc --kind map --pixels 30000x30000 -o p.png", "10000, of which a picture takes"},
+      {"asperity-plot s.nc --kind map --pixels 30000x30000 -o p.png", "10000, at which a picture takes"},
       {"asperity-acf s.nc --result lengths --max-lag 1000000000x1000000000", "--max-lag"},
       {"asperity-convert s.nc --decimate 9000000000000000000x1 -o o.npy", "--decimate"},
       {"asperity-kernel --length 3px --lags 1000000x1000000 -o o.nc", "more than 16777216 in all"},

@@ -141,7 +141,7 @@ TEST_CASE("what asperity-contact cannot do is one line that names the option, th
           "[contact][contract][slow]") {
   const std::string sphere = smooth + "--radius 50mm ";
   const std::pair<std::string, std::string> wrong[] = {
-      {sphere, "--load: is required"},
+      {sphere, "--load is required"},
       {sphere + "--load 5um", "--load: '5um'"},
       {sphere + "--load 5", "--load: '5' has no unit"},
       {sphere + "--load 5N --approach 1um", "--load: only one"},
@@ -205,9 +205,9 @@ TEST_CASE("heights that are missing, masked, no length or no numbers are exit 4 
       {"missing.nc", "missing.nc: heights: 1 point missing (missing_value)"},
       {"mask.nc", "mask.nc: heights: 1 point masked as missing"},
       {"force.nc", "force.nc: heights: 'N'"},
-      {"none.nc", "none.nc: heights: is missing"},
+      {"none.nc", "none.nc: heights is missing"},
       {"--counter nan.nc good.nc", "nan.nc: heights: "},
-      {"--variable absent good.nc", "good.nc: absent: is missing"},
+      {"--variable absent good.nc", "good.nc: absent is missing"},
       {"- < /dev/null", "standard input: it is empty"},
   };
   for (const auto& [input, words] : bad) {

@@ -97,7 +97,7 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   write_text("xyz.txt", "# units: nm\n0 0 1\n0 2 2\n1 0 3\n1 2 4\n2 0 5\n2 2 6\n");
   write_text("xz.txt", "0 1\n1 2\n2 4\n");
   write_text("spaced.csv", "1,5, 2,5, 3,5\n4,5, 5,5, 6,5\n");  // six numbers a line, or three
-  const std::pair<const char*, const char*> cases[] = {{"both.csv", "the separator or the decimal mark"},
+  const std::pair<const char*, const char*> cases[] = {{"both.csv", "the --separator or the --decimal mark"},
                                                        {"spaced.csv", "that the comma is the separator"},
                                                        {"xyz.txt", "the unit of the points"},
                                                        {"xz.txt", "the unit of the points"}};

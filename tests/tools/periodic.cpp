@@ -145,7 +145,7 @@ TEST_CASE("a periodic surface is drawn again from its own dataset, to the last b
   for (const Dataset* data : {&one, &two})
     CHECK(numbers(*data->attributes.find("kernel_period")) == std::vector<double>{24, 20});
   for (const auto& [options, named] :
-       {std::pair("", "--periodic: is required"), {"--periodic --shape 20x20", "--shape: 20x20"}}) {
+       {std::pair("", "--periodic is required"), {"--periodic --shape 20x20", "--shape: 20x20"}}) {
     const Outcome run =
         shell("asperity-generate -q --kernel s.nc --seed 5 -o absent.nc " + std::string(options));
     CAPTURE(run.error);
@@ -160,7 +160,8 @@ TEST_CASE("a periodic surface is drawn again from its own dataset, to the last b
 TEST_CASE("a periodic surface has twins of exactly its autocorrelation over the whole period",
           "[periodic][exact][slow]") {
   for (const auto& [options, period] :
-       {std::pair(std::string("--shape 24x17 --size 24um,17um --length 4px,3px --angle 20deg"), Shape{24, 17}),
+       {std::pair(std::string("--shape 24x17 --size 24um,17um --length 4px,3px --angle 20deg"),
+                  Shape{24, 17}),
         {"--shape 1x48 --size 9um,48um --length 3px --lags 1x12", Shape{1, 48}},
         {"--shape 33x1 --size 33um,1um --length 3px --lags 12x1", Shape{33, 1}},
         {"--shape 16x16 --size 16um --length 7px", Shape{16, 16}}}) {

@@ -131,7 +131,7 @@ TEST_CASE("layers that are asked for anew replace what a former run left", "[str
 TEST_CASE("what asperity-stress cannot do is one line that names the option and the value",
           "[stress][contract][slow]") {
   const std::tuple<std::string, std::string, int> wrong[] = {
-      {"", "--depths: is required", 2},
+      {"", "--depths is required", 2},
       {"--depths 0:1mm", "--depths: '0:1mm' is not of the form", 2},
       {"--depths 0:1mm:1", "--depths: '1' is not a number", 2},
       {"--depths 0:1mm:4:geometric", "--depths: equal ratios cannot start from '0'", 2},
@@ -141,10 +141,10 @@ TEST_CASE("what asperity-stress cannot do is one line that names the option and 
       {"--depths inf", "--depths: 'inf' has no unit", 2},
       {"--depths 0 --section z=0", "--section: 'z=0'", 2},
       {"--depths 0 --section y=1.3mm", "--section: 'y=1.3mm' lies outside", 2},
-      {"--section y=0 --maximum", "--section: needs --depths", 2},
-      {"--maximum --above 0.6p0", "--above: needs --depths", 2},
+      {"--section y=0 --maximum", "--section needs --depths", 2},
+      {"--maximum --above 0.6p0", "--above needs --depths", 2},
       {"--depths 0 --above=-1p0", "--above: '-1p0' is not above 0", 2},
-      {"--maximum --components zz", "--components: needs", 2},
+      {"--maximum --components zz", "--components needs", 2},
       {"--depths 0 --components zx", "--components: 'zx' is none of", 2},
       {"--depths 0 --json", "--json", 2},
       {"--points points --depths 0", "--points", 2},

@@ -45,7 +45,7 @@ std::string text_of(const CLI::Option& option) {
   if (text.ends_with('.')) text.pop_back();
   if (const std::string kind = option.get_type_name(); kind != kind_of(option))
     text += fmt::format(". One of {}", fmt::join(split(kind, '|'), ", "));
-  if (option.get_required()) text += ". Required";
+  if (option.get_required()) return text + ". Required";
   const std::string usual = option.get_default_str();
   return usual.empty() ? text : text + ". Default: " + usual;
 }

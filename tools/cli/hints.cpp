@@ -100,10 +100,16 @@ std::string nearest_tool(const std::string& word) {
 }
 
 std::string in_words(const CLI::Error& error) {
-  const std::string what = error.what();
+  std::string what = error.what();
+  const auto replace = [&](const std::string& from, const std::string& by) {
+    if (const std::size_t at = what.find(from); at != what.npos) what.replace(at, from.size(), by);
+  };
+  replace(" requires ", " needs ");
+  replace(" excludes ", " cannot be combined with ");
   const std::size_t end = what.find(": ");
-  const bool mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
-  return mismatch && end != what.npos ? what.substr(0, end) + " needs a value" : what;
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr || end == what.npos) return what;
+  const bool repeated = what.find("At Most") != what.npos;
+  return what.substr(0, end) + (repeated ? " is given more than once" : " needs a value");
 }
 
 std::string in_words(const CLI::App& app, const CLI::ConfigError& error) {

@@ -57,7 +57,7 @@ void erase_variables(Dataset& data, Predicate gone) {
   std::erase_if(data.dimensions, is_bare);
 }
 
-// "heights_residual, stress (von_mises and 20 more)": many of one result stand together.
+// "heights_residual, von_mises and 20 more": many of one result stand together.
 std::string in_short(const Names& names) {
   constexpr std::ptrdiff_t few = 2;
   std::string line;
@@ -69,7 +69,7 @@ std::string in_short(const Names& names) {
     const bool many = result && all > few;
     if (many) told.push_back(result);
     line += line.empty() ? "" : ", ";
-    line += many ? fmt::format("{} ({} and {} more)", result->name, name, all - 1) : name;
+    line += many ? fmt::format("{} and {} more", name, all - 1) : name;
   }
   return line;
 }

@@ -181,7 +181,7 @@ void Tool::input_format() {
 // Options of several tools come last in --help, in one order.
 void Tool::add_common() {
   if (reads_ && !app_->get_option_no_throw("--memory"))
-    memory("Memory limit for reading: the bytes of an input and three times its map");
+    memory("Memory limit for reading: the bytes of an input plus three times its map");
   if (writes_dataset_ || writes_table_)
     text("-o,--output", output_, "FILE",
          std::string("Output file; - is standard output") +

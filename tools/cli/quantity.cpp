@@ -70,6 +70,8 @@ double parse_quantity(const std::string& option, const std::string& text, const 
   const auto [number, given] = number_and_unit(option, text);
   if (std::isinf(number) && given.empty()) return number;
   if (given.empty()) refuse(option, text, "has no unit: append one, such as " + examples(unit));
+  if (given == "px")
+    refuse(option, text, "counts samples, which is not possible here: give it in " + examples(unit));
   try {
     return number * unit_factor(given, unit);
   } catch (const std::invalid_argument& e) {

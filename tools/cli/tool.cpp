@@ -41,9 +41,30 @@ void check_output_name(const std::string& name, bool dataset, bool table, bool j
   if (!dataset || !names_dataset(extension_of(name))) check_table_name(name, json);
 }
 
+// "--load is required", but "--load: '5' has no unit".
+std::string sentence(const std::string& subject, const std::string& text) {
+  constexpr std::string_view verbs[] = {"is ",  "are ",     "needs ", "cannot ", "must ",
+                                        "has ", "belongs ", "does ",  "applies "};
+  const bool verb = std::ranges::any_of(verbs, [&](std::string_view v) { return text.starts_with(v); });
+  return subject + (verb ? " " : ": ") + text;
+}
+
 }  // namespace
 
 Tool::~Tool() = default;
+
+// The library names parameters between ` and `; here they are options.
+std::string Tool::with_options(std::string text) const {
+  for (std::size_t at = 0; (at = text.find('`', at)) != text.npos;) {
+    const std::size_t end = text.find('`', at + 1);
+    if (end == text.npos) break;
+    const std::string name = text.substr(at + 1, end - at - 1);
+    const std::string shown = app_->get_option_no_throw("--" + name) != nullptr ? "--" + name : name;
+    text.replace(at, end - at + 1, shown);
+    at += shown.size();
+  }
+  return text;
+}
 
 MemoryBound Tool::memory_bound(std::size_t held) const {
   constexpr std::size_t always_read = std::size_t{16}
@@ -76,9 +97,10 @@ int Tool::fail(Exit code, const std::string& message) const {
 
 // "rough.nc: heights: ...", "map.txt: line 3 ..."
 std::string Tool::in_file(const DataError& error) const {
-  std::string line = error.name + ": " + error.what();
+  std::string line = sentence(error.name, error.what());
   const KnownResult* result = result_of_variable(error.name);
-  if (result != nullptr && result->name != "heights" && dynamic_cast<const MissingVariable*>(&error) != nullptr)
+  if (result != nullptr && result->name != "heights" &&
+      dynamic_cast<const MissingVariable*>(&error) != nullptr)
     line += ". asperity-" + std::string(result->prefix.substr(0, result->prefix.find('_'))) + " computes it";
   const bool named = reading_.empty() || reading_ == "-" || line.starts_with(reading_ + ": ");
   return named ? line : reading_ + ": " + line;
@@ -117,9 +139,9 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::Error& e) {
   return fail(usage_error, app_->remaining().empty() ? in_words(e) : unexpected());
 } catch (const ParameterError& e) {
-  return fail(usage_error, origin(e.name) + ": " + e.what());
+  return fail(usage_error, with_options(sentence(origin(e.name), e.what())));
 } catch (const DataError& e) {
-  return fail(bad_data, in_file(e));
+  return fail(bad_data, with_options(in_file(e)));
 } catch (const std::bad_alloc&) {
   return fail(runtime_error, "out of memory");
 } catch (const std::exception& e) {
@@ -216,10 +238,10 @@ void Tool::write_text(const std::string& text) const {
 
 bool Tool::output_is_terminal() const { return output_ == "-" && stdout_is_terminal(); }
 
-void Tool::warn(const std::string& text) const { say(name_ + ": warning: " + text); }
+void Tool::warn(const std::string& text) const { say(name_ + ": warning: " + with_options(text)); }
 
 void Tool::note(const std::string& text) const {
-  if (!quiet_) say(name_ + ": " + text);
+  if (!quiet_) say(name_ + ": " + with_options(text));
 }
 
 void Tool::detail(const std::string& text) const {

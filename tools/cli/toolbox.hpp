@@ -9,7 +9,7 @@ struct Summary {
   std::string_view tool, text;
 };
 
-inline constexpr Summary umbrella = {"asperity", "rough surfaces: list of the tools, their manual and pages"};
+inline constexpr Summary umbrella = {"asperity", "list the tools; open their manuals and the documentation"};
 
 inline constexpr Summary toolbox[] = {
     {"asperity-kernel", "solve the autocorrelation equations for a kernel"},
@@ -19,7 +19,7 @@ inline constexpr Summary toolbox[] = {
     {"asperity-acf", "autocorrelation and correlation lengths of a surface"},
     {"asperity-psd", "power spectral density of a surface"},
     {"asperity-pdf", "distribution of the heights of a surface"},
-    {"asperity-validate", "test whether surfaces are as prescribed"},
+    {"asperity-validate", "test whether surfaces have the prescribed properties"},
     {"asperity-contact", "press two rough bodies together"},
     {"asperity-stress", "stress below the surface of a contact"},
     {"asperity-plot", "figures of datasets, as PNG, SVG or PDF"},

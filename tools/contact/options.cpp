@@ -53,7 +53,7 @@ void ContactOptions::declare_surface(Tool& tool) {
   tool.choice("--boundary", boundary, {"free", "periodic"},
               "Boundary condition; free: half-spaces loaded on the domain only; periodic: surfaces that "
               "repeat the domain, "
-              "without radii. Default: as the grid says",
+              "without radii. Default: periodic if the dataset is, else free",
               surface);
 }
 
@@ -82,8 +82,8 @@ void ContactOptions::declare_load(Tool& tool) {
       .excludes(yield);
   tool.words(
       "--add", add, {"contact_stiffness", "heights_residual"},
-      "Further results to write; contact_stiffness: dQ/d(approach) of the cells in contact, those at the "
-      "limit pressure giving way; infinite for a periodic surface in full contact. heights_residual: the "
+      "Further results to write; contact_stiffness: dQ/d(approach) of the cells in contact, without "
+      "those at the limit pressure; infinite for a periodic surface in full contact. heights_residual: the "
       "surface after unloading, heights less displacement_plastic",
       load);
 

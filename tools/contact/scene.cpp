@@ -27,8 +27,8 @@ Grid smooth_grid(const ContactOptions& o) {
 bool periodic(const ContactOptions& o, const Grid& grid) {
   if (o.boundary == "periodic" && !grid.periodic)
     throw UsageError("boundary",
-                     "periodic needs a surface that continues itself at its edges, and the grid says that "
-                     "this one does not (asperity-generate --periodic draws one)");
+                     "periodic needs a surface that continues at its opposite edge; this one does not "
+                     "(asperity-generate --periodic draws one)");
   const bool out = o.boundary.empty() ? grid.periodic : o.boundary == "periodic";
   if (out && !o.bodies.flat())
     throw UsageError(o.radius_option,

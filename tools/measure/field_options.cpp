@@ -48,11 +48,10 @@ void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid)
 
 void FieldOptions::declare(Tool& tool) {
   declare_field(tool);
-  tool.choice(
-      "--correlation", correlation, {"auto", "drawn", "estimate"},
-      "Correlation that standard errors rest on. drawn: what the heights were drawn with, from the dataset; "
-      "estimate: estimated from the field; auto: drawn where the dataset has it, else estimate",
-      "Field");
+  tool.choice("--correlation", correlation, {"auto", "drawn", "estimate"},
+              "Correlation that standard errors use. drawn: that of the kernel the heights were drawn with; "
+              "estimate: estimated from the field; auto: drawn where the dataset has it, else estimate",
+              "Field");
 }
 
 void FieldOptions::declare_field(Tool& tool) {

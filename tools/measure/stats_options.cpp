@@ -56,8 +56,8 @@ void StatsOptions::declare(Tool& tool) {
   tool.memory(
       "Memory limit for the field. A NetCDF file larger than an eighth of it is read in strips. Spatial "
       "parameters and filters need the whole field and are then refused if --memory is given. Ordering the "
-      "heights takes 25 MB more. If the dataset has no correlation, errors rest on the one within the "
-      "strips");
+      "heights takes 25 MB more. If the dataset does not state the correlation, errors use an estimate from "
+      "within the strips");
   direction_option(tool, direction, "Parameters");
 }
 

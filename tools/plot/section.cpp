@@ -5,6 +5,7 @@
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -138,8 +139,10 @@ void hide_below(Cuts& cuts, const Cases& cases, const Request& request) {
     least = std::min(least, bound);
   }
   if (!(least < cuts.range.high))
-    throw ParameterError("above", fmt::format("no value of the section reaches {}; the largest is {}",
-                                              brief(least), brief(cuts.range.high)));
+    throw ParameterError(
+        "above", fmt::format("no value of the section reaches {}; the largest is {}", request.above.label(),
+                             request.scale_by_hertz ? brief(cuts.range.high) + " p₀"
+                                                    : cli::format_quantity(cuts.range.high, "Pa")));
   cuts.above = request.above.label();
   cuts.colours = {{least, cuts.range.high}, Palette::sequential};
 }

@@ -47,8 +47,8 @@ void StressOptions::declare_content(Tool& tool) {
             "Quantities to compute; all: every stress, without directions. One or more of " + stress_words(),
             content);
   tool.text("--above", above, "STRESS",
-            "Leave out stresses of smaller modulus; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of the "
-            "largest "
+            "Leave out stresses of smaller magnitude; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of "
+            "the largest "
             "contact pressure). They become _FillValue",
             content);
   tool.choice(

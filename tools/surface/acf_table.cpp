@@ -102,7 +102,7 @@ AcfTable from_dataset(Dataset data) {
   const std::string &rows = variable.dimensions[0], &columns = variable.dimensions[1];
   if (data.has(rows) != data.has(columns) && std::min(data.length(rows), data.length(columns)) > 1)
     refuse("its lags " + (data.has(rows) ? columns : rows) +
-           " have no coordinate, which those beside them have");
+           " have no coordinate, but those of the other axis do");
   out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
                                 step_of(data, variable.dimensions[1], table.cols() / 2));
   out.rms = rms_of(out.half_plane(0, middle), unit_of(variable));

@@ -44,8 +44,8 @@ void check(const KernelTables& tables) {
                told = tables.translated ? 1 : tables.acf_achieved(0, tables.acf_achieved.cols() / 2);
   if (!(std::abs(variance - told) <= 1e-6 * told))
     throw DataError("kernel", "the sum of its squares, " + shortest(variance) +
-                                  ", is not the variance that it stands for, " + shortest(told) +
-                                  ": one of them was changed; solve for the kernel anew");
+                                  ", is not the variance that it must have, " + shortest(told) +
+                                  ": one of them was changed; solve for the kernel again");
 }
 
 // ---- the attributes kernel_* ----
@@ -114,7 +114,7 @@ void set_kernel(Dataset& data, const KernelTables& tables) {
   set_table(data, "kernel", tables.kernel, {"k", 0, 1, "1", "row of noise"},
             {"l", 0, 1, "1", "column of noise"},
             {tables.translated ? "1" : height, "moving-average kernel of unit white noise"});
-  set_table(data, "acf_target", tables.acf_target, p, q, {variance, "autocorrelation asked for"},
+  set_table(data, "acf_target", tables.acf_target, p, q, {variance, "target autocorrelation"},
             Missing::not_a_number);
   set_table(data, "acf_achieved", tables.acf_achieved, p, q, {variance, "autocorrelation of the kernel"});
   data.attributes.set("kernel_rms", tables.rms());

@@ -24,8 +24,8 @@ using Spacing = std::optional<std::array<double, 2>>;
 
 /// The spacing of `shape` samples on `size`; throws UsageError("size") unless that is positive.
 Spacing spacing_of(Shape shape, std::array<double, 2> size);
-/// Throws UsageError(option) where a spacing given by it is another than that of `whose`, "the table has", by
-/// more than `tolerance`; what is not known agrees.
+/// Throws UsageError(option) if the spacing that it gives differs from that of `whose` ("the table has") by
+/// more than `tolerance`; an unknown spacing agrees with any.
 void require_spacing(const std::string& option, const std::string& gives, const Spacing& given,
                      const std::string& whose, const Spacing& known, double tolerance);
 
@@ -56,7 +56,7 @@ Values pair_of(Shape s);
 
 /// The parameters of a model, its lengths in samples.
 void record_model(Attributes& attributes, const EllipticTarget& model);
-/// What was asked for beside the target, and what the solution achieved.
+/// The request apart from the target, and what the solution achieved.
 void record_kernel(Attributes& attributes, const KernelRequest& request, const Kernel& kernel);
 
 /// What a solution achieved, less its answer and its counts; residual and error are NAN where the dataset

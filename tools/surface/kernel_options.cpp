@@ -75,8 +75,9 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
       "Number of prescribed lags in x and y. Default: as many as --acf-tolerance needs, or all of a table",
       group);
   tool.number("--acf-tolerance", request.acf_tolerance,
-              "Largest error of the ACF over all lags, in variances; of --lags that no kernel has, the "
-              "largest change. Above it the exit status is 3",
+              "Largest error of the ACF over all lags, as a share of the variance; if no kernel has the "
+              "prescribed lags, their largest change. Above it the exit status is 3, except that an error "
+              "beyond the given --lags only causes a warning",
               group);
   tool.choice(
       "--formulation", formulation, words(Formulation{}),
@@ -96,10 +97,10 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
               "Solver of the equations. spectral: the root of the spectrum, without equations" + filter,
               group);
   tool.choice("--infeasible", infeasible, words(InfeasiblePolicy{}),
-              "Answer to a target that no kernel of --lags, or no heights, can have. auto: a wider kernel or "
-              "the nearest "
-              "feasible target, if it differs by at most 1e-2; nearest: the same whatever the difference; "
-              "least-squares: the kernel of least squares; error: none",
+              "What to do if no kernel of --lags, or no height distribution, allows the target. auto: use a "
+              "wider kernel, or the nearest feasible target if it differs by at most 1e-2; nearest: the "
+              "same, however large the difference; least-squares: the kernel with the least squared error; "
+              "error: refuse the target",
               group);
   tool.number("--tolerance", request.tolerance,
               "Largest residual of the equations, as a share of the variance", group);

@@ -35,7 +35,7 @@ struct KernelSolution {
 /// `aside` is set, with --verbose only.
 KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside = false);
 
-/// Of a kernel that was read, of which its own run has told all but that it is not solved.
+/// For a kernel that was read: its own run has reported everything except that the kernel did not converge.
 void tell_read(const Tool& tool, const Dataset& data);
 
 }  // namespace asperity::cli

@@ -127,8 +127,8 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
 
 void tell_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis) {
   if (std::abs(kurtosis - prescribed.kurtosis) > 1e-6 * kurtosis)
-    tool.warn("no heights of skewness " + shortest(prescribed.skewness) + " have the kurtosis " +
-              shortest(prescribed.kurtosis) + " in this way: " + number(kurtosis) + " is used");
+    tool.warn("at skewness " + shortest(prescribed.skewness) + " this method cannot give the kurtosis " +
+              shortest(prescribed.kurtosis) + "; using the least possible, " + number(kurtosis));
 }
 
 }  // namespace asperity::cli

@@ -1,11 +1,12 @@
-/// What the options of a kernel lead to, told before it is solved for.
+/// Warnings and refusals that follow from the options of a kernel, given before it is solved.
 ///
-/// Refused is a surface whose heights of N × M points would mostly be one offset: with the correlation ρ of
+/// A surface of N × M points whose heights would mostly be one offset is refused: with the correlation ρ of
 /// the target
 ///     ρ̄ = Σ w(p,q) ρ(p,q) / Σ w(p,q),   w = (1 - |p|/N)(1 - |q|/M),   |p| < N, |q| < M                  (1)
-/// is the share of the variance that the mean of a surface takes. Beyond ½ it is refused; where (1) along one
-/// axis alone is, it is said. So are correlations that end within a sample, tables of more than 100 MB, and
-/// heights that have a bound nearer than 3 Sq, a peak within a quarter Sq of it (J-shaped), or two peaks.
+/// is the share of the variance that is in the mean of a surface. Above ½ the surface is refused. Warnings
+/// are given if (1) along one axis alone exceeds ½, if the correlation ends within a sample, for tables of
+/// more than 100 MB, and for heights that have a bound nearer than 3 Sq, a peak within a quarter Sq of it
+/// (J-shaped), or two peaks.
 #pragma once
 
 #include "tools/surface/kernel_solution.hpp"

@@ -141,8 +141,8 @@ HeightDistribution height_distribution(const Tool& tool, const GenerateOptions& 
   const std::optional<Marginal> marginal = marginal_of(kernel.data);
   if (!marginal) return {o.acf.filters() ? filtered(tool, o, kernel) : Pointwise{}, {}};
   if (o.acf.filters())
-    throw UsageError("method", "filter: the kernel belongs to a Gaussian field under heights that are " +
-                                   marginal->translation.family + ", not to the heights");
+    throw UsageError("method", "filter: this kernel was solved for a Gaussian field that is translated to " +
+                                   marginal->translation.family + " heights, not for the heights themselves");
   expect(kernel.data.attributes, "translation", marginal->skewness, marginal->kurtosis);
   return {{}, translated(marginal->translation, kernel.tables.rms())};
 }
