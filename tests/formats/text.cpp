@@ -244,5 +244,5 @@ TEST_CASE("formats of text with a head have missing points and refuse what is ra
   CHECK(same(grid.decode(esri + "1,,3\n4,5,\n6", {}).values, field({{4, 1}, {5, gap}, {6, 3}})));
   CHECK(same(grid.decode(esri + "\t1\t2\t\t3\n4\t5\t6", {}).values, field({{4, 1}, {5, 2}, {6, 3}})));
   CHECK_THROWS_WITH(grid.decode(esri + "1 2 3\n4 5 6\n7", {}), ContainsSubstring("the file has 7 numbers"));
-  CHECK_THROWS_WITH(grid.decode(esri + "1,234 2 3\n4 5 6", {}), ContainsSubstring("the decimal mark"));
+  CHECK_THROWS_WITH(grid.decode(esri + "1,234 2 3\n4 5 6", {}), ContainsSubstring("the `decimal` mark"));
 }

@@ -99,6 +99,10 @@ std::string nearest_tool(const std::string& word) {
   return best.empty() ? "" : ": did you mean " + std::string(best) + "?";
 }
 
+bool is_option(const std::string& name) {
+  return std::ranges::any_of(entries, [&](const Entry& e) { return e.option == name && e.now.empty(); });
+}
+
 std::string in_words(const CLI::Error& error) {
   std::string what = error.what();
   const auto replace = [&](const std::string& from, const std::string& by) {

@@ -18,6 +18,9 @@ std::string unknown_option(const CLI::App& app, const std::string& option);
 /// ": did you mean contact?" of "contct"; "" where no tool is called nearly so.
 std::string nearest_tool(const std::string& word);
 
+/// Of any tool, "--size".
+bool is_option(const std::string& name);
+
 /// The message of an error of CLI11.
 std::string in_words(const CLI::Error& error);
 std::string in_words(const CLI::App& app, const CLI::ConfigError& error);

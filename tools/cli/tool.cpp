@@ -49,22 +49,25 @@ std::string sentence(const std::string& subject, const std::string& text) {
   return subject + (verb ? " " : ": ") + text;
 }
 
-}  // namespace
-
-Tool::~Tool() = default;
-
 // The library names parameters between ` and `; here they are options.
-std::string Tool::with_options(std::string text) const {
+std::string with_options(std::string text) {
   for (std::size_t at = 0; (at = text.find('`', at)) != text.npos;) {
     const std::size_t end = text.find('`', at + 1);
     if (end == text.npos) break;
-    const std::string name = text.substr(at + 1, end - at - 1);
-    const std::string shown = app_->get_option_no_throw("--" + name) != nullptr ? "--" + name : name;
-    text.replace(at, end - at + 1, shown);
-    at += shown.size();
+    const std::string option = "--" + text.substr(at + 1, end - at - 1);
+    if (!is_option(option)) {
+      at = end;
+      continue;
+    }
+    text.replace(at, end - at + 1, option);
+    at += option.size();
   }
   return text;
 }
+
+}  // namespace
+
+Tool::~Tool() = default;
 
 MemoryBound Tool::memory_bound(std::size_t held) const {
   constexpr std::size_t always_read = std::size_t{16}

@@ -207,7 +207,6 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string config_file() const;
   std::string in_file(const DataError& error) const;
-  std::string with_options(std::string text) const;
   std::string unexpected() const;
   void check_environment() const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
