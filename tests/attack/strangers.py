@@ -89,7 +89,7 @@ def odd_axes(case):
     if way == "offset":
         return same_numbers(case, "in.nc", surface)
     run = case.run("stats", "in.nc", "--parameters", "hybrid")
-    return case.refused(run, BAD_DATA, axis + " has")
+    return case.refused(run, BAD_DATA, f" {axis}")
 
 
 def any_format(case):
