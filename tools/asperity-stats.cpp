@@ -139,7 +139,8 @@ void document(cli::Tool& tool) {
       "fields down to N_eff = 41, with a known or an estimated correlation (97.7 % for the length at "
       "1/e with an estimated one at N_eff = 41). Errors are rough below N_eff = 10, or 20 with an "
       "estimated correlation; no errors are given below half of that. Peak and valley have no standard "
-      "errors; a dash marks a quantity without an interval. Slopes and curvatures use differences of "
+      "errors; a dash, nan in a pipe, marks a quantity without an interval. Slopes and curvatures use "
+      "differences of "
       "neighbouring points: for a wave of n points per period they are low by a fraction of 1.6/n^2 "
       "(Sdq) to 6.6/n^2 (m4). The standard error of a mean over profiles allows for their correlation.");
 }

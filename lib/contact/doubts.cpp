@@ -86,7 +86,7 @@ std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact&
   const double modulus = bodies.composite_modulus();
   if (contact.max_pressure > modulus)
     out.push_back({"presses above the composite modulus",
-                   fmt::format("the greatest pressure, {:.3g} Pa, is above the composite modulus, {:.3g} Pa, "
+                   fmt::format("the maximum pressure, {:.3g} Pa, is above the composite modulus, {:.3g} Pa, "
                                "where strains are no "
                                "longer small: give a yield stress, filter the heights, or press less",
                                contact.max_pressure, modulus)});

@@ -14,7 +14,7 @@ TEST_CASE("two steel spheres under 5000 N meet Hertz's 2724.3224 MPa, 0.9361090 
 // The four middle cells have their centres Δx/√2 off the axis, where Hertz's ellipse has fallen by Δx²/4a².
 // Collocation gives back between 0 and a quarter of that (it tends to 0.17). The approach converges as
 // 0.045…0.056 (Δx/a)².
-TEST_CASE("Hertz's greatest pressure and approach converge at order 2 with their constants",
+TEST_CASE("Hertz's maximum pressure and approach converge at order 2 with their constants",
           "[hertz][order]") {
   const Hertz exact = hertz(spheres, load);
   double coarse = 1;

@@ -12,7 +12,7 @@ double energy(const Grid& grid, const Field& gap, const Contact& c) {
   return ((c.displacement / 2 + gap) * c.pressure).sum() * grid.cell_area();
 }
 
-// ε of two solutions bounds their pressures' difference by some 10 ε of the greatest pressure.
+// ε of two solutions bounds their pressures' difference by some 10 ε of the maximum pressure.
 void check_same_pressure(const Field& p, const Field& q) {
   CHECK((p - q).abs().maxCoeff() <= 1e-6 * p.maxCoeff());
 }

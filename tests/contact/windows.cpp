@@ -88,7 +88,7 @@ TEST_CASE("windows are shared while they fit, and none is made for most of the g
   CHECK(make_influence(periodic(square(64)), modulus)->windowed({5, 5}) == nullptr);
 }
 
-// ε of two solutions bounds their pressures' difference by some 10 ε of the greatest pressure.
+// ε of two solutions bounds their pressures' difference by some 10 ε of the maximum pressure.
 TEST_CASE("a contact solved on its window is that solved on the whole grid, for fewer convolutions",
           "[window][law]") {
   const Grid grid = square(128);

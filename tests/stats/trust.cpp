@@ -169,7 +169,7 @@ TEST_CASE("what rounding leaves above a form is not presented as a surface", "[s
 TEST_CASE("cut-offs that separate nothing are refused, or told, by name and with both lengths",
           "[stats-tool][contract]") {
   refused("asperity-stats drawn.nc --lambda-s 0.5mm --lambda-c 0.1mm", 2,
-          "--lambda-s: 500um is not below --lambda-c, 100um");
+          "--lambda-s 0.5mm: 500um is not below --lambda-c, 100um");
   refused("asperity-acf drawn.nc --lambda-s 0.5mm --lambda-c 0.5mm --result lengths", 2, "--lambda-s");
   refused("asperity-psd drawn.nc --lambda-c 3mm --result radial", 2,
           "--lambda-c: 3mm is longer than the field, 2.4mm");

@@ -212,9 +212,9 @@ TEST_CASE("layers do not depend on the number of threads or on their order, to t
   for (std::size_t l = 0; l < depths.size(); ++l) CHECK((one[l] == three[l]).all());
 }
 
-// Seen is a quarter of the claim of stress/resolution.hpp: 5e-7 of the largest pressure at z = 5 s Δ, 1e-7
+// Seen is a quarter of the claim of stress/resolution.hpp: 5e-7 of the maximum pressure at z = 5 s Δ, 1e-7
 // below.
-TEST_CASE("deep layers from wider cells are those of the cells within 2e-6 of the largest pressure",
+TEST_CASE("deep layers from wider cells are those of the cells within 2e-6 of the maximum pressure",
           "[layers][order]") {
   for (const Grid& grid :
        {Grid{{256, 256}, 1, 1}, Grid{{96, 160}, 1, 1}, Grid{{128, 128}, 1, 2.5}, Grid{{101, 67}, 1, 1}}) {
@@ -230,7 +230,7 @@ TEST_CASE("deep layers from wider cells are those of the cells within 2e-6 of th
 }
 
 // The wave of the highest mode that wide cells hold is the hardest: it fades by (1 + 5π) exp(-5π) = 2.5e-6 of
-// its amplitude, half the largest pressure; in x and y together by 1e-8.
+// its amplitude, half the maximum pressure; in x and y together by 1e-8.
 TEST_CASE("a pressure in waves as long as two wide cells keeps to 2e-6 of its largest value",
           "[layers][order]") {
   const Grid grid{{96, 96}, 1, 1};
@@ -254,7 +254,7 @@ TEST_CASE("layers above five wide cells, and those of small grids, are computed 
 }
 
 // The shear of friction reaches farther, as 1/r, and is tapered where it is larger.
-TEST_CASE("under friction deep layers keep to 2e-6 of the largest pressure too", "[layers][order]") {
+TEST_CASE("under friction deep layers keep to 2e-6 of the maximum pressure too", "[layers][order]") {
   const Grid grid{{128, 96}, 1, 1};
   const Friction friction{0.5, 0.7};
   const Field p = Field::Ones(128, 96);

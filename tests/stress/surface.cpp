@@ -49,7 +49,7 @@ const std::array scenes{Scene{0.3, {}},         Scene{0.3, {0.1, 0}},    Scene{0
 }  // namespace
 
 TEST_CASE(
-    "from accurate_depth on every value is within 1 % of the largest pressure, with friction up to a half",
+    "from accurate_depth on every value is within 1 % of the maximum pressure, with friction up to a half",
     "[surface][order]") {
   for (auto [poisson, friction] : scenes)
     for (Index n : {32, 64}) {

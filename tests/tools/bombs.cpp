@@ -132,10 +132,11 @@ TEST_CASE("a number of things that takes memory or time without end is refused w
                         "asperity-contact --smooth --size 1mm --young 1GPa --poisson 0.3 --load 1N -o o.nc ",
                     draw = "asperity-generate --size 1mm --rq 1um --length 3px -o s_%d.nc ";
   const std::pair<std::string, std::string> cases[] = {
-      {"asperity-stress p.nc --depths 0:1mm:1000000000 -o o.nc", "--depths: 1000000000 is above 100000"},
+      {"asperity-stress p.nc --depths 0:1mm:1000000000 -o o.nc",
+       "--depths 0:1mm:1000000000: 1000000000 is above 100000"},
       {"asperity-stress p.nc --depths 0:1mm:99999999999999999999 -o o.nc", "is above 100000, the most"},
       {"asperity-stress p.nc --maximum --body 3 -o o.nc", "--body: 3 is above 2"},
-      {press + "--sweep 1mN:2mN:1000000000", "--sweep: 1000000000 is above 100000"},
+      {press + "--sweep 1mN:2mN:1000000000", "--sweep 1mN:2mN:1000000000: 1000000000 is above 100000"},
       {press + "--load 1mN --threads 1000000000", "--threads: 1000000000 is above 4096"},
       {press + "--load 1mN --max-convolutions 99999999999", "--max-convolutions: 99999999999 is above"},
       {smooth + "--shape 1000000x1000000",

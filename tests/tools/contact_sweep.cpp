@@ -122,7 +122,7 @@ TEST_CASE("what makes a contact doubtful is told even with --quiet, in a sweep b
   CHECK(nlohmann::json::parse(run.out)["load"]["values"].size() == 3);
   CHECK_THAT(run.error, ContainsSubstring("warning: 50kN: the contact touches the edge") &&
                             ContainsSubstring("make it 0.00605 x 0.00605 m") &&
-                            ContainsSubstring("warning: 500kN: the greatest pressure, ") &&
+                            ContainsSubstring("warning: 500kN: the maximum pressure, ") &&
                             ContainsSubstring("above the composite modulus, 1.14e+11 Pa"));
   // Each kind once, however many loads have it, and none hidden behind another: 31 lines on small contacts
   // once.

@@ -255,7 +255,7 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
       {"numbers.txt --crop 0:2", {2, "asperity-convert: --crop: '0:2' is not of the form A:B,C:D"}},
       {"numbers.txt --decimate 0x1", {2, "asperity-convert: --decimate: "}},
       {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file gives its own unit, m"}},
-      {"matrix.txt --size 0mm", {2, "asperity-convert: --size: "}},
+      {"matrix.txt --size 0mm", {2, "asperity-convert: --size 0mm: 0 is not a positive length"}},
   };
   for (const auto& [arguments, expected] : cases) {
     CAPTURE(arguments);

@@ -21,7 +21,7 @@ std::vector<double> von_mises(const std::string& options) {
 
 // Layers at 4, 21 and 43 cells: the first is the same to the last bit. Von Mises stress adds the errors of
 // components, each 2e-6, with weights of √3 at the most for each of six.
-TEST_CASE("resolutions full and adapted differ in deep layers only, by 2e-6 of the largest pressure",
+TEST_CASE("resolutions full and adapted differ in deep layers only, by 2e-6 of the maximum pressure",
           "[stress][contract]") {
   REQUIRE(
       shell("asperity-contact --smooth --shape 128x128 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
@@ -72,12 +72,12 @@ TEST_CASE("friction adds its traction at the surface, along its angle, and is re
 }
 
 // Components are written in double precision: what follows from them is to their round-off.
-TEST_CASE("principal, tresca and octahedral are written with the components that they follow from",
+TEST_CASE("principal, largest and octahedral shear stress are written with the components that they follow from",
           "[stress][contract]") {
   REQUIRE(
       shell("asperity-contact --smooth --shape 24x20 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
             "--load 5000N | asperity-stress --depths 0.1mm,0.45mm --friction 0.2 --components "
-            "principal,principal_directions,tresca,octahedral,von_mises,xx,yy,zz -o derived.nc")
+            "principal,principal_directions,max_shear,octahedral_shear,von_mises,xx,yy,zz -o derived.nc")
           .exit == 0);
   const Dataset data = read_dataset("derived.nc");
   auto values = [&](const std::string& name) { return numbers(data.at(name).values); };

@@ -30,7 +30,7 @@ TEST_CASE(
 }
 
 // The volume's rows come from an inverse transform, the section's from sums over the lags: round-off of 16 ε
-// Σ|p|, at most 16 ε of the cells times the largest pressure.
+// Σ|p|, at most 16 ε of the cells times the maximum pressure.
 TEST_CASE("a section is the volume's values in its plane, at the cell centres nearest to it",
           "[stress][exact]") {
   const std::string layers = "--depths 0,20um,0.2mm,0.7mm --components all --resolution full ";
@@ -70,7 +70,7 @@ TEST_CASE("a section is the volume's values in its plane, at the cell centres ne
 }
 
 // The points were those below one period alone: -175 MPa in place of -500. Sums over the
-// modes in two orders: n ε of the largest pressure each (stress/points.hpp), 48 cells to a side.
+// modes in two orders: n ε of the maximum pressure each (stress/points.hpp), 48 cells to a side.
 TEST_CASE("asperity-stress --maximum leaves its place and no volume, and the same place as beside a volume",
           "[stress][contract]") {
   const Dataset alone = below("--maximum"), beside = below("--maximum --depths 0,1mm");

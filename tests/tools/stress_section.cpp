@@ -69,7 +69,7 @@ TEST_CASE("a section through the maximum runs through the cell that --maximum fi
       ContainsSubstring("asperity-stress --maximum adds it"));
 }
 
-TEST_CASE("the bound of --above is a stress, or a share of the Hertz or of the largest pressure",
+TEST_CASE("the bound of --above is a stress, or a share of the Hertz or of the maximum pressure",
           "[stress][contract]") {
   const std::string layers = "--depths 0:1mm:4 --above ";
   const auto bound = [&](const std::string& text) {

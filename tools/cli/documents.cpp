@@ -159,9 +159,8 @@ std::string man_page(const CLI::App& app, const Documents& more) {
          section("NAME", roff(name) + " \\- " + roff(std::string(summary_of(name))) + "\n") +
          section("SYNOPSIS", synopsis(app)) +
          section("DESCRIPTION", paragraph(description.ends_with('.') ? description : description + ".")) +
-         section("OPTIONS",
-                 paragraph("A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg; px counts samples.") +
-                     options_by_group(app)) +
+         section("OPTIONS", paragraph("A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg.") +
+                                options_by_group(app)) +
          section("EXAMPLES", more.example.empty() ? "" : ".nf\n" + roff(more.example) + "\n.fi\n") +
          section("ACCURACY", paragraph(more.accuracy)) + section("ENVIRONMENT", environment(name)) +
          section("EXIT STATUS", statuses(more.statuses)) + section("SEE ALSO", see_also(name));

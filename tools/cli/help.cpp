@@ -80,9 +80,8 @@ std::string long_help(const CLI::App& app, const Documents& more, std::size_t wi
   for (const auto& [code, meaning] : more.statuses)
     statuses += fmt::format("{}{} {}", statuses.empty() ? "" : ", ", code, meaning);
   const std::string values =
-      "A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg; px counts samples. An option may also stand "
-      "in "
-      "the environment, as " +
+      "A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg. An option may also stand in the environment, "
+      "as " +
       environment_name(app.get_name(), "OPTION") +
       ", or in the file of --config; the command line comes first.";
   if (app.get_option_no_throw("--config")) out += "\n" + flowing(values, width) + "\n";

@@ -141,4 +141,14 @@ std::string Tool::origin(const std::string& key) const {
   return config_file().empty() || option->count() == 0 ? "--" + key : config_file() + ": " + key;
 }
 
+// The library states a value in SI units; its user looks for what was typed.
+std::string Tool::typed(const std::string& key, const std::string& message) const {
+  const CLI::Option* option = app_->get_option_no_throw("--" + key);
+  const bool value = message.find_first_of("-0123456789") == 0;
+  if (!option || !value || option->results().size() != 1) return origin(key);
+  const std::string& text = option->results().front();
+  const bool repeated = message.starts_with(text + " ") || message.starts_with(text + ":");
+  return repeated ? origin(key) : origin(key) + " " + text;
+}
+
 }  // namespace asperity::cli

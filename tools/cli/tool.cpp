@@ -142,7 +142,7 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::Error& e) {
   return fail(usage_error, app_->remaining().empty() ? in_words(e) : unexpected());
 } catch (const ParameterError& e) {
-  return fail(usage_error, with_options(sentence(origin(e.name), e.what())));
+  return fail(usage_error, with_options(sentence(typed(e.name, e.what()), e.what())));
 } catch (const DataError& e) {
   return fail(bad_data, with_options(in_file(e)));
 } catch (const std::bad_alloc&) {

@@ -205,6 +205,7 @@ class Tool {
   int answer(int argc, char** argv, const std::function<int()>& body);
   std::vector<std::string> environment() const;
   std::string origin(const std::string& option) const;
+  std::string typed(const std::string& option, const std::string& message) const;
   std::string config_file() const;
   std::string in_file(const DataError& error) const;
   std::string unexpected() const;

@@ -79,7 +79,7 @@ std::string tiles(const Content& c) {
   constexpr struct {
     const char *attribute, *label, *unit;
   } wanted[] = {{"contact_load", "load", "N"},
-                {"contact_max_pressure", "largest pressure", "Pa"},
+                {"contact_max_pressure", "maximum pressure", "Pa"},
                 {"contact_area", "real contact area", "m2"},
                 {"stress_max_von_mises", "largest von Mises stress", "Pa"}};
   for (const auto& w : wanted)

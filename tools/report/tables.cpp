@@ -67,7 +67,7 @@ std::vector<Comparison> comparisons(const Dataset& data) {
   return {
       {"load", value("load"), NAN, "N"},
       {"approach", value("approach"), value("hertz_approach"), "m"},
-      {"largest pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
+      {"maximum pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
       {"real contact area", area, ellipse, "m2", share(area, grid.size_x() * grid.size_y(), "the domain")},
       {"area at the limit pressure", plastic, NAN, "m2", share(plastic, area, "the contact")},
       {"mean gap", value("mean_gap"), NAN, "m"},

@@ -127,7 +127,7 @@ void warn_if_shallow(const Tool& tool, const StressScene& scene, const Places& p
   tool.warn(fmt::format(
       "{} of {} points lie less than {:.4g} um deep, the stress_accurate_depth: their stress is that of "
       "single "
-      "cells, off by up to {:.0f} % of the largest pressure below a cell's centre, and unbounded at the "
+      "cells, off by up to {:.0f} % of the maximum pressure below a cell's centre, and unbounded at the "
       "surface "
       "towards its edges and corners",
       shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));

@@ -9,9 +9,8 @@
 namespace asperity::cli {
 namespace {
 
-StressQuantity equivalent(const char* word, StressOutput output,
-                          void (*along_row)(const StressRow&, std::span<double>)) {
-  return {word, stress::all, {std::move(output)}, [along_row](const StressRow& s, RowOutputs out) {
+StressQuantity equivalent(StressOutput output, void (*along_row)(const StressRow&, std::span<double>)) {
+  return {output.name, stress::all, {output}, [along_row](const StressRow& s, RowOutputs out) {
             along_row(s, out[0]);
           }};
 }
@@ -35,9 +34,9 @@ std::vector<StressQuantity> make_quantities() {
                             "1"});
   }
   std::vector<StressQuantity> list{
-      equivalent("von_mises", {"von_mises", "von Mises equivalent stress"}, von_mises),
-      equivalent("tresca", {"max_shear", "largest shear stress"}, max_shear_stress),
-      equivalent("octahedral", {"octahedral_shear", "octahedral shear stress"}, octahedral_shear),
+      equivalent({"von_mises", "von Mises equivalent stress"}, von_mises),
+      equivalent({"max_shear", "largest shear stress"}, max_shear_stress),
+      equivalent({"octahedral_shear", "octahedral shear stress"}, octahedral_shear),
       {"principal", stress::all, principal,
        [](const StressRow& s, RowOutputs out) { principal_stress(s, out); }},
       {"principal_directions", stress::all, directions, principal_directions}};

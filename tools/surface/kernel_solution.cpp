@@ -127,21 +127,21 @@ std::string achieved(const KernelProblem& problem, const Kernel& kernel) {
          "; the autocorrelation beyond them reaches " + number(kernel.report.tail);
 }
 
-// Why a kernel is not what was asked for, from its record.
+// Why a kernel is not as requested, from its record.
 std::string shortcoming(const Attributes& a) {
   const KernelReport report = recorded_report(a);
-  if (a.text("kernel_answer") == "best") return "not converged: " + report.reason;
+  if (a.text("kernel_answer") == "best") return "the kernel has not converged: " + report.reason;
   const double tolerance = recorded_tolerance(a);
   const std::string error = number(report.error),
                     what = report.change > tolerance && report.change < report.error
-                               ? "the change of the lags prescribed, " + number(report.change) +
+                               ? "the kernel's change of the prescribed lags, " + number(report.change) +
                                      " (over all lags " + error + ")"
-                               : "the error over all lags, " + error;
+                               : "the kernel's error over all lags, " + error;
   return what + " of the variance, exceeds --acf-tolerance " + number(tolerance) +
          (report.reason == "solved" ? "" : ": " + report.reason);
 }
 
-// A kernel that has not the autocorrelation asked for, though it has been solved for.
+// Warns of a solved kernel without the requested autocorrelation.
 void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel& kernel) {
   const KernelReport& report = kernel.report;
   const bool chosen = request.lags == Shape{}, table = request.target.known.has_value();
@@ -167,7 +167,7 @@ Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, 
               shortest(report.seconds) + " s");
   if (problem.request.lags == Shape{}) say(achieved(problem, kernel));
   if (!report.converged) {
-    tool.warn("kernel: " + shortcoming(problem.data.attributes));
+    tool.warn(shortcoming(problem.data.attributes));
     return not_converged;
   }
   if (report.answer == Answer::wider)
@@ -213,7 +213,7 @@ void tell_read(const Tool& tool, const Dataset& data) {
   const KernelReport report = recorded_report(data.attributes);
   tool.detail("kernel: " + report.reason + ", residual " + shortest(report.residual) +
               ", error over all lags " + shortest(report.error));
-  if (!report.converged) tool.warn("kernel: " + shortcoming(data.attributes));
+  if (!report.converged) tool.warn(shortcoming(data.attributes));
 }
 
 }  // namespace asperity::cli

@@ -156,7 +156,7 @@ Exit wrap_kernel(const Tool& tool, Dataset& data, KernelTables& tables, Shape su
   tell_change(tool, (correlation - within(alone, shape_of(correlation))).abs().maxCoeff(), surface);
   if (!worse) return done;
   a.set("kernel_converged", 0);
-  tool.warn("kernel: the error over the period, " + number(error) +
+  tool.warn("the kernel's error over the period, " + number(error) +
             " of the variance, exceeds --acf-tolerance " + number(tolerance));
   return not_converged;
 }
