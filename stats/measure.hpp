@@ -42,7 +42,7 @@ struct MeasureOptions {
   int threads = 1;
 };
 
-/// The groups asked for, of a surface as read.
+/// The requested groups of parameters, of a surface as read.
 Parameters measure(const Surface& surface, const MeasureOptions& options = {});
 /// One group of a prepared surface. If the field is not a length or is too small, hybrid parameters are NaN
 /// with the reason in `why`; the other groups throw DataError.

@@ -183,7 +183,7 @@ Attempt least_squares(const KernelProblem& problem, std::vector<double> start, l
 Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& best) {
   check_memory(problem.request, problem.lags, wider_kernel_cost(problem.lags));
   Attempt out;
-  // Whether the ends of the kernel, and not the target, keep it from what is asked for.
+  // Whether the ends of the kernel, and not the target, keep it from what is requested.
   auto lost_more_than = [&](double change) {
     const double none = std::numeric_limits<double>::infinity(),
                  residual = std::min(out.candidate ? out.candidate->report.residual : none,

@@ -23,7 +23,7 @@
 
 namespace asperity {
 
-/// Improves u until max |F| ≤ tolerance, by 3000 iterations at the most.
+/// Improves u until max |F| ≤ tolerance, by 3000 iterations at most.
 IterationResult solve_conjugate_gradient(Equations& equations, std::span<double> u, double tolerance,
                                          const IterationObserver& on_step);
 

@@ -1,4 +1,4 @@
-/// What an iteration tells of its steps while it runs, and what it has come to.
+/// The reports of an iteration: its steps while it runs, and its result.
 ///
 /// Exceptions that the equations throw pass through the iterations; a call of SUNDIALS that fails becomes a
 /// std::runtime_error naming it. An iteration that does not arrive is no exception: its result says so.

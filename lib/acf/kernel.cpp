@@ -19,7 +19,7 @@ namespace solver = calibration::acf;
 
 class KernelSolver {
  public:
-  // As KernelProblem's; makes the attempts of the method asked for.
+  // As KernelProblem's; makes the attempts of the method requested.
   KernelSolver(const KernelRequest& request, Shape lags, bool of_no_surface = false)
       : problem_(request, lags, of_no_surface) {
     run();

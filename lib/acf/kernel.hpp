@@ -44,7 +44,7 @@ enum class Method {
   conjugate_gradient,  ///< descent on ‖F‖², the way of 2009
   spectral             ///< the zero-phase root of the spectrum, no solve
 };
-/// What is done when no kernel of this size has the autocorrelation asked for.
+/// What to do when no kernel of this size has the requested autocorrelation.
 enum class InfeasiblePolicy {
   automatic,  ///< the closest that has one, if it changes the target by 1e-2 (or `acf_tolerance`) at the most
   error,      ///< a ParameterError, or a DataError where the target is a table

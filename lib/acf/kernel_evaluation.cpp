@@ -71,7 +71,7 @@ void measure_errors(Kernel& kernel) {
   KernelReport& report = kernel.report;
   const auto known = !kernel.acf_target.isNaN();
   const auto error =
-      known.select((kernel.acf_achieved - kernel.acf_target).abs(), 0);  // evaluated where asked for
+      known.select((kernel.acf_achieved - kernel.acf_target).abs(), 0);  // evaluated where requested
   const auto beyond = known.select(error, kernel.acf_achieved.abs());
   const auto [n, m] = kernel.lags;
   const Index middle = -kernel.first_q();

@@ -2,7 +2,7 @@
 ///
 /// A function R of the lag is the autocorrelation of some surface of unit variance exactly when its spectrum
 /// S is nowhere negative and has the mean R(0,0) = 1. Two convex sets of functions on a torus of fn × fm
-/// points, f = 4 unless more is asked for, are projected onto in turn:
+/// points, f = 4 unless more are requested, are projected onto in turn:
 ///     A   those that agree with the target at |p| < n, |q| < m: it is put back there,
 ///     B   the autocorrelations: S ← max(S - θ, 0), θ such that the mean is 1 [1],
 /// by the iteration of Douglas and Rachford [2],

@@ -106,7 +106,7 @@ double SelfAffineCorrelation::envelope(double r) const {
 }
 
 double SelfAffineCorrelation::last_above(double t) const {
-  constexpr double stride = 0.01;  // between two samples the ripple rises by 1 - cos(stride/2) at the most
+  constexpr double stride = 0.01;  // between two samples the ripple rises by 1 - cos(stride/2) at most
   double r = std::pow(4 * H_ * std::sqrt(2 / std::numbers::pi) / t, 0.4);
   if (r > 1e5) return r + 10;
   while (envelope(r) > t) r += 0.1;

@@ -36,7 +36,7 @@ class SelfAffineCorrelation {
   explicit SelfAffineCorrelation(double hurst);
   double operator()(double r) const;
 
-  /// An r from which on |ρ| ≤ t, 0 < t < 1: the least one, or above it by 0.02 at the most;
+  /// An r from which on |ρ| ≤ t, 0 < t < 1: the least one, or above it by 0.02 at most;
   /// beyond 1e5 by a few ripples.
   double last_above(double t) const;
 

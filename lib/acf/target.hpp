@@ -86,7 +86,7 @@ struct EllipticTarget {
   /// 1e-300.
   ///
   /// reach(t) is the box around the ellipse on which ρ, or its envelope, is t for the last time, in lags to
-  /// 1e-12 of them and 2^30 at the most. An angle within 1e-12 of a multiple of 90° is taken as that, and
+  /// 1e-12 of them and 2^30 at most. An angle within 1e-12 of a multiple of 90° is taken as that, and
   /// then R(p,-q) = R(p,q) to the last bit; equal lengths of a radial model need no angle.
   Target target() const;
 };

@@ -16,7 +16,7 @@
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa], about 3 σ_Y   Q load [N]   δ approach [m]
 ///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
-/// Accuracy  bounds exact, load to 1e-12, ε as asked for and confirmed. What the cells leave: Hertz's
+/// Accuracy  bounds exact, load to 1e-12, ε as requested and confirmed. What the cells leave: Hertz's
 ///           greatest pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)².
 /// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…100 for rough ones, more the finer the
 ///           grid; two for a contact of a hundred cells; half as many again for the stiffness.
@@ -77,7 +77,7 @@ struct Contact {
   double max_pressure = 0;  ///< [Pa]
   double area = 0;          ///< of all cells with p > 0 [m²]
   double plastic_area = 0;  ///< of the cells with p = p_Y [m²]
-  /// dQ/dδ [N/m] by contact/stiffness.hpp, and its residual; NaN where not asked for or not known.
+  /// dQ/dδ [N/m] by contact/stiffness.hpp, and its residual; NaN where not requested or not known.
   double stiffness = std::numeric_limits<double>::quiet_NaN();
   double stiffness_residual = std::numeric_limits<double>::quiet_NaN();
 

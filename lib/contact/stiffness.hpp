@@ -16,7 +16,7 @@
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa]   q dp/dδ [Pa/m]   K elastic operator [m/Pa]
 ///           Q load [N]   S stiffness [N/m]   δ approach [m]   Δx, Δy cell [m]   a contact radius [m]
 /// Scope     the solution's C: S is a staircase that steps up where a cell joins.
-/// Accuracy  (3): round-off, 1e-10 or so at a residual of 1e-6, which is asked for. The outline's cells leave
+/// Accuracy  (3): round-off, 1e-10 or so at the residual of 1e-6 that is required. The outline's cells leave
 ///           of Hertz's 2aE* some 0.05 Δx/a, 0.2 Δx/a at most where the contact has 20 cells or more.
 /// Cost      about half the convolutions of the solution, on its window: 5 for smooth spheres, 5…35 for rough
 ///           ones, more the sparser the contact and the finer the grid, 8…25 for periodic surfaces.

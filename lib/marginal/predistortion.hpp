@@ -26,7 +26,7 @@ class Predistortion {
   const CorrelationMap& map() const { return *map_; }
   /// (1), sampled as `heights` is.
   Target target(const Target& heights) const;
-  /// By how much the autocorrelation of the heights falls below R_z(-1) at the most [σ²].
+  /// The largest amount by which the autocorrelation of the heights falls below R_z(-1) [σ²].
   double change(const Target& heights) const;
 
   /// The kernel that the request asks for: its coefficients are those of y, of unit variance, its tables and

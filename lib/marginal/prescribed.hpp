@@ -35,9 +35,9 @@ struct PrescribedHeights {
 
   /// These, or with the least kurtosis of the skewness where that is higher and may take its place.
   PrescribedHeights feasible() const;
-  /// Of the heights, feasible. Throws ParameterError("kurtosis") or ("skewness").
+  /// The translation of the feasible heights. Throws ParameterError("kurtosis") or ("skewness").
   Translation translation() const;
-  /// Of the white noise that this kernel averages; the same errors, in terms of the heights.
+  /// The translation of the white noise that this kernel averages; the same errors.
   Translation noise(const Field& kernel) const;
 };
 

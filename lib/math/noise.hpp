@@ -4,7 +4,7 @@
 /// or of another distribution by a translation of the normal values. Every row has a generator of its own,
 /// started from
 ///     h(seed, c, row) = mix(mix(mix(seed + g) + c + g) + row + g),   c = 2³² stream + surface,           (1)
-/// with g = 2⁶⁴/φ and mix one-to-one on 64 bits: a row is the same whoever draws it, in whatever order and on
+/// with g = 2⁶⁴/φ and mix one-to-one on 64 bits: a row is the same in any order of drawing and on
 /// however many threads, and a longer row begins as a shorter one. For one seed, no two pairs (stream,
 /// surface) and no two rows of a surface have the same hash.
 ///

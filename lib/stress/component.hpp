@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 6> names{"xx", "yy", "zz", "xy", "
 /// A stress state, indexed by Component.
 using Tensor = std::array<double, 6>;
 
-/// The components that somebody asks for: Set().set(zz), or all.
+/// The requested components: Set().set(zz), or all.
 using Set = std::bitset<6>;
 inline const Set all = Set().set();
 

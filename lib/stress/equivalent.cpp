@@ -42,7 +42,7 @@ struct Rows {
   Vector times(const Vector& v) const { return {dot(a, v), dot(b, v), dot(c, v)}; }
 };
 
-// The root of x³ - 3x = 2h in [√3, 2], 0 ≤ h ≤ 1, from a parabola that is 3.3e-3 off at the most.
+// The root of x³ - 3x = 2h in [√3, 2], 0 ≤ h ≤ 1, from a parabola that is 3.3e-3 off at most.
 inline double lone_root(double h) {
   constexpr double start = std::numbers::sqrt3, slope = 1.0 / 3;
   double x = start + h * (slope - h * (start + slope - 2));

@@ -31,7 +31,7 @@ void difference(Parity kernel, double* x, const std::vector<double>& taper, Inde
   if (kernel == Parity::odd && 2 * (rows - 1) == period) std::fill_n(x + (rows - 1) * width, width, 0.0);
 }
 
-// First along y, eight rows i at a time, as the corners come; along x when a block is asked for.
+// First along y, eight rows i at a time, as the corners come; along x when a block is requested.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
   HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting)
@@ -126,7 +126,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   std::array<std::array<Kernel, 6>, 3> kernels_;  ///< [traction][component]
   AlignedVector<double> rows_;
   AlignedVector<Complex> work_, along_y_pairs_;
-  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last asked for, by traction
+  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last requested, by traction
 };
 
 class PeriodicInfluence : public LayerInfluence {
@@ -166,7 +166,7 @@ class PeriodicInfluence : public LayerInfluence {
   Grid grid_;
   double poisson_, z_ = 0;
   Index stride_;
-  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last asked for, by traction
+  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last requested, by traction
   AlignedVector<double> modes_;                     ///< likewise
 };
 

@@ -7,7 +7,7 @@
 /// transform of its own. The pressure is transformed once. Then, for a layer:
 ///     influence → per block of eight columns: transfer function, product with p^, transform back in x
 ///               → per row: transform back in y; six components of one row are handed over while hot.
-/// Only the components asked for are computed, and only rows leave a layer: the von Mises stress of a volume
+/// Only the requested components are computed, and only rows leave a layer: the von Mises stress of a volume
 /// needs the memory of a layer. Deep layers may be computed from wider cells (stress/resolution.hpp).
 ///
 /// A section, the vertical plane x = x_i or y = y_j through cell centres, needs one row of each layer: it
@@ -103,7 +103,8 @@ class StressSolver {
 ///     Δσxx = -(2 ln 2/π) Δx ∂qx/∂x,   Δσyy = ν Δσxx,   Δσxy = -(ln 2/π) Δy ∂qx/∂y   of qx, of qy likewise,
 /// and fades as exp(-2πz/Δx).
 double accurate_depth(const Grid& grid);
-/// Of the largest pressure: 9 %, or 11 (1-2ν) % where that is more, and 26 μ % more under friction.
+/// The error above that depth, as a share of the maximum pressure: 9 %, or 11 (1-2ν) % where that is more,
+/// and 26 μ % more under friction.
 double shallow_error(double poisson, const Friction& friction);
 
 }  // namespace asperity

@@ -20,7 +20,7 @@ using LoadWeights = std::array<double, 3>;
 
 struct Friction {
   double coefficient = 0;  ///< μ ≥ 0
-  double angle = 0;        ///< α [rad], a full circle either way at the most
+  double angle = 0;        ///< α [rad], a full circle either way at most
 
   /// Throws ParameterError("friction") or ("friction-angle").
   void check() const;

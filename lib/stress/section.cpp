@@ -188,7 +188,7 @@ class SectionWork : public LayerWork {
   }
 
  private:
-  // The component that c of the exchanged problem is in the one asked for, and the other way round.
+  // The component that c of the exchanged problem is in the one requested, and the other way round.
   Component own(Component c) const { return plan_.exchanges ? stress::exchanged(c) : c; }
 
   const double* row_of(Component c, Index r) {

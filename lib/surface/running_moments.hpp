@@ -1,4 +1,4 @@
-/// What one pass over the rows of a surface tells of its heights, and the map that gives it a prescribed rms.
+/// The moments of a surface from one pass over its rows, and the map that gives it a prescribed rms.
 ///
 /// The moments of rows are combined by
 ///     S ← S + S_row + (z̄_row - z̄)² n m/(n + m),    z̄ ← z̄ + (z̄_row - z̄) m/(n + m),                  (1)

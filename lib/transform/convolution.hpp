@@ -20,7 +20,7 @@ namespace asperity {
 /// The smallest fast torus on which the convolution of an nx × ny field does not wrap around.
 Shape padded_torus(Shape field);
 
-/// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is asked for 0 ≤ i ≤ Px/2, 0 ≤ j ≤
+/// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is called for 0 ≤ i ≤ Px/2, 0 ≤ j ≤
 /// Py/2, by several threads at once. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
 Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1);
 

@@ -6,7 +6,7 @@
 namespace asperity {
 namespace {
 
-// Room for the longest lag beside the field: nothing wraps onto a lag asked for.
+// Room for the longest lag beside the field: nothing wraps onto a lag requested.
 Shape torus_for(const Grid& grid, Shape max_lag) {
   if (grid.periodic) return grid.shape;
   return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};

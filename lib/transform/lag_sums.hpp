@@ -5,7 +5,7 @@
 /// a periodic grid every point has a partner at every lag.
 ///
 /// Accuracy  round-off ε log2(N) Σ f².
-/// Cost      one pruned transform there and back, padded only as far as the lags asked for.
+/// Cost      one pruned transform there and back, padded only as far as the lags requested.
 ///
 /// N. Wiener, Generalized harmonic analysis, Acta Math. 55 (1930) 117-258.
 #pragma once

@@ -42,7 +42,7 @@ class PrunedTransform {
   void forward_rows(const Field& in, HalfSpectrum& half, int threads = 1) const;
   /// The rows of `out` from the half spectrum, multiplied by Px Py.
   void inverse_rows(const HalfSpectrum& half, Field& out, int threads = 1) const;
-  /// The rows first ≤ i < first + count alone, eight at the most: the first `wanted` points of each, to out +
+  /// The rows first ≤ i < first + count alone, eight at most: the first `wanted` points of each, to out +
   /// (i - first)·apart.
   void inverse_group(const HalfSpectrum& half, Index first, Index count, Index wanted, double* out,
                      Index apart, RowTransform::Work& work) const {

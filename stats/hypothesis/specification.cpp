@@ -21,7 +21,7 @@ constexpr double least_density = 0.1, most_score = 37;
 constexpr double most_of_mean = 0.1;        // of the variance: a translation's biases are about a known mean
 constexpr double patches_per_degree = 10;   // of the t law whose tails the figures have
 constexpr double degrees_of_spread = 0.75;  // a surface, less one: figures are skewed
-// Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at the most.
+// Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at most.
 constexpr double most_skewed = 1.6;
 
 // By the smaller of the tails.

@@ -30,7 +30,7 @@ struct DerivativeSums {
   void add(const Strip& strip, double level, int threads);
 };
 
-/// The sums of one pass over a surface; derivatives only if asked for.
+/// The sums of one pass over a surface; derivatives only if requested.
 struct SurfaceSums {
   Moments moments;
   DerivativeSums derivatives;

@@ -15,7 +15,7 @@ struct CellRow {
   Index index = 0;  ///< in the other direction
 };
 
-/// Whether "y=max" or "x=max" is asked for.
+/// Whether "y=max" or "x=max" is requested.
 bool through_maximum(const std::string& section);
 
 /// The row of cells nearest to "y=0", "x=0.2mm", "y=3px" or "y=max" (of two as near, the second). `maximum`

@@ -13,7 +13,7 @@ struct ContactScene {
   Field gap;  ///< undeformed [m]
 };
 
-/// Reads the surfaces, if there are any. Throws ParameterError when the boundary that is asked for does not
+/// Reads the surfaces, if there are any. Throws ParameterError when the requested boundary does not
 /// go with them, DataError when the counter body lies on another grid.
 ContactScene read_scene(const Tool& tool, const ContactOptions& options);
 

@@ -1,4 +1,4 @@
-/// The parameters that asperity-stats prints, in groups; only the groups asked for are computed.
+/// The parameters that asperity-stats prints, in groups; only the groups requested are computed.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct StatsOptions {
   std::string profile = {};      ///< x or y: profile parameters instead of areal ones
 
   void declare(Tool& tool);
-  /// Throws UsageError for unknown or repeated words, and for an option whose group is not asked for.
+  /// Throws UsageError for unknown or repeated words, and for an option whose group is not requested.
   MeasureOptions checked(const Tool& tool) const;
 
  private:

@@ -24,10 +24,10 @@ struct StressQuantity {
   std::function<void(const StressRow& stress, RowOutputs out)> compute;  ///< all outputs along a row
 };
 
-/// The words of all that there are, in the order of their variables in a dataset, separated by commas.
+/// The words of all quantities, in the order of their variables in a dataset, separated by commas.
 std::string stress_words();
 
-/// The quantities that were asked for, each once.
+/// The quantities that were requested, each once.
 class StressSelection {
  public:
   /// A list of words, "all" standing for all stresses but not for their directions; throws

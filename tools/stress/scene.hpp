@@ -13,7 +13,7 @@ namespace asperity::cli {
 struct StressScene {
   Dataset data;  ///< to be amended
   LoadedBody body;
-  std::vector<double> depths;  ///< [m]; none: no layers are asked for
+  std::vector<double> depths;  ///< [m]; none: no layers are requested
   std::optional<Plane> plane;  ///< of a section
   double least = 0;            ///< stresses of smaller modulus are left out [Pa]
   DepthResolution resolution = DepthResolution::adapted;

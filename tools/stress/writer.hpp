@@ -21,7 +21,7 @@ class StressWriter {
 
   /// Computes the layers of the scene and writes its dataset with them. In the end `finish` sets attributes.
   void write(const std::function<void(Attributes&)>& finish);
-  /// What was the largest value of an output [Pa]; 0 where it was not asked for.
+  /// What was the largest value of an output [Pa]; 0 where it was not requested.
   double largest(std::string_view output) const;
 
  private:

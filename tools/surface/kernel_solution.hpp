@@ -28,10 +28,10 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
 struct KernelSolution {
   Dataset data;
   Inventory before;  ///< of the dataset that was read, to tell what is gone
-  Exit code = done;  ///< not_converged for a kernel that is not what was asked for
+  Exit code = done;  ///< not_converged for a kernel that is not as requested
 };
 
-/// Warns of a kernel that is not what was asked for. What is in order is said too, as a note or, where
+/// Warns of a kernel that is not as requested. Otherwise reports it, as a note or, where
 /// `aside` is set, with --verbose only.
 KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside = false);
 

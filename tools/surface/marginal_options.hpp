@@ -19,12 +19,12 @@ struct MarginalOptions {
   /// The first of them that was given, or nothing.
   static std::string given(const Tool& tool);
 
-  /// The moments asked for; none for Gaussian heights. Throws UsageError where a measured distribution is
+  /// The moments requested; none for Gaussian heights. Throws UsageError where a measured distribution is
   /// meant.
   std::optional<PrescribedHeights> moments(const Tool& tool, const HeightsWithAcf& table,
                                            InfeasiblePolicy answer) const;
   /// Of the heights; none where they are Gaussian. `table` is what came with the autocorrelation, `answer`
-  /// what is done about a kurtosis that there is not.
+  /// what to do about a kurtosis that no distribution has.
   std::optional<Marginal> wanted(const Tool& tool, const HeightsWithAcf& table,
                                  InfeasiblePolicy answer) const;
 

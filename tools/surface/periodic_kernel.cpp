@@ -16,7 +16,7 @@ namespace asperity::cli {
 namespace {
 
 constexpr double told_change = 1e-3;     // of the variance
-constexpr double least_variance = 0.01;  // of the one asked for
+constexpr double least_variance = 0.01;  // of the one requested
 constexpr double largest_offset = 0.5;   // share of the variance
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -38,13 +38,13 @@ Field within(const Field& half_plane, Shape lags) {
   return half_plane.block(0, (half_plane.cols() - lags.ny) / 2, lags.nx, lags.ny);
 }
 
-// What was asked for; where nothing was, what the kernel made of it.
+// What was requested; where nothing was, what the kernel made of it.
 Field asked_for(const KernelTables& tables) {
   return tables.acf_target.isNaN().select(tables.acf_achieved, tables.acf_target) /
          (tables.rms() * tables.rms());
 }
 
-// What a surface can be given: what was asked for where the table holds all of it, else what the kernel has.
+// What a surface can be given: what was requested where the table holds all of it, else what the kernel has.
 Field had(const KernelTables& tables, const Attributes& a) {
   const bool all = recorded_report(a).error <= recorded_tolerance(a);
   return all ? asked_for(tables) : (tables.acf_achieved / (tables.rms() * tables.rms())).eval();
