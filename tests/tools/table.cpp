@@ -87,6 +87,28 @@ TEST_CASE("rows with units of their own are rounded to their standard error", "[
         "all                    -               -     0.50000\n");
 }
 
+TEST_CASE("a value beside its error ends where the second digit of the error ends, and so does its interval",
+          "[table][exact]") {
+  const double unknown = std::nan("");
+  const Table rows{{{"count", "1"},
+                    {"standard_error", "1"},
+                    {"area", "m2"},
+                    {"area_error", "m2", Holds::unknown},
+                    {"acf", "1"},
+                    {"standard_error", "1", Holds::unknown},
+                    {"low_95", "1", Holds::unknown},
+                    {"high_95", "1", Holds::unknown},
+                    {"target", "1"}},
+                   {{2.0, 1.2345, 1.23456e-9, 2.345e-11, 0.123456, 0.0234, 0.0768, 0.2, 0.123456},
+                    {100.0, 9.8765, 2.5e-9, unknown, 0.5, unknown, unknown, unknown, 0.25}}};
+  CHECK(
+      aligned(rows, 120) ==
+      "count  standard_error  area [µm²]  area_error [µm²]     acf  standard_error  low_95  high_95  target\n"
+      "    2             1.2        1235                23   0.123           0.023   0.077    0.200  0.1235\n"
+      "  100             9.9        2500                 -  0.5000               -       -        -  "
+      "0.2500\n");
+}
+
 TEST_CASE("parameters on a terminal are a value, its error and its interval in one unit", "[table][exact]") {
   using asperity::Interval;
   const double open = std::numeric_limits<double>::infinity();

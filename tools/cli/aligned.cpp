@@ -108,6 +108,27 @@ Shown numbers_in(const Table& table, std::size_t column, const Unit& unit) {
   return out;
 }
 
+// ---- values beside their errors ----
+
+bool is_error_of(const Column& value, const Column& error) {
+  return error.unit == value.unit && (error.name == "standard_error" || error.name == value.name + "_error");
+}
+
+// The value, its error and its interval end at the second digit of the error, where that is known.
+void round_to_error(const Table& table, std::size_t column, const Unit& unit, std::vector<Shown>& shown) {
+  std::size_t end = column + 2;
+  while (end < shown.size() && (table.columns[end].name == "low_95" || table.columns[end].name == "high_95"))
+    ++end;
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto number = [&](std::size_t c) { return std::get<double>(table.rows[r][c]); };
+    const Scale scale = scale_for(number(column), number(column + 1), unit);
+    if (!scale.places || !std::isfinite(number(column))) continue;
+    for (std::size_t c = column; c < end; ++c)
+      if (!std::isnan(number(c)) && number(c) != std::round(number(c)))
+        shown[c].texts[r] = number_in(scale, number(c));
+  }
+}
+
 // ---- rows with units of their own ----
 
 std::size_t place_of(const Table& table, std::string_view name) {
@@ -140,8 +161,12 @@ std::vector<Shown> columns_in(const Table& table) {
     for (std::size_t c = begin; c < end; ++c) largest = std::max(largest, largest_in(table, c));
     const std::string& si = table.columns[begin].unit;
     const Unit unit = si == "SI" ? Unit{} : unit_for(largest, si);
-    for (; begin < end; ++begin)
-      out.push_back(holds_words(table, begin) ? words_in(table, begin) : numbers_in(table, begin, unit));
+    for (std::size_t c = begin; c < end; ++c)
+      out.push_back(holds_words(table, c) ? words_in(table, c) : numbers_in(table, c, unit));
+    for (std::size_t c = begin; c + 1 < end; ++c)
+      if (si != "SI" && !holds_words(table, c) && is_error_of(table.columns[c], table.columns[c + 1]))
+        round_to_error(table, c, unit, out);
+    begin = end;
   }
   scale_rows(table, out);
   for (Shown& column : out) column.measure();

@@ -68,10 +68,16 @@ std::string Scale::text(double value) const {
 }
 
 Scale scale_for(double largest, double error, const std::string& si_unit) {
+  const bool known = std::isfinite(error) && error > 0;
+  const double size = std::isfinite(largest) ? std::abs(largest) : 0;
+  return scale_for(largest, error, unit_for(known ? std::max(size, error) : size, si_unit));
+}
+
+Scale scale_for(double largest, double error, const Unit& unit) {
   const double size = std::isfinite(largest) ? std::abs(largest) : 0;
   Scale out;
-  bool known = std::isfinite(error) && error > 0;
-  out.unit = unit_for(known ? std::max(size, error) : size, si_unit);
+  out.unit = unit;
+  const bool known = std::isfinite(error) && error > 0;
   const double number = (known ? std::max(size, error) : size) / out.unit.factor;
   const bool counts = !known && is_whole(number);
   if (number > 0 && !counts && (number < least_decimal || number >= largest_decimal))

@@ -31,6 +31,8 @@ struct Scale {
 };
 /// `largest` is the largest modulus among them; an `error` of zero or NaN counts as unknown.
 Scale scale_for(double largest, double error, const std::string& si_unit);
+/// The same in a given unit.
+Scale scale_for(double largest, double error, const Unit& unit);
 
 struct Measurement {
   Scale scale;
