@@ -112,7 +112,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& 
   const auto influence =
       make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
   const cli::Inventory before(scene.data);
-  cli::Table table = cli::load_table();
+  cli::Table table;
   SweepDoubts in_doubt;
   int code = cli::done, number = 0;
   warn(tool, doubts(scene.grid, options.bodies));
@@ -120,7 +120,7 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& 
                       [&](const Contact& c) {
                         ++number;
                         counter.next();
-                        table.rows.push_back(cli::load_row(c));
+                        cli::add_load(table, scene, options, c);
                         const std::string load = cli::format_quantity(c.load, "N");
                         in_doubt.add(tool, doubts(scene.grid, options.bodies, c), load);
                         code = std::max(code, told_exit(tool, options, c, load + ": "));

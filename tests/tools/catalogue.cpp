@@ -35,7 +35,8 @@ TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]
           "--marginal measured",
       draw + "--length 3px | asperity-psd",
       draw +
-          "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --add heights_residual" +
+          "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --add "
+          "heights_residual,contact_ratios,elastic_energy,patches" +
           bodies,
       "asperity-contact d.nc --approach 0.2um" + bodies +
           " | asperity-stress --depths 0:50um:3 --maximum "
@@ -69,6 +70,7 @@ TEST_CASE("the table lists every name under a tool's prefix that stands in a sou
     std::ifstream in(entry.path());
     const std::string text(std::istreambuf_iterator<char>(in), {});
     for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at) {
+      if ((*at)[1] == "contact_ratios") continue;  // a word of --add
       CAPTURE(entry.path(), (*at)[1].str());
       CHECK(!owner((*at)[1].str()).empty());
       ++found;

@@ -81,10 +81,14 @@ void ContactOptions::declare_load(Tool& tool) {
                 load)
       .excludes(yield);
   tool.words(
-      "--add", add, {"contact_stiffness", "heights_residual"},
+      "--add", add, {"contact_stiffness", "heights_residual", "contact_ratios", "elastic_energy", "patches"},
       "Further results to write; contact_stiffness: dQ/d(approach) of the cells in contact, without "
       "those at the limit pressure; infinite for a periodic surface in full contact. heights_residual: the "
-      "surface after unloading, heights less displacement_plastic",
+      "surface after unloading, heights less displacement_plastic. contact_ratios: area share, reduced "
+      "pressure, kappa and reduced gap of flats, roughness of a sphere, plasticity index. elastic_energy: "
+      "that of the displacements, and with a limit pressure the work of flattening. patches: number and area "
+      "of the connected patches of contact, their labels, and whether they percolate. A table of --sweep "
+      "has the figures that vary with the load",
       load);
 
   tool.text("--sweep", loads_, "LOADS",
@@ -107,6 +111,7 @@ void ContactOptions::check(Tool& tool) {
   }
   bodies.check();
   check_load(tool);
+  check_added();
   contact.threads = tool.thread_count();
   contact.check();
   check_streams(tool);
@@ -126,9 +131,14 @@ void ContactOptions::check_load(const Tool& tool) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield_));
     contact.limit_pressure = hardness * yield_;
   }
+}
+
+void ContactOptions::check_added() const {
   if (unloads() && std::isinf(contact.limit_pressure))
     throw UsageError("add",
                      "heights_residual needs --yield or --limit-pressure: without them nothing is flattened");
+  if (smooth && adds("contact_ratios"))
+    throw UsageError("add", "contact_ratios needs a rough surface, not --smooth");
 }
 
 void ContactOptions::check_streams(Tool& tool) const {

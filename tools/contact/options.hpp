@@ -41,6 +41,7 @@ struct ContactOptions {
   void declare_bodies(Tool& tool);
   void declare_load(Tool& tool);
   void check_load(const Tool& tool);
+  void check_added() const;
   void check_streams(Tool& tool) const;
 
   std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};

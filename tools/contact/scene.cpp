@@ -10,6 +10,7 @@
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/contact/figures.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -132,6 +133,9 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
   scene.gap = undeformed_gap(scene.grid, o.bodies);
   if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m");
   if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
+  if (o.adds("contact_ratios"))
+    scene.roughness =
+        roughness_of(undeformed_gap(scene.grid, o.bodies) - scene.gap, scene.grid, o.contact.threads);
   return scene;
 }
 
@@ -148,25 +152,25 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   record_stiffness(a, options, contact);
   record_fields(scene.data, contact);
   record_flattening(scene.data, options, contact, pressed);
+  for (const Figure& f : figures(scene, options, contact)) a.set("contact_" + f.name, f.value);
+  if (options.adds("patches")) record_patches(scene.data, scene.grid, contact);
 }
 
-Table load_table() {
-  return {{{"load", "N"},
-           {"approach", "m"},
-           {"area", "m2"},
-           {"plastic_area", "m2"},
-           {"mean_gap", "m"},
-           {"stiffness", "N/m", Holds::open},
-           {"max_pressure", "Pa"},
-           {"residual", "1"},
-           {"convolutions", "1"},
-           {"converged", "1"}},
-          {}};
-}
-
-std::vector<Cell> load_row(const Contact& c) {
-  return {c.load,      c.approach,     c.area,     c.plastic_area, c.mean_gap,
-          c.stiffness, c.max_pressure, c.residual, c.convolutions, c.converged ? 1.0 : 0.0};
+void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& c) {
+  const Figures further = figures(scene, options, c);
+  if (table.columns.empty()) {
+    table.columns = {{"load", "N"},          {"approach", "m"}, {"area", "m2"},
+                     {"plastic_area", "m2"}, {"mean_gap", "m"}, {"stiffness", "N/m", Holds::open},
+                     {"max_pressure", "Pa"}, {"residual", "1"}, {"convolutions", "1"},
+                     {"converged", "1"}};
+    for (const Figure& f : further)
+      if (f.of_load) table.columns.push_back({f.name, f.unit});
+  }
+  std::vector<Cell> row{c.load,      c.approach,     c.area,     c.plastic_area, c.mean_gap,
+                        c.stiffness, c.max_pressure, c.residual, c.convolutions, c.converged ? 1.0 : 0.0};
+  for (const Figure& f : further)
+    if (f.of_load) row.push_back(f.value);
+  table.rows.push_back(std::move(row));
 }
 
 }  // namespace asperity::cli

@@ -1,6 +1,7 @@
 /// What asperity-contact presses together, and what it leaves of a solution: attributes and fields, or a row.
 #pragma once
 
+#include "contact/ratios.hpp"
 #include "dataset/dataset.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/contact/options.hpp"
@@ -10,7 +11,8 @@ namespace asperity::cli {
 struct ContactScene {
   Dataset data;  ///< to be amended; its grid is the contact's
   Grid grid;
-  Field gap;  ///< undeformed [m]
+  Field gap;                    ///< undeformed [m]
+  GapRoughness roughness = {};  ///< of the gap, for --add contact_ratios
 };
 
 /// Reads the surfaces, if there are any. Throws ParameterError when the requested boundary does not
@@ -20,8 +22,7 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& options);
 /// The effective parameters, the result and its fields, in place of any former ones.
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact);
 
-/// The table of a sweep, its rows to come, and the row of a load.
-Table load_table();
-std::vector<Cell> load_row(const Contact& contact);
+/// Adds the row of a load to the table of a sweep, whose columns come with the first.
+void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& contact);
 
 }  // namespace asperity::cli
