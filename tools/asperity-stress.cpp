@@ -2,15 +2,11 @@
 #include <algorithm>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "core/stopwatch.hpp"
-#include "core/words.hpp"
-#include "stress/maximum.hpp"
 #include "tools/cli/lineage.hpp"
-#include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/section.hpp"
+#include "tools/stress/maximum.hpp"
 #include "tools/stress/points.hpp"
 #include "tools/stress/writer.hpp"
 
@@ -18,66 +14,9 @@ using namespace asperity;
 
 namespace {
 
-constexpr double round_off = 1e-12;  // of a pressure that is balanced to it
-
-// `layers`: those of a dataset follow.
-StressMaximum search(const cli::Tool& tool, const StressSolver& volume, bool layers) {
-  cli::Progress progress(tool, layers ? 0.5 : 1);
-  cli::StepTable probes(tool, {"layer", "depth [um]", "greatest von_mises [MPa]"});
-  return maximum_von_mises(volume, [&](const StressProbe& p) {
-    progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers searched");
-    probes.row({std::to_string(p.done), fmt::format("{:.6g}", p.depth * 1e6),
-                fmt::format("{:.6g}", p.von_mises * 1e-6)});
-  });
-}
-
-void warn_if_shallow(const cli::Tool& tool, const LoadedBody& body, const StressMaximum& maximum) {
-  const auto& [grid, pressure, poisson, friction] = body;
-  const double accurate = accurate_depth(grid), spread = pressure.maxCoeff() - pressure.minCoeff();
-  const bool uniform = grid.periodic && spread <= round_off * pressure.maxCoeff();  // at any depth
-  if (maximum.depth >= accurate || uniform) return;
-  tool.warn(
-      fmt::format("the largest von Mises stress lies {:.4g} um deep, less than the {:.4g} um of "
-                  "stress_accurate_depth: it rests on single cells and may be off by {:.0f} % of the largest "
-                  "pressure; refine the grid",
-                  maximum.depth * 1e6, accurate * 1e6, 100 * shallow_error(poisson, friction)));
-}
-
-// A maximum in the outermost cells has no parabola through it and stays at their centres.
-bool at_end(double place, double first, double last) {
-  return first != last && (place == first || place == last);
-}
-
-void warn_if_at_edge(const cli::Tool& tool, const Grid& grid, const StressMaximum& maximum) {
-  const auto [nx, ny] = grid.shape;
-  if (grid.periodic ||
-      !(at_end(maximum.x, grid.x(0), grid.x(nx - 1)) || at_end(maximum.y, grid.y(0), grid.y(ny - 1))))
-    return;
-  tool.warn(
-      fmt::format("the largest von Mises stress lies at the edge of the domain, at ({:.4g}, {:.4g}) um, and "
-                  "may be larger "
-                  "beyond it; choose a larger domain",
-                  maximum.x * 1e6, maximum.y * 1e6));
-}
-
-// In whole layers.
-StressMaximum find_maximum(const cli::Tool& tool, cli::StressScene& scene, const StressSolver& solver) {
-  const StressMaximum top = search(tool, solver, !scene.depths.empty());
-  Attributes& a = scene.data.attributes;
-  a.set("stress_max_von_mises", top.von_mises);
-  a.set("stress_max_x", top.x);
-  a.set("stress_max_y", top.y);
-  a.set("stress_max_depth", top.depth);
-  tool.detail(fmt::format("largest von Mises stress {:.6g} MPa, {:.6g} um deep, from {}",
-                          top.von_mises * 1e-6, top.depth * 1e6, counted(top.layers, "layer")));
-  if (top.von_mises == 0) return top;
-  warn_if_shallow(tool, scene.body, top);
-  warn_if_at_edge(tool, scene.body.grid, top);
-  return top;
-}
-
 void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
   cli::StressScene scene = cli::read_scene(tool, options);
+  const StressSearch search = cli::search_of(options, scene.body.grid);
   const Stopwatch clock;
   const cli::Inventory before(scene.data);
   cli::drop_results(scene.data, "stress");
@@ -89,9 +28,9 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
   double largest = 0;  // von Mises stress
   if (options.maximum || through_maximum) {
     const StressMaximum top =
-        solver ? find_maximum(tool, scene, *solver)
-               : find_maximum(tool, scene, StressSolver(scene.body, threads, scene.resolution));
-    largest = top.von_mises;
+        solver ? cli::find_maximum(tool, scene, search, *solver)
+               : cli::find_maximum(tool, scene, search, StressSolver(scene.body, threads, scene.resolution));
+    if (search.of == Criterion::von_mises) largest = top.value;
     if (through_maximum) cli::cut(scene, options.section, {top.x, top.y});
   }
   if (scene.plane) solver.emplace(scene.body, scene.plane, threads, scene.resolution);

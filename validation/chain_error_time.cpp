@@ -102,7 +102,7 @@ class Chain {
     return solve_contact(grid_, gap_, *influence_, {.load = scene_load, .tolerance = tolerance});
   }
   StressMaximum stress(const Field& pressure) const {
-    return maximum_von_mises(
+    return maximum_stress(
         StressSolver({grid_, pressure, scene_bodies.poisson[0]}, 1, DepthResolution::adapted));
   }
 
@@ -115,7 +115,7 @@ class Chain {
 
 Outcome outcome(const Chain& chain, double tolerance) {
   const Contact c = chain.press(tolerance);
-  return {c.max_pressure, c.area, chain.stress(c.pressure).von_mises};
+  return {c.max_pressure, c.area, chain.stress(c.pressure).value};
 }
 
 Outcome hertz_outcome() {

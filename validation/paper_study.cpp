@@ -104,9 +104,9 @@ void press(Field gap, ElasticOperator& influence, Row& out) {
                                   {.load = scene_load, .limit_pressure = limit_pressure, .tolerance = 1e-8});
   if (!c.converged) throw DataError("pressure", c.reason);
   const StressSolver solver({grid(), c.pressure, scene_bodies.poisson[0]}, 1, DepthResolution::adapted);
-  const StressMaximum largest = maximum_von_mises(solver);
+  const StressMaximum largest = maximum_stress(solver);
   out(p_max) = 1e-6 * c.max_pressure, out(area) = 1e6 * c.area, out(plastic) = c.plastic_area / c.area;
-  out(von_mises_max) = 1e-6 * largest.von_mises, out(depth) = 1e6 * largest.depth;
+  out(von_mises_max) = 1e-6 * largest.value, out(depth) = 1e6 * largest.depth;
   out(near) = 1e-6 * largest_in_layer(solver, accurate_depth(grid()));
 }
 

@@ -107,7 +107,7 @@ void compute(Asked asked, const Grid& grid, const Field& pressure, Field& out) {
   if (asked == Asked::section)
     StressSolver({grid, pressure, poisson}, Plane{true, n / 2}, 1, adapted)
         .layers(depths(), stress::all, keep_mises);
-  if (asked == Asked::maximum) maximum_von_mises(StressSolver({grid, pressure, poisson}, 1, adapted));
+  if (asked == Asked::maximum) maximum_stress(StressSolver({grid, pressure, poisson}, 1, adapted));
 }
 
 struct Surface {

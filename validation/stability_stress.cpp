@@ -94,17 +94,17 @@ void maxima(const StabilityTable& table) {
   const Field hertz = hertz_pressure(grid);
   for (double scale : {1e-99, 1e9, 1e99})
     table.answered(fmt::format("Hertz's maximum, p_0 = {:g} Pa", scale), "squares of stresses", [&] {
-      const StressMaximum m = maximum_von_mises(StressSolver({grid, scale * hertz, 0.3}));
-      return Finding{"found", "error", std::abs(m.von_mises / scale / 0.620041004 - 1), 6e-4};
+      const StressMaximum m = maximum_stress(StressSolver({grid, scale * hertz, 0.3}));
+      return Finding{"found", "error", std::abs(m.value / scale / 0.620041004 - 1), 6e-4};
     });
   table.answered("no pressure at all", "nothing to find", [&] {
-    const StressMaximum m = maximum_von_mises(StressSolver({grid, Field::Zero(64, 64), 0.3}));
-    return Finding{"zero", "stress", m.von_mises, 0};
+    const StressMaximum m = maximum_stress(StressSolver({grid, Field::Zero(64, 64), 0.3}));
+    return Finding{"zero", "stress", m.value, 0};
   });
   table.answered("one loaded cell", "the maximum a fraction of a cell deep", [&] {
     Field p = Field::Zero(64, 64);
     p(0, 63) = 1;
-    const StressMaximum m = maximum_von_mises(StressSolver({grid, p, 0.3}));
+    const StressMaximum m = maximum_stress(StressSolver({grid, p, 0.3}));
     const double off = std::max(std::abs(m.x - grid.x(0)), std::abs(m.y - grid.y(63))) / grid.dx;
     return Finding{fmt::format("found {:.2f} cells deep", m.depth / grid.dx), "cells beside it", off, 0.5};
   });

@@ -65,10 +65,10 @@ void discretisation(const Case& c, Index largest) {
     StressSolver::Workspace work;
     const double setup = clock.seconds();
     const double error = largest_error(solver, c.friction, work), seconds = layer_seconds(solver, work);
-    const StressMaximum top = maximum_von_mises(solver);
+    const StressMaximum top = maximum_stress(solver);
     fmt::print("{}\t{}\t{:.2e}\t{}\t{:.1e}\t{:.1e}\t{}\t{:.2e}\t{:.2e}\t{:.1f}\n", c.name, n, error,
                coarse > 0 ? fmt::format("{:.2f}", std::log2(coarse / error)) : "-",
-               top.von_mises / c.largest - 1, top.depth / c.at - 1, top.layers, setup, seconds,
+               top.value / c.largest - 1, top.depth / c.at - 1, top.layers, setup, seconds,
                seconds / real_transform_seconds({2 * n, 2 * n}));
     coarse = error;
   }

@@ -124,7 +124,7 @@ void report_all(Index n, int layers) {
             von_mises(row, {out.row(l).data(), row[0].size()});
           });
     });
-  report(s, "maximum", [&] { maximum_von_mises(StressSolver({s.grid, s.pressure, poisson}, 1, adapted)); });
+  report(s, "maximum", [&] { maximum_stress(StressSolver({s.grid, s.pressure, poisson}, 1, adapted)); });
 }
 
 }  // namespace

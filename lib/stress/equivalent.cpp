@@ -136,6 +136,11 @@ void octahedral_shear(const StressRow& s, std::span<double> out) {
   for (double& value : out) value *= octahedral_over_von_mises;
 }
 
+void largest_principal_stress(const StressRow& s, std::span<double> out) {
+  const std::span<double> only[] = {out};
+  along_row<1>(s, only, [](const PrincipalStress& p, auto to) { to(0) = p.value[0]; });
+}
+
 PrincipalStress principal_stress(const Tensor& s) { return solve(s); }
 
 void principal_stress(const StressRow& s, RowOutputs out) {

@@ -63,6 +63,7 @@ inline constexpr double octahedral_over_von_mises = std::numbers::sqrt2 / 3;
 void von_mises(const StressRow& s, std::span<double> out);
 void max_shear_stress(const StressRow& s, std::span<double> out);
 void octahedral_shear(const StressRow& s, std::span<double> out);
+void largest_principal_stress(const StressRow& s, std::span<double> out);
 
 /// A row of each output.
 using RowOutputs = std::span<const std::span<double>>;

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/calibration.hpp"
+#include "core/error.hpp"
 #include "core/extent.hpp"
 #include "core/parallel.hpp"
 #include "stress/equivalent.hpp"
@@ -63,9 +67,10 @@ double loaded_radius(const LoadedBody& body) {
          std::max(static_cast<double>(x.count) * body.grid.dx, static_cast<double>(y.count) * body.grid.dy);
 }
 
-std::vector<double> scan_depths(const LoadedBody& body) {
-  const double first = std::log(scan_shallowest * std::min(body.grid.dx, body.grid.dy)),
-               step = std::log(scan_ratio), deepest = std::log(loaded_radius(body));
+std::vector<double> scan_depths(const LoadedBody& body, double below) {
+  const double shallowest = std::max(scan_shallowest * std::min(body.grid.dx, body.grid.dy), below),
+               first = std::log(shallowest), step = std::log(scan_ratio),
+               deepest = std::log(loaded_radius(body));
   std::vector<double> log_depths;
   for (int k = 0; k < 3 || log_depths.back() < deepest; ++k) log_depths.push_back(first + k * step);
   return log_depths;
@@ -88,36 +93,36 @@ class Search {
   // Of one thread.
   struct Buffers {
     StressSolver::Workspace work;
-    Field von_mises;
+    Field values;
   };
+  using OnLayer = std::function<void(const StressProbe&)>;
 
-  Search(const StressSolver& solver, const std::function<void(const StressProbe&)>& on_layer)
-      : solver_(solver),
-        on_layer_(on_layer),
-        log_depths_(scan_depths(solver.body())),
-        expected_(static_cast<Index>(log_depths_.size()) + 1 + usual_steps) {}
+  Search(const StressSolver& solver, Criterion of, const OnLayer& on_layer, Index expected)
+      : solver_(solver), of_(of), on_layer_(on_layer), expected_(expected) {}
 
-  Sample at(double log_depth, Buffers& buffers) {
-    Field& values = buffers.von_mises;
+  Peak peak_at(double depth, Buffers& buffers) {
+    Field& values = buffers.values;
     values.resize(solver_.shape().nx, solver_.shape().ny);
-    solver_.layer(std::exp(log_depth), stress::all, buffers.work, [&](Index i, const StressRow& row) {
-      von_mises(row, {values.row(i).data(), row[0].size()});
+    solver_.layer(depth, stress::all, buffers.work, [&](Index i, const StressRow& row) {
+      equivalent_stress(of_, row, {values.row(i).data(), row[0].size()});
     });
-    const Sample sample{log_depth, peak_of(values, solver_.body().grid)};
+    const Peak peak = peak_of(values, solver_.body().grid);
     const std::scoped_lock lock(mutex_);
     ++layers_;
-    if (on_layer_) on_layer_({layers_, std::max(layers_, expected_), std::exp(log_depth), sample.peak.value});
-    return sample;
+    if (on_layer_) on_layer_({layers_, std::max(layers_, expected_), depth, peak.value});
+    return peak;
   }
 
-  std::vector<Sample> scan() {
-    std::vector<Sample> samples(log_depths_.size());
-    parallel_ranges(static_cast<Index>(samples.size()), solver_.threads(), [&](Index begin, Index end, int) {
+  Sample at(double log_depth, Buffers& buffers) { return {log_depth, peak_at(std::exp(log_depth), buffers)}; }
+
+  // probe(k, buffers) for each k < count, on all threads.
+  template <class Probe>
+  void each(std::size_t count, const Probe& probe) {
+    parallel_ranges(static_cast<Index>(count), solver_.threads(), [&](Index begin, Index end, int) {
       Buffers buffers;
-      for (auto l = static_cast<std::size_t>(begin); l < static_cast<std::size_t>(end); ++l)
-        samples[l] = at(log_depths_[l], buffers);
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+        probe(k, buffers);
     });
-    return samples;
   }
 
   // The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
@@ -140,29 +145,75 @@ class Search {
 
  private:
   const StressSolver& solver_;
-  const std::function<void(const StressProbe&)>& on_layer_;
-  const std::vector<double> log_depths_;  // of the scan
-  Index layers_ = 0, expected_;           // so far, and in all
+  const Criterion of_;
+  const OnLayer& on_layer_;
+  Index layers_ = 0;
+  const Index expected_;
   std::mutex mutex_;
 };
 
-}  // namespace
-
-StressMaximum maximum_von_mises(const StressSolver& solver,
-                                const std::function<void(const StressProbe&)>& on_layer) {
-  if ((solver.body().pressure == 0).all()) return {};
-  Search search(solver, on_layer);
-  const std::vector<Sample> s = search.scan();
+// Of the samples of a scan; from the surface on, or where `below` lies above them, it is looked at too.
+Sample highest(Search& search, const std::vector<Sample>& s, const std::optional<Sample>& start) {
   Search::Buffers buffers;
-  const Sample surface = search.at(-std::numeric_limits<double>::infinity(), buffers);
-  Sample best = std::max(*std::ranges::max_element(s, lower), surface, lower);
+  Sample best = *std::ranges::max_element(s, lower);
+  if (start) best = std::max(best, *start, lower);
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
     if (lower(s[k], s[k - 1]) || lower(s[k], s[k + 1])) continue;
     const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;
     if (s[k].peak.value + 2 * rise < best.peak.value) continue;
     best = std::max(best, search.refine(s[k - 1], s[k], s[k + 1], buffers), lower);
   }
-  return {best.peak.value, best.peak.x, best.peak.y, std::exp(best.log_depth), search.layers()};
+  return best;
+}
+
+}  // namespace
+
+void equivalent_stress(Criterion of, const StressRow& stress, std::span<double> out) {
+  switch (of) {
+    case Criterion::von_mises:
+      return von_mises(stress, out);
+    case Criterion::max_shear:
+      return max_shear_stress(stress, out);
+    case Criterion::principal:
+      return largest_principal_stress(stress, out);
+  }
+}
+
+void StressSearch::check() const {
+  if (!(below >= 0 && below <= deepest))
+    throw ParameterError("below", fmt::format("{} m is not a depth, 0 ... {:g} m", below, deepest));
+}
+
+StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& wanted,
+                             const std::function<void(const StressProbe&)>& on_layer) {
+  wanted.check();
+  if ((solver.body().pressure == 0).all()) return {};
+  const std::vector<double> log_depths = scan_depths(solver.body(), wanted.below);
+  const bool above_scan = !(std::log(wanted.below) >= log_depths[0]);
+  Search search(solver, wanted.of, on_layer,
+                static_cast<Index>(log_depths.size()) + above_scan + usual_steps);
+  std::vector<Sample> samples(log_depths.size());
+  search.each(samples.size(),
+              [&](std::size_t k, Search::Buffers& b) { samples[k] = search.at(log_depths[k], b); });
+  std::optional<Sample> start;
+  Search::Buffers buffers;
+  if (above_scan) start = search.at(std::log(wanted.below), buffers);
+  const Sample best = highest(search, samples, start);
+  const bool at_start = best.log_depth == std::log(wanted.below);
+  const double depth = at_start ? wanted.below : std::exp(best.log_depth);
+  return {best.peak.value, best.peak.x, best.peak.y, depth, search.layers()};
+}
+
+std::vector<StressMaximum> maximum_by_depth(const StressSolver& solver, Criterion of,
+                                            const std::vector<double>& depths,
+                                            const std::function<void(const StressProbe&)>& on_layer) {
+  std::vector<StressMaximum> out(depths.size());
+  Search search(solver, of, on_layer, static_cast<Index>(depths.size()));
+  search.each(depths.size(), [&](std::size_t k, Search::Buffers& buffers) {
+    const Peak peak = search.peak_at(depths[k], buffers);
+    out[k] = {peak.value, peak.x, peak.y, depths[k], 1};
+  });
+  return out;
 }
 
 }  // namespace asperity

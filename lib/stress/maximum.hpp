@@ -1,14 +1,16 @@
-/// The largest von Mises stress below a loaded surface and where it lies.
+/// The largest stress below a loaded surface and where it lies.
 ///
 /// A smooth contact yields first at about half its radius below the surface, a rough one a few cells deep,
-/// and the layers of a volume may miss both. The search looks at the surface and at geometric depths,
-///     z_k = ¼ h 1.5^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,            (1)
+/// and the layers of a volume may miss both. The search looks at the depth z_0 from which on it is asked, the
+/// surface unless told otherwise, and at geometric depths,
+///     z_k = max(¼ h, z_0) 1.5^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,  (1)
 /// and refines each maximum of the layers' maxima m(z) that may be the largest by parabolas through three
 /// points in ln z, inside their bracket. Within a layer the peak between the cell centres comes from a
 /// parabola in x and one in y; neighbours of a periodic grid's edge are those of the next period, and beyond
 /// the edge of a free one nothing is looked at. The surface bears most at the trailing edge of a sliding
-/// contact (Hertz, ν = 0.3, from μ = 0.305 on), at a long cylinder's or a wave's middle where ν is small
-/// (below 0.19 and 0.15), and at the edge of a Hertz contact where ν < -0.34.
+/// contact (von Mises, Hertz, ν = 0.3, from μ = 0.305 on), at a long cylinder's or a wave's middle where ν is
+/// small (below 0.19 and 0.15), and at the edge of a Hertz contact where ν < -0.34; the largest tension lies
+/// there, too, with friction or without.
 ///
 /// Accuracy  of the search: 8e-5 of the value for a smooth contact, 4e-3 for rough ones.
 /// Cost      about 16 layers of all components at 128 cells, one more each time the side grows by half, and a
@@ -16,13 +18,34 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "stress/layers.hpp"
 
 namespace asperity {
 
+/// What is searched for (stress/equivalent.hpp).
+enum class Criterion {
+  von_mises,  ///< a ductile body yields
+  max_shear,  ///< the same by Tresca: half the difference of the outer principal stresses
+  principal,  ///< a brittle body cracks: the largest principal stress, positive in tension
+};
+
+/// At every point of a row.
+void equivalent_stress(Criterion of, const StressRow& stress, std::span<double> out);
+
+struct StressSearch {
+  Criterion of = Criterion::von_mises;
+  double below = 0;  ///< nothing above this depth is looked at [m]
+
+  static constexpr double deepest = 0.1 * farthest;
+
+  /// Throws ParameterError("below") unless 0 ≤ below ≤ deepest.
+  void check() const;
+};
+
 struct StressMaximum {
-  double von_mises = 0;            ///< [Pa]
+  double value = 0;                ///< [Pa]
   double x = 0, y = 0, depth = 0;  ///< [m]
   Index layers = 0;                ///< layers computed to find it
 };
@@ -31,11 +54,17 @@ struct StressMaximum {
 struct StressProbe {
   Index done = 0, expected = 0;  ///< layers so far, and in all by what is known by now
   double depth = 0;              ///< [m]
-  double von_mises = 0;          ///< the largest of the layer [Pa]
+  double value = 0;              ///< the largest of the layer [Pa]
 };
 
-/// All zero where nothing is loaded. `on_layer` is called for every layer, one at a time, in any order.
-StressMaximum maximum_von_mises(const StressSolver& solver,
-                                const std::function<void(const StressProbe&)>& on_layer = {});
+/// All zero where nothing is loaded. `on_layer` is called for every layer, one at a time, in any order. The
+/// solver is one of whole layers.
+StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& search = {},
+                             const std::function<void(const StressProbe&)>& on_layer = {});
+
+/// The largest stress in the layer at each of these depths, with the peak between the cell centres as above.
+std::vector<StressMaximum> maximum_by_depth(const StressSolver& solver, Criterion of,
+                                            const std::vector<double>& depths,
+                                            const std::function<void(const StressProbe&)>& on_layer = {});
 
 }  // namespace asperity

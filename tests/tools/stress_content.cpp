@@ -85,6 +85,36 @@ TEST_CASE("asperity-stress --maximum leaves its place and no volume, and the sam
   CHECK(below("--depths 0").attributes.find("stress_max_x") == nullptr);
 }
 
+// On the axis of a Hertz contact the largest shear stress is half of von Mises, but for the parabolas between
+// the cell centres, 2e-6 here; the tension lies beside it.
+TEST_CASE(
+    "the maximum of another stress, and below a depth, has its own name, and drops that of a former run",
+    "[stress][contract]") {
+  REQUIRE(
+      shell("asperity-contact --smooth --shape 64x48 --size 4mm --radius 50mm --young 208GPa --poisson 0.3 "
+            "--load 5kN | asperity-stress --maximum -o mises.nc; asperity-stress mises.nc --maximum --of "
+            "max_shear -o shear.nc; asperity-stress shear.nc --maximum --of principal --below 2px -o "
+            "tension.nc")
+          .exit == 0);
+  const Attributes mises = read_dataset("mises.nc").attributes, shear = read_dataset("shear.nc").attributes,
+                   tension = read_dataset("tension.nc").attributes;
+  auto figure = [](const Attributes& a, const char* name) { return a.number(name, -1); };
+  CHECK(relative_error(figure(mises, "stress_max_von_mises"), 2 * figure(shear, "stress_max_shear")) <= 1e-5);
+  CHECK(relative_error(figure(mises, "stress_max_depth"), figure(shear, "stress_max_depth")) <= 1e-3);
+  CHECK(figure(tension, "stress_max_principal") > 0);
+  CHECK(figure(tension, "stress_max_below") == Approx(2 * 4e-3 / 64).epsilon(1e-12));
+  CHECK(figure(tension, "stress_max_depth") == figure(tension, "stress_max_below"));
+  for (const char* name : {"stress_max_von_mises", "stress_max_shear"}) CHECK(tension.find(name) == nullptr);
+  CHECK(shear.find("stress_max_von_mises") == nullptr);
+  CHECK(shear.find("stress_max_below") == nullptr);
+  const Outcome note = shell("asperity-stress mises.nc --maximum --of principal --below 0.2mm -o tension.nc");
+  CHECK(lines(note.error) == 2);
+  CHECK_THAT(note.error, ContainsSubstring("the largest principal stress lies at the depth of --below"));
+  CHECK(shell("asperity-stress mises.nc --depths 0.3mm --section y=max --of max_shear --below 0.1mm -o s.nc")
+            .exit == 0);
+  CHECK(read_dataset("s.nc").attributes.find("stress_max_shear") != nullptr);
+}
+
 TEST_CASE("all components are all stresses, and the directions of the principal ones are asked for by name",
           "[stress][contract]") {
   const Dataset all = below("--depths 0.1mm --components all"),
@@ -145,6 +175,11 @@ TEST_CASE("what asperity-stress cannot do is one line that names the option and 
       {"--maximum --above 0.6p0", "--above needs --depths", 2},
       {"--depths 0 --above=-1p0", "--above: '-1p0' is not above 0", 2},
       {"--maximum --components zz", "--components needs", 2},
+      {"--maximum --of zz", "--of: 'zz' is none of von_mises|max_shear|principal", 2},
+      {"--depths 0 --of max_shear", "--of needs --maximum", 2},
+      {"--depths 0 --below 2px", "--below needs --maximum", 2},
+      {"--maximum --below=-1px", "--below: '-1px' is not a depth from 0", 2},
+      {"--maximum --below 3", "--below: '3' has no unit", 2},
       {"--depths 0 --components zx", "--components: 'zx' is none of", 2},
       {"--depths 0 --json", "--json", 2},
       {"--points points --depths 0", "--points", 2},

@@ -81,7 +81,9 @@ std::string tiles(const Content& c) {
   } wanted[] = {{"contact_load", "load", "N"},
                 {"contact_max_pressure", "maximum pressure", "Pa"},
                 {"contact_area", "real contact area", "m2"},
-                {"stress_max_von_mises", "largest von Mises stress", "Pa"}};
+                {"stress_max_von_mises", "largest von Mises stress", "Pa"},
+                {"stress_max_shear", "largest shear stress", "Pa"},
+                {"stress_max_principal", "largest principal stress", "Pa"}};
   for (const auto& w : wanted)
     if (a.find(w.attribute)) out += tile(w.label, readable(a.number(w.attribute, NAN), w.unit));
   return element("dl", out, "tiles");

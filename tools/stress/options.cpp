@@ -15,13 +15,12 @@ void StressOptions::declare(Tool& tool) {
             "0,10um,50um. px is "
             "the shorter side of a cell",
             where);
-  tool.text(
-      "--section", section, "AXIS=PLACE",
-      "Compute one vertical section only; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
-      "runs through the nearest row of cells",
-      where);
-  tool.flag("--maximum", maximum,
-            "Search for the largest von Mises stress, its place and depth; --depths are not needed", where);
+  tool.text("--section", section, "AXIS=PLACE",
+            "Compute one vertical section only; y=0, x=0.2mm, or y=max: through the largest stress, that of "
+            "--of. It "
+            "runs through the nearest row of cells",
+            where);
+  declare_maximum(tool);
   tool.text("--points", points, "FILE",
             "Print a table of the stress at points instead; x, y and depth with their units on each line "
             "(1um 0 5um), or "
@@ -39,6 +38,21 @@ void StressOptions::declare(Tool& tool) {
   tool.threads();
   tool.essential({"--depths", "--maximum", "--components", "--section", "--points", "--above", "--friction",
                   "--friction-angle", "--poisson", "--body", "--report", "--output"});
+}
+
+void StressOptions::declare_maximum(Tool& tool) {
+  const std::string where = "Where";
+  tool.flag("--maximum", maximum,
+            "Search for the largest stress, its place and depth; --depths are not needed", where);
+  tool.choice("--of", of, {"von_mises", "max_shear", "principal"},
+              "Stress of --maximum; von_mises, max_shear: by Tresca, or principal: the largest one, positive "
+              "in tension",
+              where);
+  tool.text(
+      "--below", below, "DEPTH",
+      "Depth from which on --maximum searches; 2px, 10um. px is the shorter side of a cell. Default: the "
+      "surface",
+      where);
 }
 
 void StressOptions::declare_content(Tool& tool) {
@@ -79,6 +93,9 @@ void StressOptions::check(Tool& tool) const {
   refuse(!layers && tool.given("--section"), "section", "needs --depths");
   refuse(!layers && tool.given("--above"), "above", "needs --depths");
   refuse(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
+  const bool searches = maximum || through_maximum(section);
+  for (const char* option : {"--of", "--below"})
+    refuse(!searches && tool.given(option), option + 2, "needs --maximum");
   if (!above.empty()) static_cast<void>(StressBound(above));
   refuse(!table && tool.json(), "json", "prints the table of --points: add it, or leave --json out");
   refuse(table && tool.given("--report"), "report", "belongs to a dataset; --points prints a table");

@@ -13,6 +13,7 @@ struct StressOptions {
 
   std::string depths, section, above, components = "von_mises";
   bool maximum = false;
+  std::string of = "von_mises", below;
   std::string points;
   double poisson = none, friction = 0;
   std::string friction_angle = "0deg";
@@ -24,6 +25,7 @@ struct StressOptions {
   void check(Tool& tool) const;
 
  private:
+  void declare_maximum(Tool& tool);
   void declare_content(Tool& tool);
   void declare_body(Tool& tool);
 };

@@ -17,12 +17,8 @@ namespace {
 
 std::vector<double> depths_on(const Grid& grid, const std::string& text) {
   if (text.empty()) return {};
-  return parse_series("depths", text, Steps::uniform, [&](const std::string& word) {
-    const double z = word == "0" ? 0 : parse_length("depths", word).metres(std::min(grid.dx, grid.dy));
-    if (!(z >= 0 && z <= farthest))
-      throw UsageError("depths", "'" + word + "' is not a depth from 0 to 1e30 m");
-    return z;
-  });
+  return parse_series("depths", text, Steps::uniform,
+                      [&](const std::string& word) { return depth_on(grid, "depths", word, farthest); });
 }
 
 // From the options, else from the dataset.
@@ -52,6 +48,13 @@ void refuse_tension(const Field& pressure) {
 }
 
 }  // namespace
+
+double depth_on(const Grid& grid, const std::string& option, const std::string& text, double deepest) {
+  const double z = text == "0" ? 0 : parse_length(option, text).metres(std::min(grid.dx, grid.dy));
+  if (!(z >= 0 && z <= deepest))
+    throw UsageError(option, fmt::format("'{}' is not a depth from 0 to {:g} m", text, deepest));
+  return z;
+}
 
 double place_of(const Plane& plane, const Grid& grid) {
   return plane.along_x ? grid.y(plane.index) : grid.x(plane.index);

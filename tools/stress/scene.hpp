@@ -19,6 +19,10 @@ struct StressScene {
   DepthResolution resolution = DepthResolution::adapted;
 };
 
+/// A depth as it is typed, "2px" (of the shorter side of a cell) or "10um" [m]. Throws ParameterError(option)
+/// unless it is at most `deepest`.
+double depth_on(const Grid& grid, const std::string& option, const std::string& text, double deepest);
+
 /// The coordinate of a plane [m].
 double place_of(const Plane& plane, const Grid& grid);
 

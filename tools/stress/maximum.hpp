@@ -1,0 +1,19 @@
+/// The largest stress below a loaded surface: --maximum, and the table of --result maxima.
+#pragma once
+
+#include "stress/maximum.hpp"
+#include "tools/cli/tool.hpp"
+#include "tools/stress/options.hpp"
+#include "tools/stress/scene.hpp"
+
+namespace asperity::cli {
+
+/// What --of and --below ask for on this grid; throws ParameterError("below", …).
+StressSearch search_of(const StressOptions& options, const Grid& grid);
+
+/// Searches in whole layers, sets the attributes stress_max_…, and warns of a maximum that the grid does not
+/// resolve or that may lie outside.
+StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
+                           const StressSolver& solver);
+
+}  // namespace asperity::cli
