@@ -20,11 +20,12 @@ namespace asperity {
 /// Limit pressure over the yield stress in tension (D. Tabor, The Hardness of Metals, 1951).
 inline constexpr double hardness = 3;
 
-/// w of (1) [m].
+/// w of (1) [m], with what loads before have left.
 inline Field plastic_flattening(const Contact& contact) {
   Field out = (-contact.gap).max(0.0);
   for (Index i = 0; i < out.size(); ++i)
     if (contact.state[static_cast<std::size_t>(i)] != Contact::plastic) out.data()[i] = 0;
+  if (contact.flattening.size() > 0) out += contact.flattening;
   return out;
 }
 

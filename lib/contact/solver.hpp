@@ -70,6 +70,8 @@ struct Contact {
   Field displacement;              ///< K p [m], into the bodies
   Field gap;                       ///< [m]; negative where flattened
   std::vector<std::int8_t> state;  ///< State of each cell
+  Field flattening;  ///< that a greater load has left before, in h [m] (contact/sweep.hpp); or empty
+  double flattening_load = 0;  ///< that load [N]
 
   double load = 0;          ///< Σ p ΔxΔy [N]
   double approach = 0;      ///< δ [m]

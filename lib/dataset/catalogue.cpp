@@ -113,6 +113,7 @@ constexpr KnownAttribute attributes[] = {
     {"contact_hertz_radius_x", result, "m", "contact half-axis along x, smooth (Hertz)"},
     {"contact_hertz_radius_y", result, "m", "contact half-axis along y, smooth (Hertz)"},
     {"contact_hertz_approach", result, "m", "approach, smooth (Hertz)"},
+    {"contact_flattening_load", parameter, "N", "greater load that flattened the surface before"},
     {"contact_radius_x", parameter, "m", "radii along x of the bodies", true},
     {"contact_radius_y", parameter, "m", "radii along y of the bodies", true},
     {"contact_young", parameter, "Pa", "Young's moduli", true},

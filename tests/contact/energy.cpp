@@ -56,3 +56,25 @@ TEST_CASE("elastic energy and work of flattening are the work of the load along 
       CHECK(std::abs(fine / stored - 1) <= 1e-3);
     }
 }
+
+// Elastic ways down lie between the works of either load; the work of flattening is what a loop loses.
+TEST_CASE("the way back gives the elastic energy back and keeps the work of flattening", "[energy][law]") {
+  const Grid grid = square(32);
+  const auto influence = make_influence(grid, modulus);
+  std::vector<double> loads{load};
+  while (loads.back() > 50) loads.push_back(0.8 * loads.back());
+  std::vector<double> stored, lost, approach;
+  solve_load_sequence(grid, rough_gap(grid), *influence, {.limit_pressure = 2.5e9, .tolerance = 1e-9}, loads,
+                      [&](const Contact& c) {
+                        stored.push_back(elastic_energy(grid, c));
+                        lost.push_back(plastic_work(grid, c, 2.5e9));
+                        approach.push_back(c.approach);
+                      });
+  REQUIRE(lost.front() > 0);
+  for (std::size_t k = 1; k < loads.size(); ++k) {
+    const double step = approach[k - 1] - approach[k], given = stored[k - 1] - stored[k];
+    CHECK(given >= loads[k] * step);
+    CHECK(given <= loads[k - 1] * step);
+    CHECK(relative_error(lost[k], lost.front()) <= 1e-7);
+  }
+}

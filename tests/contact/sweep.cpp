@@ -46,10 +46,12 @@ TEST_CASE("loads pressed in turn end in the solutions of each alone, the first a
   }
 }
 
-TEST_CASE("loads that do not increase or that nothing carries are refused before the first",
+TEST_CASE("a load that equals the one before it or that nothing carries is refused before the first",
           "[sweep][contract]") {
   CHECK(refusal({10, 10}).starts_with("sweep: "));
-  CHECK(refusal({10, 5}).starts_with("sweep: "));
+  CHECK(refusal({10, 5}).empty());
+  CHECK(refusal({10, 0}).starts_with("sweep: "));
+  CHECK(refusal({5000, 10}, {.limit_pressure = 1e8}).starts_with("sweep: "));
   CHECK(refusal({10, INFINITY}).starts_with("sweep: "));
   CHECK(refusal({10, 5000}, {.limit_pressure = 1e8}).starts_with("sweep: "));
   CHECK(refusal({-1, 5}).starts_with("load: "));
@@ -76,6 +78,49 @@ TEST_CASE("a flattened surface carries its load again, elastically and under the
     CHECK(again.max_pressure <= yielding * (1 + 1e-7));
     CHECK((again.pressure - plastic.pressure).abs().maxCoeff() <= 1e-7 * yielding);
     CHECK(relative_error(again.approach, plastic.approach) <= 1e-8);
+  }
+}
+
+// ε bounds the difference as that of any two solutions (laws.cpp).
+TEST_CASE("an elastic way back passes the contacts of the way up", "[sweep][law]") {
+  const Grid grid = square(64);
+  const std::vector<Contact> turns =
+      sweep(grid, rough_gap(grid), {.tolerance = 1e-10}, {100, 400, 1600, 5000, 1600, 400, 100, 1600});
+  for (const auto& [up, down] : {std::pair{2, 4}, {1, 5}, {0, 6}, {2, 7}}) {
+    const Contact &one = turns[static_cast<std::size_t>(up)], &other = turns[static_cast<std::size_t>(down)];
+    CAPTURE(up, down);
+    CHECK(other.converged);
+    CHECK(other.area == one.area);
+    CHECK((other.pressure - one.pressure).abs().maxCoeff() <= 1e-7 * one.max_pressure);
+    CHECK(other.flattening.size() == 0);
+    CHECK(other.flattening_load == 0);
+  }
+}
+
+TEST_CASE("a load below the greatest presses what that has flattened, elastically; one above flattens on",
+          "[sweep][law]") {
+  const Grid wavy = periodic(square(64));
+  for (const Grid& grid : {square(64), wavy}) {
+    const Field gap = grid.periodic ? Field(-1e-6 * random_waves(wavy.shape, 3)) : rough_gap(grid);
+    const double yielding = grid.periodic ? 0.8e9 : limit;
+    const ContactParameters parameters{.limit_pressure = yielding, .tolerance = 1e-10};
+    const std::vector<Contact> turns = sweep(grid, gap, parameters, {1000, 5000, 20, 1000, 2500, 6000, 2500});
+    for (const auto& [greatest, back] : {std::pair{1, 2}, {1, 3}, {1, 4}, {5, 6}}) {
+      const Contact &at = turns[static_cast<std::size_t>(greatest)],
+                    &c = turns[static_cast<std::size_t>(back)];
+      const Field left = plastic_flattening(at);
+      const Contact alone = press(grid, gap + left, {.load = c.load, .tolerance = 1e-10});
+      CAPTURE(grid.periodic, back);
+      REQUIRE(at.plastic_area > 0);
+      CHECK(c.converged);
+      CHECK(relative_error(c.flattening_load, at.load) <= 1e-12);
+      CHECK((c.pressure - alone.pressure).abs().maxCoeff() <= 1e-7 * yielding);
+      CHECK((plastic_flattening(c) - left).abs().maxCoeff() <= 1e-7 * left.maxCoeff());
+    }
+    const Contact first = press(grid, gap, {.load = 6000, .limit_pressure = yielding, .tolerance = 1e-10});
+    CHECK((turns[5].pressure - first.pressure).abs().maxCoeff() <= 1e-7 * yielding);
+    CHECK(turns[5].flattening.size() == 0);
+    CHECK(turns[3].approach > turns[0].approach);
   }
 }
 

@@ -103,8 +103,9 @@ TEST_CASE("a stiffness is not kept from a former contact", "[contact][contract]"
 }
 
 TEST_CASE("a stiffness that does not converge is no number, one line and exit 3", "[contact][contract]") {
-  const Outcome run = shell(surface + " --seed 1 | asperity-contact --radius 50mm --load 5kN --add contact_stiffness" +
-                            " --tolerance 0.1 --max-convolutions 6 -o cut.nc" + elastic);
+  const Outcome run =
+      shell(surface + " --seed 1 | asperity-contact --radius 50mm --load 5kN --add contact_stiffness" +
+            " --tolerance 0.1 --max-convolutions 6 -o cut.nc" + elastic);
   CHECK(run.exit == 3);
   CHECK(lines(run.error) == 1);
   CHECK_THAT(run.error, ContainsSubstring("the stiffness is not converged: residual"));
@@ -138,4 +139,54 @@ TEST_CASE("what makes a contact doubtful is told even with --quiet, in a sweep b
   CHECK_THAT(ball.error, ContainsSubstring(
                              "warning: the domain ends at x = 0.0015 m, beyond a body's radius of 0.001 m"));
   CHECK(lines(ball.error) == 1);
+}
+
+TEST_CASE("a sweep goes up and down, presses its turning point once and writes each contact",
+          "[contact][law]") {
+  const std::string rough = surface + " --seed 1 | asperity-contact --radius 50mm --yield 700MPa" + elastic;
+  const std::vector<Row> table =
+      rows(require(rough + "--sweep 50N:5kN:5,5kN:50N:5 --each way-%d.nc --add heights_residual "
+                           "--tolerance 1e-9")
+               .out);
+  REQUIRE(table.size() == 9);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Row &up = table[k], &down = table[8 - k];
+    CHECK(relative_error(up.load, down.load) <= 1e-12);
+    CHECK(down.approach > up.approach);
+    CHECK(down.max_pressure < up.max_pressure * (1 + 1e-9));
+    CHECK(down.converged == 1);
+  }
+  const Dataset turn = read_dataset("way-5.nc"), back = read_dataset("way-8.nc");
+  CHECK(turn.attributes.find("contact_flattening_load") == nullptr);
+  CHECK(relative_error(back.attributes.number("contact_flattening_load", 0), 5000) <= 1e-12);
+  for (const char* name : {"displacement_plastic", "heights_residual"})
+    CHECK((field_of(turn, name) - field_of(back, name)).abs().maxCoeff() <= 1e-7 * 0.4e-6);
+  // What the load left, pressed alone.
+  require(
+      "asperity-contact way-5.nc --variable heights_residual --radius 50mm --load 158.11388300841898N "
+      "--tolerance 1e-9 -o again.nc" +
+      elastic);
+  const Field again = field_of(read_dataset("again.nc"), "pressure");
+  CHECK((again - field_of(back, "pressure")).abs().maxCoeff() <= 1e-7 * again.maxCoeff());
+}
+
+TEST_CASE("ranges of a sweep fall and join as they are typed", "[contact][contract]") {
+  auto loads = [](const std::string& sweep) {
+    std::vector<double> out;
+    for (const Row& r : rows(require(smooth + "--radius 50mm --sweep " + sweep).out)) out.push_back(r.load);
+    return out;
+  };
+  auto are = [](const std::vector<double>& found, const std::vector<double>& expected) {
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) CHECK(relative_error(found[k], expected[k]) <= 1e-12);
+  };
+  are(loads("1kN:3kN:3:uniform,3kN:1kN:3:uniform"), {1000, 2000, 3000, 2000, 1000});
+  are(loads("4kN:1kN:3"), {4000, 2000, 1000});
+  are(loads("1kN,2kN:4kN:2,500N"), {1000, 2000, 4000, 500});
+  for (const char* wrong : {"1kN,1kN", "1kN:1kN:3", "1kN:2kN", "5kN:1kN:x", "5kN:1kN:3:cubic", "1kN,,2kN",
+                            "0N:1kN:3", "1kN:0N:3:uniform", "1kN,inf"}) {
+    const Outcome run = shell(smooth + "--radius 50mm --sweep " + wrong);
+    CAPTURE(wrong, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+  }
 }

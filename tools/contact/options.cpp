@@ -17,6 +17,31 @@ double parse_load(const std::string& text) {
   return load;
 }
 
+// One of the ranges of a sweep: a falling one is a rising one read backwards.
+std::vector<double> parse_range(const std::string& text) {
+  std::vector<std::string> words = split(text, ':');
+  const bool falls = words.size() >= 3 && parse_load(words[0]) > parse_load(words[1]);
+  if (!falls) return parse_series("sweep", text, Steps::geometric, parse_load);
+  std::swap(words[0], words[1]);
+  std::vector<double> out =
+      parse_series("sweep", fmt::format("{}", fmt::join(words, ":")), Steps::geometric, parse_load);
+  std::ranges::reverse(out);
+  return out;
+}
+
+// Loads and ranges; where a range goes on from the load before it, that load is pressed once.
+std::vector<double> parse_loads(const std::string& text) {
+  constexpr double round_off = 1e-12;
+  std::vector<double> out;
+  for (const std::string& part : split(text, ',')) {
+    const bool range = part.find(':') != part.npos;
+    const std::vector<double> loads = range ? parse_range(part) : std::vector{parse_load(part)};
+    const bool joins = range && !out.empty() && std::abs(loads.front() / out.back() - 1) < round_off;
+    out.insert(out.end(), loads.begin() + (joins ? 1 : 0), loads.end());
+  }
+  return out;
+}
+
 }  // namespace
 
 // ---- declaration ----
@@ -93,8 +118,9 @@ void ContactOptions::declare_load(Tool& tool) {
 
   tool.text("--sweep", loads_, "LOADS",
             "Table of loads, with the stiffness at each; 10N:5kN:20 (equal ratios), 10N:5kN:20:uniform "
-            "(equal steps) or "
-            "10N,20N,50N. Each load starts from the solution of the one before",
+            "(equal steps), 10N,20N,50N, or a way up and down, 10N:5kN:20,5kN:10N:20. Each load starts from "
+            "the solution of the one before; with a limit pressure, a load below a former one presses the "
+            "surface that the greatest has flattened",
             sweep);
   tool.text("--each", each, "PATTERN", "Write a dataset for each load too; press-%03d.nc, numbered from 1",
             sweep);
@@ -124,8 +150,7 @@ void ContactOptions::check_load(const Tool& tool) {
                                         : "only one of --load, --approach and --sweep can be given");
   if (tool.given("--load")) contact.load = load_;
   if (tool.given("--approach")) contact.approach = approach_;
-  if (tool.given("--sweep"))
-    contact.load = (loads = parse_series("sweep", loads_, Steps::geometric, parse_load)).front();
+  if (tool.given("--sweep")) contact.load = (loads = parse_loads(loads_)).front();
   contact.stiffness = sweeps() || adds("contact_stiffness");
   if (tool.given("--yield")) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield_));

@@ -76,6 +76,7 @@ void record_hertz(Attributes& a, const Bodies& bodies, double load) {
 
 void record_result(Attributes& a, const Contact& c) {
   a.set("contact_load", c.load);
+  if (c.flattening_load > 0) a.set("contact_flattening_load", c.flattening_load);
   a.set("contact_approach", c.approach);
   a.set("contact_max_pressure", c.max_pressure);
   a.set("contact_area", c.area);
