@@ -11,6 +11,7 @@
 #include "dataset/layout.hpp"
 #include "stats/measure/ensemble_parameters.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/measure/counted_cells.hpp"
 #include "tools/measure/ensemble_input.hpp"
 #include "tools/measure/stats_options.hpp"
 
@@ -43,6 +44,7 @@ class Surfaces {
 
   void add(const Dataset& data, const std::string& name) {
     tool_.detail(name);
+    if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
     grids_.add(tool_, grid_of(data), name);
     add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()));
   }

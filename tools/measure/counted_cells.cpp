@@ -1,0 +1,81 @@
+#include "tools/measure/counted_cells.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
+#include "stats/height/part_distribution.hpp"
+#include "tools/measure/field_options.hpp"
+
+namespace asperity::cli {
+namespace {
+
+// More than 0 where a cell is in contact; nothing where the dataset does not tell.
+std::optional<Field> contact_of(const Dataset& data) {
+  for (const char* name : {"contact", "pressure"})
+    if (data.has(name)) return field_of(data, name, Missing::not_a_number);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string CountedCells::told() const {
+  return fmt::format(
+      "{} of the {:.0f} cells that are {}; the other {:.3g} % of {:.0f} cells are {}, and not counted",
+      variable, counted, which, 100 * (1 - counted / cells), cells, without);
+}
+
+std::string CountedCells::told_of_all() const {
+  return fmt::format("{} of all {:.0f} cells, of which {:.0f} are {}: asperity-pdf counts these alone",
+                     variable, cells, counted, which);
+}
+
+std::optional<CountedCells> counted_cells(const Dataset& data, const std::string& variable) {
+  if (!data.has(variable) || (variable != "pressure" && variable != "gap")) return std::nullopt;
+  const bool pressure = variable == "pressure";
+  const std::optional<Field> contact = contact_of(data);
+  if (!contact) return std::nullopt;
+  CountedCells out{.variable = variable,
+                   .units = si_unit_of(data.at(variable)),
+                   .values = field_of(data, variable, Missing::not_a_number),
+                   .which = pressure ? "in contact" : "open",
+                   .without = pressure ? "open, without pressure" : "in contact, without a gap"};
+  out.cells = static_cast<double>((!out.values.isNaN()).count());
+  const Field& in_contact = pressure ? out.values : *contact;
+  const Eigen::ArrayXX<bool> counts = pressure ? (in_contact > 0).eval() : (in_contact == 0).eval();
+  out.values = counts.select(out.values, NAN).eval();
+  out.counted = static_cast<double>((!out.values.isNaN()).count());
+  if (out.counted == 0)
+    throw DataError(variable, "no cell is " + std::string(pressure ? "in contact" : "open"));
+  return out;
+}
+
+Table histogram_of(const CountedCells& part, int bins) {
+  const std::string density = unit_to(part.units, -1);
+  Table out{{{part.variable, part.units},
+             {"count", "1"},
+             {"standard_error", "1", Holds::unknown},
+             {"share", "1"},
+             {"density", density},
+             {"density_error", density, Holds::unknown}},
+            {}};
+  for (const PartBin& bin : part_histogram(part.values, bins)) {
+    const double per = 1 / (part.counted * bin.width());
+    out.rows.push_back({bin.centre(), bin.count, bin.count_error, bin.count / part.cells, bin.count * per,
+                        bin.count_error * per});
+  }
+  return out;
+}
+
+Table quantiles_of(const CountedCells& part, int rows, int threads) {
+  Table out{{{"share", "1"}, {part.variable, part.units}, {"standard_error", part.units, Holds::unknown}},
+            {}};
+  for (const PartQuantile& q : part_quantiles(part.values, rows, threads))
+    out.rows.push_back({q.share, q.value, q.error});
+  return out;
+}
+
+}  // namespace asperity::cli
