@@ -149,6 +149,29 @@ cli::Table table_of(const cli::Tool& tool, const cli::CountedCells& part, const 
              : histogram_of(part, what.bins);
 }
 
+cli::Table distribution_of(const cli::Tool& tool, const cli::FieldOptions& options, const Options& what) {
+  const Dataset data = tool.read();
+  if (const auto part = cli::counted_cells(data, options.variable)) return table_of(tool, *part, what);
+  const Surface surface = options.read(tool, data);
+  const Moments m = moments(surface.heights, options.variable);
+  const EffectiveSampleSize size = error_basis(surface, tool.thread_count()).size();
+  warn_of_few(tool, size);
+  return table_of({surface, m, size}, what, tool.thread_count());
+}
+
+void document(cli::Tool& tool) {
+  tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
+                  "--lambda-s", "--lambda-c", "--correlation", "--json", "--output", "--from"});
+  tool.example(
+      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
+  tool.accuracy(
+      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field "
+      "and allow for the correlation of the heights; errors of neighbouring rows are correlated. For a "
+      "Gaussian surface 95 % of the misfits lie within 2, except in bins of a few counts and for the "
+      "outermost quantiles. Errors of a pressure and a gap come from the counts of 16 or 64 blocks of the "
+      "field, whatever the distribution, and hold for correlations below an eighth of its side.");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -160,8 +183,7 @@ int main(int argc, char** argv) {
       "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
       "those of the Gaussian, which lie on a straight line against the normal quantile. Of a contact, the "
       "pressure is counted on the cells in contact and the gap on the open ones, beside no Gaussian; share "
-      "is "
-      "that of all cells.");
+      "is that of all cells.");
   cli::FieldOptions options;
   Options what;
   options.declare(tool);
@@ -169,29 +191,11 @@ int main(int argc, char** argv) {
   tool.input();
   tool.table();
   tool.threads();
-  tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
-                  "--lambda-s", "--lambda-c", "--correlation", "--json", "--output", "--from"});
-  tool.example(
-      "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
-  tool.accuracy(
-      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field "
-      "and allow for the correlation of the heights; errors of neighbouring rows are correlated. For a "
-      "Gaussian surface 95 % of the misfits lie within 2, except in bins of a few counts and for the "
-      "outermost quantiles. Errors of a pressure and a gap come from the counts of 16 or 64 blocks of the "
-      "field, whatever the distribution, and hold for correlations below an eighth of its side.");
+  document(tool);
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    const Dataset data = tool.read();
-    if (const auto part = cli::counted_cells(data, options.variable)) {
-      cli::print(tool, table_of(tool, *part, what));
-      return cli::done;
-    }
-    const Surface surface = options.read(tool, data);
-    const Moments m = moments(surface.heights, options.variable);
-    const EffectiveSampleSize size = error_basis(surface, tool.thread_count()).size();
-    warn_of_few(tool, size);
-    cli::print(tool, table_of({surface, m, size}, what, tool.thread_count()));
+    cli::print(tool, distribution_of(tool, options, what));
     return cli::done;
   });
 }

@@ -1,6 +1,6 @@
 /// Standard errors of shares of a part of a field, such as its cells in contact, whatever its distribution.
 ///
-/// The field is cut into B blocks, of which block b holds n_b counted cells, and c_b of these have a property.
+/// The field is cut into B blocks. Block b holds n_b counted cells, and c_b of these have a property.
 /// Blocks longer than the correlation are independent of each other, and the share f = Σ c_b / n of the n
 /// counted cells has the variance of a ratio [1]
 ///     Var[f] = B/(B-1) Σ (c_b - f n_b)² / n².                                                 (1)
@@ -10,7 +10,9 @@
 /// quantile of share s has the error of Woodruff [2],
 ///     [q(s + e) - q(s - e)]/2,   e² = Var[f(q)].                                              (2)
 ///
-/// Accuracy  of the error itself: 18 % from 16 blocks, 9 % from 64, the larger of them some 5 % too large.
+/// Accuracy  the error itself is known to 12 %, and is some 7 % high where cells are independent. 95 %
+///           intervals of 300 fields cover 96 % at correlations of 1/40 of the side, 93 % at 1/16, 90 % at
+///           1/8.
 /// Scope     correlation lengths below an eighth of the side; ten blocks or more with counted cells.
 /// Cost      one pass for either division.
 ///

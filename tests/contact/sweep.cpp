@@ -97,7 +97,7 @@ TEST_CASE("an elastic way back passes the contacts of the way up", "[sweep][law]
   }
 }
 
-TEST_CASE("a load below the greatest presses what that has flattened, elastically; one above flattens on",
+TEST_CASE("a load below the greatest presses what that has flattened, and one above flattens on",
           "[sweep][law]") {
   const Grid wavy = periodic(square(64));
   for (const Grid& grid : {square(64), wavy}) {

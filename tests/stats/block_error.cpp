@@ -14,31 +14,33 @@ Field excess_of(const Field& z, double level) { return (z > level).select(z - le
 
 }  // namespace
 
-// Of n independent cells a share f has the error √(f (1 - f)/n), known here to 9 % from 64 blocks; the larger
-// of two is above it by some 5 %. Over four fields each of four edges: ± 25 %.
+// Of n independent cells a share f has the error √(f (1 - f)/n). From 64 blocks it is known to 9 %, from 16 to
+// 18 %, and the larger of the two is high by √((9² + 18²)/2π) = 8 %, with a spread of 12 %; the square root
+// lowers the one of 16 blocks by 1/(4 · 15) = 2 %. The mean of 40 fields: 1.07 ± 3 · 0.02.
 TEST_CASE("shares of independent cells have the binomial error", "[block-error][statistics]") {
-  for (unsigned seed = 0; seed < 4; ++seed) {
+  const std::vector<double> edges{0.2, 0.5, 1, 1.5};
+  std::vector<Spread> ratio(edges.size());
+  for (unsigned seed = 0; seed < 40; ++seed) {
     const Field z = excess_of(white_noise({160, 120}, seed), 0.3);
-    const std::vector<double> edges{0.2, 0.5, 1, 1.5};
     const ShareErrors errors = share_errors(z, edges);
     const double n = static_cast<double>((!z.isNaN()).count());
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const double f = static_cast<double>((z < edges[k]).count()) / n;
-      CAPTURE(seed, k);
-      CHECK(std::abs(errors.below[k] / std::sqrt(f * (1 - f) / n) - 1) <= 0.4);
+      ratio[k].add(errors.below[k] / std::sqrt(f * (1 - f) / n));
     }
     CHECK(errors.within.size() == 5);
     CHECK(errors.within.front() == errors.below.front());
   }
+  for (const Spread& r : ratio) CHECK(std::abs(r.mean() - 1.07) <= 0.06);
 }
 
-// 300 fields: the share that covers has an error of √(0.05 · 0.95/300) = 1.3 %. Errors of 16 blocks make 95 %
-// of Student's 15 degrees 93 % of a Gaussian's; the larger of two errors makes up for it.
+// Of 300 fields the covering share is known to √(0.05 · 0.95/300) = 1.3 %. Blocks of 16 make 95 % of a Gaussian
+// 93 % of Student's; correlations of an eighth of the side, two fifths of a block, take another 4 %.
 TEST_CASE("95 % intervals of shares of a correlated part of a field cover the true share",
           "[block-error][statistics][slow]") {
   const double level = 0.5, edge = 0.7;
   const double above = gsl_cdf_ugaussian_Q(level), truth = 1 - gsl_cdf_ugaussian_Q(level + edge) / above;
-  for (const Index window : {2, 6, 10}) {
+  for (const auto& [window, least] : {std::pair<Index, double>{2, 0.92}, {5, 0.91}, {10, 0.86}}) {
     int covered = 0;
     const int fields = 300;
     for (unsigned seed = 0; seed < fields; ++seed) {
@@ -48,7 +50,7 @@ TEST_CASE("95 % intervals of shares of a correlated part of a field cover the tr
       covered += std::abs(share - truth) <= 1.96 * share_errors(z, {edge}).below[0];
     }
     CAPTURE(window);
-    CHECK(covered >= 0.92 * fields);
+    CHECK(covered >= least * fields);
     CHECK(covered <= 0.99 * fields);
   }
 }

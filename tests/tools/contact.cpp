@@ -153,7 +153,7 @@ TEST_CASE("what asperity-contact cannot do is one line that names the option, th
       {sphere + "--sweep 1N,1MN --limit-pressure 1GPa", "--sweep"},
       {sphere + "--sweep 1N:5N", "--sweep: '1N:5N'"},
       {sphere + "--sweep 1N:5N:1", "--sweep: '1'"},
-      {sphere + "--sweep 5N:1N:3", "--sweep: '5N:1N:3' does not increase"},
+      {sphere + "--sweep 5N:5N:3", "--sweep: '5N:5N:3' does not increase"},
       {sphere + "--sweep 0N,1N", "--sweep: '0N' is not above 0"},
       {sphere + "--sweep 1N,", "--sweep"},
       {sphere + "--sweep 1N,5N --each press.nc", "--each: 'press.nc'"},

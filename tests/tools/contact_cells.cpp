@@ -79,9 +79,11 @@ TEST_CASE("a part of the cells has quantiles, and no form, filter, kernel or cor
   CHECK(value.front() > 0);
   CHECK(json["standard_error"]["values"][4].get<double>() > 0);
   for (const char* option : {"--remove-form plane", "--lambda-c 0.2mm", "--lambda-s 50um",
-                             "--correlation estimate", "--estimate kernel", "--bins 100000"}) {
+                             "--correlation estimate", "--estimate kernel"}) {
     const Outcome run = shell(std::string("asperity-pdf pressed.nc --variable pressure ") + option);
     CAPTURE(option, run.error);
     CHECK((run.exit == 2 && lines(run.error) == 1));
   }
+  CHECK_THAT(shell("asperity-pdf pressed.nc --variable pressure --bins 100000").error,
+             ContainsSubstring("--bins: '100000' is above the number of counted cells"));
 }
