@@ -5,8 +5,8 @@
 #include "stats/height/kernel_density.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/measure/counted_cells.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/measure/part_tables.hpp"
 
 using namespace asperity;
 

@@ -10,8 +10,8 @@
 #include "dataset/field_file.hpp"
 #include "dataset/layout.hpp"
 #include "stats/measure/ensemble_parameters.hpp"
+#include "tools/cli/counted_cells.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/measure/counted_cells.hpp"
 #include "tools/measure/ensemble_input.hpp"
 #include "tools/measure/stats_options.hpp"
 

@@ -80,3 +80,20 @@ TEST_CASE("missing points stay empty and do not spoil the scale", "[plot][contra
     CHECK_THAT(words_of("hole.svg"), !ContainsSubstring("nan"));
   }
 }
+
+// Of the scene's cells a third is open.
+TEST_CASE("a distribution of pressure or gap is that of the cells that have one, beside no Gaussian",
+          "[plot][contract]") {
+  scene();
+  Dataset data = read_dataset("scene.nc");
+  set_field(data, "gap", Field::Constant(24, 20, 1e-6), {"m", "gap"});
+  write_dataset(data, "gap.nc");
+  for (const auto& [variable, words] :
+       {std::pair{"pressure", "480 of 480 cells, in contact"}, {"gap", "160 of 480 cells, open"}}) {
+    const Outcome run =
+        shell(std::string("asperity-plot gap.nc --kind pdf -o part.svg --variable ") + variable);
+    INFO(run.error);
+    REQUIRE(run.exit == 0);
+    CHECK_THAT(words_of("part.svg"), ContainsSubstring(words) && !ContainsSubstring("Gaussian"));
+  }
+}

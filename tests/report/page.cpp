@@ -96,6 +96,15 @@ TEST_CASE("a pressed and stressed surface shows pressure, contact, section and w
   CHECK_THAT(page, !ContainsSubstring("role=\"alert\""));
 }
 
+TEST_CASE("a contact shows what --add told of it", "[report][contract]") {
+  press_surface("--add contact_ratios,elastic_energy,patches");
+  const std::string page = report_on("c.nc");
+  for (const char* word : {"roughness of the sphere, σR/a0²", "elastic energy", "patches of contact",
+                           "a patch percolates along x</dt><dd class=\"short\">no<"})
+    CHECK_THAT(page, ContainsSubstring(word));
+  CHECK_THAT(page, !ContainsSubstring("area share"));
+}
+
 TEST_CASE("a solver that did not converge is told in plain sight", "[report][contract]") {
   press_surface("--max-convolutions 1");
   const std::string page = report_on("c.nc");

@@ -4,21 +4,36 @@
 
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
+#include "stats/height/part_distribution.hpp"
 #include "stats/spatial/acf.hpp"
+#include "tools/cli/counted_cells.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 namespace {
 
 struct Distribution {
-  Moments moments;
-  std::vector<Bin> bins;
+  Moments moments = {};
+  std::vector<Bin> bins = {};
   double points = 0;
+  std::string part = {};  // of the cells, "393 of 12288 cells, in contact": beside no Gaussian
 
   double density(double count, const Bin& bin) const { return count / (points * bin.width()); }
 };
 
+Distribution distribution_of(const cli::CountedCells& part) {
+  Distribution out{.points = part.counted,
+                   .part = fmt::format("{} of {} cells, {}", part.counted, part.cells, part.which)};
+  for (const PartBin& bin : part_histogram(part.values))
+    out.bins.push_back({.lower = bin.lower,
+                        .upper = bin.upper,
+                        .count = bin.count,
+                        .count_error = std::isnan(bin.count_error) ? 0 : bin.count_error});
+  return out;
+}
+
 Distribution distribution_of(const Case& c, const std::string& variable) {
+  if (const auto part = cli::counted_cells(c.data, variable)) return distribution_of(*part);
   const Grid grid = grid_of(c.data);
   const Field z = field_of(c.data, variable, Missing::not_a_number);
   const Pairs pairs = Pairs::of(z, grid);
@@ -68,11 +83,13 @@ std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
     const double at = scales.x.low + k * scales.x.width() / samples;
     normal.row(k) << at / f, gaussian(d.moments, at) * per;
   }
-  return {points(boxes,
-                 "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb "
-                 "'#b9d3e8'"),
-          points(normal, "with lines linewidth 1.6 linecolor rgb '#d55e00'"),
-          points(errors, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'")};
+  std::vector<Layer> out{
+      points(boxes,
+             "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb "
+             "'#b9d3e8'")};
+  if (d.part.empty()) out.push_back(points(normal, "with lines linewidth 1.6 linecolor rgb '#d55e00'"));
+  out.push_back(points(errors, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'"));
+  return out;
 }
 
 std::string title_of(const Moments& m, const Quantity& quantity) {
@@ -93,9 +110,10 @@ Figure pdf(const Cases& cases, const Request& request) {
   const std::string& per = scales.per.name;
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
-  if (!out.comparison) out.title = title_of(all[0].moments, quantity);
-  out.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"},
-                {line, "#d55e00", "Gaussian"}};
+  const bool part = !all[0].part.empty();
+  if (!out.comparison) out.title = part ? all[0].part : title_of(all[0].moments, quantity);
+  out.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"}};
+  if (!part) out.legend.push_back({line, "#d55e00", "Gaussian"});
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);
     out.panels[c].y = {{0, scales.top}, per.empty() ? "density" : "density [1/" + per + "]"};

@@ -101,6 +101,18 @@ std::string facts(const Dataset& data, Role role, std::string_view stage) {
   return element("dl", lines);
 }
 
+std::string contact_figures(const Dataset& data) {
+  std::string lines;
+  for (const char* name : {"area_share", "reduced_pressure", "kappa", "reduced_gap", "sphere_roughness",
+                           "plasticity_index", "nayak_alpha", "rms_slope", "rms_height", "elastic_energy",
+                           "plastic_work", "patches", "largest_patch", "percolates_x", "percolates_y"}) {
+    const KnownAttribute* known = known_attribute(std::string("contact_") + name);
+    if (const Values* values = data.attributes.find(known->name))
+      lines += line(known->name, known->label, text_of(data, *values, std::string(known->unit)));
+  }
+  return element("dl", lines);
+}
+
 std::string other_attributes(const Dataset& data) {
   std::string lines;
   for (const Attribute& a : data.attributes) {

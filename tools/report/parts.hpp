@@ -27,6 +27,8 @@ std::string pictures(const plot::Cases& dataset, const std::string& variable);
 std::string measurements(const Parameters& rows);
 /// Results of the contact, and those of smooth bodies if Hertz theory applies.
 std::string contact_results(const Dataset& data);
+/// What --add told beyond: the ratios, energies and patches of the contact.
+std::string contact_figures(const Dataset& data);
 /// Variables with their dimensions, units and meaning.
 std::string contents(const Dataset& data);
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "dataset/dataset.hpp"
-#include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 
@@ -27,10 +26,5 @@ struct CountedCells {
 /// Of the variables pressure, and gap where a contact or a pressure tells which cells are open; of others
 /// nothing. Throws DataError where no cell is counted.
 std::optional<CountedCells> counted_cells(const Dataset& data, const std::string& variable);
-
-/// Columns: the variable, count, standard_error, share of all cells, density and density_error.
-Table histogram_of(const CountedCells& part, int bins);
-/// Columns: share, the variable, standard_error.
-Table quantiles_of(const CountedCells& part, int rows, int threads);
 
 }  // namespace asperity::cli

@@ -1,4 +1,4 @@
-#include "tools/measure/counted_cells.hpp"
+#include "tools/cli/counted_cells.hpp"
 
 #include <cmath>
 
@@ -7,8 +7,6 @@
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "stats/height/part_distribution.hpp"
-#include "tools/measure/field_options.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -50,31 +48,6 @@ std::optional<CountedCells> counted_cells(const Dataset& data, const std::string
   out.counted = static_cast<double>((!out.values.isNaN()).count());
   if (out.counted == 0)
     throw DataError(variable, "no cell is " + std::string(pressure ? "in contact" : "open"));
-  return out;
-}
-
-Table histogram_of(const CountedCells& part, int bins) {
-  const std::string density = unit_to(part.units, -1);
-  Table out{{{part.variable, part.units},
-             {"count", "1"},
-             {"standard_error", "1", Holds::unknown},
-             {"share", "1"},
-             {"density", density},
-             {"density_error", density, Holds::unknown}},
-            {}};
-  for (const PartBin& bin : part_histogram(part.values, bins)) {
-    const double per = 1 / (part.counted * bin.width());
-    out.rows.push_back({bin.centre(), bin.count, bin.count_error, bin.count / part.cells, bin.count * per,
-                        bin.count_error * per});
-  }
-  return out;
-}
-
-Table quantiles_of(const CountedCells& part, int rows, int threads) {
-  Table out{{{"share", "1"}, {part.variable, part.units}, {"standard_error", part.units, Holds::unknown}},
-            {}};
-  for (const PartQuantile& q : part_quantiles(part.values, rows, threads))
-    out.rows.push_back({q.share, q.value, q.error});
   return out;
 }
 
