@@ -11,6 +11,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/contact/resolution.hpp"
 #include "tools/contact/scene.hpp"
 
 using namespace asperity;
@@ -96,14 +97,19 @@ int told_exit(const cli::Tool& tool, const cli::ContactOptions& options, const C
 
 int press(cli::Tool& tool, const cli::ContactOptions& options) {
   cli::ContactScene scene = cli::read_scene(tool, options);
-  const Contact contact =
-      solve_contact(scene.grid, std::move(scene.gap), options.bodies.composite_modulus(), options.contact);
+  const auto influence =
+      make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
+  Contact contact = solve_contact(scene.grid, scene.gap, *influence, options.contact);
+  contact.setup_seconds = influence->setup_seconds();
+  const cli::GridFigures figures = cli::grid_figures(options, scene, *influence, contact);
   const cli::Inventory before(scene.data);
-  cli::record(scene, options, contact);
+  cli::record(scene, options, contact, figures);
   before.tell(tool, scene.data, "pressure");
   tool.write(scene.data);
+  warn(tool, cli::doubts(scene.growth));
   warn(tool, doubts(scene.grid, options.bodies));
   warn(tool, doubts(scene.grid, options.bodies, contact));
+  warn(tool, doubts(figures));
   return told_exit(tool, options, contact, "");
 }
 
@@ -115,18 +121,21 @@ int sweep(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& 
   cli::Table table;
   SweepDoubts in_doubt;
   int code = cli::done, number = 0;
+  warn(tool, cli::doubts(scene.growth));
   warn(tool, doubts(scene.grid, options.bodies));
   solve_load_sequence(scene.grid, scene.gap, *influence, options.contact, options.loads,
                       [&](const Contact& c) {
                         ++number;
                         counter.next();
-                        cli::add_load(table, scene, options, c);
+                        const cli::GridFigures figures = cli::grid_figures(options, scene, *influence, c);
+                        cli::add_load(table, scene, options, c, figures);
                         const std::string load = cli::format_quantity(c.load, "N");
                         in_doubt.add(tool, doubts(scene.grid, options.bodies, c), load);
+                        in_doubt.add(tool, doubts(figures), load);
                         code = std::max(code, told_exit(tool, options, c, load + ": "));
                         if (options.each.empty()) return;
                         cli::ContactScene one = scene;
-                        cli::record(one, options, c);
+                        cli::record(one, options, c, figures);
                         if (number == 1) before.tell(tool, one.data, "pressure");
                         tool.write(one.data, cli::numbered("each", options.each, number));
                       });

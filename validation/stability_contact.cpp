@@ -55,7 +55,7 @@ std::string outcome_of(const Contact& c) {
 Finding residual(const Pressed& problem) {
   const Contact c = problem.contact();
   const bool kept = finite(c) && c.pressure.minCoeff() >= 0 && c.pressure.maxCoeff() <= problem.limit &&
-                    c.load_error <= 1e-12;
+                    c.load_residual <= 1e-12;
   return {outcome_of(c), "residual", kept ? c.residual : nan, tolerance};
 }
 

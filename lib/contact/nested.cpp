@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/calibration.hpp"
+#include "core/halved.hpp"
 #include "core/parallel.hpp"
 
 namespace asperity {
@@ -15,17 +16,9 @@ bool can_coarsen(Shape shape) {
 
 // On a quarter of the cells; K₀₀ is that of cells twice the size.
 ContactProblem coarsened(const ContactProblem& problem, ElasticOperator& body) {
-  const Field& h = problem.h;
-  ContactProblem coarse = problem.on(body, Field(h.rows() / 2, h.cols() / 2));
+  ContactProblem coarse = problem.on(body, halved(problem.h, problem.threads));
   coarse.sum /= 4;
   coarse.self_influence *= 2;
-  parallel_ranges(coarse.h.rows(), problem.threads, [&](Index begin, Index end, int) {
-    for (Index i = begin; i < end; ++i)
-      for (Index j = 0; j < coarse.h.cols(); ++j) {
-        const auto four = h.block<2, 2>(2 * i, 2 * j);
-        coarse.h(i, j) = (four(0, 0) + four(0, 1) + four(1, 0) + four(1, 1)) / 4;
-      }
-  });
   return coarse;
 }
 

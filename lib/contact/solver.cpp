@@ -109,7 +109,7 @@ void set_fields(Contact& contact, const Grid& grid, ContactProblem& problem, Win
   });
   if (!sums.isFinite().all()) refuse_range(parameters);
   contact.load = sums[0] * grid.cell_area();
-  contact.load_error = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
+  contact.load_residual = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
   contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
 }
 

@@ -29,7 +29,7 @@ TEST_CASE("Hertz's maximum pressure and approach converge at order 2 with their 
     if (n > 32) CHECK(observed_order(coarse, error) == Approx(2).margin(0.15));
     CHECK(relative_error(contact.approach, exact.approach) <= 0.06 * cell);
     CHECK(contact.residual <= 1e-8);
-    CHECK(contact.load_error <= 1e-12);
+    CHECK(contact.load_residual <= 1e-12);
     coarse = error;
   }
 }

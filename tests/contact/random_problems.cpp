@@ -60,7 +60,7 @@ TEST_CASE("500 random problems end at a residual of 1e-8 within bounds and load,
     CAPTURE(contact.convolutions, contact.reason, contact.residual);
     CHECK(contact.converged);
     CHECK(contact.residual <= 1e-8);
-    CHECK(contact.load_error <= 1e-12);
+    CHECK(contact.load_residual <= 1e-12);
     CHECK(contact.pressure.minCoeff() >= 0);
     CHECK(contact.pressure.maxCoeff() <= parameters.limit_pressure);
     work.push_back(contact.convolutions);

@@ -38,7 +38,7 @@ TEST_CASE("loads pressed in turn end in the solutions of each alone, the first a
       alone.load = loads[i];
       const Contact single = solve_contact(grid, gap, modulus, alone);
       CHECK(turns[i].converged);
-      CHECK(turns[i].load_error <= 1e-12);
+      CHECK(turns[i].load_residual <= 1e-12);
       CHECK(turns[i].area == single.area);
       CHECK((turns[i].pressure - single.pressure).abs().maxCoeff() <= 1e-7 * single.max_pressure);
       CHECK(turns[i].levels == (i == 0 ? single.levels : 1));

@@ -19,8 +19,8 @@ inline Attributes attributes(const std::string& line) {
 }
 
 struct Row {
-  double load, approach, area, plastic_area, mean_gap, stiffness, max_pressure, residual, convolutions,
-      converged;
+  double load, approach, area, area_corrected, plastic_area, mean_gap, stiffness, max_pressure, residual,
+      convolutions, converged;
 };
 
 inline std::vector<Row> rows(const std::string& tsv) {
@@ -30,8 +30,8 @@ inline std::vector<Row> rows(const std::string& tsv) {
     if (line.starts_with('#')) continue;
     std::istringstream numbers(line);
     Row r{};
-    for (double* value : {&r.load, &r.approach, &r.area, &r.plastic_area, &r.mean_gap, &r.stiffness,
-                          &r.max_pressure, &r.residual, &r.convolutions, &r.converged}) {
+    for (double* value : {&r.load, &r.approach, &r.area, &r.area_corrected, &r.plastic_area, &r.mean_gap,
+                          &r.stiffness, &r.max_pressure, &r.residual, &r.convolutions, &r.converged}) {
       std::string text;
       numbers >> text;
       *value = std::stod(text);

@@ -104,7 +104,8 @@ TEST_CASE("a stiffness is not kept from a former contact", "[contact][contract]"
 
 TEST_CASE("a stiffness that does not converge is no number, one line and exit 3", "[contact][contract]") {
   const Outcome run =
-      shell(surface + " --seed 1 | asperity-contact --radius 50mm --load 5kN --add contact_stiffness" +
+      shell(surface +
+            " --model gaussian --seed 1 | asperity-contact --radius 50mm --load 5kN --add contact_stiffness" +
             " --tolerance 0.1 --max-convolutions 6 -o cut.nc" + elastic);
   CHECK(run.exit == 3);
   CHECK(lines(run.error) == 1);

@@ -9,7 +9,8 @@
 using namespace asperity;
 using namespace asperity::test;
 
-TEST_CASE("every target is at --length-level at its lengths, and its kernel has it over all lags", "[kernel][law]") {
+TEST_CASE("every target is at --length-level at its lengths, and its kernel has it over all lags",
+          "[kernel][law]") {
   const std::pair<std::string, std::string> shapes[] = {
       {"exponential", ""},
       {"gaussian", ""},
@@ -33,7 +34,8 @@ TEST_CASE("every target is at --length-level at its lengths, and its kernel has 
 // 0.3 is its envelope's; at half a wavelength along the first axis the cosine is -1.
 TEST_CASE("exponential-cosine oscillates with its wavelength below the envelope", "[kernel][exact]") {
   const Field target = target_of(
-      "--model exponential-cosine --length 6px,4px --length-level 0.3 --wavelength 12px --acf-tolerance 1e-2");
+      "--model exponential-cosine --length 6px,4px --length-level 0.3 --wavelength 12px --acf-tolerance "
+      "1e-2");
   CHECK(std::abs(target(6, target.cols() / 2) + 0.3) <= 1e-12);
   CHECK(std::abs(target(0, target.cols() / 2 + 4) - 0.3) <= 1e-12);
 }
@@ -59,7 +61,8 @@ TEST_CASE("an angle turns the lengths in metres, in degrees or radians", "[kerne
   CHECK(target(2, middle - 4) == Approx(std::pow(0.1, second)).epsilon(1e-12));
   CHECK((target_of(turned + "0.78539816339744828rad") - target).abs().maxCoeff() <= 1e-14);
   CHECK(read_dataset("solved.nc").attributes.text("kernel_formulation") == "oriented");
-  CHECK((target_of("--length 4px,2px --spacing 5um,2.5um --acf-tolerance 0.01 --angle 45deg") == target).all());
+  CHECK(
+      (target_of("--length 4px,2px --spacing 5um,2.5um --acf-tolerance 0.01 --angle 45deg") == target).all());
 }
 
 TEST_CASE("an option that the target does not use, or cannot, is exit 2 and names the option",

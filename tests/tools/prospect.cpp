@@ -122,8 +122,9 @@ TEST_CASE("a wave of less than two samples along an axis is refused, for it woul
   refused_before_any_step("asperity-kernel --spacing 2um,1um -o s.nc " + cosine + "--wavelength 3um",
                           {"--wavelength"});
   // Across x it is the samples of y that count.
-  CHECK(shell("asperity-kernel --spacing 2um,1um -o s.nc " + cosine + "--angle 90deg --wavelength 3um").exit ==
-        0);
+  CHECK(
+      shell("asperity-kernel --spacing 2um,1um -o s.nc " + cosine + "--angle 90deg --wavelength 3um").exit ==
+      0);
   CHECK(shell(square + cosine + "--wavelength 2px").exit == 0);
 }
 
@@ -132,7 +133,8 @@ TEST_CASE("an angle of more than a turn is refused", "[prospect][contract]") {
   refused_before_any_step(kernel + "361deg", {"--angle", "360"});
   refused_before_any_step(kernel + "-7rad", {"--angle", "360"});
   refused_before_any_step(kernel + "1e300deg", {"--angle", "360"});
-  for (const char* angle : {"360deg", "-360deg", "6.283185307179586rad"}) CHECK(shell(kernel + angle).exit == 0);
+  for (const char* angle : {"360deg", "-360deg", "6.283185307179586rad"})
+    CHECK(shell(kernel + angle).exit == 0);
 }
 
 // Its square is infinite, and a surface of NaN was written.

@@ -72,8 +72,9 @@ TEST_CASE("friction adds its traction at the surface, along its angle, and is re
 }
 
 // Components are written in double precision: what follows from them is to their round-off.
-TEST_CASE("principal, largest and octahedral shear stress are written with the components that they follow from",
-          "[stress][contract]") {
+TEST_CASE(
+    "principal, largest and octahedral shear stress are written with the components that they follow from",
+    "[stress][contract]") {
   REQUIRE(
       shell("asperity-contact --smooth --shape 24x20 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
             "--load 5000N | asperity-stress --depths 0.1mm,0.45mm --friction 0.2 --components "

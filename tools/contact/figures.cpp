@@ -19,9 +19,10 @@ void if_possible(Measure measure) try {
 } catch (const DataError&) {
 }
 
-void add_ratios(Figures& out, const ContactScene& scene, const ContactOptions& o, const Contact& c) {
+void add_ratios(Figures& out, const ContactScene& scene, const ContactOptions& o, const Contact& c,
+                double area) {
   const GapRoughness& gap = scene.roughness;
-  const ContactRatios ratios = contact_ratios(scene.grid, o.bodies, gap, o.contact.limit_pressure, c, c.area);
+  const ContactRatios ratios = contact_ratios(scene.grid, o.bodies, gap, o.contact.limit_pressure, c, area);
   auto add = [&out](const char* name, const char* unit, double value, bool of_load) {
     if (std::isfinite(value)) out.push_back({name, unit, value, of_load});
   };
@@ -77,9 +78,10 @@ GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads)
   return out;
 }
 
-Figures figures(const ContactScene& scene, const ContactOptions& o, const Contact& contact) {
+Figures figures(const ContactScene& scene, const ContactOptions& o, const Contact& contact,
+                const GridFigures& grid) {
   Figures out;
-  if (o.adds("contact_ratios")) add_ratios(out, scene, o, contact);
+  if (o.adds("contact_ratios")) add_ratios(out, scene, o, contact, grid.area_corrected);
   if (o.adds("elastic_energy")) add_energies(out, scene, o, contact);
   if (o.adds("patches")) add_patches(out, scene.grid, contact);
   return out;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/contact/scene.hpp"
+#include "tools/contact/resolution.hpp"
 
 namespace asperity::cli {
 
@@ -20,7 +20,8 @@ using Figures = std::vector<Figure>;
 GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads);
 
 /// The requested figures that are defined in the scene: the same ones for each load.
-Figures figures(const ContactScene& scene, const ContactOptions& options, const Contact& contact);
+Figures figures(const ContactScene& scene, const ContactOptions& options, const Contact& contact,
+                const GridFigures& grid);
 
 /// label(x, y) and patch_area(patch).
 void record_patches(Dataset& data, const Grid& grid, const Contact& contact);

@@ -106,14 +106,16 @@ void ContactOptions::declare_load(Tool& tool) {
                 load)
       .excludes(yield);
   tool.words(
-      "--add", add, {"contact_stiffness", "heights_residual", "contact_ratios", "elastic_energy", "patches"},
+      "--add", add,
+      {"contact_stiffness", "heights_residual", "contact_ratios", "elastic_energy", "patches", "grid_errors"},
       "Further results to write; contact_stiffness: dQ/d(approach) of the cells in contact, without "
       "those at the limit pressure; infinite for a periodic surface in full contact. heights_residual: the "
       "surface after unloading, heights less displacement_plastic. contact_ratios: area share, reduced "
       "pressure, kappa and reduced gap of flats, roughness of a sphere, plasticity index. elastic_energy: "
       "that of the displacements, and with a limit pressure the work of flattening. patches: number and area "
-      "of the connected patches of contact, their labels, and whether they percolate. A table of --sweep "
-      "has the figures that vary with the load",
+      "of the connected patches of contact, their labels, and whether they percolate. grid_errors: "
+      "contact_…_error, by how much the grid may put each result off, from contacts on half and a quarter as "
+      "many cells a side. A table of --sweep has the figures that vary with the load",
       load);
 
   tool.text("--sweep", loads_, "LOADS",

@@ -11,6 +11,9 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/contact/figures.hpp"
+#include "tools/contact/resolution.hpp"
+
+using namespace std::string_literals;
 
 namespace asperity::cli {
 namespace {
@@ -83,7 +86,7 @@ void record_result(Attributes& a, const Contact& c) {
   a.set("contact_plastic_area", c.plastic_area);
   a.set("contact_mean_gap", c.mean_gap);
   a.set("contact_residual", c.residual);
-  a.set("contact_load_error", c.load_error);
+  a.set("contact_load_residual", c.load_residual);
   a.set("contact_converged", c.converged ? 1 : 0);
   a.set("contact_convolutions", c.convolutions);
   a.set("contact_preconditionings", c.preconditionings);
@@ -116,6 +119,31 @@ void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c,
   set_field(data, "heights_residual", left, {"m", "heights after the load is removed"});
 }
 
+// A column of a sweep, and the error that the grid leaves of it.
+struct LoadColumn {
+  const char *name, *unit;
+  double (*value)(const Contact&, const GridFigures&);
+  double GridErrors::*error = nullptr;
+  Holds holds = Holds::known;
+};
+
+template <auto member>
+constexpr auto figure = [](const Contact& c, const GridFigures&) { return static_cast<double>(c.*member); };
+
+const LoadColumn load_columns[] = {
+    {"load", "N", figure<&Contact::load>},
+    {"approach", "m", figure<&Contact::approach>, &GridErrors::approach},
+    {"area", "m2", figure<&Contact::area>, &GridErrors::area},
+    {"area_corrected", "m2", [](const Contact&, const GridFigures& f) { return f.area_corrected; },
+     &GridErrors::area_corrected},
+    {"plastic_area", "m2", figure<&Contact::plastic_area>, &GridErrors::plastic_area},
+    {"mean_gap", "m", figure<&Contact::mean_gap>, &GridErrors::mean_gap},
+    {"stiffness", "N/m", figure<&Contact::stiffness>, &GridErrors::stiffness, Holds::open},
+    {"max_pressure", "Pa", figure<&Contact::max_pressure>, &GridErrors::max_pressure},
+    {"residual", "1", figure<&Contact::residual>},
+    {"convolutions", "1", figure<&Contact::convolutions>},
+    {"converged", "1", figure<&Contact::converged>}};
+
 }  // namespace
 
 ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
@@ -134,13 +162,17 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
   scene.gap = undeformed_gap(scene.grid, o.bodies);
   if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m");
   if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
+  const bool rough = !o.smooth || !o.counter.empty();
+  scene.growth =
+      rough ? slope_growth(scene.gap, scene.grid, o.contact.threads) : SlopeGrowth{GridErrors::none};
   if (o.adds("contact_ratios"))
     scene.roughness =
         roughness_of(undeformed_gap(scene.grid, o.bodies) - scene.gap, scene.grid, o.contact.threads);
   return scene;
 }
 
-void record(ContactScene& scene, const ContactOptions& options, const Contact& contact) {
+void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
+            const GridFigures& grid) {
   const bool keeps = options.unloads() && !options.smooth;
   const Field pressed = keeps ? field_of(scene.data, options.variable, "m") : Field();
   const bool overwrites = options.unloads() && options.variable == "heights_residual";
@@ -151,24 +183,30 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   record_hertz(a, options.bodies, contact.load);
   record_result(a, contact);
   record_stiffness(a, options, contact);
+  record(a, scene.growth, grid);
   record_fields(scene.data, contact);
   record_flattening(scene.data, options, contact, pressed);
-  for (const Figure& f : figures(scene, options, contact)) a.set("contact_" + f.name, f.value);
+  for (const Figure& f : figures(scene, options, contact, grid)) a.set("contact_" + f.name, f.value);
   if (options.adds("patches")) record_patches(scene.data, scene.grid, contact);
 }
 
-void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& c) {
-  const Figures further = figures(scene, options, c);
+void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& c,
+              const GridFigures& grid) {
+  const Figures further = figures(scene, options, c, grid);
+  const bool errors = options.adds("grid_errors");
   if (table.columns.empty()) {
-    table.columns = {{"load", "N"},          {"approach", "m"}, {"area", "m2"},
-                     {"plastic_area", "m2"}, {"mean_gap", "m"}, {"stiffness", "N/m", Holds::open},
-                     {"max_pressure", "Pa"}, {"residual", "1"}, {"convolutions", "1"},
-                     {"converged", "1"}};
+    for (const LoadColumn& l : load_columns) {
+      table.columns.push_back({l.name, l.unit, l.holds});
+      if (errors && l.error) table.columns.push_back({l.name + "_error"s, l.unit, Holds::unknown});
+    }
     for (const Figure& f : further)
       if (f.of_load) table.columns.push_back({f.name, f.unit});
   }
-  std::vector<Cell> row{c.load,      c.approach,     c.area,     c.plastic_area, c.mean_gap,
-                        c.stiffness, c.max_pressure, c.residual, c.convolutions, c.converged ? 1.0 : 0.0};
+  std::vector<Cell> row;
+  for (const LoadColumn& l : load_columns) {
+    row.push_back(l.value(c, grid));
+    if (errors && l.error) row.push_back(grid.errors.*l.error);
+  }
   for (const Figure& f : further)
     if (f.of_load) row.push_back(f.value);
   table.rows.push_back(std::move(row));

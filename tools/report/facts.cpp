@@ -64,6 +64,20 @@ std::string line(std::string_view name, std::string_view label, const std::strin
                      text.size() <= unbroken ? " class=\"short\"" : "", escaped(text));
 }
 
+// The error of a figure that is there too stands beside it.
+bool told_beside(const Dataset& data, std::string_view name) {
+  constexpr std::string_view suffix = "_error";
+  return name.ends_with(suffix) && data.attributes.find(name.substr(0, name.size() - suffix.size()));
+}
+
+std::string with_error(const Dataset& data, const KnownAttribute& known, const Values& values) {
+  const std::string unit(known.unit);
+  const double error = data.attributes.number(std::string(known.name) + "_error", NAN);
+  if (!(error > 0) || count(values) != 1) return text_of(data, values, unit);
+  const Measurement m = readable(Parameter{"", numbers(values)[0], unit, error, ""});
+  return m.value + " ± " + m.error + "\u00A0" + m.unit;
+}
+
 }  // namespace
 
 std::string warnings(const Dataset& data) {
@@ -96,8 +110,9 @@ std::string facts(const Dataset& data, Role role, std::string_view stage) {
   std::string lines;
   for (const KnownAttribute& known : known_attributes())
     if (const Values* values = data.attributes.find(known.name);
-        values && known.role == role && known.name.substr(0, known.name.find('_')) == stage)
-      lines += line(known.name, known.label, text_of(data, *values, std::string(known.unit)));
+        values && known.role == role && known.name.substr(0, known.name.find('_')) == stage &&
+        !told_beside(data, known.name))
+      lines += line(known.name, known.label, with_error(data, known, *values));
   return element("dl", lines);
 }
 

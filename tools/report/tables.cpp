@@ -40,12 +40,19 @@ struct Comparison {
   const char* label;
   double value, smooth;
   const char* unit;
+  double error = NAN;  // of the grid
   std::string remark = {};
 };
 
+std::string with_error(double value, double error, const std::string& unit) {
+  if (!(error > 0)) return data_element(value, readable(value, unit));
+  const Measurement m = readable(Parameter{"", value, unit, error, ""});
+  return data_element(value, m.value) + " ± " + data_element(error, m.error) + "\u00A0" + m.unit;
+}
+
 std::string row_of(const Comparison& c, bool with_smooth) {
   std::string out = labelled(c.label, c.remark);
-  out += cell(data_element(c.value, readable(c.value, c.unit)), "number");
+  out += cell(with_error(c.value, c.error, c.unit), "number");
   if (!with_smooth) return element("tr", out);
   const bool known = std::isfinite(c.smooth);
   out += cell(known ? data_element(c.smooth, readable(c.smooth, c.unit)) : "", "number smooth");
@@ -64,14 +71,21 @@ std::vector<Comparison> comparisons(const Dataset& data) {
   const Grid grid = grid_of(data);
   const double area = value("area"), plastic = value("plastic_area"),
                ellipse = std::numbers::pi * value("hertz_radius_x") * value("hertz_radius_y");
+  auto figure = [&](const char* label, const char* name, double smooth, const char* unit,
+                    const std::string& remark = {}) {
+    return Comparison{label, value(name), smooth, unit, value((std::string(name) + "_error").c_str()),
+                      remark};
+  };
   return {
-      {"load", value("load"), NAN, "N"},
-      {"approach", value("approach"), value("hertz_approach"), "m"},
-      {"maximum pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
-      {"real contact area", area, ellipse, "m2", share(area, grid.size_x() * grid.size_y(), "the domain")},
-      {"area at the limit pressure", plastic, NAN, "m2", share(plastic, area, "the contact")},
-      {"mean gap", value("mean_gap"), NAN, "m"},
-      {"stiffness", value("stiffness"), 1.5 * value("load") / value("hertz_approach"), "N/m"}};  // δ ~ Q^⅔
+      figure("load", "load", NAN, "N"),
+      figure("approach", "approach", value("hertz_approach"), "m"),
+      figure("maximum pressure", "max_pressure", value("hertz_pressure"), "Pa"),
+      figure("real contact area", "area", ellipse, "m2",
+             share(area, grid.size_x() * grid.size_y(), "the domain")),
+      figure("corrected area", "area_corrected", ellipse, "m2", "without the bias of whole cells"),
+      figure("area at the limit pressure", "plastic_area", NAN, "m2", share(plastic, area, "the contact")),
+      figure("mean gap", "mean_gap", NAN, "m"),
+      figure("stiffness", "stiffness", 1.5 * value("load") / value("hertz_approach"), "N/m")};  // δ ~ Q^⅔
 }
 
 }  // namespace
@@ -88,8 +102,10 @@ std::string contact_results(const Dataset& data) {
   std::string body;
   for (const Comparison& c : comparisons(data))
     if (std::isfinite(c.value)) body += row_of(c, with_smooth);
-  if (!with_smooth) return table({"quantity", "value"}, body, "results");
-  return table({"quantity", "value", "smooth bodies (Hertz)", "ratio"}, body, "results");
+  const bool errors = data.attributes.find("contact_area_error") != nullptr;
+  const char* value = errors ? "value ± error of the grid" : "value";
+  if (!with_smooth) return table({"quantity", value}, body, "results");
+  return table({"quantity", value, "smooth bodies (Hertz)", "ratio"}, body, "results");
 }
 
 std::string contents(const Dataset& data) {

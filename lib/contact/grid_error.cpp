@@ -1,0 +1,126 @@
+#include "contact/grid_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "contact/outline.hpp"
+#include "core/calibration.hpp"
+#include "core/error.hpp"
+#include "core/halved.hpp"
+#include "core/stopwatch.hpp"
+#include "math/grid_change.hpp"
+
+namespace asperity {
+namespace {
+
+namespace share = calibration::grid_error;
+
+// By how much the mean of the paraboloid over 2 × 2 cells exceeds its value in their middle.
+double datum_of_mean(const Grid& fine, const Bodies& bodies) {
+  return (fine.dx * fine.dx * bodies.curvature_x() + fine.dy * fine.dy * bodies.curvature_y()) / 8;
+}
+
+// Of a parabola through three neighbours above the middle one, the largest.
+double rise(double left, double top, double right) {
+  const double bend = 2 * top - left - right;
+  return bend > 0 ? (right - left) * (right - left) / (8 * bend) : 0;
+}
+
+double rise_of_peak(const Field& p, bool periodic) {
+  Index i, j;
+  const double top = p.maxCoeff(&i, &j);
+  auto at = [&](Index a, Index b) {
+    const bool inside = a >= 0 && b >= 0 && a < p.rows() && b < p.cols();
+    return inside || periodic ? p((a + p.rows()) % p.rows(), (b + p.cols()) % p.cols()) : top;
+  };
+  return rise(at(i - 1, j), top, at(i + 1, j)) + rise(at(i, j - 1), top, at(i, j + 1));
+}
+
+double plastic_area_error(const Grid& grid, const Contact& contact, double m) {
+  if (contact.plastic_area == 0 && m == 0) return 0;
+  const Outline around = outline(grid, contact, Contact::plastic);
+  const double missed = share::missed_cells * around.sides() * grid.cell_area();
+  return missed + std::max(area_scatter(grid, around), share::plastic_area * m);
+}
+
+// That of cells in place of an outline is a share of the sides over the cells.
+double stiffness_error(const Grid& grid, const Contact& contact, const Outline& around, double m) {
+  const double rough = share::ragged * around.sides() * grid.cell_area() / contact.area;
+  return std::max(share::stiffness * m, rough * contact.stiffness);
+}
+
+}  // namespace
+
+bool has_coarser_contacts(Shape shape) {
+  return shape.nx % 4 == 0 && shape.ny % 4 == 0 && std::min(shape.nx, shape.ny) >= 4 * share::least_side;
+}
+
+CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
+                                 const Contact& contact, const ContactParameters& parameters,
+                                 const Bodies& bodies) {
+  CoarserContacts out;
+  out.under_approach = parameters.approach.has_value();
+  if (!has_coarser_contacts(grid.shape)) {
+    out.unknown = fmt::format("{} cells: both sides must be multiples of 4, of {} cells at least",
+                              text(grid.shape), 4 * share::least_side);
+    return out;
+  }
+  const Stopwatch watch;
+  ContactParameters coarse = parameters;
+  coarse.tolerance = share::tolerance;
+  coarse.progress = {};
+  if (!coarse.approach) coarse.load = contact.load;
+  std::unique_ptr<ElasticOperator> body;
+  Field gap = undeformed_gap;
+  if (contact.flattening.size() > 0) gap += contact.flattening;
+  coarse.start = contact.pressure;
+  Grid cells = grid;
+  for (std::size_t level = 0; level < 2; ++level) {
+    const double datum = datum_of_mean(cells, bodies);
+    body = (body ? *body : influence).coarsened();
+    gap = halved(gap, parameters.threads) - datum;
+    coarse.start = halved(coarse.start, parameters.threads);
+    cells = halved(cells);
+    Contact& found = out.contact[level];
+    try {
+      found = solve_contact(cells, gap, *body, coarse);
+    } catch (const ParameterError& error) {
+      out.unknown = fmt::format("on {} cells, {}", text(cells.shape), error.what());
+      return out;
+    }
+    if (!found.converged) out.unknown = fmt::format("on {} cells, {}", text(cells.shape), found.reason);
+    out.grid[level] = cells;
+    coarse.start = found.pressure;
+  }
+  out.seconds = watch.seconds();
+  return out;
+}
+
+GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserContacts& coarser) {
+  if (!coarser.unknown.empty()) return {};
+  auto m = [&](double Contact::*figure) {
+    return grid_change(contact.*figure, coarser.contact[0].*figure, coarser.contact[1].*figure);
+  };
+  const Outline around = outline(grid, contact);
+  const double gaps = m(&Contact::mean_gap);
+  GridErrors out;
+  out.max_pressure =
+      std::max(share::pressure * m(&Contact::max_pressure),
+               contact.plastic_area > 0 ? 0 : share::peak * rise_of_peak(contact.pressure, grid.periodic));
+  out.area = area_excess(grid, around);
+  out.area_corrected = area_scatter(grid, around);
+  out.plastic_area = plastic_area_error(grid, contact, m(&Contact::plastic_area));
+  out.stiffness = stiffness_error(grid, contact, around, m(&Contact::stiffness));
+  if (!coarser.under_approach) {
+    out.approach = share::approach * std::max(m(&Contact::approach), gaps);
+    out.mean_gap = out.approach;
+  } else {
+    out.load = share::load * m(&Contact::load);
+    out.mean_gap = share::approach * gaps;
+  }
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,56 @@
+#include "stats/hybrid/slope_growth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/calibration.hpp"
+#include "core/halved.hpp"
+#include "stats/filter/form.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index least_side = 16;
+constexpr double round_off = 1e-12;  // of a mean square slope, by which it may fall
+
+double mean_square_slope(const Field& z, const Grid& grid) {
+  const Index nx = z.rows(), ny = z.cols();
+  double x = (z.bottomRows(nx - 1) - z.topRows(nx - 1)).square().sum();
+  double y = (z.rightCols(ny - 1) - z.leftCols(ny - 1)).square().sum();
+  if (grid.periodic) {
+    x += (z.row(0) - z.row(nx - 1)).square().sum();
+    y += (z.col(0) - z.col(ny - 1)).square().sum();
+  }
+  const Index sides = grid.periodic ? 0 : 1;
+  return x / (grid.dx * grid.dx * static_cast<double>((nx - sides) * ny)) +
+         y / (grid.dy * grid.dy * static_cast<double>(nx * (ny - sides)));
+}
+
+}  // namespace
+
+Resolved SlopeGrowth::resolved() const {
+  using namespace calibration::grid_error;
+  return gamma >= calibration::grid_error::resolved ? Resolved::no
+         : gamma >= doubtful                        ? Resolved::doubtful
+                                                    : Resolved::yes;
+}
+
+SlopeGrowth slope_growth(const Field& heights, const Grid& grid, int threads) {
+  if (std::min(grid.shape.nx, grid.shape.ny) < least_side) return {std::numeric_limits<double>::quiet_NaN()};
+  Field z = grid.periodic ? heights : remove_form(heights, 2);
+  std::array<double, 3> slopes{};
+  Grid cells = grid;
+  for (double& slope : slopes) {
+    slope = mean_square_slope(z, cells);
+    cells.periodic = cells.periodic && cells.shape.nx % 2 == 0 && cells.shape.ny % 2 == 0;
+    z = halved(z, threads);
+    cells = halved(cells);
+  }
+  const double first = slopes[0] - slopes[1], second = slopes[1] - slopes[2];
+  if (!(first > round_off * slopes[0])) return {0};
+  return {second > 0 ? first / second : std::numeric_limits<double>::infinity()};
+}
+
+}  // namespace asperity

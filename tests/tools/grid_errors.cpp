@@ -1,0 +1,83 @@
+// What the grid leaves of a contact, as it is typed.
+#include <nlohmann/json.hpp>
+
+#include "tools/contact_runs.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const std::string band_limited =
+    "asperity-generate --shape 64x64 --size 3mm --rq 0.4um --model gaussian --length 12px";
+const std::string press = " | asperity-contact --radius 50mm --load 5000N" + elastic;
+
+}  // namespace
+
+TEST_CASE("errors of areas are free, the others come when asked for, and not those of a former run",
+          "[contact][contract]") {
+  const Attributes plain = attributes(band_limited + press);
+  CHECK(plain.number("contact_slope_growth", 9) < 0.8);
+  CHECK(plain.number("contact_area_corrected", 0) < plain.number("contact_area", 0));
+  CHECK(plain.number("contact_area_error", 0) > 0);
+  CHECK(plain.number("contact_area_corrected_error", 0) > 0);
+  CHECK(plain.find("contact_max_pressure_error") == nullptr);
+  require(band_limited + press + "--add grid_errors,contact_stiffness -o asked.nc");
+  const Attributes asked = read_dataset("asked.nc").attributes;
+  for (const char* name : {"approach", "max_pressure", "plastic_area", "mean_gap", "stiffness"}) {
+    CAPTURE(name);
+    const double error = asked.number(std::string("contact_") + name + "_error", -1);
+    CHECK(error >= 0);
+    CHECK(error <= 0.2 * asked.number(std::string("contact_") + name, 0));
+  }
+  CHECK(asked.find("contact_load_error") == nullptr);
+  const Attributes again = attributes("asperity-contact --radius 50mm --load 4000N" + elastic + "asked.nc");
+  CHECK(again.find("contact_max_pressure_error") == nullptr);
+}
+
+TEST_CASE("a surface that the grid does not resolve gets no errors, and one line says so",
+          "[contact][contract]") {
+  const Outcome rough = shell(surface + press + "--add grid_errors -o rough.nc");
+  CHECK(rough.exit == 0);
+  CHECK(rough.error.find("the grid does not resolve the surface") != std::string::npos);
+  const Attributes a = read_dataset("rough.nc").attributes;
+  CHECK(a.number("contact_slope_growth", 0) > 2);
+  for (const char* name : {"area", "area_corrected", "max_pressure", "approach"})
+    CHECK(a.find(std::string("contact_") + name + "_error") == nullptr);
+  CHECK(shell(smooth + "--radius 50mm --load 5kN --add grid_errors -o smooth.nc").error.empty());
+}
+
+TEST_CASE("a sweep has a column of errors beside each figure", "[contact][contract]") {
+  const std::string line = smooth + "--radius 50mm --sweep 1kN,5kN --json ";
+  const auto columns = nlohmann::json::parse(require(line + "--add grid_errors").out);
+  for (const char* name :
+       {"approach", "area", "area_corrected", "plastic_area", "mean_gap", "stiffness", "max_pressure"}) {
+    CAPTURE(name);
+    REQUIRE(columns.contains(std::string(name) + "_error"));
+    CHECK(columns[std::string(name) + "_error"]["unit"] == columns[name]["unit"]);
+    CHECK(columns[std::string(name) + "_error"]["values"][1].get<double>() >= 0);
+  }
+  CHECK(!nlohmann::json::parse(require(line).out).contains("area_error"));
+  // Each load has its own errors: those of a run under it alone, up to the tolerance of both.
+  const Attributes alone = attributes(smooth + "--radius 50mm --load 5kN --add grid_errors");
+  CHECK(columns["approach_error"]["values"][1].get<double>() ==
+        Approx(alone.number("contact_approach_error", 0)).epsilon(1e-2));
+}
+
+TEST_CASE("on the way down a sweep's errors are those of the flattened surface", "[contact][contract]") {
+  const auto columns = nlohmann::json::parse(
+      require(smooth + "--radius 50mm --yield 600MPa --sweep 5kN,2kN --json --add grid_errors").out);
+  const double error = columns["approach_error"]["values"][1], approach = columns["approach"]["values"][1];
+  CHECK(error > 0);
+  // That of the surface before it was flattened would be some 10 % of the approach.
+  CHECK(error <= 0.01 * approach);
+}
+
+TEST_CASE("a grid without coarser ones says so once", "[contact][contract]") {
+  const Outcome odd = shell("asperity-contact --smooth --shape 50x50 --size 3mm --radius 50mm" + elastic +
+                            "--sweep 1kN:5kN:3 --add grid_errors");
+  CHECK(odd.exit == 0);
+  CHECK(odd.error.find("multiples of 4") != std::string::npos);
+  CHECK(odd.error.find("under 2 more loads") != std::string::npos);
+  CHECK(odd.error.find("multiples of 4") == odd.error.rfind("multiples of 4"));
+}

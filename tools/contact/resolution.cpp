@@ -1,0 +1,65 @@
+#include "tools/contact/resolution.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tools/cli/record.hpp"
+
+namespace asperity::cli {
+
+GridFigures grid_figures(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
+                         const Contact& contact) {
+  const Grid& grid = scene.grid;
+  const Outline around = outline(grid, contact);
+  GridFigures out{around.perimeter(grid), corrected_area(grid, contact.area, around)};
+  if (scene.growth.resolved() == Resolved::no || !contact.converged) return out;
+  out.errors.area = area_excess(grid, around);
+  out.errors.area_corrected = area_scatter(grid, around);
+  if (!options.adds("grid_errors")) return out;
+  const CoarserContacts coarser =
+      coarser_contacts(grid, scene.gap, influence, contact, options.contact, options.bodies);
+  out.seconds = coarser.seconds;
+  out.unknown = coarser.unknown;
+  if (coarser.unknown.empty()) out.errors = grid_errors(grid, contact, coarser);
+  return out;
+}
+
+void record(Attributes& a, const SlopeGrowth& growth, const GridFigures& figures) {
+  auto set = [&a](const char* name, double value) {
+    if (!std::isnan(value)) a.set(name, value);
+  };
+  const GridErrors& e = figures.errors;
+  set("contact_slope_growth", growth.gamma);
+  set("contact_perimeter", figures.perimeter);
+  set("contact_area_corrected", figures.area_corrected);
+  set("contact_area_error", e.area);
+  set("contact_area_corrected_error", e.area_corrected);
+  set("contact_load_error", e.load);
+  set("contact_approach_error", e.approach);
+  set("contact_max_pressure_error", e.max_pressure);
+  set("contact_plastic_area_error", e.plastic_area);
+  set("contact_mean_gap_error", e.mean_gap);
+  set("contact_stiffness_error", e.stiffness);
+  if (figures.seconds > 0) a.set("contact_grid_errors_seconds", on_record(figures.seconds));
+}
+
+std::vector<Doubt> doubts(const SlopeGrowth& growth) {
+  if (growth.resolved() == Resolved::yes) return {};
+  const bool not_at_all = growth.resolved() == Resolved::no;
+  return {{"is not resolved",
+           fmt::format(
+               "the grid {} the surface: from grid to grid its mean square slope grows by a factor of {:.2g} "
+               "(contact_slope_growth; below 0.8 on a grid that is fine enough), {}; give the surface a "
+               "short-wave cut-off of some 8 cells (asperity help troubleshooting)",
+               not_at_all ? "does not resolve" : "barely resolves", growth.gamma,
+               not_at_all ? "so areas and pressures depend on the grid and have no errors"
+                          : "so errors of the grid are in doubt")}};
+}
+
+std::vector<Doubt> doubts(const GridFigures& figures) {
+  if (figures.unknown.empty()) return {};
+  return {{"has no errors of the grid", "the errors of the grid are not known: " + figures.unknown}};
+}
+
+}  // namespace asperity::cli

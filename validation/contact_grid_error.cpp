@@ -1,0 +1,177 @@
+/// Stated against true errors of the grid: random contacts on n cells a side, and the same surface on 4n.
+///
+///     contact_grid_error [SCENES [LARGEST_N [SEED]]]
+///
+/// SCENES (150) of contact_grid_scenes.hpp, in turn on n = 64, 96 and 128 cells; 4n is no more than LARGEST_N
+/// (1024). Scenes whose contact touches the edge of a free domain are drawn again.
+///
+/// First table, by kind and figure:
+///
+/// scenes        those that the grid resolves (stats/hybrid/slope_growth.hpp), and whose figure has an error
+/// unresolved    those it does not: they get none
+/// within        share of the scenes whose true error is no more than the stated one
+/// ratio         median of stated over true
+/// true, stated  medians, relative to the figure
+///
+/// Second table: what the errors cost. seconds of the contact, of the coarser ones, and their ratio.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "contact/grid_error.hpp"
+#include "contact/influence.hpp"
+#include "contact/outline.hpp"
+#include "contact_grid_scenes.hpp"
+#include "stats/hybrid/slope_growth.hpp"
+#include "stress/layers.hpp"
+#include "stress/maximum.hpp"
+#include "stress/maximum_error.hpp"
+#include "timing.hpp"
+
+using namespace asperity;
+
+namespace {
+
+using namespace grid_scenes;
+
+struct Solved {
+  Grid grid;
+  Field gap;
+  std::unique_ptr<ElasticOperator> influence;
+  ContactParameters parameters;
+  Contact contact;
+
+  Solved(const Scene& s, Index times)
+      : grid(s.grid(times)), gap(s.gap(times)), influence(make_influence(grid, modulus, 2)) {
+    parameters = {.limit_pressure = s.limit, .tolerance = 1e-8, .stiffness = true, .threads = 2};
+    if (s.approach > 0)
+      parameters.approach = s.approach;
+    else
+      parameters.load = s.load;
+    contact = solve_contact(grid, gap, *influence, parameters);
+  }
+
+  bool at_edge() const {
+    const Field& p = contact.pressure;
+    return !grid.periodic &&
+           (p.row(0).sum() + p.row(p.rows() - 1).sum() + p.col(0).sum() + p.col(p.cols() - 1).sum()) > 0;
+  }
+  double corrected() const { return corrected_area(grid, contact.area, outline(grid, contact)); }
+  double plastic() const {
+    return contact.plastic_area + 0.1 * outline(grid, contact, Contact::plastic).sides() * grid.cell_area();
+  }
+};
+
+PeakStress largest_stress(const Grid& grid, const Contact& contact) {
+  const StressMaximum top = maximum_von_mises(StressSolver({grid, contact.pressure, 0.3, {}}, 2));
+  return {top.von_mises, top.depth};
+}
+
+// Of one figure in one scene.
+struct Judgement {
+  double value = 0, error = 0, stated = 0;
+};
+
+struct Tally {
+  std::vector<Judgement> all;
+  Index unresolved = 0;
+};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return NAN;
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+class Page {
+ public:
+  void add(const Scene& scene, const std::string& figure, double value, double truth, double stated) {
+    if (std::isnan(stated)) return;
+    for (const char* kind : {kinds[scene.kind], "all"})
+      tallies_[{kind, figure}].all.push_back({std::abs(truth), std::abs(value - truth), stated});
+  }
+  void leave_out(const Scene& scene) {
+    for (const char* kind : {kinds[scene.kind], "all"}) ++unresolved_[kind];
+  }
+  void cost(const Scene& scene, double contact, double coarser) {
+    seconds_[kinds[scene.kind]].push_back({contact, coarser});
+  }
+  void print() {
+    fmt::print("# kind\tfigure\tscenes\tunresolved\twithin\tratio\ttrue\tstated\n");
+    for (auto& [key, tally] : tallies_) {
+      std::vector<double> ratio, error, stated;
+      double within = 0;
+      for (const Judgement& j : tally.all) {
+        within += j.error <= j.stated;
+        if (j.error > 0) ratio.push_back(j.stated / j.error);
+        error.push_back(j.error / j.value);
+        stated.push_back(j.stated / j.value);
+      }
+      fmt::print("{}\t{}\t{}\t{}\t{:.2f}\t{:.2g}\t{:.1e}\t{:.1e}\n", key.first, key.second, tally.all.size(),
+                 unresolved_[key.first], within / static_cast<double>(tally.all.size()), median(ratio),
+                 median(error), median(stated));
+    }
+    fmt::print("# kind\tseconds\tcoarser_seconds\tshare\n");
+    for (auto& [kind, list] : seconds_) {
+      double contact = 0, coarser = 0;
+      for (const auto& [one, other] : list) contact += one, coarser += other;
+      fmt::print("{}\t{:.3f}\t{:.3f}\t{:.2f}\n", kind, contact, coarser, coarser / contact);
+    }
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, Tally> tallies_;
+  std::map<std::string, Index> unresolved_;
+  std::map<std::string, std::vector<std::pair<double, double>>> seconds_;
+};
+
+void judge(Page& page, const Scene& scene, const Solved& here) {
+  if (scene.waves && slope_growth(here.gap, here.grid).resolved() == Resolved::no)
+    return page.leave_out(scene);
+  const Contact& c = here.contact;
+  const CoarserContacts coarser =
+      coarser_contacts(here.grid, here.gap, *here.influence, c, here.parameters, scene.bodies);
+  page.cost(scene, c.seconds, coarser.seconds);
+  const GridErrors e = grid_errors(here.grid, c, coarser);
+  const Solved truth(scene, finer);
+  const Contact& t = truth.contact;
+  page.add(scene, "max_pressure", c.max_pressure, t.max_pressure,
+           c.plastic_area > 0 && t.plastic_area > 0 ? NAN : e.max_pressure);
+  page.add(scene, "area", c.area, truth.corrected(), e.area);
+  page.add(scene, "area_corrected", here.corrected(), truth.corrected(), e.area_corrected);
+  if (c.plastic_area > 0) page.add(scene, "plastic_area", c.plastic_area, truth.plastic(), e.plastic_area);
+  page.add(scene, "load", c.load, t.load, e.load);
+  page.add(scene, "approach", c.approach, t.approach, e.approach);
+  page.add(scene, "mean_gap", c.mean_gap, t.mean_gap, e.mean_gap);
+  page.add(scene, "stiffness", c.stiffness, t.stiffness, e.stiffness);
+  const PeakStress largest = largest_stress(here.grid, c), exact = largest_stress(truth.grid, t);
+  const PeakStress of_stress = maximum_error(here.grid,
+                                             {largest, largest_stress(coarser.grid[0], coarser.contact[0]),
+                                              largest_stress(coarser.grid[1], coarser.contact[1])},
+                                             c.plastic_area > 0);
+  page.add(scene, "von_mises", largest.value, exact.value, of_stress.value);
+  page.add(scene, "depth", largest.depth, exact.depth, of_stress.depth);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  print_conditions();
+  const int scenes = argc > 1 ? std::atoi(argv[1]) : 150;
+  const Index largest = argc > 2 ? std::atol(argv[2]) : 1024;
+  Draw draw(argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1);
+  Page page;
+  for (int k = 0; k < scenes; ++k)
+    for (int tries = 0; tries < 20; ++tries) {
+      const Scene scene = draw.scene(static_cast<std::size_t>(k), largest);
+      const Solved here(scene, 1);
+      if (!here.contact.converged || here.at_edge() || here.contact.area < 50 * here.grid.cell_area())
+        continue;
+      judge(page, scene, here);
+      break;
+    }
+  page.print();
+}

@@ -1,0 +1,163 @@
+/// Random contacts whose surface is known between the samples: a sum of waves, or smooth.
+///
+/// Scene k is of one of six kinds: smooth bodies off the grid's middle, rough spheres, the same at a limit
+/// pressure, periodic surfaces at 2 to 60 % contact, oblong cells and bodies, and rough spheres under a
+/// prescribed approach. Roughness is self-affine (H 0.3 to 0.8) or Gaussian, with a shortest wave of 3.5 to 32
+/// cells of n = 64, 96 or 128 a side. A surface is sampled at the cells' centres of any grid.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "contact/bodies.hpp"
+#include "transform/plan.hpp"
+
+namespace asperity::grid_scenes {
+
+inline constexpr double pi = std::numbers::pi, side = 1e-3, modulus = 1e11;
+inline constexpr double none = std::numeric_limits<double>::infinity();
+inline constexpr Index finer = 4;
+inline const char* const kinds[] = {"smooth", "rough", "capped", "periodic", "oblong", "approach"};
+
+// A surface as waves of the domain, which repeats.
+class Waves {
+ public:
+  Waves(std::mt19937_64& random, Index longest, Index shortest, double hurst, bool gaussian)
+      : most_(shortest) {
+    std::normal_distribution<double> normal;
+    for (Index i = -most_; i <= most_; ++i)
+      for (Index j = 0; j <= most_; ++j) {
+        const double k = std::hypot(i, j), low = static_cast<double>(longest),
+                     high = static_cast<double>(shortest);
+        const Complex phase{normal(random), normal(random)};
+        if (k == 0 || k > high) continue;
+        const double amplitude =
+            gaussian ? std::exp(-2 * std::pow(k / high, 2)) : std::pow(std::max(k, low), -1 - hurst);
+        waves_.push_back({i, j, amplitude * phase});
+      }
+    double sum = 0;
+    for (const Wave& w : waves_) sum += std::norm(w.amplitude) * (w.j == 0 ? 1 : 2);
+    for (Wave& w : waves_) w.amplitude /= std::sqrt(sum);
+  }
+
+  // Of unit rms, or nearly, at the centres of these cells.
+  Field on(Shape shape) const {
+    const RealTransform2D transform(shape);
+    AlignedVector<Complex> spectrum(size(transform.spectrum_size()));
+    for (const auto& [i, j, amplitude] : waves_) {
+      const double shift = pi * (static_cast<double>(i) / static_cast<double>(shape.nx) +
+                                 static_cast<double>(j) / static_cast<double>(shape.ny));
+      auto add = [&](Index row, const Complex& value) {
+        spectrum[size((row + shape.nx) % shape.nx * transform.spectrum_columns() + j)] += value;
+      };
+      const Complex value = amplitude * std::polar(1.0, shift);
+      add(i, j == 0 ? 0.5 * value : value);
+      if (j == 0) add(-i, 0.5 * std::conj(value));
+    }
+    Field out(shape.nx, shape.ny);
+    transform.inverse(spectrum.data(), out.data());
+    return out;
+  }
+
+ private:
+  struct Wave {
+    Index i, j;
+    Complex amplitude;
+  };
+  Index most_;
+  std::vector<Wave> waves_;
+};
+
+struct Scene {
+  std::size_t kind = 0;
+  Shape shape;
+  double size_x = side, size_y = side;
+  Bodies bodies;
+  double rms = 0;
+  std::optional<Waves> waves = {};
+  double load = 0, limit = none;
+  double shift_x = 0, shift_y = 0;  // of the bodies from the middle
+  double approach = 0;              // instead of the load, if above 0
+
+  bool periodic() const { return kind == 3; }
+  Grid grid(Index times) const {
+    const Shape cells{shape.nx * times, shape.ny * times};
+    return {cells, size_x / static_cast<double>(cells.nx), size_y / static_cast<double>(cells.ny),
+            periodic()};
+  }
+  Field heights(Index times) const {
+    const Shape cells = grid(times).shape;
+    if (!waves) return Field::Zero(cells.nx, cells.ny);
+    return rms * waves->on(cells);
+  }
+  // Off the middle the paraboloid is one in the middle, and a plane.
+  Field gap(Index times) const {
+    const Grid cells = grid(times);
+    const double cx = bodies.curvature_x() * shift_x, cy = bodies.curvature_y() * shift_y;
+    return undeformed_gap(cells, bodies) - heights(times) -
+           sample(cells, [=](double x, double y) { return cx * x + cy * y; });
+  }
+};
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : random_(seed) {}
+
+  Scene scene(std::size_t number, Index largest) {
+    Scene s;
+    s.kind = number % std::size(kinds);
+    const Index n =
+        std::min<Index>(std::array<Index, 3>{64, 96, 128}[number / std::size(kinds) % 3], largest / finer);
+    s.shape = {n, n};
+    s.bodies.young = {2 * modulus, 2 * modulus};
+    s.bodies.poisson = {0, 0};
+    const bool oblong = s.kind == 4;
+    if (oblong) s.shape.ny = n / 4 * 3 / 4 * 4, s.size_y = side * between(0.5, 0.9);
+    if (s.kind != 0) roughness(s);
+    if (s.periodic()) {
+      const double slope = slope_of(s);
+      s.load = between(0.01, 0.3) * modulus * slope * s.size_x * s.size_y;
+      return s;
+    }
+    const double radius = side * between(4, 30);
+    s.bodies.radius[0] = oblong ? Radii(radius, radius * between(0.4, 2)) : Radii(radius);
+    const double a = between(0.12, 0.3) * std::min(s.size_x, s.size_y);
+    s.load = 4.0 / 3 * modulus * std::pow(a, 3) / radius;
+    s.shift_x = between(-0.5, 0.5) * s.grid(1).dx, s.shift_y = between(-0.5, 0.5) * s.grid(1).dy;
+    const double p0 = 1.5 * s.load / (pi * a * a);
+    if (s.rms > 0) s.rms *= a * a / radius;  // of the depth of the cap
+    if (s.kind == 2) s.limit = p0 * between(0.7, 1.5);
+    if (s.kind == 5) s.approach = a * a / radius * between(0.7, 1.3);
+    return s;
+  }
+
+ private:
+  double between(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+
+  void roughness(Scene& s) {
+    const Index n = std::min(s.shape.nx, s.shape.ny);
+    const double cells = std::exp(between(std::log(3.5), std::log(32)));
+    const auto shortest = std::max<Index>(2, static_cast<Index>(static_cast<double>(n) / cells));
+    const Index longest = std::max<Index>(1, shortest / 8);
+    const bool gaussian = between(0, 1) < 0.3;
+    s.waves.emplace(random_, longest, shortest, between(0.3, 0.8), gaussian);
+    s.rms = s.periodic() ? 1e-6 : std::exp(between(std::log(0.005), std::log(0.1)));
+  }
+
+  static double slope_of(const Scene& s) {
+    const Grid grid = s.grid(1);
+    const Field z = s.heights(1);
+    const Index n = z.rows() - 1;
+    return std::sqrt(2 * ((z.bottomRows(n) - z.topRows(n)) / grid.dx).square().mean());
+  }
+
+  std::mt19937_64 random_;
+};
+
+}  // namespace asperity::grid_scenes
