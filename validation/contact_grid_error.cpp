@@ -66,8 +66,8 @@ struct Solved {
 };
 
 PeakStress largest_stress(const Grid& grid, const Contact& contact) {
-  const StressMaximum top = maximum_von_mises(StressSolver({grid, contact.pressure, 0.3, {}}, 2));
-  return {top.von_mises, top.depth};
+  const StressMaximum top = maximum_stress(StressSolver({grid, contact.pressure, 0.3, {}}, 2));
+  return {top.value, top.depth};
 }
 
 // Of one figure in one scene.
