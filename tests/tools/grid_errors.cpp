@@ -69,7 +69,6 @@ TEST_CASE("on the way down a sweep's errors are those of the flattened surface",
       require(smooth + "--radius 50mm --yield 600MPa --sweep 5kN,2kN --json --add grid_errors").out);
   const double error = columns["approach_error"]["values"][1], approach = columns["approach"]["values"][1];
   CHECK(error > 0);
-  // That of the surface before it was flattened would be some 10 % of the approach.
   CHECK(error <= 0.01 * approach);
 }
 
