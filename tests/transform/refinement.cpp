@@ -53,7 +53,8 @@ TEST_CASE("a refined field goes through the same points, whatever it is, on any 
       }
 }
 
-// Products of waves up to one below the highest, which itself is a cosine; slopes and all, between the points.
+// Waves up to one below the highest, which itself is a cosine. Arguments up to 2π 31 and 2π 23 are rounded by 350 ε
+// before their sines are taken, of the samples and of what they are compared to.
 TEST_CASE("a sum of waves that fit the period is met between the points to round-off",
           "[refinement][exact]") {
   for (const Shape shape : {Shape{16, 12}, Shape{15, 12}, Shape{9, 7}, Shape{64, 48}})
@@ -67,17 +68,17 @@ TEST_CASE("a sum of waves that fit the period is met between the points to round
       };
       CAPTURE(shape.nx, shape.ny, factor.nx, factor.ny);
       const Field fine = refined(sampled(shape, {1, 1}, f), grid_with(shape, true), factor);
-      CHECK((fine - sampled(shape_of(fine), factor, f)).abs().maxCoeff() <= 100 * epsilon);
+      CHECK((fine - sampled(shape_of(fine), factor, f)).abs().maxCoeff() <= 1000 * epsilon);
     }
 }
 
-// The highest wave of an even period, between the points: its cosine, the same from both sides.
+// The highest wave of an even period, between the points: its cosine, the same from both sides; 8π is rounded.
 TEST_CASE("the highest wave of an even period stays real and symmetric", "[refinement][exact]") {
   Field z(1, 8);
   z << 1, -1, 1, -1, 1, -1, 1, -1;
   const Field fine = refined(z, grid_with({1, 8}, true), {1, 4});
   for (Index m = 0; m < 32; ++m)
-    CHECK(std::abs(fine(0, m) - std::cos(turn * static_cast<double>(m) / 8)) <= 8 * epsilon);
+    CHECK(std::abs(fine(0, m) - std::cos(turn * static_cast<double>(m) / 8)) <= 32 * epsilon);
 }
 
 // ε of 64² a²/2 = 2048 and its sums.
