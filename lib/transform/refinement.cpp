@@ -23,7 +23,7 @@ std::array<Axis, 2> axes_of(const Grid& grid, Shape factor) {
 
 // ---- the form of degree 2 ----
 
-// The first three polynomials on equidistant points that are orthogonal over these; u in points from the middle.
+// The first three polynomials that are orthogonal over equidistant points; u in points from their middle.
 class Polynomials {
  public:
   explicit Polynomials(Index points) : middle_(static_cast<double>(points - 1) / 2) {

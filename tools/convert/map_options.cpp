@@ -36,7 +36,7 @@ Map cropped(Map map, const std::string& crop) {
   return map;
 }
 
-// The points 0, step, 2 step, …; the spacing grows by the same factor. The last step of a period may be shorter.
+// The points 0, step, 2 step, …; the spacing grows by the same factor. A period needs whole steps.
 Map decimated(Map map, Shape step) {
   if (map.values.rows() % step.nx != 0 || map.values.cols() % step.ny != 0) map.periodic = {};
   const Index nx = (map.values.rows() + step.nx - 1) / step.nx,

@@ -23,8 +23,8 @@ struct KernelProblem {
 };
 
 /// The model or the table of the options, on samples of this spacing if it is known; a table may know it
-/// itself. `periodic` are the points of periodic surfaces, 0x0 of others. Throws UsageError, and DataError for
-/// a table that makes no sense.
+/// itself. `periodic` are the points of periodic surfaces, 0x0 of others. Throws UsageError, and DataError
+/// for a table that makes no sense.
 KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing,
                              Shape periodic);
 

@@ -14,7 +14,7 @@
 namespace asperity::cli {
 namespace {
 
-// Shape and size of the surface that the kernel's dataset has or had, or its period, where they are not given.
+// Shape and size of the surface that the kernel's dataset has or had, or its period, unless given.
 void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
   if (tool.given("--shape")) return;
   if (!data.has("x") || !data.has("y")) {
