@@ -62,9 +62,9 @@ Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              std::string_view bytes) {
-  return options.map.applied(format.netcdf(bytes)
-                                 ? map_of(decoded(tool, bytes), options.variable)
-                                 : format.map(bytes, tool.input_name(), tool.memory_bound()));
+  return options.map.applied(tool, format.netcdf(bytes)
+                                       ? map_of(decoded(tool, bytes), options.variable)
+                                       : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
 // Everything except fields below the surface.
@@ -74,10 +74,10 @@ Dataset without_depth(Dataset data) {
   return data;
 }
 
-// Replaces the surface by its map, cropped, thinned or filled.
+// Replaces the surface by its map, cropped, thinned, filled or refined.
 Dataset changed(const cli::Tool& tool, const Options& options, Dataset data) {
   const cli::Inventory before(data);
-  Dataset map = dataset_of(options.map.applied(map_of(data, options.variable)));
+  Dataset map = dataset_of(options.map.applied(tool, map_of(data, options.variable)));
   cli::drop_surface(data, "kernel");
   for (const Dimension& d : map.dimensions) data.set_dimension(d.name, d.length);
   for (Variable& v : map.variables) data.put(std::move(v));
@@ -131,7 +131,8 @@ int main(int argc, char** argv) {
       "asperity-convert",
       "Converts surface maps between file formats, and datasets for ParaView. Lengths and heights become "
       "metres. Missing points stay missing unless --fill is given. A dataset keeps all its variables, but "
-      "when its map is cropped, thinned, filled or resized, results of the former surface are dropped.");
+      "when its map is cropped, thinned, filled, refined or resized, results of the former surface are "
+      "dropped.");
   Options o;
   tool.input();
   o.map.declare(tool);
@@ -153,6 +154,6 @@ int main(int argc, char** argv) {
   tool.example("asperity-convert map.x3p --crop 0:256,0:256 --to gsf -o map.gsf");
   tool.accuracy("All formats keep doubles exactly, except gsf, which holds 24 bits.");
   tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--crop", "--decimate", "--fill",
-                  "--variable", "--matrix", "--xyz"});
+                  "--refine", "--variable", "--matrix", "--xyz"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

@@ -1,5 +1,6 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
 #include "tools/cli/stream.hpp"
+#include "tools/surface/periodic_kernel.hpp"
 #include "tools/surface/prospect.hpp"
 
 using namespace asperity;
@@ -10,6 +11,7 @@ struct Options {
   cli::KernelOptions kernel;
   Shape shape;
   std::array<double, 2> size{NAN, NAN}, spacing{NAN, NAN};
+  bool periodic = false;
 };
 
 void declare(cli::Tool& tool, Options& o) {
@@ -19,6 +21,10 @@ void declare(cli::Tool& tool, Options& o) {
                   "Sampling");
   tool.counts("--shape", o.shape, 1, "Samples in x and y", "Sampling");
   tool.quantities("--size", o.size, "m", "Side lengths in x and y", "Sampling");
+  tool.flag("--periodic", o.periodic,
+            "Solve for surfaces that continue at their opposite edge, of --shape points (asperity-generate "
+            "--periodic). If the correlation is longer than half the period, it is the sum over the periods",
+            "Sampling");
   tool.memory(
       "Memory limit for the solution, besides 20 MB of the program. A problem that may need more is refused");
   tool.output();
@@ -33,6 +39,21 @@ void declare(cli::Tool& tool, Options& o) {
       "about "
       "0.1 at the mirrored lags (p,-q): kernel_mirrored_error. If a target has no kernel, a warning and "
       "kernel_change state how it was changed.");
+}
+
+// Without --shape that of the table's own period; a table of another is one as of any surface.
+void adopt_period(Options& o, cli::KernelProblem& problem) {
+  if (o.shape == Shape{} && !problem.period)
+    throw cli::UsageError("shape", "is required by --periodic: the table is not one of a whole period");
+  if (o.shape == Shape{}) o.shape = *problem.period;
+  if (problem.period != o.shape) problem.period.reset();
+}
+
+void wrap(const cli::Tool& tool, cli::KernelSolution& solution, Shape period) {
+  cli::KernelTables tables = cli::kernel_of(solution.data);
+  solution.code = std::max(solution.code, cli::wrap_kernel(tool, solution.data, tables, period,
+                                                           static_cast<double>(tool.memory())));
+  cli::set_kernel(solution.data, tables);
 }
 
 }  // namespace
@@ -53,9 +74,13 @@ int main(int argc, char** argv) {
                                                        : std::nullopt;
     if (o.kernel.acf == "-" && cli::stdin_is_terminal())
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
-    cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, known);
-    cli::foresee(tool, problem, sized ? o.shape : Shape{});
+    if (o.periodic && !tool.given("--shape") && !tool.given("--acf"))
+      throw cli::UsageError("shape", "is required by --periodic");
+    cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, known, o.periodic ? o.shape : Shape{});
+    if (o.periodic) adopt_period(o, problem);
+    cli::foresee(tool, problem, sized || o.periodic ? o.shape : Shape{});
     cli::KernelSolution solution = cli::solve(tool, std::move(problem));
+    if (o.periodic) wrap(tool, solution, o.shape);
     solution.before.tell(tool, solution.data, "kernel");
     tool.write(solution.data);
     return solution.code;

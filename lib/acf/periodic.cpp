@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "transform/plan.hpp"
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -12,6 +11,19 @@ Index within(Index lag, Index period) { return ((lag % period) + period) % perio
 
 // The least lag from -reach on that is this one but for whole periods.
 Index first(Index lag, Index reach, Index period) { return lag - (lag + reach) / period * period; }
+
+PowerSpectrum spectrum_of(const Field& plane) {
+  const RealTransform2D transform(shape_of(plane));
+  PowerSpectrum out(size(transform.spectrum_size()));
+  transform.forward(plane.data(), out.data());
+  return out;
+}
+
+Field inverse(PowerSpectrum spectrum, Shape torus) {
+  Field out(torus.nx, torus.ny);
+  RealTransform2D(torus).inverse(spectrum.data(), out.data());
+  return out;
+}
 
 }  // namespace
 
@@ -28,23 +40,38 @@ Field periodic_sum(const Field& half_plane, Shape period) {
 }
 
 Field periodic_kernel(const Field& half_plane, Shape torus) {
-  const RealTransform2D transform(torus);
-  AlignedVector<double> field(size(torus.cells()));
-  AlignedVector<Complex> spectrum(size(transform.spectrum_size()));
-  const Eigen::Map<Field> plane(field.data(), torus.nx, torus.ny);
-  auto place = [&](Index p, Index q) -> double& {
-    return field[size(within(p, torus.nx) * torus.ny + within(q, torus.ny))];
-  };
+  Field plane(torus.nx, torus.ny);
+  plane.setZero();
+  auto place = [&](Index p, Index q) -> double& { return plane(within(p, torus.nx), within(q, torus.ny)); };
   const Index middle = half_plane.cols() / 2;
   for (Index p = 0; p < half_plane.rows(); ++p)
     for (Index q = -middle; q <= middle; ++q) place(p, q) = place(-p, -q) = half_plane(p, middle + q);
-  transform.forward(field.data(), spectrum.data());
-  for (Complex& s : spectrum) s = std::sqrt(std::max(s.real(), 0.0));
-  transform.inverse(spectrum.data(), field.data());
+  return kernel_of_power(spectrum_of(plane), torus);
+}
+
+Field kernel_of_power(PowerSpectrum power, Shape torus) {
+  for (Complex& p : power) p = std::sqrt(std::max(p.real(), 0.0));
+  const Field plane = inverse(std::move(power), torus);
   const double scale = 1 / std::sqrt(plane.square().sum());
   const Index middle_x = (torus.nx - 1) / 2, middle_y = (torus.ny - 1) / 2;
-  return Field::NullaryExpr(torus.nx, torus.ny,
-                            [&](Index k, Index l) { return scale * place(k - middle_x, l - middle_y); });
+  return Field::NullaryExpr(torus.nx, torus.ny, [&](Index k, Index l) {
+    return scale * plane(within(k - middle_x, torus.nx), within(l - middle_y, torus.ny));
+  });
+}
+
+Field correlation_of_power(PowerSpectrum power, Shape torus) {
+  const Field plane = inverse(std::move(power), torus);
+  const Index middle = torus.ny / 2;
+  return Field::NullaryExpr(torus.nx / 2 + 1, 2 * middle + 1, [&](Index p, Index column) {
+    return plane(p, within(column - middle, torus.ny));
+  });
+}
+
+Field periodic_autocorrelation(const Field& kernel) {
+  PowerSpectrum power = spectrum_of(kernel);
+  const double points = static_cast<double>(kernel.size());
+  for (Complex& p : power) p = std::norm(p) / points;
+  return correlation_of_power(std::move(power), shape_of(kernel));
 }
 
 }  // namespace asperity

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "transform/plan.hpp"
 
 namespace asperity {
 
@@ -32,5 +33,15 @@ Field periodic_sum(const Field& half_plane, Shape period);
 /// (2) of a half plane of lags up to half the torus, zero where it ends: a kernel of the whole torus with lag
 /// zero at its middle, of unit variance.
 Field periodic_kernel(const Field& half_plane, Shape torus);
+
+/// Powers R°^ on the half spectrum of a torus, N × (M/2 + 1), real.
+using PowerSpectrum = AlignedVector<Complex>;
+
+/// (2) of powers in any unit, of unit variance.
+Field kernel_of_power(PowerSpectrum power, Shape torus);
+/// Σ power cos at the lags p = 0 … N/2, q = -M/2 … M/2.
+Field correlation_of_power(PowerSpectrum power, Shape torus);
+/// That of a kernel of a whole torus, at the same lags.
+Field periodic_autocorrelation(const Field& kernel);
 
 }  // namespace asperity

@@ -111,12 +111,18 @@ Target stretched(const EllipticTarget& t, const Ellipse& ellipse, double exponen
   return out;
 }
 
+template <class Correlation>
+double radius_of(const Correlation& rho, double level) {
+  const double radius = falls_to(rho, level);
+  require(radius > 0, "length-level", level, ": reached at a lag too near zero; choose a lower level");
+  return radius;
+}
+
 // `last(t)`: the radius from which on |ρ| ≤ t.
 template <class Correlation, class Last>
 Target tabulated(const EllipticTarget& t, const Ellipse& ellipse, Correlation correlation, Last last) {
   const auto rho = std::make_shared<const Correlation>(std::move(correlation));
-  const double radius = falls_to(*rho, t.level);
-  require(radius > 0, "length-level", t.level, ": reached at a lag too near zero; choose a lower level");
+  const double radius = radius_of(*rho, t.level);
   Target out([=](double p, double q) { return (*rho)(radius * std::sqrt(ellipse.squared(p, q))); });
   out.reach = reach(ellipse, [=](double u) { return last(*rho, u) / radius; });
   return out;
@@ -152,6 +158,14 @@ void EllipticTarget::check() const {
   if (model == Model::self_affine)
     require(hurst >= 0.01 && hurst <= 1, "hurst", hurst, ": must lie in 0.01 ... 1");
   if (model == Model::exponential_cosine) require_length("wavelength", wavelength);
+}
+
+double EllipticTarget::level_radius() const {
+  check();
+  if (model == Model::matern) return radius_of(MaternCorrelation(smoothness), level);
+  if (model == Model::self_affine) return radius_of(SelfAffineCorrelation(hurst), level);
+  const double power = model == Model::gaussian ? 2 : model == Model::stretched_exponential ? exponent : 1;
+  return std::pow(-std::log(level), 1 / power);
 }
 
 Target EllipticTarget::target() const {

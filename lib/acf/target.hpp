@@ -82,6 +82,9 @@ struct EllipticTarget {
 
   /// Throws ParameterError of the member's name; "length" and "spacing" stand for both.
   void check() const;
+  /// r* of (1), as target() checks it: a length over it is the unit in which the model's ρ(r) is written,
+  /// 1/q_r of a self-affine surface.
+  double level_radius() const;
   /// Checks, and throws ParameterError("length-level") too when ρ passes the level nearer to 0 than r =
   /// 1e-300.
   ///

@@ -37,6 +37,7 @@ constexpr KnownAttribute attributes[] = {
     {"kernel_exponent", parameter, "1", "exponent"},
     {"kernel_hurst", parameter, "1", "Hurst exponent"},
     {"kernel_wavelength", parameter, "sample", "wavelength"},
+    {"kernel_cutoff", parameter, "sample", "shortest wavelength"},
     {"kernel_rms", parameter, "height", "rms height"},
     {"kernel_heights", parameter, "", "distribution of heights"},
     {"kernel_skewness", parameter, "1", "target skewness"},

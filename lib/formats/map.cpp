@@ -23,7 +23,7 @@ Grid grid_of(const Map& map) {
     if (!(spacing >= least && spacing <= greatest))
       throw DataError("x", fmt::format("spacing {} m is outside {} m to {} m", spacing, least, greatest));
   }
-  return {shape_of(map.values), map.spacing[0], map.spacing[1], false};
+  return {shape_of(map.values), map.spacing[0], map.spacing[1], map.periodic};
 }
 
 // The range omits missing points.
@@ -100,7 +100,8 @@ Map map_of(const Dataset& dataset, std::string_view variable) {
   return {.values = field_of(dataset, variable, Missing::not_a_number),
           .spacing = {grid.dx, grid.dy},
           .units = unit_of(field).empty() ? "" : si_unit_of(field),
-          .title = field.attributes.text("long_name")};
+          .title = field.attributes.text("long_name"),
+          .periodic = grid.periodic};
 }
 
 }  // namespace asperity

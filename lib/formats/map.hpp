@@ -46,6 +46,7 @@ struct Map {
   std::array<double, 2> spacing{unknown, unknown};  ///< Δx, Δy [m]; NaN: not in the file
   std::string units = {};  ///< "m", or a unit that is not a length; "": not in the file
   std::string title = {};  ///< the channel's name, or ""
+  decltype(Grid::periodic) periodic = {};
 };
 
 /// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.

@@ -53,8 +53,8 @@ void GenerateOptions::declare_drawing(Tool& tool) {
       "written in strips; into a pipe, or with --exact-rq, it is then drawn twice, because its range "
       "precedes it. "
       "The limit does not change the surface, to the last bit");
-  tool.essential({"--shape", "--size", "--rq", "--length", "--model", "--acf", "--periodic", "--skewness",
-                  "--kurtosis", "--count", "--seed", "--output"});
+  tool.essential({"--shape", "--size", "--rq", "--length", "--model", "--acf", "--periodic", "--cutoff",
+                  "--skewness", "--kurtosis", "--count", "--seed", "--output"});
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
   tool.accuracy(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "acf/kernel_cost.hpp"
 #include "core/words.hpp"
 
 namespace asperity::cli {
@@ -58,6 +59,15 @@ void KernelOptions::declare_target(Tool& tool) {
               group);
   tool.number("--hurst", shape.hurst,
               "Hurst exponent of self-affine, up to 1. Its spectrum is flat below the roll-off", group);
+  tool.lengths("--rolloff", rolloff,
+               "Wavelength above which the spectrum of self-affine is flat, in place of --length: 0.25mm or "
+               "256px; two values along its axes",
+               group);
+  tool.text(
+      "--cutoff", cutoff, "LENGTH",
+      "Shortest wavelength of a --periodic surface: 16px or 15um; px counts samples of x. The "
+      "autocorrelation is that of the model's spectrum without shorter waves, and --rq that of the rest",
+      group);
   tool.text("--wavelength", wavelength, "LENGTH",
             "Wavelength of exponential-cosine along its first axis: 12px or 0.1mm", group);
   tool.text(
@@ -112,8 +122,16 @@ EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) co
   out.model = enum_named<Model>(target, "model");
   out.spacing_x = spacing ? (*spacing)[0] : 1;
   out.spacing_y = spacing ? (*spacing)[1] : 1;
-  out.length_x = metres("length", length[0], spacing, 0);
-  out.length_y = metres("length", length[1], spacing, 1);
+  const bool corner = given(tool, "rolloff");
+  auto length_along = [&](std::size_t axis) {
+    if (!corner) return metres("length", length[axis], spacing, axis);
+    const double wave = metres("rolloff", rolloff[axis], spacing, axis);
+    check_parameter(wave >= 1e-100 && wave <= 1e100, "rolloff",
+                    number(wave) + ": must lie in 1e-100 ... 1e100");
+    return length_for_rolloff(out, wave);
+  };
+  const std::array lengths{length_along(0), length_along(1)};
+  out.length_x = lengths[0], out.length_y = lengths[1];
   out.angle = parse_angle("angle", angle);
   if (!wavelength.empty())
     out.wavelength = metres("wavelength", parse_length("wavelength", wavelength), spacing, 0);
@@ -123,7 +141,13 @@ EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) co
 }
 
 void KernelOptions::refuse_unused(const Tool& tool) const {
-  if (!tool.given("--length")) throw UsageError("length", "is required");
+  if (!tool.given("--length") && !tool.given("--rolloff"))
+    throw UsageError("length", target == "self-affine" ? "is required, or --rolloff" : "is required");
+  if (tool.given("--rolloff") && target != "self-affine")
+    throw UsageError("rolloff", "belongs to --model self-affine, not to " + target);
+  for (const char* option : {"length", "length-level"})
+    if (tool.given("--rolloff") && given(tool, option))
+      throw UsageError(option, "cannot be combined with --rolloff, which is the length");
   for (const ShapeParameter& parameter : shape_parameters)
     if (const std::string owner(name_of(parameter.model)); given(tool, parameter.name) && target != owner)
       throw UsageError(parameter.name, "belongs to --model " + owner + ", not to " + target);
@@ -131,9 +155,48 @@ void KernelOptions::refuse_unused(const Tool& tool) const {
     throw UsageError("wavelength", "is required by --model exponential-cosine");
 }
 
+std::optional<BandLimited> KernelOptions::band(const Tool& tool, const EllipticTarget& model,
+                                               Shape period) const {
+  if (cutoff.empty()) return std::nullopt;
+  if (period == Shape{})
+    throw UsageError("cutoff", cutoff +
+                                   ": needs --periodic; without its short waves an autocorrelation does "
+                                   "not end, and a kernel must");
+  refuse_beside_cutoff(tool);
+  const SampledLength shortest_wave = parse_length("cutoff", cutoff);
+  const double wave = shortest_wave.metres(model.spacing_x);
+  if (model.model != Model::stretched_exponential) {
+    const CutoffBounds bounds(model, period);
+    auto shown = [&](double bound) {
+      return shortest_wave.samples ? number(bound / model.spacing_x) + "px" : format_quantity(bound, "m");
+    };
+    if (bounds.below(wave))
+      throw UsageError("cutoff", cutoff + ": below two samples, " + shown(bounds.least));
+    if (bounds.above(wave))
+      throw UsageError("cutoff", cutoff + ": above the " +
+                                     (bounds.most_is_rolloff ? "roll-off" : "shorter side of the surface") +
+                                     ", " + shown(bounds.most));
+  }
+  check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
+  return BandLimited(model, wave, period);
+}
+
+void KernelOptions::refuse_beside_cutoff(const Tool& tool) const {
+  for (const char* option : {"lags", "formulation", "infeasible"})
+    if (given(tool, option))
+      throw UsageError(option, "cannot be combined with --cutoff, which leaves no equations to solve");
+  if (given(tool, "method") && !filters())
+    throw UsageError("method",
+                     method + ": cannot be combined with --cutoff, which leaves no equations to solve");
+  if (const std::string option = MarginalOptions::given(tool); !option.empty() && !filters())
+    throw UsageError(option,
+                     "cannot be combined with --cutoff: the translation of heights makes shorter waves; "
+                     "asperity-generate --method filter makes none");
+}
+
 void KernelOptions::refuse_model(const Tool& tool) const {
-  for (const char* option :
-       {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst", "wavelength"})
+  for (const char* option : {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst",
+                             "wavelength", "rolloff", "cutoff"})
     if (given(tool, option))
       throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
 }

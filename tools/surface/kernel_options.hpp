@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include "acf/band_limited.hpp"
 #include "acf/kernel.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/surface/kernel_dataset.hpp"
@@ -15,8 +17,8 @@
 namespace asperity::cli {
 
 struct KernelOptions {
-  std::string target = "exponential", acf, angle = "0deg", wavelength;
-  std::array<SampledLength, 2> length;
+  std::string target = "exponential", acf, angle = "0deg", wavelength, cutoff;
+  std::array<SampledLength, 2> length, rolloff;
   EllipticTarget shape;  ///< its level and the parameters of its shape
   double rms = NAN;
   MarginalOptions heights;
@@ -31,6 +33,9 @@ struct KernelOptions {
   /// The model of --model, its lengths in metres, or in samples where no spacing is known. Throws UsageError
   /// for options that it does not use.
   EllipticTarget model(const Tool& tool, const Spacing& spacing) const;
+  /// The surfaces of a period without waves shorter than --cutoff, of this model; nothing without --cutoff.
+  /// `period` is 0x0 of surfaces that are not periodic, which are refused; so are options without use.
+  std::optional<BandLimited> band(const Tool& tool, const EllipticTarget& model, Shape period) const;
   /// Throws UsageError for an option that a table has no use for.
   void refuse_model(const Tool& tool) const;
 
@@ -38,6 +43,7 @@ struct KernelOptions {
   void declare_target(Tool& tool);
   void declare_solution(Tool& tool, bool draws);
   void refuse_unused(const Tool& tool) const;
+  void refuse_beside_cutoff(const Tool& tool) const;
 };
 
 }  // namespace asperity::cli

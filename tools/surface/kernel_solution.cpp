@@ -21,10 +21,14 @@ constexpr double silent_error =
 
 // ---- what is wanted ----
 
-void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& options) {
+void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& options, Shape periodic) {
   const EllipticTarget model = options.model(tool, out.spacing);
   out.request.target = model.target();
   record_model(out.data.attributes, model);
+  out.band = options.band(tool, model, periodic);
+  if (!out.band) return;
+  out.period = periodic;
+  out.data.attributes.set("kernel_cutoff", out.band->cutoff() / model.spacing_x);
 }
 
 void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& options) {
@@ -83,6 +87,22 @@ Kernel periodic(KernelProblem& problem) {
   return out;
 }
 
+// Nor where the spectrum is prescribed.
+Kernel band_limited(const KernelProblem& problem) {
+  Kernel out;
+  const double rms = problem.request.rms;
+  out.formulation = problem.request.target.oriented ? Formulation::oriented : Formulation::symmetric;
+  out.lags = {problem.period->nx / 2 + 1, problem.period->ny / 2 + 1};
+  out.values = problem.band->kernel() * rms;
+  out.acf_target = problem.band->correlation() * (rms * rms);
+  out.acf_achieved = periodic_autocorrelation(out.values);
+  out.report.residual = out.report.change = out.report.error =
+      (out.acf_achieved - out.acf_target).abs().maxCoeff() / (rms * rms);
+  out.report.reason = "the root of the spectrum, which is prescribed";
+  out.report.converged = true;
+  return out;
+}
+
 // Solved for the field below the heights, whose distribution goes into the dataset.
 Kernel predistorted(KernelProblem& problem) {
   const Predistortion predistortion(problem.marginal->translation);
@@ -109,6 +129,7 @@ Kernel solved(const Tool& tool, KernelProblem& problem, bool aside) {
     if (p.step == 0) tool.detail(std::string(p.iteration));
     steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
   };
+  if (problem.band) return band_limited(problem);
   if (problem.marginal) return predistorted(problem);
   return problem.period ? periodic(problem) : solve_kernel(request);
 }
@@ -179,7 +200,8 @@ Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, 
 
 }  // namespace
 
-KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing) {
+KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing,
+                             Shape periodic) {
   KernelProblem out;
   out.spacing = spacing;
   out.has_height = !std::isnan(options.rms);
@@ -192,9 +214,10 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
   if (!options.formulation.empty())
     request.formulation = enum_named<Formulation>(options.formulation, "formulation");
   if (!tool.given("--acf"))
-    take_model(out, tool, options);
+    take_model(out, tool, options, periodic);
   else
     take_table(out, tool, options);
+  if (out.band) request.method = Method::spectral;
   if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
   request.check();
   return out;

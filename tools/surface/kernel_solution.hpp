@@ -17,13 +17,16 @@ struct KernelProblem {
   std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
   HeightsWithAcf measured;           ///< what came with a table
   std::optional<Shape> period;  ///< of the surfaces that the kernel is for, where the table is that of one
+  std::optional<BandLimited> band;  ///< the target of that period, of --cutoff
   Dataset data;      ///< what the kernel is added to: the attributes of the target, the grid of its table
   Inventory before;  ///< of the table's dataset
 };
 
 /// The model or the table of the options, on samples of this spacing if it is known; a table may know it
-/// itself. Throws UsageError, and DataError for a table that makes no sense.
-KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing);
+/// itself. `periodic` are the points of periodic surfaces, 0x0 of others. Throws UsageError, and DataError
+/// for a table that makes no sense.
+KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing,
+                             Shape periodic);
 
 struct KernelSolution {
   Dataset data;

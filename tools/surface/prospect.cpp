@@ -129,6 +129,7 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
 }
 
 void foresee(const Tool& tool, const KernelProblem& problem, Shape surface) {
+  if (problem.band) return;  // it has the surface's own waves, and no offset
   const Target& target = problem.request.target;
   foresee_extent(tool, target, surface, target.known ? "acf" : "length");
   tell_short(tool, target, surface);

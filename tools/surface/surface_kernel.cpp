@@ -14,11 +14,15 @@
 namespace asperity::cli {
 namespace {
 
-// Shape and size of the surface that the kernel's dataset has or had, where they are not given.
+// Shape and size of the surface that the kernel's dataset has or had, or its period, unless given.
 void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
   if (tool.given("--shape")) return;
-  if (!data.has("x") || !data.has("y"))
-    throw UsageError("shape", "is required: the autocorrelation has no grid");
+  if (!data.has("x") || !data.has("y")) {
+    const std::optional<Shape> period = kernel_period(data);
+    if (!period) throw UsageError("shape", "is required: the autocorrelation has no grid");
+    o.shape = *period;
+    return;
+  }
   const Grid grid = grid_of(data);
   o.shape = grid.shape;
   if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
@@ -32,19 +36,22 @@ void refuse_drawing(const Tool& tool, const GenerateOptions& o, Shape lags) {
 
 void require_model(const Tool& tool) {
   if (!tool.given("--shape")) throw UsageError("shape", "is required");
-  if (!tool.given("--length")) throw UsageError("length", "is required, or --acf or --kernel");
+  if (!tool.given("--length") && !tool.given("--rolloff"))
+    throw UsageError("length", "is required, or --acf or --kernel");
   if (!tool.given("--size")) throw UsageError("size", "is required");
 }
 
 SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
   if (!tool.given("--acf")) require_model(tool);
   const bool sized = tool.given("--shape") && tool.given("--size");
-  KernelProblem problem = kernel_problem(tool, o.acf, sized ? spacing_of(o.shape, o.size) : std::nullopt);
+  KernelProblem problem = kernel_problem(tool, o.acf, sized ? spacing_of(o.shape, o.size) : std::nullopt,
+                                         o.periodic ? o.shape : Shape{});
   if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, problem.data);
   if (!o.periodic || problem.period != o.shape) problem.period.reset();
   foresee(tool, problem, o.shape);
-  if (!problem.request.target.known) refuse_drawing(tool, o, first_lags(problem.request));
+  if (problem.band || !problem.request.target.known)
+    refuse_drawing(tool, o, problem.band ? o.shape : first_lags(problem.request));
   HeightsWithAcf measured = problem.measured;
   return {solve(tool, std::move(problem), true), {}, std::move(measured)};
 }

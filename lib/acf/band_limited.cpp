@@ -1,0 +1,129 @@
+#include "acf/band_limited.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "core/words.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+// (3) at a wave number.
+class Density {
+ public:
+  explicit Density(const EllipticTarget& model)
+      : model_(model),
+        radius_(model.level_radius()),
+        cosine_(std::cos(model.angle)),
+        sine_(std::sin(model.angle)) {}
+
+  double operator()(double qx, double qy) const {
+    const double along = cosine_ * qx + sine_ * qy, across = cosine_ * qy - sine_ * qx;
+    if (model_.model != Model::exponential_cosine) return principal(along, across);
+    const double shift = turn / model_.wavelength;
+    return principal(along - shift, across) + principal(along + shift, across);
+  }
+
+ private:
+  double principal(double along, double across) const {
+    const double a = along * model_.length_x / radius_, b = across * model_.length_y / radius_;
+    return radial(a * a + b * b);
+  }
+
+  double radial(double squared) const {
+    switch (model_.model) {
+      case Model::gaussian:
+        return std::exp(-squared / 4);
+      case Model::matern:
+        return std::pow(1 + squared, -1 - model_.smoothness);
+      case Model::self_affine:
+        return std::pow(std::max(squared, 1.0), -1 - model_.hurst);
+      default:
+        return std::pow(1 + squared, -1.5);
+    }
+  }
+
+  const EllipticTarget& model_;
+  double radius_, cosine_, sine_;
+};
+
+// The waves, up to two, between -n/2 and n/2 that n samples do not tell from wave `index` ≥ 0.
+struct Aliases {
+  std::array<Index, 2> wave{};
+  std::size_t count = 0;
+  Aliases(Index index, Index n) {
+    if (2 * index <= n) wave[count++] = index;
+    if (2 * (n - index) <= n && index > 0) wave[count++] = index - n;
+  }
+  std::span<const Index> waves() const { return {wave.data(), count}; }
+};
+
+struct Sides {
+  double x, y;
+  Sides(const EllipticTarget& model, Shape period)
+      : x(static_cast<double>(period.nx) * model.spacing_x),
+        y(static_cast<double>(period.ny) * model.spacing_y) {}
+};
+
+void check(const EllipticTarget& model, double cutoff, const CutoffBounds& bounds) {
+  model.check();
+  if (model.model == Model::stretched_exponential)
+    throw ParameterError("model",
+                         "stretched-exponential: has no spectrum in closed form; omit `cutoff`, or choose "
+                         "another model, such as matern");
+  check_parameter(
+      !bounds.below(cutoff) && !bounds.above(cutoff), "cutoff",
+      number(cutoff) + " does not lie in " + number(bounds.least) + " ... " + number(bounds.most));
+}
+
+}  // namespace
+
+double rolloff_of(const EllipticTarget& model, double length) { return turn * length / model.level_radius(); }
+double length_for_rolloff(const EllipticTarget& model, double rolloff) {
+  return rolloff * model.level_radius() / turn;
+}
+
+CutoffBounds::CutoffBounds(const EllipticTarget& model, Shape period)
+    : least(2 * std::max(model.spacing_x, model.spacing_y)), most_is_rolloff(false) {
+  const Sides side(model, period);
+  most = std::min(side.x, side.y);
+  if (model.model != Model::self_affine) return;
+  const double corner = rolloff_of(model, std::min(model.length_x, model.length_y));
+  if (corner < most) most = corner, most_is_rolloff = true;
+}
+
+BandLimited::BandLimited(const EllipticTarget& model, double cutoff, Shape period)
+    : period_(period), cutoff_(cutoff), power_(size(period.nx * (period.ny / 2 + 1))) {
+  check(model, cutoff, CutoffBounds(model, period));
+  const Sides side(model, period);
+  const Density density(model);
+  const double most = std::pow(turn / cutoff * (1 + CutoffBounds::rounded), 2);
+  double sum = 0;
+  for (Index a = 0; a < period.nx; ++a)
+    for (Index b = 0; 2 * b <= period.ny; ++b) {
+      const Aliases along_x(a, period.nx), along_y(b, period.ny);
+      double power = 0, slope = 0;
+      for (Index j : along_x.waves())
+        for (Index k : along_y.waves()) {
+          const double qx = turn * static_cast<double>(j) / side.x,
+                       qy = turn * static_cast<double>(k) / side.y;
+          const double squared = qx * qx + qy * qy;
+          if (squared == 0 || squared > most) continue;
+          const double c = density(qx, qy);
+          power += c, slope += c * squared;
+        }
+      const double times = b > 0 && 2 * b < period.ny ? 2 : 1;  // in the whole spectrum
+      power_[size(a * (period.ny / 2 + 1) + b)] = power;
+      sum += times * power, slope_ += times * slope;
+    }
+  check_parameter(sum > 1e-280, "length", "the model has no power at the waves of the band; choose others");
+  for (Complex& p : power_) p /= sum;
+  slope_ /= sum;
+}
+
+}  // namespace asperity
