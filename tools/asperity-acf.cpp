@@ -6,15 +6,15 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "dataset/layout.hpp"
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
+#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/measure/acf_result.hpp"
 #include "tools/measure/field_options.hpp"
-#include "tools/surface/marginal_dataset.hpp"
 
 using namespace asperity;
 
@@ -42,14 +42,6 @@ struct Options {
   }
 };
 
-/// The ACF, and what --add names.
-struct Result {
-  AcfEstimate estimate;
-  std::optional<LagField> target = {};     ///< normalised
-  std::optional<LagField> structure = {};  ///< in units squared
-  std::optional<MeasuredHeights> quantiles = {};
-};
-
 // ---- lengths ----
 
 AcfLevel level_of(const std::string& word) {
@@ -71,57 +63,25 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
   return out;
 }
 
-Parameters lengths_of(const cli::Tool& tool, const Result& result, const Options& what) {
-  std::optional<double> direction;
-  if (!what.direction.empty()) direction = cli::parse_angle("direction", what.direction);
-  const std::vector<AcfLevel> levels = levels_of(what.levels);
-  const Parameters out = acf_lengths(result.estimate, levels, direction, result.target);
-  for (const AcfLevel& level : levels)
-    if (std::ranges::find(out, "gamma_" + level.tag, &Parameter::name) == out.end())
+// What the lengths found, of one surface or the means of several, have to be doubted for.
+void warn_of_lengths(const cli::Tool& tool, const Options& what, const Parameters& lengths, const Grid& grid,
+                     const EffectiveSampleSize* size = nullptr) {
+  for (const AcfLevel& level : levels_of(what.levels))
+    if (std::ranges::find(lengths, "gamma_" + level.tag, &Parameter::name) == lengths.end())
       tool.warn("in some direction the ACF does not fall to " + level.text +
                 " within the lags; increase --max-lag");
-  warn_of_few(tool, result.estimate.size);
-  const Grid& grid = result.estimate.basis.pairs.grid();
-  for (const Parameter& row : out)
+  if (size != nullptr) warn_of_few(tool, *size);
+  for (const Parameter& row : lengths)
     if (row.name.starts_with("length_") && !cli::warn_of_length(tool, row.name, row.value, grid)) break;
-  return out;
 }
 
-// ---- the two profiles ----
-
-void add_profile(cli::Table& table, const Surface& surface, const Result& result, bool absolute, bool x) {
-  const AcfEstimate& estimate = result.estimate;
-  const Index lags = x ? estimate.rho.max_p() : estimate.rho.max_q();
-  const double spacing = x ? surface.grid.dx : surface.grid.dy, scale = absolute ? estimate.variance : 1;
-  for (Index lag = 0; lag <= lags; ++lag) {
-    const Index p = x ? lag : 0, q = x ? 0 : lag;
-    const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
-    const Interval ends = Interval::about(value, half_width_95 * error);
-    std::vector<cli::Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, value, error, ends.low,
-                               ends.high};
-    if (result.target) row.push_back(scale * (*result.target)(p, q));
-    if (result.structure) row.push_back((*result.structure)(p, q));
-    table.rows.push_back(std::move(row));
-  }
+Parameters lengths_of(const cli::AcfResult& result, const Options& what) {
+  std::optional<double> direction;
+  if (!what.direction.empty()) direction = cli::parse_angle("direction", what.direction);
+  return acf_lengths(result.estimate, levels_of(what.levels), direction, result.target);
 }
 
-cli::Table profiles(const Surface& surface, const Result& result, bool absolute) {
-  const std::string unit = absolute ? cli::unit_to(surface.units, 2) : "1";
-  cli::Table table{{{"direction", ""},
-                    {"lag", "m"},
-                    {"acf", unit, cli::Holds::unknown},
-                    {"standard_error", unit, cli::Holds::unknown},
-                    {"low_95", unit, cli::Holds::open},
-                    {"high_95", unit, cli::Holds::open}},
-                   {}};
-  if (result.target) table.columns.push_back({"target", unit, cli::Holds::unknown});
-  if (result.structure)
-    table.columns.push_back({"structure_function", cli::unit_to(surface.units, 2), cli::Holds::unknown});
-  for (const bool x : {true, false}) add_profile(table, surface, result, absolute, x);
-  return table;
-}
-
-// ---- the dataset ----
+// ---- the ACF ----
 
 MeasuredHeights quantiles_of(const Field& heights) {
   std::vector<double> sample(heights.data(), heights.data() + heights.size());
@@ -129,39 +89,94 @@ MeasuredHeights quantiles_of(const Field& heights) {
   return MeasuredHeights::of(std::move(sample));
 }
 
-void add_to(Dataset& data, const Surface& surface, const Result& result, const Parameters& lengths,
-            const std::string& variable, bool absolute) {
-  cli::drop_results(data, "acf", variable);
-  data.attributes.set("acf_variable", variable);
-  const Grid& grid = surface.grid;
-  const AcfEstimate& estimate = result.estimate;
-  const double scale = absolute ? estimate.variance : 1;
-  const std::string units = absolute ? cli::unit_to(surface.units, 2) : "1";
-  const Axis lag_x{"lag_x", 0, grid.dx, "m", "lag in x"},
-      lag_y{"lag_y", -estimate.rho.max_q(), grid.dy, "m", "lag in y"};
-  set_table(data, "acf", scale * estimate.rho.half_plane(), lag_x, lag_y,
-            {units, "autocorrelation estimated from the field"}, Missing::not_a_number);
-  if (result.structure)
-    set_table(data, "structure_function", result.structure->half_plane(), lag_x, lag_y,
-              {cli::unit_to(surface.units, 2), "mean square difference of two points a lag apart"},
-              Missing::not_a_number);
-  const Moments height = moments(surface.heights);
-  data.attributes.set("acf_skewness", height.ssk);
-  data.attributes.set("acf_kurtosis", height.sku);
-  if (result.quantiles) cli::set_quantiles(data, "acf_quantiles", *result.quantiles);
-  // In m2: of heights only.
-  if (surface.units == "m") data.attributes.set("acf_variance", estimate.variance);
-  cli::check_finite(lengths);
-  for (const Parameter& length : lengths) data.attributes.set("acf_" + length.name, length.value);
-}
-
-Result estimate(const Surface& surface, const Options& what, Shape max_lag, int threads) {
-  Result out{AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
+cli::AcfResult estimate(const cli::Tool& tool, const Options& what, const Surface& surface) {
+  const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
+  const int threads = tool.thread_count();
+  cli::AcfResult out{
+      AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
+  if (what.result.dataset()) out.moments = moments(surface.heights);
   if (what.adds("structure_function"))
     out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
   if (what.adds("acf_quantiles")) out.quantiles = quantiles_of(surface.heights);
   return out;
 }
+
+cli::AcfResult measured(const cli::Tool& tool, const Options& what, const Surface& surface,
+                        const Dataset& data) {
+  cli::AcfResult out = estimate(tool, what, surface);
+  if (surface.variable == "heights") out.target = cli::carried_correlation(data, "acf_target", surface.grid);
+  return out;
+}
+
+cli::AcfContent content(const Surface& surface, const Options& what) {
+  return {surface.variable, surface.units, what.absolute};
+}
+
+// One surface: its dataset or table, with errors by theory.
+void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
+  const Surface surface = field.read(tool, data);
+  const cli::AcfResult result = measured(tool, what, surface, data);
+  if (what.result.result == "profiles") {
+    warn_of_few(tool, result.estimate.size);
+    return cli::print(tool, acf_profiles(result, content(surface, what)));
+  }
+  const Parameters lengths = lengths_of(result, what);
+  warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate.size);
+  if (!what.result.dataset()) return cli::print(tool, lengths);
+  const cli::Inventory before(data);
+  add_acf(data, result, lengths, content(surface, what));
+  before.tell(tool, data, "acf");
+  tool.write(data);
+}
+
+// Several: means, with errors by the spread between them.
+class Surfaces {
+ public:
+  Surfaces(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
+      : tool_(tool),
+        field_(field),
+        what_(what),
+        grids_(what.result.result == "lengths" ? "" : "the mean at each lag") {}
+
+  void add(const cli::EnsembleMember& member) {
+    if (what_.adds("acf_quantiles"))
+      throw cli::UsageError("add", "acf_quantiles are those of one surface, but INPUT names several");
+    tool_.detail(member.name);
+    const Surface surface = field_.read(tool_, member.data);
+    grids_.add(tool_, surface.grid, member.name, surface.units);
+    if (!ensemble_) ensemble_.emplace(content(surface, what_));
+    grid_ = surface.grid;
+    const cli::AcfResult result = measured(tool_, what_, surface, member.data);
+    if (what_.result.result == "profiles") return ensemble_->add_profiles(result, member.name);
+    ensemble_->add_lengths(lengths_of(result, what_));
+    if (what_.result.dataset()) ensemble_->add_function(result);
+  }
+  void finish() const {
+    if (!ensemble_) return;
+    if (what_.result.result == "profiles") return cli::print(tool_, ensemble_->profiles());
+    warn_of_lengths(tool_, what_, mean_lengths(), grid_);
+    if (!what_.result.dataset()) return cli::print(tool_, cli::ensemble_table(ensemble_->lengths()));
+    Dataset data = ensemble_->dataset(grid_);
+    tool_.write(data);
+  }
+
+ private:
+  // Of the lengths that all surfaces have.
+  Parameters mean_lengths() const {
+    Parameters out;
+    for (const EnsembleParameter& length : ensemble_->lengths().all())
+      if (length.surfaces == ensemble_->lengths().surfaces())
+        out.push_back({length.name, length.mean, length.unit, length.standard_error(), ""});
+    return out;
+  }
+
+  cli::Tool& tool_;
+  const cli::FieldOptions& field_;
+  const Options& what_;
+  cli::EnsembleGrid grids_;
+  Grid grid_ = {};
+  std::optional<cli::AcfEnsemble> ensemble_ = {};
+};
 
 // ---- the command line ----
 
@@ -187,7 +202,6 @@ void declare(cli::Tool& tool, Options& what) {
       "Write the dataset, or print profiles or lengths. dataset: with the ACF added; profiles: "
       "R(p,0) and R(0,q) with standard errors; lengths: with intervals, and the ellipticity");
   declare_estimate(tool, what);
-  tool.input();
   tool.table();
   tool.output();
   tool.threads();
@@ -201,7 +215,10 @@ void declare(cli::Tool& tool, Options& what) {
       "Gaussian field; the errors of neighbouring lags are strongly correlated. Subtracting the field's mean "
       "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
       "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
-      "measured points count; a lag without such a pair is NaN.");
+      "measured points count; a lag without such a pair is NaN. Over several surfaces the standard error is "
+      "the "
+      "spread divided by the square root of their number, whatever the distribution of heights; each ACF is "
+      "divided by its own R(0,0) first.");
 }
 
 }  // namespace
@@ -214,31 +231,25 @@ int main(int argc, char** argv) {
       "(acf_variance), the skewness and kurtosis of the heights (acf_skewness, acf_kurtosis), and the "
       "lengths at which it first falls to 10 % and 1/e or to --levels (acf_length_10_x and so on). --result "
       "lengths prints these lengths; --result profiles prints the two profiles, one row per lag, with "
-      "standard errors and the target if the dataset has one (acf_target).");
+      "standard errors and the target if the dataset has one (acf_target). For several surfaces each result "
+      "is "
+      "the mean over them, with the standard error by their spread and the spread expected from the errors "
+      "of "
+      "the single surfaces; the dataset then holds acf, acf_error and the attributes, but no heights.");
+  cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;
+  inputs.declare(tool);
   options.declare(tool);
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    Dataset data = tool.read();
-    const Surface surface = options.read(tool, data);
-    const Shape max_lag = tool.given("--max-lag") ? what.max_lag : default_max_lag(surface.grid);
-    Result result = estimate(surface, what, max_lag, tool.thread_count());
-    if (options.variable == "heights")
-      result.target = cli::carried_correlation(data, "acf_target", surface.grid);
-    if (what.result.dataset()) {
-      const cli::Inventory before(data);
-      add_to(data, surface, result, lengths_of(tool, result, what), options.variable, what.absolute);
-      before.tell(tool, data, "acf");
-      tool.write(data);
-    } else if (what.result.result == "lengths") {
-      cli::print(tool, lengths_of(tool, result, what));
-    } else {
-      warn_of_few(tool, result.estimate.size);
-      cli::print(tool, profiles(surface, result, what.absolute));
-    }
+    Surfaces surfaces(tool, options, what);
+    inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
+      member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);
+    });
+    surfaces.finish();
     return cli::done;
   });
 }

@@ -3,6 +3,8 @@
 
 #include "dataset/layout.hpp"
 #include "stats/spectrum/spectrum.hpp"
+#include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/table.hpp"
@@ -66,17 +68,91 @@ cli::Table profiles(const Surface& surface, const DataWindows& windows, int thre
   return out;
 }
 
-void add_to(Dataset& data, const Surface& surface, const LagField& psd, const std::string& variable,
-            const std::string& window) {
-  cli::drop_results(data, "psd", variable);
+// Writes psd, or another function of the wave numbers, in place of a former one.
+void write(Dataset& data, const char* name, const Field& half_plane, const Surface& surface,
+           const char* meaning) {
   const auto step = [](double size) { return 2 * std::numbers::pi / size; };
-  set_table(data, "psd", psd.half_plane(),
+  set_table(data, name, half_plane,
             {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
-            {"wave_number_y", -psd.max_q(), step(surface.grid.size_y()), per_length, "wave number in y"},
-            {density_units(surface, 2), "power spectral density of the field"});
-  data.attributes.set("psd_variable", variable);
-  data.attributes.set("psd_window", window);
+            {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
+             "wave number in y"},
+            {density_units(surface, 2), meaning});
 }
+
+void describe(Dataset& data, const Surface& surface, const DataWindows& windows) {
+  data.attributes.set("psd_variable", surface.variable);
+  data.attributes.set("psd_window", windows.x == DataWindow::hann ? "hann" : "none");
+}
+
+cli::Table table(const cli::Tool& tool, const Options& what, const Surface& surface) {
+  const DataWindows windows = what.windows(surface.grid);
+  if (what.result.result == "profiles") return profiles(surface, windows, tool.thread_count());
+  return radial(surface, power_spectrum(surface.heights, surface.grid, windows, tool.thread_count()),
+                windows);
+}
+
+// One surface: its dataset or table, with errors by theory.
+void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
+  const Surface surface = field.read(tool, data);
+  if (!what.result.dataset()) return cli::print(tool, table(tool, what, surface));
+  const DataWindows windows = what.windows(surface.grid);
+  const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
+  const cli::Inventory before(data);
+  cli::drop_results(data, "psd", surface.variable);
+  write(data, "psd", psd.half_plane(), surface, "power spectral density of the field");
+  describe(data, surface, windows);
+  before.tell(tool, data, "psd");
+  tool.write(data);
+}
+
+// Several: means, with errors by the spread between them.
+class Surfaces {
+ public:
+  Surfaces(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
+      : tool_(tool), field_(field), what_(what), table_(content(what.result.result)) {}
+
+  void add(const cli::EnsembleMember& member) {
+    tool_.detail(member.name);
+    Surface surface = field_.read(tool_, member.data);
+    grids_.add(tool_, surface.grid, member.name, surface.units);
+    ++surfaces_;
+    if (what_.result.dataset())
+      psd_.add(
+          power_spectrum(surface.heights, surface.grid, what_.windows(surface.grid), tool_.thread_count())
+              .half_plane());
+    else
+      table_.add(table(tool_, what_, surface), member.name);
+    surface.heights.resize(0, 0);
+    last_ = std::move(surface);
+  }
+  void finish() const {
+    if (surfaces_ == 0) return;
+    if (!what_.result.dataset()) return cli::print(tool_, table_.table());
+    Dataset data;
+    set_grid(data, last_.grid);
+    write(data, "psd", psd_.mean(), last_, "mean power spectral density of the surfaces");
+    write(data, "psd_error", psd_.standard_error(), last_,
+          "standard error of the mean power spectral density");
+    describe(data, last_, what_.windows(last_.grid));
+    data.attributes.set("psd_surfaces", surfaces_);
+    tool_.write(data);
+  }
+
+ private:
+  static cli::EnsembleTable::Content content(const std::string& result) {
+    if (result == "profiles") return {.keys = {"direction", "wave_number"}, .value = "psd"};
+    return {.keys = {"wave_number", "count"}, .value = "psd"};
+  }
+
+  cli::Tool& tool_;
+  const cli::FieldOptions& field_;
+  const Options& what_;
+  cli::EnsembleGrid grids_{"the mean at each wave number"};
+  cli::EnsembleTable table_;
+  cli::EnsembleField psd_ = {};
+  Surface last_ = {};  ///< without its heights
+  int surfaces_ = 0;
+};
 
 void declare(cli::Tool& tool, Options& what) {
   what.result.declare(
@@ -86,7 +162,6 @@ void declare(cli::Tool& tool, Options& what) {
       "numbers");
   tool.choice("--window", what.window, {"auto", "none", "hann"},
               "Window function; auto: Hann's, or none if the field is periodic", "Estimate");
-  tool.input();
   tool.table();
   tool.output();
   tool.threads();
@@ -100,7 +175,10 @@ void declare(cli::Tool& tool, Options& what) {
       "both signs, or sum / L for a profile. Standard errors hold for a Gaussian field and allow for the "
       "correlation that a window causes between neighbouring wave numbers. Wave numbers are 2 pi / "
       "wavelength. Missing points are set to the mean, and the sum is divided by the squared window over "
-      "the other points: a share g of scattered holes adds about g Sq^2 dx dy at every wave number.");
+      "the other points: a share g of scattered holes adds about g Sq^2 dx dy at every wave number. Over "
+      "several surfaces the "
+      "standard error is the spread divided by the square root of their number, whatever the distribution of "
+      "heights.");
 }
 
 }  // namespace
@@ -111,30 +189,25 @@ int main(int argc, char** argv) {
       "Measures the power spectral density (PSD) of a surface and adds it to the dataset: psd over "
       "wave_number_x >= 0 and wave_number_y of both signs, in m4, is (dx dy)^2 / (Lx Ly) |transform|^2 "
       "with a window of mean square 1. --result radial prints its mean over rings of wave numbers; "
-      "--result profiles prints the PSD of the profiles, in m3.");
+      "--result profiles prints the PSD of the profiles, in m3. For several surfaces each is the mean over "
+      "them, "
+      "with the standard error by their spread and the spread expected from the errors of the single "
+      "surfaces; "
+      "the dataset then holds psd, psd_error and the attributes, but no heights.");
+  cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;
+  inputs.declare(tool);
   options.declare_field(tool);
   declare(tool, what);
 
   return tool.run(argc, argv, [&] {
     what.result.check(tool);
-    Dataset data = tool.read();
-    const Surface surface = options.read(tool, data);
-    const DataWindows windows = what.windows(surface.grid);
-    if (what.result.result == "profiles") {
-      cli::print(tool, profiles(surface, windows, tool.thread_count()));
-      return cli::done;
-    }
-    const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
-    if (!what.result.dataset()) {
-      cli::print(tool, radial(surface, psd, windows));
-      return cli::done;
-    }
-    const cli::Inventory before(data);
-    add_to(data, surface, psd, options.variable, windows.x == DataWindow::hann ? "hann" : "none");
-    before.tell(tool, data, "psd");
-    tool.write(data);
+    Surfaces surfaces(tool, options, what);
+    inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
+      member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);
+    });
+    surfaces.finish();
     return cli::done;
   });
 }

@@ -9,10 +9,11 @@
 #include "core/words.hpp"
 #include "dataset/field_file.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/units.hpp"
 #include "stats/measure/ensemble_parameters.hpp"
 #include "tools/cli/counted_cells.hpp"
-#include "tools/cli/table.hpp"
-#include "tools/measure/ensemble_input.hpp"
+#include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/ensemble_table.hpp"
 #include "tools/measure/stats_options.hpp"
 
 using namespace asperity;
@@ -45,7 +46,7 @@ class Surfaces {
   void add(const Dataset& data, const std::string& name) {
     tool_.detail(name);
     if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
-    grids_.add(tool_, grid_of(data), name);
+    grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
     add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()));
   }
   /// Reads a file that is too large for memory in strips; false if it is not.
@@ -58,8 +59,8 @@ class Surfaces {
                                           " bytes are more than an eighth of it, but " + whole +
                                           " needs the whole field; allow more");
     const FieldFile file(path, field_.variable, tool_.memory_bound());
-    grids_.add(tool_, file.grid(), path);
     Dataset head = file.dataset();
+    grids_.add(tool_, file.grid(), path, si_unit_of(head.at(field_.variable)));
     tool_.settle(head, path);
     add(strips_of(file));
     return true;
@@ -68,7 +69,7 @@ class Surfaces {
     for (const std::string& group : missing_) tool_.warn(group);
     if (fewest_) warn_of_few(tool_, *fewest_);
     if (ensemble_.surfaces() == 1) return cli::print(tool_, last_);
-    cli::print(tool_, table());
+    cli::print(tool_, cli::ensemble_table(ensemble_));
   }
 
  private:
@@ -100,20 +101,6 @@ class Surfaces {
       last_.insert(last_.end(), rows.begin(), rows.end());
     }
     ensemble_.add(last_);
-  }
-  cli::Table table() const {
-    cli::Table out{{{"quantity", ""},
-                    {"unit", ""},
-                    {"mean", "SI", cli::Holds::unknown},
-                    {"standard_error", "SI", cli::Holds::unknown},
-                    {"spread", "SI", cli::Holds::unknown},
-                    {"expected_spread", "SI", cli::Holds::unknown},
-                    {"surfaces", "1"}},
-                   {}};
-    for (const EnsembleParameter& p : ensemble_.all())
-      out.rows.push_back(
-          {p.name, p.unit, p.mean, p.standard_error(), p.spread, p.expected_spread, p.surfaces});
-    return out;
   }
 
   const cli::Tool& tool_;
@@ -169,7 +156,7 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     Surfaces measured(tool, options.field, options.checked(tool));
     surfaces.for_each(
-        tool, [&](const Dataset& data, const std::string& name) { measured.add(data, name); },
+        tool, [&](const cli::EnsembleMember& member) { measured.add(member.data, member.name); },
         [&](const std::string& path) { return measured.add_in_strips(path); });
     measured.print();
     return cli::done;

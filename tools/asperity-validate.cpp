@@ -8,8 +8,8 @@
 #include "dataset/layout.hpp"
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/specification.hpp"
+#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/measure/ensemble_input.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/acf_table.hpp"
 
@@ -156,11 +156,12 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check();
     std::optional<SpecificationTest> test;
-    cli::EnsembleGrid grids(cli::EnsembleGrid::Sizes::alike);
-    options.surfaces.for_each(tool, [&](const Dataset& data, const std::string& name) {
-      grids.add(tool, grid_of(data), name);
+    cli::EnsembleGrid grids("the test");
+    options.surfaces.for_each(tool, [&](cli::EnsembleMember&& member) {
+      const Dataset& data = member.data;
+      grids.add(tool, grid_of(data), member.name);
       if (!test) test = test_for(tool, options, data);
-      tool.detail(name);
+      tool.detail(member.name);
       test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
     });
     const std::vector<TestResult> results = test->results();

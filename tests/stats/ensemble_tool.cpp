@@ -97,7 +97,7 @@ TEST_CASE("a pattern, a list on standard input and names are one ensemble, a sin
   CHECK(shell("asperity-stats 'g_1*.nc'").out == one);
   for (const char* none : {"asperity-stats 'absent_*.nc'", "echo | asperity-stats"}) {
     const Outcome run = shell(none);
-    CHECK((run.exit == 2 && lines(run.error) == 1 && run.error.find("SURFACES") != std::string::npos));
+    CHECK((run.exit == 2 && lines(run.error) == 1 && run.error.find("INPUT") != std::string::npos));
   }
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
       "asperity-kernel --length 4px,3.5px --angle 30deg --rq 0.4um --spacing 1um,2um --no-history",
       "asperity-stats s.nc --parameters height,hybrid --json",
       "asperity-acf acf.nc --result profiles --max-lag 4x3", "asperity-psd s.nc --result radial",
-      "asperity-pdf s.nc --bins 5", "asperity-validate s.nc s.nc --rq 0.4nm --significance 1e-09",
+      "asperity-pdf s.nc --bins 5", "asperity-validate s.nc acf.nc --rq 0.4nm --significance 1e-09",
       "asperity-convert s.nc --crop 2:9,:5 --to esri",
       "asperity-contact s.nc --radius 1mm,inf --young 208GPa --poisson 0.3,0.25 --load 1mN --yield 1.2GPa "
       "--no-history",
@@ -94,7 +94,7 @@ TEST_CASE("a wrong value of the environment is named by its variable", "[config]
 TEST_CASE("comments, literals and lists are read as TOML has them", "[config][contract]") {
   require(draw + " -o s.nc; cp s.nc 'a#b.nc'");
   require(
-      "printf '# of statistics\\n\\n  SURFACES = [ \"s.nc\",  # one\\n  '\"'a#b.nc'\"' ]  # "
+      "printf '# of statistics\\n\\n  INPUT = [ \"s.nc\",  # one\\n  '\"'a#b.nc'\"' ]  # "
       "both\\njson=true' > c.toml");
   const Outcome run = shell("asperity-stats --config c.toml | jq .Sq");
   CAPTURE(run.error);

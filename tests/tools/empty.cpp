@@ -47,17 +47,17 @@ TEST_CASE("an empty value is named by where it came from", "[empty][contract]") 
   CHECK(says_empty(shell("ASPERITY_CONTACT_ADD= " + press), "ASPERITY_CONTACT_ADD"));
   CHECK(shell("ASPERITY_CONTACT_RADIUS= " + press + "-o p.nc").exit == 0);  // the command line comes first
   CHECK(says_empty(shell("asperity-contact ''" + bodies), "INPUT"));
-  CHECK(says_empty(shell("asperity-stats s.nc ''"), "SURFACES"));
+  CHECK(says_empty(shell("asperity-stats s.nc ''"), "INPUT"));
   CHECK(says_empty(shell("asperity-plot '' --kind map -o m.png"), "INPUT"));
   CHECK(says_empty(shell(press + "--config ''"), "--config"));
   shell(
-      "echo 'counter = \"\"' > one.toml; echo 'SURFACES = [\"s.nc\", \"\"]' > two.toml; echo 'SURFACES = []' "
+      "echo 'counter = \"\"' > one.toml; echo 'INPUT = [\"s.nc\", \"\"]' > two.toml; echo 'INPUT = []' "
       "> none.toml");
   CHECK(says_empty(shell(press + "--config one.toml"), "one.toml: counter"));
-  CHECK(says_empty(shell("asperity-stats --config two.toml"), "SURFACES"));
+  CHECK(says_empty(shell("asperity-stats --config two.toml"), "INPUT"));
   const Outcome none = shell("asperity-stats --config none.toml");
   CHECK(none.exit == 2);
-  CHECK(none.error.find("none.toml: SURFACES: is an empty list") != std::string::npos);
+  CHECK(none.error.find("none.toml: INPUT: is an empty list") != std::string::npos);
 }
 
 TEST_CASE("a figure has no title where its title is empty, wherever that is said", "[empty][contract]") {

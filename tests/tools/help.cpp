@@ -73,7 +73,7 @@ TEST_CASE("an option that is not there is told by what was meant", "[help][contr
   CHECK_THAT(refusal("asperity-stats --qwertyuiop"), EndsWith("there is no option --qwertyuiop\n"));
   CHECK_THAT(refusal("asperity-contact --one --two"),
              ContainsSubstring("--one"));  // the first that was typed
-  CHECK_THAT(refusal("asperity-acf one.nc two.nc three.nc"),
+  CHECK_THAT(refusal("asperity-convert one.nc two.nc three.nc"),
              ContainsSubstring("'two.nc' is one argument too many"));
   CHECK_THAT(refusal("asperity-stats --lambda-c"), EndsWith("--lambda-c needs a value\n"));
   CHECK_THAT(refusal("echo 'lenght = \"3px\"' > o.toml; asperity-generate --config o.toml"),

@@ -4,7 +4,7 @@
 ///     size = "3mm,2mm"        a text, with the escapes \" \\ \n \t, or 'literal'
 ///     threads = 2             a number, as TOML writes it
 ///     periodic = true         a flag
-///     SURFACES = ["a.nc", "b.nc"]
+///     INPUT = ["a.nc", "b.nc"]
 ///
 /// Tables, dates and text that is not TOML are errors that name the key or the line. toml++ recurses once per
 /// part of a dotted key: a key has at most 8 parts, a file at most 1 MiB.

@@ -165,10 +165,12 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
 Dataset Tool::read() const { return read(input_); }
 
 Dataset Tool::read(const std::string& name, std::size_t held) const {
-  const MemoryBound bound = memory_bound(held);
-  const Bytes bytes = read_all(name, bound);
+  return read(read_all(name, memory_bound(held)), name, held);
+}
+
+Dataset Tool::read(const Bytes& bytes, const std::string& name, std::size_t held) const {
   reads(name, result_is_dataset_ && format_.netcdf(bytes));
-  Dataset data = format_.dataset(bytes, name, bound);
+  Dataset data = format_.dataset(bytes, name, memory_bound(held));
   settle(data, name);
   return data;
 }

@@ -29,6 +29,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "dataset/bytes.hpp"
 #include "dataset/dataset.hpp"
 #include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
@@ -161,6 +162,7 @@ class Tool {
   // Files that this run reads and writes, so that no output replaces an input or another output.
   /// Of a tool that writes a dataset or a table: which of them goes to --output in this run.
   void writes_dataset(bool dataset) { result_is_dataset_ = dataset; }
+  bool result_is_dataset() const { return result_is_dataset_; }
   /// A further output; throws UsageError(option, …) where it is another output's file.
   void writes(const std::string& option, const std::string& name);
   /// This file is read from here on: errors in data name it. Throws UsageError where an output would replace
@@ -174,6 +176,8 @@ class Tool {
   Dataset read() const;  ///< the dataset named by INPUT
   /// "-" is stdin. `held` bytes are in use by other inputs.
   Dataset read(const std::string& name, std::size_t held = 0) const;
+  /// The dataset in bytes that were read from `name`.
+  Dataset read(const Bytes& bytes, const std::string& name, std::size_t held = 0) const;
   const InputFormat& format() const { return format_; }
   /// Settles lengths (dataset/layout.hpp) and notes what was settled; `name` is that of one file among
   /// several.

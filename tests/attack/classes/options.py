@@ -134,7 +134,7 @@ def judged(case, run, *names):
     """The oracle of this class."""
     nothing_executed(case)
     if run.code == USAGE:
-        check(any(n in run.err for n in names) or re.search(r"--[a-z]|ASPERITY_|INPUT|SURFACES", run.err),
+        check(any(n in run.err for n in names) or re.search(r"--[a-z]|ASPERITY_|INPUT", run.err),
               f"an option named: {run.err.strip()[:300]!r}")
     if run.code in (0, NOT_CONVERGED):
         finite(case, run)

@@ -1,0 +1,202 @@
+// asperity-acf and asperity-psd on several surfaces.
+#include <cmath>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "dataset/layout.hpp"
+#include "tools/files.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr unsigned members = 8;
+
+// f_0.nc … f_7.nc, oblong, with dx ≠ dy.
+void draw() {
+  static const bool drawn = shell(
+                                "asperity-generate -q --shape 64x48 --size 1mm,0.5mm --rq 0.4um --length "
+                                "60um,40um --seed 1 --count 8 -o f_%d.nc")
+                                .exit == 0;
+  REQUIRE(drawn);
+}
+
+Json json_of(const std::string& command) { return Json::parse(require(command + " --json -q").out); }
+
+std::vector<double> column(const Json& table, const std::string& name) {
+  std::vector<double> out;
+  for (const Json& value : table[name]["values"]) out.push_back(value.is_null() ? NAN : value.get<double>());
+  return out;
+}
+
+// The single tables' mean, spread and rms error of a row, by plain sums.
+struct Sums {
+  double sum = 0, squares = 0, errors = 0;
+  void add(double value, double error) {
+    sum += value;
+    squares += value * value;
+    errors += error * error;
+  }
+  double mean() const { return sum / members; }
+  double rms() const { return std::sqrt(squares / members); }
+  double spread() const { return std::sqrt(std::max(squares - sum * sum / members, 0.0) / (members - 1)); }
+  double expected() const { return std::sqrt(errors / members); }
+};
+
+}  // namespace
+
+// Means of eight values by two sums. A spread by differences of sums has lost ε (rms/spread)² of its digits:
+// 1e-16 × 1e4 at the most here, where each spread is above a hundredth of its mean; at lag 0 both are exactly 0.
+TEST_CASE("of several surfaces asperity-acf and asperity-psd print the mean of each row and its error",
+          "[acf-tool][psd-tool][law]") {
+  draw();
+  for (const auto& [command, value] :
+       {std::pair{std::string("asperity-acf --result profiles "), std::string("acf")},
+        {"asperity-acf --result profiles --absolute ", "acf"},
+        {"asperity-psd --result profiles ", "psd"},
+        {"asperity-psd --result radial ", "psd"}}) {
+    const Json all = json_of(command + "'f_?.nc'");
+    std::vector<Sums> sums(column(all, value).size());
+    for (unsigned m = 0; m < members; ++m) {
+      const Json one = json_of(command + "f_" + std::to_string(m) + ".nc");
+      REQUIRE(column(one, value).size() == sums.size());
+      for (std::size_t i = 0; i < sums.size(); ++i)
+        sums[i].add(column(one, value)[i], column(one, "standard_error")[i]);
+    }
+    const auto means = column(all, value), errors = column(all, "standard_error"),
+               spreads = column(all, "spread"), expected = column(all, "expected_spread");
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      CAPTURE(command, i);
+      CHECK(std::abs(means[i] - sums[i].mean()) <= 20 * epsilon * sums[i].rms());
+      CHECK(std::abs(spreads[i] - sums[i].spread()) <= 1e-9 * sums[i].spread());
+      CHECK(std::abs(errors[i] - sums[i].spread() / std::sqrt(members)) <= 1e-9 * sums[i].spread());
+      CHECK(std::abs(expected[i] - sums[i].expected()) <= 1e-9 * sums[i].expected());
+      CHECK(column(all, "surfaces")[i] == members);
+    }
+  }
+}
+
+// The target is R(p,q) of (p, q) without the surfaces' own mean, whose variance lowers every lag alike, by
+// less than 2 % of R(0,0) here (Sq² Σρ/N, Σρ below 50 samples). Errors of neighbouring lags go together:
+// none of them is beyond five standard errors of seven degrees of freedom more than once in 1300 (Student).
+TEST_CASE("the mean ACF of drawn surfaces is their target within its errors", "[acf-tool][statistics]") {
+  draw();
+  const Json all = json_of("asperity-acf --result profiles 'f_?.nc' --max-lag 8x8");
+  const auto acf = column(all, "acf"), target = column(all, "target"), error = column(all, "standard_error");
+  REQUIRE(acf.size() == 18);
+  for (std::size_t i = 0; i < acf.size(); ++i) {
+    CAPTURE(i, acf[i], target[i], error[i]);
+    CHECK(std::abs(acf[i] - target[i]) <= 5 * error[i] + 0.02);
+  }
+}
+
+TEST_CASE("the dataset of an ensemble holds means with errors, which asperity-kernel reads",
+          "[acf-tool][psd-tool][contract]") {
+  draw();
+  require("asperity-acf 'f_?.nc' --biased --max-lag 12x9 --add structure_function -o mean.nc");
+  const Dataset acf = read_dataset("mean.nc");
+  CHECK(!acf.has("heights"));
+  CHECK(acf.attributes.number("acf_surfaces", 0) == members);
+  CHECK(table_of(acf, "acf")(0, 9) == 1);
+  CHECK(table_of(acf, "acf_error")(0, 9) == 0);
+  CHECK(std::abs(table_of(acf, "structure_function")(0, 9)) <=
+        1e-12 * acf.attributes.number("acf_variance", 0));
+  double variance = 0, ssk = 0, at_lag = 0;
+  for (unsigned m = 0; m < members; ++m) {
+    const std::string name = "f_" + std::to_string(m) + ".nc";
+    require("asperity-acf " + name + " --biased --max-lag 12x9 -o one.nc");
+    const Dataset one = read_dataset("one.nc");
+    variance += one.attributes.number("acf_variance", 0) / members;
+    ssk += one.attributes.number("acf_skewness", 0) / members;
+    at_lag += table_of(one, "acf")(3, 7) / members;
+  }
+  CHECK(relative_error(acf.attributes.number("acf_variance", 0), variance) <= 20 * epsilon);
+  CHECK(std::abs(acf.attributes.number("acf_skewness", 0) - ssk) <= 20 * epsilon);
+  CHECK(std::abs(table_of(acf, "acf")(3, 7) - at_lag) <= 20 * epsilon);
+  CHECK(shell("asperity-kernel -q --acf mean.nc | asperity-generate -q --seed 2 --shape 64x48 | "
+              "asperity-stats -q")
+            .exit == 0);
+
+  require("asperity-psd 'f_?.nc' -o psd.nc");
+  const Dataset psd = read_dataset("psd.nc");
+  CHECK(psd.attributes.number("psd_surfaces", 0) == members);
+  CHECK(psd.at("psd_error").dimensions == psd.at("psd").dimensions);
+  CHECK(table_of(psd, "psd").minCoeff() > 0);
+}
+
+TEST_CASE("one surface is the same by name, pattern, list and standard input",
+          "[acf-tool][psd-tool][contract]") {
+  draw();
+  for (const std::string tool :
+       {"asperity-acf --no-history", "asperity-acf --result profiles", "asperity-acf --result lengths",
+        "asperity-psd --no-history", "asperity-psd --result radial"}) {
+    const std::string named = require(tool + " f_3.nc").out;
+    CAPTURE(tool);
+    for (const char* other : {" 'f_3*.nc'", " < f_3.nc", " - < f_3.nc", " <<< f_3.nc"}) {
+      const bool same = require(tool + other).out == named;
+      CHECK(same);
+    }
+    CHECK(named.find("surfaces") == named.npos);
+  }
+  require("cp f_3.nc own.nc; asperity-acf own.nc -o own.nc");  // as ever, in its own place
+  CHECK(read_dataset("own.nc").has("acf"));
+}
+
+TEST_CASE("what makes no ensemble is refused before the work, in one line", "[ensemble][contract]") {
+  draw();
+  require(
+      "asperity-generate -q --shape 64x32 --size 1mm,0.333333333333mm --rq 0.4um --length 60um,40um --seed 1 "
+      "-o short.nc");
+  require("head -c 20000 f_1.nc > cut.nc; mkdir -p folder; ln -sf f_1.nc link.nc");
+  for (const auto& [inputs, code, words] :
+       {std::tuple{"f_0.nc f_0.nc", 2, "INPUT: 'f_0.nc' is given twice"},
+        {"'f_?.nc' ./f_1.nc", 2, "INPUT: './f_1.nc' is given twice, as 'f_1.nc' too"},
+        {"f_1.nc link.nc", 2, "'link.nc' is given twice"},
+        {"f_0.nc - f_2.nc < f_2.nc", 2, "is given twice"},
+        {"f_0.nc absent.nc", 1, "absent.nc: No such file"},
+        {"'absent_*.nc'", 2, "INPUT: no file matches 'absent_*.nc'"},
+        {"f_0.nc folder", 1, "folder: Is a directory"},
+        {"f_0.nc cut.nc f_2.nc", 4, "cut.nc: "},
+        {"f_0.nc short.nc", 4, "short.nc: its grid, 64x32 cells"},
+        {"f_0.nc f_1.nc -o f_1.nc", 2, "is an input of this run"}})
+    for (const char* tool : {"asperity-acf ", "asperity-psd "}) {
+      const Outcome run = shell(tool + std::string(inputs));
+      CAPTURE(tool, inputs, run.error);
+      CHECK(run.exit == code);
+      CHECK((run.out.empty() && lines(run.error) == 1));
+      CHECK_THAT(run.error, ContainsSubstring(words));
+    }
+  CHECK(shell("asperity-acf f_0.nc short.nc --result lengths").exit ==
+        0);  // with a warning, as asperity-stats
+  CHECK_THAT(shell("asperity-acf f_0.nc f_1.nc --add acf_quantiles").error,
+             ContainsSubstring("--add: acf_quantiles"));
+}
+
+// Heights are lengths and the contact pressure is none: a mean over both is nothing.
+TEST_CASE("fields of different units are not averaged", "[ensemble][contract]") {
+  draw();
+  Dataset data = read_dataset("f_0.nc");
+  set_field(data, "found", field_of(data, "heights"), {"m", "heights"});
+  write_dataset(data, "metres.nc");
+  set_field(data, "found", 1e12 * field_of(data, "heights"), {"Pa", "pressure"});
+  write_dataset(data, "pascals.nc");
+  for (const char* tool : {"asperity-acf", "asperity-psd", "asperity-stats"}) {
+    const Outcome run = shell(tool + std::string(" --variable found metres.nc pascals.nc"));
+    CAPTURE(run.error);
+    CHECK((run.exit == 4 && lines(run.error) == 1));
+    CHECK_THAT(run.error, ContainsSubstring("pascals.nc: its unit, Pa, differs from that of metres.nc, m"));
+  }
+}
+
+TEST_CASE("more surfaces than files may be open are averaged", "[ensemble][contract]") {
+  require(
+      "asperity-generate -q --shape 8x8 --size 1mm --rq 0.4um --length 2px --seed 1 --count 60 -o "
+      "many_%d.nc");
+  const Outcome run = shell("ulimit -n 24; asperity-psd --result profiles 'many_*.nc'");
+  CAPTURE(run.error);
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, ContainsSubstring("\t60\n"));
+}

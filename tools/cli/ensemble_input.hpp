@@ -1,0 +1,62 @@
+/// The surfaces that a tool reads one by one: files or patterns on the command line, a list of files on
+/// standard input, or a dataset there.
+///
+/// A pattern that matches nothing, a file that cannot be opened, and a file that is given twice are refused
+/// before the work: the same surface is no further sample.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "tools/cli/tool.hpp"
+
+namespace asperity::cli {
+
+/// One of the surfaces.
+struct EnsembleMember {
+  Dataset data;
+  std::string name;
+  std::size_t of = 1;  ///< how many there are
+
+  bool alone() const { return of == 1; }
+};
+
+struct EnsembleInput {
+  std::vector<std::string> files;
+
+  /// INPUT, any number of them, and the options of Tool::input_format().
+  Option declare(Tool& tool);
+
+  using Visit = std::function<void(EnsembleMember&&)>;
+  using VisitPath = std::function<bool(const std::string&)>;
+
+  /// Calls visit(member) for each surface, except files for which taken(path) returns true: it has read them
+  /// itself. Of a surface that is alone, --output may take the place, as of Tool::read().
+  void for_each(
+      const Tool& tool, const Visit& visit,
+      const VisitPath& taken = [](const std::string&) { return false; }) const;
+};
+
+/// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths
+/// depend on the spacing: surfaces of different spacings are refused, and so are fields of different units.
+/// Surfaces of different sizes estimate the same quantities with different errors: one warning, or an error
+/// where something needs surfaces of one grid.
+class EnsembleGrid {
+ public:
+  /// `alike`, "the test": what needs them; "": nothing does.
+  explicit EnsembleGrid(std::string alike = "") : alike_(std::move(alike)) {}
+  /// The grid of the next surface, and the unit of its field; throws DataError(file, …) with both grids or
+  /// units if it does not fit the first.
+  void add(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit = "m");
+
+ private:
+  std::string alike_;
+  std::optional<Grid> first_;
+  std::string file_, unit_;
+  bool warned_ = false;
+};
+
+}  // namespace asperity::cli

@@ -1,0 +1,96 @@
+#include "tools/cli/ensemble_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace asperity::cli {
+namespace {
+
+const Column* column_of(const Table& table, const std::string& name) {
+  const auto found = std::ranges::find(table.columns, name, &Column::name);
+  return found == table.columns.end() ? nullptr : &*found;
+}
+
+Eigen::ArrayXd numbers_in(const Table& table, const std::string& name) {
+  const auto column = static_cast<std::size_t>(column_of(table, name) - table.columns.data());
+  Eigen::ArrayXd out(static_cast<Index>(table.rows.size()));
+  for (Index i = 0; i < out.size(); ++i)
+    out(i) = std::get<double>(table.rows[static_cast<std::size_t>(i)][column]);
+  return out;
+}
+
+void append(Table& table, const Column& column, const Eigen::ArrayXd& values) {
+  table.columns.push_back(column);
+  for (Index i = 0; i < values.size(); ++i) table.rows[static_cast<std::size_t>(i)].emplace_back(values(i));
+}
+
+}  // namespace
+
+Table ensemble_table(const EnsembleParameters& parameters) {
+  Table out{{{"quantity", ""},
+             {"unit", ""},
+             {"mean", "SI", Holds::unknown},
+             {"standard_error", "SI", Holds::unknown},
+             {"spread", "SI", Holds::unknown},
+             {"expected_spread", "SI", Holds::unknown},
+             {"surfaces", "1"}},
+            {}};
+  for (const EnsembleParameter& p : parameters.all())
+    out.rows.push_back({p.name, p.unit, p.mean, p.standard_error(), p.spread, p.expected_spread, p.surfaces});
+  return out;
+}
+
+// Coordinates of grids that agree to six digits do too.
+void EnsembleTable::check_keys(const Table& table, const std::string& file) const {
+  constexpr double printed = 1e-6;
+  const auto refuse = [&] {
+    throw DataError(file, "its rows differ from those of the first surface: they cannot be averaged");
+  };
+  if (table.rows.size() != first_.rows.size()) refuse();
+  for (const std::string& key : content_.keys) {
+    if (column_of(table, key)->unit.empty()) continue;
+    const Eigen::ArrayXd own = numbers_in(table, key), first = numbers_in(first_, key);
+    if (!((own - first).abs() <= printed * first.abs()).all()) refuse();
+  }
+}
+
+void EnsembleTable::add(const Table& table, const std::string& file) {
+  if (surfaces_++ == 0) first_ = table;
+  check_keys(table, file);
+  values_.add(numbers_in(table, content_.value));
+  square_errors_.add(numbers_in(table, content_.error).square());
+  for (const std::string& name : content_.means) {
+    const Column* column = column_of(table, name);
+    if (column == nullptr) continue;
+    if (!means_.contains(name)) mean_columns_.push_back(*column);
+    means_[name].add(numbers_in(table, name));
+  }
+}
+
+Table EnsembleTable::table() const {
+  Table out{{}, std::vector<std::vector<Cell>>(first_.rows.size())};
+  for (const std::string& key : content_.keys) {
+    const Column* column = column_of(first_, key);
+    const auto c = static_cast<std::size_t>(column - first_.columns.data());
+    out.columns.push_back(*column);
+    for (std::size_t i = 0; i < out.rows.size(); ++i) out.rows[i].push_back(first_.rows[i][c]);
+  }
+  const std::string unit = column_of(first_, content_.value)->unit;
+  append(out, {content_.value, unit, Holds::unknown}, values_.mean());
+  append(out, {content_.error, unit, Holds::unknown}, values_.standard_error());
+  for (const Column& column : mean_columns_)
+    append(out, {column.name, column.unit, Holds::unknown}, means_.at(column.name).mean());
+  append(out, {"spread", unit, Holds::unknown}, values_.spread());
+  append(out, {"expected_spread", unit, Holds::unknown}, square_errors_.mean().sqrt());
+  append(out, {"surfaces", "1"}, values_.count());
+  return out;
+}
+
+void EnsembleField::add(const Field& field) {
+  rows_ = field.rows();
+  values_.add(Eigen::Map<const Eigen::ArrayXd>(field.data(), field.size()));
+}
+
+}  // namespace asperity::cli

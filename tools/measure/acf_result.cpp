@@ -1,0 +1,133 @@
+#include "tools/measure/acf_result.hpp"
+
+#include <vector>
+
+#include "dataset/layout.hpp"
+#include "tools/cli/lineage.hpp"
+#include "tools/measure/field_options.hpp"
+#include "tools/surface/marginal_dataset.hpp"
+
+namespace asperity::cli {
+namespace {
+
+void add_profile(Table& table, const AcfResult& result, bool absolute, bool x) {
+  const AcfEstimate& estimate = result.estimate;
+  const Grid& grid = estimate.basis.pairs.grid();
+  const Index lags = x ? estimate.rho.max_p() : estimate.rho.max_q();
+  const double spacing = x ? grid.dx : grid.dy, scale = absolute ? estimate.variance : 1;
+  for (Index lag = 0; lag <= lags; ++lag) {
+    const Index p = x ? lag : 0, q = x ? 0 : lag;
+    const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
+    const Interval ends = Interval::about(value, half_width_95 * error);
+    std::vector<Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, value, error, ends.low,
+                          ends.high};
+    if (result.target) row.push_back(scale * (*result.target)(p, q));
+    if (result.structure) row.push_back((*result.structure)(p, q));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+// Over the half-plane of lags.
+class Writer {
+ public:
+  Writer(Dataset& data, const Grid& grid, const AcfContent& content)
+      : data_(data), grid_(grid), content_(content) {}
+
+  void acf(const Field& values, const char* meaning = "autocorrelation estimated from the field") {
+    write("acf", values, content_.unit(), meaning);
+  }
+  void error(const Field& values) {
+    write("acf_error", values, content_.unit(), "standard error of the mean autocorrelation");
+  }
+  void structure(const Field& values) {
+    write("structure_function", values, content_.squared(),
+          "mean square difference of two points a lag apart");
+  }
+  void scalars(double variance, double skewness, double kurtosis) {
+    data_.attributes.set("acf_skewness", skewness);
+    data_.attributes.set("acf_kurtosis", kurtosis);
+    // In m2: of heights only.
+    if (content_.units == "m") data_.attributes.set("acf_variance", variance);
+  }
+  void lengths(const auto& parameters, auto value) {
+    for (const auto& length : parameters) data_.attributes.set("acf_" + length.name, value(length));
+  }
+
+ private:
+  void write(const char* name, const Field& values, const std::string& unit, const char* meaning) {
+    const Axis lag_x{"lag_x", 0, grid_.dx, "m", "lag in x"},
+        lag_y{"lag_y", -(values.cols() / 2), grid_.dy, "m", "lag in y"};
+    set_table(data_, name, values, lag_x, lag_y, {unit, meaning}, Missing::not_a_number);
+  }
+
+  Dataset& data_;
+  const Grid& grid_;
+  const AcfContent& content_;
+};
+
+}  // namespace
+
+std::string AcfContent::squared() const { return unit_to(units, 2); }
+
+Table acf_profiles(const AcfResult& result, const AcfContent& content) {
+  const std::string unit = content.unit();
+  Table table{{{"direction", ""},
+               {"lag", "m"},
+               {"acf", unit, Holds::unknown},
+               {"standard_error", unit, Holds::unknown},
+               {"low_95", unit, Holds::open},
+               {"high_95", unit, Holds::open}},
+              {}};
+  if (result.target) table.columns.push_back({"target", unit, Holds::unknown});
+  if (result.structure) table.columns.push_back({"structure_function", content.squared(), Holds::unknown});
+  for (const bool x : {true, false}) add_profile(table, result, content.absolute, x);
+  return table;
+}
+
+void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, const AcfContent& content) {
+  drop_results(data, "acf", content.variable);
+  data.attributes.set("acf_variable", content.variable);
+  const AcfEstimate& estimate = result.estimate;
+  Writer writer(data, estimate.basis.pairs.grid(), content);
+  writer.acf((content.absolute ? estimate.variance : 1) * estimate.rho.half_plane());
+  if (result.structure) writer.structure(result.structure->half_plane());
+  if (result.quantiles) set_quantiles(data, "acf_quantiles", *result.quantiles);
+  writer.scalars(estimate.variance, result.moments.ssk, result.moments.sku);
+  check_finite(lengths);
+  writer.lengths(lengths, [](const Parameter& length) { return length.value; });
+}
+
+// ---- several surfaces ----
+
+AcfEnsemble::AcfEnsemble(AcfContent content)
+    : content_(std::move(content)),
+      profiles_({.keys = {"direction", "lag"}, .value = "acf", .means = {"target", "structure_function"}}) {}
+
+void AcfEnsemble::add_profiles(const AcfResult& result, const std::string& file) {
+  profiles_.add(acf_profiles(result, content_), file);
+}
+
+void AcfEnsemble::add_function(const AcfResult& result) {
+  const AcfEstimate& estimate = result.estimate;
+  acf_.add((content_.absolute ? estimate.variance : 1) * estimate.rho.half_plane());
+  if (result.structure) structure_.add(result.structure->half_plane());
+  structured_ = result.structure.has_value();
+  scalars_.add(Eigen::Array3d{estimate.variance, result.moments.ssk, result.moments.sku});
+}
+
+Dataset AcfEnsemble::dataset(const Grid& grid) const {
+  Dataset out;
+  set_grid(out, grid);
+  out.attributes.set("acf_variable", content_.variable);
+  out.attributes.set("acf_surfaces", lengths_.surfaces());
+  Writer writer(out, grid, content_);
+  writer.acf(acf_.mean(), "mean autocorrelation of the surfaces");
+  writer.error(acf_.standard_error());
+  if (structured_) writer.structure(structure_.mean());
+  const Eigen::ArrayXd scalars = scalars_.mean();
+  writer.scalars(scalars(0), scalars(1), scalars(2));
+  writer.lengths(lengths_.all(), [](const EnsembleParameter& length) { return length.mean; });
+  return out;
+}
+
+}  // namespace asperity::cli

@@ -1,0 +1,62 @@
+/// What asperity-acf writes and prints, of one surface or as a mean over several.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "dataset/dataset.hpp"
+#include "marginal/measured.hpp"
+#include "stats/measure/acf_estimate.hpp"
+#include "stats/measure/ensemble_parameters.hpp"
+#include "stats/sample/moments.hpp"
+#include "tools/cli/ensemble_table.hpp"
+
+namespace asperity::cli {
+
+/// The ACF of a surface, and what --add names.
+struct AcfResult {
+  AcfEstimate estimate;
+  Moments moments = {};                    ///< for a dataset only
+  std::optional<LagField> target = {};     ///< normalised
+  std::optional<LagField> structure = {};  ///< in units squared
+  std::optional<MeasuredHeights> quantiles = {};
+};
+
+/// Which of them, and how.
+struct AcfContent {
+  std::string variable, units;  ///< the field, and its unit
+  bool absolute = false;        ///< R instead of R / R(0,0)
+  std::string squared() const;
+  std::string unit() const { return absolute ? squared() : "1"; }
+};
+
+/// R(p,0) and R(0,q), a row for each lag.
+Table acf_profiles(const AcfResult& result, const AcfContent& content);
+
+/// The variables and attributes of asperity-acf in place of former ones.
+void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, const AcfContent& content);
+
+/// The same over an ensemble: the mean of each, and acf_error, the standard error of the mean ACF.
+class AcfEnsemble {
+ public:
+  explicit AcfEnsemble(AcfContent content);
+  /// Only what is to be written needs to be added.
+  void add_profiles(const AcfResult& result, const std::string& file);
+  void add_lengths(const Parameters& lengths) { lengths_.add(lengths); }
+  void add_function(const AcfResult& result);
+
+  Table profiles() const { return profiles_.table(); }
+  const EnsembleParameters& lengths() const { return lengths_; }
+  /// A dataset without heights, on the grid of the surfaces.
+  Dataset dataset(const Grid& grid) const;
+
+ private:
+  AcfContent content_;
+  EnsembleTable profiles_;
+  EnsembleParameters lengths_ = {};
+  EnsembleField acf_ = {}, structure_ = {};
+  Ensemble scalars_ = {};  ///< variance, Ssk, Sku
+  bool structured_ = false;
+};
+
+}  // namespace asperity::cli
