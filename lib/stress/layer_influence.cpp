@@ -174,7 +174,7 @@ class PeriodicInfluence : public LayerInfluence {
 
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
                                                      stress::Tractions acting) {
-  if (resolution.cells.periodic)
+  if (resolution.cells.periodic.both())
     return std::make_unique<PeriodicInfluence>(resolution.cells, poisson, acting);
   return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting);
 }

@@ -55,7 +55,7 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, 
 }
 
 double accurate_depth(const Grid& grid) {
-  auto step = [&](Index cells, double spacing) { return grid.periodic && cells == 1 ? 0 : spacing; };
+  auto step = [&](Index cells, double spacing) { return grid.periodic.both() && cells == 1 ? 0 : spacing; };
   return calibration::stress::accurate_cells *
          std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
 }

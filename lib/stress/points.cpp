@@ -50,14 +50,14 @@ void add(const Pair& p, const stress::Wave& wave, const LoadWeights& weights, Te
 StressPoints::StressPoints(LoadedBody body, int threads)
     : body_(std::move(body)), weights_(body_.friction.weights()) {
   body_.check();
-  if (body_.grid.periodic) modes_.emplace(body_.grid, body_.pressure, 1, threads);
+  if (body_.grid.periodic.both()) modes_.emplace(body_.grid, body_.pressure, 1, threads);
 }
 
 Tensor StressPoints::at(double x, double y, double z) const {
   if (!(std::abs(x) <= farthest && std::abs(y) <= farthest))
     throw ParameterError("place", fmt::format("({}, {}) m is farther than {:g} m", x, y, farthest));
   check_depth(z);
-  return body_.grid.periodic ? below_waves(x, y, z) : below_cells(x, y, z);
+  return body_.grid.periodic.both() ? below_waves(x, y, z) : below_cells(x, y, z);
 }
 
 Tensor StressPoints::below_cells(double x, double y, double z) const {

@@ -25,7 +25,7 @@ Index period(Index cells, Index s, bool periodic) {
 }
 
 Shape torus_of(const Grid& grid, Index s) {
-  return {period(grid.shape.nx, s, grid.periodic), period(grid.shape.ny, s, grid.periodic)};
+  return {period(grid.shape.nx, s, grid.periodic.both()), period(grid.shape.ny, s, grid.periodic.both())};
 }
 
 // 1 for the first lags, then down to 0 at `lags`.
@@ -67,7 +67,8 @@ AlignedVector<Complex> transformed(const Grid& grid, const Field& pressure, Inde
   const PrunedTransform fine(grid.shape, {s * px, s * py}, ColumnTransform::Ways::forward_only);
   HalfSpectrum half = fine.half_spectrum();
   fine.forward_rows(pressure / static_cast<double>(fine.torus().cells()), half, threads);
-  const std::vector<double> along_x = factors(s, px, grid.periodic), along_y = factors(s, py, grid.periodic);
+  const std::vector<double> along_x = factors(s, px, grid.periodic.both()),
+                            along_y = factors(s, py, grid.periodic.both());
   AlignedVector<Complex> spectrum(size(transform.blocks() * transform.block_size()));
   parallel_ranges(transform.blocks(), threads, [&, px = px](Index begin, Index end, int) {
     AlignedVector<Complex> block(size(fine.block_size())), work(block.size());
@@ -93,7 +94,7 @@ double Resolution::least_depth(const Grid& grid, Index s) {
 
 bool Resolution::possible(const Grid& grid, Index s) {
   const auto [nx, ny] = grid.shape;
-  return std::min(nx, ny) >= least_wide_cells * s && (!grid.periodic || (nx % s == 0 && ny % s == 0));
+  return std::min(nx, ny) >= least_wide_cells * s && (!grid.periodic.both() || (nx % s == 0 && ny % s == 0));
 }
 
 Resolution::Resolution(const Grid& grid, const Field& pressure, Index wide, int threads)
@@ -105,7 +106,7 @@ Resolution::Resolution(const Grid& grid, const Field& pressure, Index wide, int 
   const auto [px, py] = transform.torus();
   const double f = static_cast<double>(s);
   cells.dx *= f, cells.dy *= f;
-  if (grid.periodic)
+  if (grid.periodic.both())
     cells.shape = {px, py};
   else if (s > 1)
     cells.shape = {px / 2, py / 2};

@@ -57,21 +57,36 @@ std::string share(double part, double whole, const char* of) {
   return part >= 0 && whole > 0 ? fmt::format("{:.3g}\u00A0% of {}", 100 * part / whole, of) : "";
 }
 
+struct Smooth {
+  double area, stiffness;
+};
+
+// Hertz's; of a line contact by (5), (6) of contact/hertz.hpp, of a point contact from δ ~ Q^⅔.
+template <class Value>
+Smooth smooth_of(const Grid& grid, Value value) {
+  const double b = value("hertz_half_width"), length = grid.periodic.x ? grid.size_x() : grid.size_y();
+  if (b > 0)
+    return {2 * b * length, std::numbers::pi * value("composite_modulus") * length /
+                                (2 * std::log(2 * value("approach_datum") / b))};
+  return {std::numbers::pi * value("hertz_radius_x") * value("hertz_radius_y"),
+          1.5 * value("load") / value("hertz_approach")};
+}
+
 std::vector<Comparison> comparisons(const Dataset& data) {
   auto value = [&](const char* name) {
     return data.attributes.number(std::string("contact_") + name, std::nan(""));
   };
   const Grid grid = grid_of(data);
-  const double area = value("area"), plastic = value("plastic_area"),
-               ellipse = std::numbers::pi * value("hertz_radius_x") * value("hertz_radius_y");
-  return {
-      {"load", value("load"), NAN, "N"},
-      {"approach", value("approach"), value("hertz_approach"), "m"},
-      {"maximum pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
-      {"real contact area", area, ellipse, "m2", share(area, grid.size_x() * grid.size_y(), "the domain")},
-      {"area at the limit pressure", plastic, NAN, "m2", share(plastic, area, "the contact")},
-      {"mean gap", value("mean_gap"), NAN, "m"},
-      {"stiffness", value("stiffness"), 1.5 * value("load") / value("hertz_approach"), "N/m"}};  // δ ~ Q^⅔
+  const double area = value("area"), plastic = value("plastic_area");
+  const Smooth smooth = smooth_of(grid, value);
+  return {{"load", value("load"), NAN, "N"},
+          {"approach", value("approach"), value("hertz_approach"), "m"},
+          {"maximum pressure", value("max_pressure"), value("hertz_pressure"), "Pa"},
+          {"real contact area", area, smooth.area, "m2",
+           share(area, grid.size_x() * grid.size_y(), "the domain")},
+          {"area at the limit pressure", plastic, NAN, "m2", share(plastic, area, "the contact")},
+          {"mean gap", value("mean_gap"), NAN, "m"},
+          {"stiffness", value("stiffness"), smooth.stiffness, "N/m"}};
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressMaxim
                      const char* what) {
   const auto& [grid, pressure, poisson, friction] = body;
   const double accurate = accurate_depth(grid), spread = pressure.maxCoeff() - pressure.minCoeff();
-  const bool uniform = grid.periodic && spread <= round_off * pressure.maxCoeff();  // at any depth
+  const bool uniform = grid.periodic.both() && spread <= round_off * pressure.maxCoeff();  // at any depth
   if (maximum.depth >= accurate || uniform) return;
   tool.warn(
       fmt::format("the largest {} lies {:.4g} um deep, less than the {:.4g} um of "
@@ -59,7 +59,7 @@ bool at_end(double place, double first, double last) {
 
 void warn_if_at_edge(const Tool& tool, const Grid& grid, const StressMaximum& maximum, const char* what) {
   const auto [nx, ny] = grid.shape;
-  if (grid.periodic ||
+  if (grid.periodic.both() ||
       !(at_end(maximum.x, grid.x(0), grid.x(nx - 1)) || at_end(maximum.y, grid.y(0), grid.y(ny - 1))))
     return;
   tool.warn(
