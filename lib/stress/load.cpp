@@ -41,9 +41,6 @@ void LoadedBody::check() const {
   if (pressure.size() == 0) throw DataError("pressure", "it has no cells");
   if (!(grid.dx > 0 && grid.dy > 0 && grid.size_x() <= farthest && grid.size_y() <= farthest))
     throw DataError("pressure", fmt::format("its cells have invalid sides, {} m x {} m", grid.dx, grid.dy));
-  if (grid.periodic.one())
-    throw DataError("pressure",
-                    "repeats along one axis alone: the stress below is computed for both or none");
   if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
   const double largest = pressure.abs().maxCoeff();
   if (largest != 0 && !(largest >= least_pressure && largest <= greatest_pressure))
