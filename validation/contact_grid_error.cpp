@@ -56,7 +56,7 @@ struct Solved {
 
   bool at_edge() const {
     const Field& p = contact.pressure;
-    return !grid.periodic &&
+    return !grid.periodic.any() &&
            (p.row(0).sum() + p.row(p.rows() - 1).sum() + p.col(0).sum() + p.col(p.cols() - 1).sum()) > 0;
   }
   double corrected() const { return corrected_area(grid, contact.area, outline(grid, contact)); }

@@ -116,7 +116,7 @@ struct Surface {
 };
 
 Surface drawn(const Grid& grid) {
-  const Synthesis surfaces(kernel(grid.shape.nx), grid.shape, {.periodic = grid.periodic});
+  const Synthesis surfaces(kernel(grid.shape.nx), grid.shape, {.periodic = grid.periodic.both()});
   return {surfaces.surface(WhiteNoise(7)), seconds_of([&] { kernel(grid.shape.nx); }),
           seconds_of([&] { surfaces.surface(WhiteNoise(7)); })};
 }

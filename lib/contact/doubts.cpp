@@ -16,11 +16,11 @@ constexpr Index cells_to_be_trusted = 50;
 constexpr double sides = 3;       // of a domain that holds a contact, in semi-axes
 constexpr double enlarged = 1.5;  // what has them already and is too small
 
-// Whether the contact lies at the domain's ends along x and along y.
+// Whether the contact lies at ends of the domain along x and along y where it does not continue.
 struct Touched {
-  explicit Touched(const Field& p)
-      : along_x((p.row(0) > 0).any() || (p.row(p.rows() - 1) > 0).any()),
-        along_y((p.col(0) > 0).any() || (p.col(p.cols() - 1) > 0).any()) {}
+  Touched(const Field& p, Periodic periodic)
+      : along_x(!periodic.x && ((p.row(0) > 0).any() || (p.row(p.rows() - 1) > 0).any())),
+        along_y(!periodic.y && ((p.col(0) > 0).any() || (p.col(p.cols() - 1) > 0).any())) {}
   bool along_x, along_y;
 };
 
@@ -41,19 +41,31 @@ std::string lengthen(const Grid& grid, const Bodies& bodies, const Contact& cont
   const double curvature = along_x ? bodies.curvature_y() : bodies.curvature_x();
   const double b = hertz_line(bodies.composite_modulus(), curvature, contact.load / length).half_width;
   const bool across = along_x ? touched.along_y : touched.along_x;
-  return fmt::format(", where the end of a cylinder raises the pressure: give a radius along {} too",
-                     along_x ? "x" : "y") +
+  return fmt::format(
+             ", where the end of a cylinder raises the pressure: make it periodic along {0}, or give a "
+             "radius "
+             "along {0} too",
+             along_x ? "x" : "y") +
          (across
               ? fmt::format(", and a domain of {:.3g} m across for a contact of {:.3g} m", sides * b, 2 * b)
               : "");
+}
+
+// Of a line contact, across.
+std::string widen(const Grid& grid, const Bodies& bodies, const Contact& contact) {
+  const double b = hertz_line(grid, bodies, contact.load).half_width;
+  const double present = grid.periodic.x ? grid.size_y() : grid.size_x();
+  return fmt::format(": smooth bodies touch on a width of {:.3g} m; make it {:.3g} m or more along {}", 2 * b,
+                     std::max(sides * b, enlarged * present), grid.periodic.x ? "y" : "x");
 }
 
 std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {
   return fmt::format("the contact touches the edge of the domain, {:.3g} x {:.3g} m", grid.size_x(),
                      grid.size_y()) +
          (bodies.flat() ? ", but flat bodies continue beyond it: make them periodic, or give a radius"
-          : has_point_contact(bodies) ? enlarge(grid, bodies, contact, touched)
-                                      : lengthen(grid, bodies, contact, touched));
+          : has_line_contact(grid, bodies) ? widen(grid, bodies, contact)
+          : has_point_contact(bodies)      ? enlarge(grid, bodies, contact, touched)
+                                           : lengthen(grid, bodies, contact, touched));
 }
 
 }  // namespace
@@ -80,8 +92,8 @@ std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact&
   if (cells < cells_to_be_trusted)
     out.push_back({"has few cells", fmt::format("the contact has {}, fewer than {}: refine the grid",
                                                 counted(cells, "cell"), cells_to_be_trusted)});
-  const Touched touched(contact.pressure);
-  if (!grid.periodic && (touched.along_x || touched.along_y))
+  const Touched touched(contact.pressure, grid.periodic);
+  if (touched.along_x || touched.along_y)
     out.push_back({"touches the edge of the domain", at_the_edge(grid, bodies, contact, touched)});
   const double modulus = bodies.composite_modulus();
   if (contact.max_pressure > modulus)

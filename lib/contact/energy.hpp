@@ -5,7 +5,8 @@
 /// With E(δ) the least of ½ p·Kp + (h - δ)·p under 0 ≤ p ≤ p_Y (contact/problem.hpp), dE/dδ = -Q, and the
 /// conditions of contact make E = -U - W_p: along a rising load, from where the bodies first touch,
 ///     U + W_p = ∫ Q dδ.                                                                       (3)
-/// On a periodic grid K moves no mean plane, and (3) holds for δ as told there, to the mean planes.
+/// On a periodic grid K moves no mean plane, and (3) holds for δ as told there, to the mean planes. Where it
+/// repeats along one axis alone, U and δ count from the same datum (contact/influence.hpp).
 ///
 /// Symbols   p pressure [Pa]   p_Y limit pressure [Pa]   u = K p displacement [m]   w flattening [m]
 ///           Q load [N]   δ approach [m]   h undeformed gap [m]

@@ -28,12 +28,13 @@ double rise(double left, double top, double right) {
   return bend > 0 ? (right - left) * (right - left) / (8 * bend) : 0;
 }
 
-double rise_of_peak(const Field& p, bool periodic) {
+double rise_of_peak(const Field& p, Periodic periodic) {
   Index i, j;
   const double top = p.maxCoeff(&i, &j);
   auto at = [&](Index a, Index b) {
-    const bool inside = a >= 0 && b >= 0 && a < p.rows() && b < p.cols();
-    return inside || periodic ? p((a + p.rows()) % p.rows(), (b + p.cols()) % p.cols()) : top;
+    const bool inside_x = periodic.x || (a >= 0 && a < p.rows()),
+               inside_y = periodic.y || (b >= 0 && b < p.cols());
+    return inside_x && inside_y ? p((a + p.rows()) % p.rows(), (b + p.cols()) % p.cols()) : top;
   };
   return rise(at(i - 1, j), top, at(i + 1, j)) + rise(at(i, j - 1), top, at(i, j + 1));
 }

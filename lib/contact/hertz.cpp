@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gsl/gsl_sf_ellint.h>
 
+#include "contact/influence.hpp"
 #include "core/error.hpp"
 
 namespace asperity {
@@ -57,9 +58,21 @@ Hertz hertz(const Bodies& bodies, double load) {
   return out;
 }
 
-HertzLine hertz_line(double composite_modulus, double curvature, double load_per_length) {
+HertzLine hertz_line(double composite_modulus, double curvature, double load_per_length, double datum) {
   const double b = std::sqrt(4 * load_per_length / (pi * composite_modulus * curvature));
-  return {b, 2 * load_per_length / (pi * b)};
+  return {b, 2 * load_per_length / (pi * b),
+          load_per_length / (pi * composite_modulus) * (1 + 2 * std::log(2 * datum / b))};
+}
+
+bool has_line_contact(const Grid& grid, const Bodies& bodies) {
+  const double across = grid.periodic.x ? bodies.curvature_y() : bodies.curvature_x();
+  return grid.periodic.one() && across > 0 && std::isfinite(across);
+}
+
+HertzLine hertz_line(const Grid& grid, const Bodies& bodies, double load) {
+  const bool in_x = grid.periodic.x;
+  return hertz_line(bodies.composite_modulus(), in_x ? bodies.curvature_y() : bodies.curvature_x(),
+                    load / (in_x ? grid.size_x() : grid.size_y()), displacement_datum(grid));
 }
 
 }  // namespace asperity

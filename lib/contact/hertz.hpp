@@ -12,17 +12,21 @@
 ///
 /// A line contact of parallel cylinders, of load q per length in plane strain, has
 ///     b = √(4qR / πE*)      p₀ = 2q / (πb)      p = p₀ √(1 - x²/b²)                              (5)
-/// and no approach: that of a half-space under a line load grows without bound with its depth.
+///     δ = q (1 + 2 ln(2d/b)) / (πE*),                                                            (6)
+/// whose approach counts from a datum: the points at a distance d, which a line load does not move.
 ///
 /// Symbols   Q load [N]   q load per length [N/m]   E* composite modulus [Pa]   Rx, Ry, R composite radii [m]
 ///           a, b semi-axes of the contact, b half its width [m]   p₀ greatest pressure [Pa]   δ approach [m]
-/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5): infinite length.
+///           d datum [m]
+/// Scope     (2): both curvatures above 0, of ratios up to 1e100. (5), (6): infinite length.
 /// Accuracy  round-off, some 10 ε.
 ///
 /// [1] H. Hertz, Über die Berührung fester elastischer Körper, J. reine angew. Math. 92 (1881) 156-171;
 ///     K. L. Johnson, Contact Mechanics, Cambridge University Press (1985), sections 3.3, 4.2.
 /// [2] B. C. Carlson, Computing elliptic integrals by duplication, Numer. Math. 33 (1979) 1-16.
 #pragma once
+
+#include <limits>
 
 #include "contact/bodies.hpp"
 
@@ -47,9 +51,17 @@ Hertz hertz(const Bodies& bodies, double load);
 struct HertzLine {
   double half_width = 0;  ///< b [m]
   double pressure = 0;    ///< p₀ [Pa]
+  double approach = 0;    ///< δ [m]; NaN without a datum
 };
 
-/// (5) for the composite curvature 1/R [1/m] and the load per length [N/m].
-HertzLine hertz_line(double composite_modulus, double curvature, double load_per_length);
+/// (5), (6) for the composite curvature 1/R [1/m], the load per length [N/m] and the datum [m].
+HertzLine hertz_line(double composite_modulus, double curvature, double load_per_length,
+                     double datum = std::numeric_limits<double>::quiet_NaN());
+
+/// Whether the grid repeats along one axis and the bodies have a curvature across it.
+bool has_line_contact(const Grid& grid, const Bodies& bodies);
+
+/// (5), (6) of bodies in line contact under the load [N] on the grid, with its datum (contact/influence.hpp).
+HertzLine hertz_line(const Grid& grid, const Bodies& bodies, double load);
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/repeated_cell.hpp"
 #include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "math/asinh_difference.hpp"
@@ -73,19 +74,38 @@ double mean_inverse(const Field& q, Shape torus) {
   return sum / static_cast<double>(torus.cells());
 }
 
-double self_influence_of(const Grid& grid, double modulus) {
-  return grid.periodic ? 2 / modulus * mean_inverse(wave_numbers(grid), grid.shape)
-                       : love_integral(0, 0, grid.dx / 2, grid.dy / 2) / (pi * modulus);
+// Coefficients of (3), along the periodic axis and across, for distances of up to rows - 1 cells.
+RepeatedCell repeated_cell(const Grid& grid, Index rows, double datum, int threads) {
+  const double a = grid.dx / 2, b = grid.dy / 2;
+  return grid.periodic.x ? RepeatedCell(a, b, grid.shape.nx, rows, datum, threads)
+                         : RepeatedCell(b, a, grid.shape.ny, rows, datum, threads);
+}
+
+// The transform of (3) on a torus, K between nearest images across.
+Field repeated_symbol(const Grid& grid, Shape torus, double datum, double composite_modulus, int threads) {
+  const bool in_x = grid.periodic.x;
+  const RepeatedCell cell = repeated_cell(grid, (in_x ? torus.ny : torus.nx) / 2 + 1, datum, threads);
+  const double scale = 1 / (pi * composite_modulus);
+  return even_transfer_function(
+      torus, [&](Index i, Index j) { return scale * (in_x ? cell(i, j) : cell(j, i)); }, threads);
+}
+
+double self_influence_of(const Grid& grid, double datum, double modulus) {
+  if (grid.periodic.both()) return 2 / modulus * mean_inverse(wave_numbers(grid), grid.shape);
+  const double integral = grid.periodic.any() ? repeated_cell(grid, 1, datum, 1)(0, 0)
+                                              : love_integral(0, 0, grid.dx / 2, grid.dy / 2);
+  return integral / (pi * modulus);
 }
 
 using WorkSpace = std::shared_ptr<HalfSpectrum>;
 
 class HalfSpace final : public ElasticOperator {
  public:
-  HalfSpace(const Grid& grid, double modulus, int threads, WorkSpace work)
+  HalfSpace(const Grid& grid, double datum, double modulus, int threads, WorkSpace work)
       : grid_(grid),
+        datum_(datum),
         modulus_(modulus),
-        self_(self_influence_of(grid, modulus)),
+        self_(self_influence_of(grid, datum, modulus)),
         threads_(threads),
         work_(std::move(work)) {}
 
@@ -97,30 +117,47 @@ class HalfSpace final : public ElasticOperator {
 
   std::unique_ptr<ElasticOperator> coarsened() const override {
     const Grid coarse{{shape().nx / 2, shape().ny / 2}, 2 * grid_.dx, 2 * grid_.dy, grid_.periodic};
-    return std::make_unique<HalfSpace>(coarse, modulus_, threads_, work_);
+    return std::make_unique<HalfSpace>(coarse, datum_, modulus_, threads_, work_);
   }
 
   std::shared_ptr<ElasticOperator> windowed(Shape least) override {
-    if (grid_.periodic) return nullptr;
-    const Shape torus = padded_torus(least);
-    const Grid window{{torus.nx / 2, torus.ny / 2}, grid_.dx, grid_.dy};
+    if (grid_.periodic.both()) return nullptr;
+    if (grid_.periodic.x) least.nx = shape().nx;
+    if (grid_.periodic.y) least.ny = shape().ny;
+    const Shape torus = torus_for(least);
+    const Grid window{
+        {grid_.periodic.x ? torus.nx : torus.nx / 2, grid_.periodic.y ? torus.ny : torus.ny / 2},
+        grid_.dx,
+        grid_.dy,
+        grid_.periodic};
     auto exceeds = [](Shape a, double share, Shape b) {
       return static_cast<double>(a.cells()) > share * static_cast<double>(b.cells());
     };
-    if (exceeds(torus, calibration::contact::largest_window, padded_torus(shape())) ||
+    if (exceeds(torus, calibration::contact::largest_window, torus_for(shape())) ||
         !covers(shape(), window.shape))
       return nullptr;
     if (window_ && covers(window_->shape(), least) &&
         !exceeds(window_->shape(), calibration::contact::shared_window, window.shape))
       return window_;
     setup_ = setup_seconds();
-    return window_ = std::make_shared<HalfSpace>(window, modulus_, threads_, work_);
+    return window_ = std::make_shared<HalfSpace>(window, datum_, modulus_, threads_, work_);
   }
 
  private:
   using Convolution = std::unique_ptr<EvenConvolution>;
 
   static bool covers(Shape a, Shape b) { return a.nx >= b.nx && a.ny >= b.ny; }
+
+  // The fewest points on which cells do not act around the torus but along a periodic axis.
+  Shape torus_for(Shape cells) const {
+    const Shape padded = padded_torus(cells);
+    return {grid_.periodic.x ? cells.nx : padded.nx, grid_.periodic.y ? cells.ny : padded.ny};
+  }
+
+  Field symbol(Shape torus) const {
+    return grid_.periodic.any() ? repeated_symbol(grid_, torus, datum_, modulus_, threads_)
+                                : love_symbol(grid_, torus, modulus_, threads_);
+  }
 
   EvenConvolution& made(Convolution& convolution, Convolution (HalfSpace::*make)() const) {
     if (!convolution) {
@@ -136,23 +173,24 @@ class HalfSpace final : public ElasticOperator {
   }
 
   Convolution influence() const {
-    if (grid_.periodic) {
+    if (grid_.periodic.both()) {
       const Field q = wave_numbers(grid_);
       return convolution(shape(), (q > 0).select(2 / (modulus_ * q), 0));
     }
-    const Shape torus = padded_torus(shape());
-    return convolution(torus, love_symbol(grid_, torus, modulus_, threads_));
+    const Shape torus = torus_for(shape());
+    return convolution(torus, symbol(torus));
   }
 
   // Love's symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
   Convolution inverse() const {
-    if (grid_.periodic) return convolution(shape(), modulus_ / 2 * wave_numbers(grid_));
-    const Shape torus{fast_length(shape().nx, 2), fast_length(shape().ny, 2)};
-    return convolution(torus, love_symbol(grid_, torus, modulus_, threads_).max(1e-3 * self_).inverse());
+    if (grid_.periodic.both()) return convolution(shape(), modulus_ / 2 * wave_numbers(grid_));
+    const Shape torus{grid_.periodic.x ? shape().nx : fast_length(shape().nx, 2),
+                      grid_.periodic.y ? shape().ny : fast_length(shape().ny, 2)};
+    return convolution(torus, symbol(torus).max(1e-3 * self_).inverse());
   }
 
   Grid grid_;
-  double modulus_, self_;
+  double datum_, modulus_, self_;
   int threads_;
   WorkSpace work_;
   Convolution influence_, inverse_;
@@ -171,8 +209,13 @@ double love_integral(double x, double y, double a, double b) {
   return r < 160 ? gauss_rule(gauss3, x, y, a, b) : multipoles(x, y, a, b);
 }
 
+double displacement_datum(const Grid& grid) {
+  return grid.periodic.one() ? (grid.periodic.x ? grid.size_y() : grid.size_x()) / 2 : 0;
+}
+
 std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads) {
-  return std::make_unique<HalfSpace>(grid, composite_modulus, threads, std::make_shared<HalfSpectrum>());
+  return std::make_unique<HalfSpace>(grid, displacement_datum(grid), composite_modulus, threads,
+                                     std::make_shared<HalfSpectrum>());
 }
 
 }  // namespace asperity

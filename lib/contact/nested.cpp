@@ -14,11 +14,11 @@ bool can_coarsen(Shape shape) {
          std::min(shape.nx, shape.ny) / 2 >= calibration::contact::least_side;
 }
 
-// On a quarter of the cells; K₀₀ is that of cells twice the size.
+// On a quarter of the cells.
 ContactProblem coarsened(const ContactProblem& problem, ElasticOperator& body) {
   ContactProblem coarse = problem.on(body, halved(problem.h, problem.threads));
   coarse.sum /= 4;
-  coarse.self_influence *= 2;
+  coarse.self_influence = body.self_influence();
   return coarse;
 }
 
@@ -35,16 +35,17 @@ std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem) {
   return levels;
 }
 
-Field prolonged(const Field& coarse, bool periodic, int threads) {
-  auto beyond = [periodic](Index i, Index n) {
-    return periodic ? (i + n) % n : std::clamp<Index>(i, 0, n - 1);
+Field prolonged(const Field& coarse, Periodic periodic, int threads) {
+  auto beyond = [](Index i, Index n, bool around) {
+    return around ? (i + n) % n : std::clamp<Index>(i, 0, n - 1);
   };
   Field fine(2 * coarse.rows(), 2 * coarse.cols());
   parallel_ranges(fine.rows(), threads, [&](Index begin, Index end, int) {
     for (Index i = begin; i < end; ++i) {
-      const Index I = i / 2, beside = beyond(i % 2 ? I + 1 : I - 1, coarse.rows());
+      const Index I = i / 2, beside = beyond(i % 2 ? I + 1 : I - 1, coarse.rows(), periodic.x);
       for (Index J = 0; J < coarse.cols(); ++J) {
-        const Index left = beyond(J - 1, coarse.cols()), right = beyond(J + 1, coarse.cols());
+        const Index left = beyond(J - 1, coarse.cols(), periodic.y),
+                    right = beyond(J + 1, coarse.cols(), periodic.y);
         auto blend = [&](Index j) {
           return (9 * coarse(I, J) + 3 * (coarse(beside, J) + coarse(I, j)) + coarse(beside, j)) / 16;
         };

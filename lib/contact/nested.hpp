@@ -17,6 +17,6 @@ struct CoarseLevel {
 /// Under the same load or approach, from the second finest grid on: sides are even, no half below 32.
 std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem);
 /// Pressures on the grid twice as fine; `periodic` tells what lies beyond the edge.
-Field prolonged(const Field& coarse, bool periodic, int threads);
+Field prolonged(const Field& coarse, Periodic periodic, int threads);
 
 }  // namespace asperity

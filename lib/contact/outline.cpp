@@ -34,7 +34,7 @@ std::array<Extent, 2> box_of(const Grid& grid, const Cells& cells) {
   for (Index i = 0; i < nx; ++i)
     for (Index j = 0; j < ny; ++j)
       if (cells(i, j)) in_x(i) = in_y(j) = true;
-  return {extent(in_x, grid.periodic), extent(in_y, grid.periodic)};
+  return {extent(in_x, grid.periodic.x), extent(in_y, grid.periodic.y)};
 }
 
 // Of the eight symmetries of a square, those of the cells in the box around them.
@@ -64,11 +64,11 @@ Outline outline(const Grid& grid, const Contact& contact, Contact::State least) 
   const auto [nx, ny] = grid.shape;
   Outline out;
   for (Index i = 0; i < nx; ++i) {
-    const bool below = i + 1 < nx || grid.periodic;
+    const bool below = i + 1 < nx || grid.periodic.x;
     for (Index j = 0; j < ny; ++j) {
       const bool in = cells(i, j);
       if (below) out.sides_x += in != cells.around(i + 1, j);
-      if (j + 1 < ny || grid.periodic) out.sides_y += in != cells.around(i, j + 1);
+      if (j + 1 < ny || grid.periodic.y) out.sides_y += in != cells.around(i, j + 1);
     }
   }
   if (out.sides() > 0) out.images = images_of(grid, cells);

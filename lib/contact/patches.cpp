@@ -74,8 +74,8 @@ class Finder {
     for (Index i = 0; i < nx; ++i)
       for (Index j = 0; j < ny; ++j) {
         if (!inside(i * ny + j)) continue;
-        if (i + 1 < nx || grid_.periodic) meet(i * ny + j, (i + 1) % nx * ny + j, {i + 1 == nx, 0});
-        if (j + 1 < ny || grid_.periodic) meet(i * ny + j, i * ny + (j + 1) % ny, {0, j + 1 == ny});
+        if (i + 1 < nx || grid_.periodic.x) meet(i * ny + j, (i + 1) % nx * ny + j, {i + 1 == nx, 0});
+        if (j + 1 < ny || grid_.periodic.y) meet(i * ny + j, i * ny + (j + 1) % ny, {0, j + 1 == ny});
       }
     number();
     return std::move(out_);
@@ -108,7 +108,7 @@ class Finder {
       ++count[static_cast<std::size_t>(label - 1)];
     }
     sort_by_size(count);
-    if (!grid_.periodic) span_the_domain();
+    span_the_domain();
   }
 
   void sort_by_size(const std::vector<Index>& count) {
@@ -123,7 +123,7 @@ class Finder {
     for (std::int32_t& label : out_.label) label = rank[static_cast<std::size_t>(label)];
   }
 
-  // (1): patches at both ends.
+  // (1): patches at both free ends.
   void span_the_domain() {
     const auto [nx, ny] = grid_.shape;
     auto spans = [&](Index lines, Index along, Index across, Index last) {
@@ -134,8 +134,8 @@ class Finder {
       for (Index k = 0; k < lines; ++k) both |= first[label(k * along + last * across)];
       return both;
     };
-    out_.percolates_x |= spans(ny, 1, ny, nx - 1);
-    out_.percolates_y |= spans(nx, ny, 1, ny - 1);
+    if (!grid_.periodic.x) out_.percolates_x |= spans(ny, 1, ny, nx - 1);
+    if (!grid_.periodic.y) out_.percolates_y |= spans(nx, ny, 1, ny - 1);
   }
   std::size_t label(Index cell) const { return static_cast<std::size_t>(out_.label[size(cell)]); }
 

@@ -1,8 +1,8 @@
 /// Patches of contact: cells in contact that share sides, and whether they span the domain.
 ///
 /// Two cells in contact belong to one patch where they share a side (4-connected: cells that meet at a corner
-/// alone touch in a point). On a periodic grid cells at opposite edges share a side too. A patch percolates
-/// along an axis
+/// alone touch in a point). Along a periodic axis cells at opposite edges share a side too. A patch
+/// percolates along an axis
 ///     free      if it has cells at both ends of the domain,                                  (1)
 ///     periodic  if it is connected with its own image one or more periods away.              (2)
 /// For (2) each cell holds its offset, in periods, from the root of its patch. Two cells of one patch that

@@ -25,8 +25,9 @@ void check_approach(const Grid& grid, const Field& gap, const ContactParameters&
   const double approach = *parameters.approach, touch = gap.minCoeff(), mean = gap.mean();
   if (!(approach > touch))
     throw ParameterError(
-        "approach", fmt::format("{:.6g} m is not above {:.6g} m, where the bodies first touch", approach, touch));
-  if (grid.periodic && std::isinf(parameters.limit_pressure) && !(approach < mean))
+        "approach",
+        fmt::format("{:.6g} m is not above {:.6g} m, where the bodies first touch", approach, touch));
+  if (grid.periodic.both() && std::isinf(parameters.limit_pressure) && !(approach < mean))
     throw ParameterError(
         "approach",
         fmt::format("{} m is not below {:.6g} m, the mean gap of a periodic surface in full contact",

@@ -1,5 +1,5 @@
-/// Extent of something on a grid: the lines from the first to the last with any of it; on a periodic grid the
-/// shortest run of lines with all of it, which may continue across the edge.
+/// Extent of something on a grid: the lines from the first to the last with any of it; along a periodic
+/// axis the shortest run of lines with all of it, which may continue across the edge.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ inline Extent extent(const LineMask& marked, bool periodic) {
 
 /// Along x and along y, for the cells with holds(value).
 template <class Holds>
-std::array<Extent, 2> extents(const Field& f, Holds holds, bool periodic = false) {
+std::array<Extent, 2> extents(const Field& f, Holds holds, Periodic periodic = {}) {
   LineMask in_x = LineMask::Constant(f.rows(), false), in_y = LineMask::Constant(f.cols(), false);
   for (Index i = 0; i < f.rows(); ++i) {
     bool any = false;
@@ -45,7 +45,7 @@ std::array<Extent, 2> extents(const Field& f, Holds holds, bool periodic = false
     }
     in_x(i) = any;
   }
-  return {extent(in_x, periodic), extent(in_y, periodic)};
+  return {extent(in_x, periodic.x), extent(in_y, periodic.y)};
 }
 
 }  // namespace asperity

@@ -33,11 +33,24 @@ inline Shape shape_of(const Field& f) { return {f.rows(), f.cols()}; }
 /// "31x17"
 inline std::string text(Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); }
 
+/// The axes along which a domain repeats.
+struct Periodic {
+  bool x = false, y = false;
+
+  constexpr Periodic() = default;
+  constexpr Periodic(bool along_both) : x(along_both), y(along_both) {}
+  constexpr Periodic(bool along_x, bool along_y) : x(along_x), y(along_y) {}
+  constexpr bool both() const { return x && y; }
+  constexpr bool any() const { return x || y; }
+  constexpr bool one() const { return x != y; }  ///< along one axis, free along the other
+  bool operator==(const Periodic&) const = default;
+};
+
 /// A domain cut into cells.
 struct Grid {
   Shape shape;
   double dx = 0, dy = 0;  ///< spacing [m]
-  bool periodic = false;  ///< the domain repeats in x and in y
+  Periodic periodic = {};
 
   double x(Index i) const { return (static_cast<double>(i) + 0.5) * dx - 0.5 * size_x(); }
   double y(Index j) const { return (static_cast<double>(j) + 0.5) * dy - 0.5 * size_y(); }

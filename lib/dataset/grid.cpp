@@ -83,10 +83,8 @@ AxisExtent extent_of(const Variable& axis) {
 
 Grid grid_of(const Dataset& dataset) {
   const AxisExtent x = extent_of(dataset.at("x")), y = extent_of(dataset.at("y"));
-  if (x.periodic != y.periodic)
-    throw DataError("y", "a surface must be periodic in both directions or in none");
-  const bool whole = !x.cut && !y.cut;  // a part of a period is not periodic
-  return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, x.periodic && whole};
+  const Periodic periodic{x.periodic && !x.cut, y.periodic && !y.cut};  // a part of a period is not periodic
+  return {{dataset.length("x"), dataset.length("y")}, x.spacing, y.spacing, periodic};
 }
 
 std::vector<std::string> settle_lengths(Dataset& dataset) {
@@ -102,14 +100,10 @@ std::vector<std::string> settle_lengths(Dataset& dataset) {
                   " replaced by that of its " + std::to_string(points.size()) + " points, " +
                   in_digits(settled, 6));
     axis->attributes.set("length", settled);
+    if (axis->attributes.number("periodic", 0) == 0) continue;
+    axis->attributes.set("periodic", 0);
+    out.back() += "; a part of a period is not periodic";
   }
-  const auto periodic = [&](const char* name) {
-    const Variable* axis = dataset.find(name);
-    return axis != nullptr && axis->attributes.number("periodic", 0) != 0;
-  };
-  if (out.empty() || !periodic("x") || !periodic("y")) return out;
-  for (const char* name : {"x", "y"}) dataset.find(name)->attributes.set("periodic", 0);
-  out.back() += "; a part of a periodic surface is not periodic";
   return out;
 }
 

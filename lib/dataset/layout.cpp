@@ -138,19 +138,19 @@ void leave_out_masked(const Dataset& dataset, const Variable& variable, Field& v
 }  // namespace
 
 void set_grid(Dataset& dataset, const Grid& grid) {
-  auto set_axis = [&](std::string_view name, Index n, double spacing, auto position) {
+  auto set_axis = [&](std::string_view name, Index n, double spacing, bool repeats, auto position) {
     std::vector<double> points;
     for (Index i = 0; i < n; ++i) points.push_back(position(i));
     Variable axis =
         coordinate(name, std::move(points), "m", std::string("position along ") + std::string(name));
     axis.attributes.set("unit", "m");
     axis.attributes.set("length", spacing * static_cast<double>(n));
-    axis.attributes.set("periodic", grid.periodic ? 1 : 0);
+    axis.attributes.set("periodic", repeats ? 1 : 0);
     axis.attributes.set("axis", name == "x" ? "X" : "Y");
     put_coordinate(dataset, std::move(axis));
   };
-  set_axis("x", grid.shape.nx, grid.dx, [&](Index i) { return grid.x(i); });
-  set_axis("y", grid.shape.ny, grid.dy, [&](Index j) { return grid.y(j); });
+  set_axis("x", grid.shape.nx, grid.dx, grid.periodic.x, [&](Index i) { return grid.x(i); });
+  set_axis("y", grid.shape.ny, grid.dy, grid.periodic.y, [&](Index j) { return grid.y(j); });
 }
 
 Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {

@@ -24,7 +24,7 @@ void set_grid(Dataset& dataset, const Grid& grid);
 
 /// The grid of x and y, from any program. If the attribute length of an axis agrees with its points, the
 /// spacing follows from the length, unless only the length is in single precision. If they disagree, as after
-/// cropping by a program that ignores the attribute, the spacing follows from the points, and the grid is not
+/// cropping by a program that ignores the attribute, the spacing follows from the points, and the axis is not
 /// periodic. Throws DataError when x or y is missing, has no size, or is not evenly spaced.
 Grid grid_of(const Dataset& dataset);
 /// Sets length and `periodic` of x and y to those of grid_of; returns a line for each changed length.

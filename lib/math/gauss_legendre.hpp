@@ -13,6 +13,7 @@ struct GaussLegendre {
   std::array<double, n> nodes, weights;
 };
 
+inline constexpr GaussLegendre<2> gauss2{{-0.57735026918962576, 0.57735026918962576}, {1, 1}};
 inline constexpr GaussLegendre<3> gauss3{{-0.77459666924148338, 0, 0.77459666924148338},
                                          {5.0 / 9, 8.0 / 9, 5.0 / 9}};
 inline constexpr GaussLegendre<4> gauss4{

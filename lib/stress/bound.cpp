@@ -29,7 +29,7 @@ double largest_norm(double poisson, stress::Traction load) {
 }  // namespace
 
 double stress_bound(const LoadedBody& body) {
-  if (body.grid.periodic) return std::numeric_limits<double>::infinity();
+  if (body.grid.periodic.any()) return std::numeric_limits<double>::infinity();
   const double friction = body.friction.coefficient,
                sliding = friction > 0 ? friction * largest_norm(body.poisson, stress::shear_x) : 0;
   return std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) * body.pressure.abs().sum() *

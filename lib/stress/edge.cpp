@@ -19,7 +19,7 @@ double edge_friction(double poisson) {
   return std::max(0.0, std::lerp(at_tenths[k], at_tenths[k + 1], place - static_cast<double>(k)));
 }
 
-bool has_edge(const LoadedBody& body) { return !body.grid.periodic || (body.pressure == 0).any(); }
+bool has_edge(const LoadedBody& body) { return !body.grid.periodic.both() || (body.pressure == 0).any(); }
 
 bool is_at_edge(const StressMaximum& maximum, Criterion of, const LoadedBody& body) {
   return has_edge(body) && maximum.depth < accurate_depth(body.grid) &&

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "stress/corner_tile.hpp"
+#include "stress/images.hpp"
 #include "stress/wave.hpp"
 #include "transform/mirrored.hpp"
 
@@ -174,8 +175,9 @@ class PeriodicInfluence : public LayerInfluence {
 
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
                                                      stress::Tractions acting) {
-  if (resolution.cells.periodic)
+  if (resolution.cells.periodic.both())
     return std::make_unique<PeriodicInfluence>(resolution.cells, poisson, acting);
+  if (resolution.cells.periodic.any()) return make_image_influence(resolution, poisson, acting);
   return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting);
 }
 

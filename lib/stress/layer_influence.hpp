@@ -55,7 +55,8 @@ class LayerInfluence {
   virtual std::span<const double> by_lags(stress::Traction t, stress::Component c, Index b) = 0;
 };
 
-/// Cells of this resolution under the acting tractions: (3), (4) when periodic, else (2), tapered.
+/// Cells of this resolution under the acting tractions: (3), (4) when periodic, else (2), tapered; where they
+/// are periodic along one axis, that of stress/images.hpp.
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
                                                      stress::Tractions acting);
 

@@ -55,9 +55,9 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, 
 }
 
 double accurate_depth(const Grid& grid) {
-  auto step = [&](Index cells, double spacing) { return grid.periodic && cells == 1 ? 0 : spacing; };
-  return calibration::stress::accurate_cells *
-         std::max(step(grid.shape.nx, grid.dx), step(grid.shape.ny, grid.dy));
+  auto step = [](Index cells, double spacing, bool repeats) { return repeats && cells == 1 ? 0 : spacing; };
+  return calibration::stress::accurate_cells * std::max(step(grid.shape.nx, grid.dx, grid.periodic.x),
+                                                        step(grid.shape.ny, grid.dy, grid.periodic.y));
 }
 
 double shallow_error(double poisson, const Friction& friction) {

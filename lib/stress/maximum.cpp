@@ -48,7 +48,7 @@ Parabola peak_along(const Line& line, Index k, bool periodic) {
 Peak peak_of(const Field& f, const Grid& grid) {
   Index i, j;
   const double top = f.maxCoeff(&i, &j);
-  const Parabola x = peak_along(f.col(j), i, grid.periodic), y = peak_along(f.row(i), j, grid.periodic);
+  const Parabola x = peak_along(f.col(j), i, grid.periodic.x), y = peak_along(f.row(i), j, grid.periodic.y);
   return {top + (x.value - top) + (y.value - top), grid.x(i) + x.vertex * grid.dx,
           grid.y(j) + y.vertex * grid.dy};
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "stress/images.hpp"
 #include "stress/influence.hpp"
 #include "stress/wave.hpp"
 
@@ -21,6 +22,7 @@ using stress::Traction;
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double on_a_side = 1e-9;        // of a side: coordinates have this much round-off
 constexpr double step_that_shows = 1e-3;  // of the largest pressure: times ln(1e9)/π, 0.7 % of it
+constexpr double uniform = 1e-14;         // of the mean of a row
 constexpr double faded = 40;              // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
 
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
@@ -30,6 +32,10 @@ std::vector<Complex> waves(Index n, double share) {
     out[size(k)] =
         std::polar(2 * k == n ? 0.5 : 1.0, two_pi * std::remainder(static_cast<double>(k) * share, 1));
   return out;
+}
+
+void add(Tensor& sum, double factor, const Tensor& s) {
+  for (Component c : stress::components) sum[c] += factor * s[c];
 }
 
 // Of the modes (±kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
@@ -53,18 +59,29 @@ void add(const Pair& p, const stress::Wave& wave, const LoadWeights& weights, Te
 StressPoints::StressPoints(LoadedBody body, int threads)
     : body_(std::move(body)), weights_(body_.friction.weights()) {
   body_.check();
-  if (body_.grid.periodic) modes_.emplace(body_.grid, body_.pressure, 1, threads);
+  if (body_.grid.periodic.both()) modes_.emplace(body_.grid, body_.pressure, 1, threads);
 }
 
 Tensor StressPoints::at(double x, double y, double z) const {
   if (!(std::abs(x) <= farthest && std::abs(y) <= farthest))
     throw ParameterError("place", fmt::format("({}, {}) m is farther than {:g} m", x, y, farthest));
   check_depth(z);
-  return body_.grid.periodic ? below_waves(x, y, z) : below_cells(x, y, z);
+  if (body_.grid.periodic.both()) return below_waves(x, y, z);
+  return body_.grid.periodic.any() ? below_images(x, y, z) : below_cells(x, y, z);
+}
+
+// At a place seen from the middle of a cell of these half sides, under its pressure and tractions.
+Tensor StressPoints::of_cell(double x, double y, double z, double a, double b) const {
+  Tensor sum{};
+  for (Traction t : stress::tractions)
+    if (weights_[t] != 0) add(sum, weights_[t], uniform_load_stress(x, y, z, a, b, body_.poisson, t));
+  return sum;
 }
 
 double StressPoints::pressure_at(Index i, Index j) const {
   const auto [nx, ny] = body_.grid.shape;
+  if (body_.grid.periodic.x) i = (i + nx) % nx;
+  if (body_.grid.periodic.y) j = (j + ny) % ny;
   return i >= 0 && j >= 0 && i < nx && j < ny ? body_.pressure(i, j) : 0;
 }
 
@@ -74,7 +91,7 @@ bool StressPoints::singular(double x, double y, double z) const {
   const auto [nx, ny] = grid.shape;
   const bool inside =
       u > -0.5 && v > -0.5 && u < static_cast<double>(nx) + 0.5 && v < static_cast<double>(ny) + 0.5;
-  if (grid.periodic || z > on_a_side * std::min(grid.dx, grid.dy) || !inside) return false;
+  if (grid.periodic.both() || z > on_a_side * std::min(grid.dx, grid.dy) || !inside) return false;
   const bool on_x = std::abs(u - std::round(u)) <= on_a_side, on_y = std::abs(v - std::round(v)) <= on_a_side;
   // The cell beyond the side, or the one that holds the point.
   const auto i = static_cast<Index>(on_x ? std::round(u) : std::floor(u)),
@@ -94,13 +111,43 @@ Tensor StressPoints::below_cells(double x, double y, double z) const {
   Tensor sum{};
   for (Index i = 0; i < grid.shape.nx; ++i)
     for (Index j = 0; j < grid.shape.ny; ++j)
-      for (Traction t : stress::tractions) {
-        const double pressure = body_.pressure(i, j);
-        if (weights_[t] == 0 || pressure == 0) continue;
-        const Tensor s =
-            uniform_load_stress(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2, body_.poisson, t);
-        for (Component c : stress::components) sum[c] += weights_[t] * pressure * s[c];
-      }
+      if (const double p = body_.pressure(i, j); p != 0)
+        add(sum, p, of_cell(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2));
+  return sum;
+}
+
+// S of stress/images.hpp.
+Tensor StressPoints::of_images(double x, double y, double z) const {
+  const Grid& grid = body_.grid;
+  const bool in_x = grid.periodic.x;
+  const double period = in_x ? grid.size_x() : grid.size_y(), first = std::remainder(in_x ? x : y, period);
+  Tensor sum{};
+  for (int m = -image_periods; m <= image_periods; ++m) {
+    const double at = first + m * period, weight = image_weight(at / period);
+    if (weight > 0) add(sum, weight, of_cell(in_x ? at : x, in_x ? y : at, z, grid.dx / 2, grid.dy / 2));
+  }
+  return sum;
+}
+
+Tensor StressPoints::below_images(double x, double y, double z) const {
+  const Grid& grid = body_.grid;
+  const auto [nx, ny] = grid.shape;
+  const bool in_x = grid.periodic.x;
+  const double endless = 1e20 * (in_x ? grid.size_x() : grid.size_y());
+  Tensor sum{};
+  for (Index row = 0; row < (in_x ? ny : nx); ++row) {
+    const Eigen::ArrayXd p =
+        in_x ? Eigen::ArrayXd(body_.pressure.col(row)) : Eigen::ArrayXd(body_.pressure.row(row).transpose());
+    const double mean = p.mean();
+    if ((p == 0).all()) continue;
+    add(sum, mean,
+        in_x ? of_cell(0, y - grid.y(row), z, endless, grid.dy / 2)
+             : of_cell(x - grid.x(row), 0, z, grid.dx / 2, endless));
+    if ((p - mean).abs().maxCoeff() <= uniform * std::abs(mean)) continue;
+    for (Index k = 0; k < p.size(); ++k)
+      add(sum, p(k) - mean,
+          in_x ? of_images(x - grid.x(k), y - grid.y(row), z) : of_images(x - grid.x(row), y - grid.y(k), z));
+  }
   return sum;
 }
 

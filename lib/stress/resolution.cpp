@@ -25,7 +25,7 @@ Index period(Index cells, Index s, bool periodic) {
 }
 
 Shape torus_of(const Grid& grid, Index s) {
-  return {period(grid.shape.nx, s, grid.periodic), period(grid.shape.ny, s, grid.periodic)};
+  return {period(grid.shape.nx, s, grid.periodic.x), period(grid.shape.ny, s, grid.periodic.y)};
 }
 
 // 1 for the first lags, then down to 0 at `lags`.
@@ -47,14 +47,15 @@ std::vector<double> tapered(Index whole, Index lags) {
   return out;
 }
 
-// What a mode is multiplied with: (1), unless periodic, and the preparation for the interpolation.
-std::vector<double> factors(Index s, Index period, bool periodic) {
+// What a mode is multiplied with: (1), unless the load is one of modes; and the preparation for the
+// interpolation.
+std::vector<double> factors(Index s, Index period, bool modes) {
   std::vector<double> out(size(period / 2 + 1), 1.0);
   if (s == 1) return out;
   for (Index m = 0; m < period / 2 + 1; ++m) {
     const double k = 2 * std::numbers::pi * static_cast<double>(m) / static_cast<double>(period), a = k / 2;
     const double ratio =
-        m == 0 || periodic ? 1 : static_cast<double>(s) * std::sin(a / static_cast<double>(s)) / std::sin(a);
+        m == 0 || modes ? 1 : static_cast<double>(s) * std::sin(a / static_cast<double>(s)) / std::sin(a);
     out[size(m)] = 2 * m < period ? ratio * Interpolation::prepared(k) : 0;
   }
   return out;
@@ -67,7 +68,8 @@ AlignedVector<Complex> transformed(const Grid& grid, const Field& pressure, Inde
   const PrunedTransform fine(grid.shape, {s * px, s * py}, ColumnTransform::Ways::forward_only);
   HalfSpectrum half = fine.half_spectrum();
   fine.forward_rows(pressure / static_cast<double>(fine.torus().cells()), half, threads);
-  const std::vector<double> along_x = factors(s, px, grid.periodic), along_y = factors(s, py, grid.periodic);
+  const std::vector<double> along_x = factors(s, px, grid.periodic.both()),
+                            along_y = factors(s, py, grid.periodic.both());
   AlignedVector<Complex> spectrum(size(transform.blocks() * transform.block_size()));
   parallel_ranges(transform.blocks(), threads, [&, px = px](Index begin, Index end, int) {
     AlignedVector<Complex> block(size(fine.block_size())), work(block.size());
@@ -93,7 +95,8 @@ double Resolution::least_depth(const Grid& grid, Index s) {
 
 bool Resolution::possible(const Grid& grid, Index s) {
   const auto [nx, ny] = grid.shape;
-  return std::min(nx, ny) >= least_wide_cells * s && (!grid.periodic || (nx % s == 0 && ny % s == 0));
+  return std::min(nx, ny) >= least_wide_cells * s && !(grid.periodic.x && nx % s != 0) &&
+         !(grid.periodic.y && ny % s != 0);
 }
 
 Resolution::Resolution(const Grid& grid, const Field& pressure, Index wide, int threads)
@@ -105,10 +108,11 @@ Resolution::Resolution(const Grid& grid, const Field& pressure, Index wide, int 
   const auto [px, py] = transform.torus();
   const double f = static_cast<double>(s);
   cells.dx *= f, cells.dy *= f;
-  if (grid.periodic)
-    cells.shape = {px, py};
-  else if (s > 1)
-    cells.shape = {px / 2, py / 2};
+  auto lags = [&](Index own, Index period, bool repeats) {
+    if (grid.periodic.both()) return period;
+    return repeats ? period / 2 + 1 : s > 1 ? period / 2 : own;
+  };
+  cells.shape = {lags(grid.shape.nx, px, grid.periodic.x), lags(grid.shape.ny, py, grid.periodic.y)};
   taper = {tapered(whole_lags(grid.shape.nx, s), cells.shape.nx),
            tapered(whole_lags(grid.shape.ny, s), cells.shape.ny)};
 }

@@ -34,7 +34,7 @@ constexpr Index width = LayerInfluence::width;
 LoadedBody exchanged(const LoadedBody& body) {
   const Grid& g = body.grid;
   const Friction& f = body.friction;
-  return {{{g.shape.ny, g.shape.nx}, g.dy, g.dx, g.periodic},
+  return {{{g.shape.ny, g.shape.nx}, g.dy, g.dx, {g.periodic.y, g.periodic.x}},
           body.pressure.transpose(),
           body.poisson,
           {f.coefficient, 0.5 * std::numbers::pi - f.angle}};
@@ -74,9 +74,9 @@ struct SectionPlan : LayerPlan {
       : LayerPlan(body, s, threads), exchanges(exchange) {
     const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx;
-    lag_count = body.grid.periodic ? px / 2 + 1
-                : s > 1            ? resolution.cells.shape.nx
-                                   : farthest_lag(body.pressure, i);
+    lag_count = body.grid.periodic.both()           ? px / 2 + 1
+                : s > 1 || body.grid.periodic.any() ? resolution.cells.shape.nx
+                                                    : farthest_lag(body.pressure, i);
     for (Folded& folded : folded_) folded.resize(size(t.blocks() * lag_count * 2 * width));
     fold(phases(resolution, i), threads);
   }
@@ -111,11 +111,11 @@ struct SectionPlan : LayerPlan {
         for (Index q = 0; q < width; ++q)
           for (Index k = 0; k < px; ++k)
             modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
-        if (resolution.cells.periodic) {
+        if (resolution.cells.periodic.both()) {
           fold_modes(modes, b);
         } else {
           columns.forward(modes.data(), lags.data());
-          fold_lags(lags, b);
+          resolution.cells.periodic.any() ? fold_images(lags, b) : fold_lags(lags, b);
         }
       }
     });
@@ -131,6 +131,20 @@ struct SectionPlan : LayerPlan {
                       difference = ahead - back;
         set(false, b, k, q, ahead + back);
         set(true, b, k, q, alone ? Complex{} : Complex{difference.imag(), -difference.real()});
+      }
+    }
+  }
+
+  // P± as it is, for kernels that are differences already (stress/images.hpp).
+  void fold_images(std::span<const Complex> block, Index b) {
+    const Index n = resolution.transform.torus().nx;
+    for (Index q = 0; q < width; ++q) {
+      const auto lags = block.subspan(size(q * resolution.transform.stride()));
+      for (Index m = 0; m < lag_count; ++m) {
+        const bool alone = m == 0 || 2 * m == n;
+        const Complex ahead = lags[size(m)], back = alone ? Complex{} : lags[size(n - m)];
+        set(false, b, m, q, ahead + back);
+        set(true, b, m, q, alone ? Complex{} : ahead - back);
       }
     }
   }

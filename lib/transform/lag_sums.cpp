@@ -8,7 +8,7 @@ namespace {
 
 // Room for the longest lag beside the field: nothing wraps onto a lag requested.
 Shape torus_for(const Grid& grid, Shape max_lag) {
-  if (grid.periodic) return grid.shape;
+  if (grid.periodic.both()) return grid.shape;
   return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
 }
 

@@ -18,7 +18,7 @@ struct Axis {
 };
 
 std::array<Axis, 2> axes_of(const Grid& grid, Shape factor) {
-  return {Axis{grid.shape.nx, factor.nx, grid.periodic}, Axis{grid.shape.ny, factor.ny, grid.periodic}};
+  return {Axis{grid.shape.nx, factor.nx, grid.periodic.x}, Axis{grid.shape.ny, factor.ny, grid.periodic.y}};
 }
 
 // ---- the form of degree 2 ----

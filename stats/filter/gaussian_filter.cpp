@@ -79,12 +79,12 @@ Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int
   const double level = mean(z);
   const Field heights = z - level;
   const Weights along_x(grid.shape.nx, grid.dx, cutoff), along_y(grid.shape.ny, grid.dy, cutoff);
-  EvenConvolution average =
-      grid.periodic ? periodic_average(grid, cutoff, threads) : open_average(grid, along_x, along_y, threads);
+  EvenConvolution average = grid.periodic.both() ? periodic_average(grid, cutoff, threads)
+                                                 : open_average(grid, along_x, along_y, threads);
   if (has_missing(z)) return over_valid(average, heights) + level;
   Field out;
   average.apply(heights, out);
-  if (!grid.periodic) {
+  if (!grid.periodic.both()) {
     out.colwise() /= along_x.inside(grid.shape.nx);
     out.rowwise() /= along_y.inside(grid.shape.ny).transpose();
   }

@@ -72,7 +72,7 @@ Field differences(const Field& z, const Grid& grid, bool x) {
   const Index n = x ? z.rows() : z.cols();
   return Field::NullaryExpr(z.rows(), z.cols(), [&](Index i, Index j) -> double {
     const Index next = (x ? i : j) + 1;
-    if (next == n && !grid.periodic) return NAN;
+    if (next == n && !grid.periodic.both()) return NAN;
     return (x ? z(next % n, j) : z(i, next % n)) - z(i, j);
   });
 }

@@ -26,10 +26,10 @@ struct Strip {
   Index core;
 
   static Strip whole(const Field& z, const Grid& grid) { return {z, grid, z.rows()}; }
-  bool closed() const { return grid.periodic && z.rows() == grid.shape.nx; }
+  bool closed() const { return grid.periodic.both() && z.rows() == grid.shape.nx; }
   /// Points of the field's shorter side; unlimited if it is periodic.
   Index shortest_side() const {
-    return grid.periodic ? std::numeric_limits<Index>::max() : std::min(grid.shape.nx, grid.shape.ny);
+    return grid.periodic.both() ? std::numeric_limits<Index>::max() : std::min(grid.shape.nx, grid.shape.ny);
   }
 };
 
@@ -39,8 +39,8 @@ class NeighbourRows {
   NeighbourRows(const Strip& strip, Index margin)
       : z_(strip.z),
         rows_(std::min(strip.core, z_.rows() + (strip.closed() ? margin : 0) - margin)),
-        columns_(z_.cols() - (strip.grid.periodic ? 0 : margin)),
-        margin_(strip.grid.periodic ? margin : 0) {}
+        columns_(z_.cols() - (strip.grid.periodic.both() ? 0 : margin)),
+        margin_(strip.grid.periodic.both() ? margin : 0) {}
 
   /// The number of rows followed by `margin` more, and of points in a row.
   Index rows() const { return std::max<Index>(0, rows_); }

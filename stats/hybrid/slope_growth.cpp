@@ -19,11 +19,12 @@ double mean_square_slope(const Field& z, const Grid& grid) {
   const Index nx = z.rows(), ny = z.cols();
   double x = (z.bottomRows(nx - 1) - z.topRows(nx - 1)).square().sum();
   double y = (z.rightCols(ny - 1) - z.leftCols(ny - 1)).square().sum();
-  if (grid.periodic) {
+  const bool around = grid.periodic.both();
+  if (around) {
     x += (z.row(0) - z.row(nx - 1)).square().sum();
     y += (z.col(0) - z.col(ny - 1)).square().sum();
   }
-  const Index sides = grid.periodic ? 0 : 1;
+  const Index sides = around ? 0 : 1;
   return x / (grid.dx * grid.dx * static_cast<double>((nx - sides) * ny)) +
          y / (grid.dy * grid.dy * static_cast<double>(nx * (ny - sides)));
 }
@@ -39,12 +40,12 @@ Resolved SlopeGrowth::resolved() const {
 
 SlopeGrowth slope_growth(const Field& heights, const Grid& grid, int threads) {
   if (std::min(grid.shape.nx, grid.shape.ny) < least_side) return {std::numeric_limits<double>::quiet_NaN()};
-  Field z = grid.periodic ? heights : remove_form(heights, 2);
+  Field z = grid.periodic.both() ? heights : remove_form(heights, 2);
   std::array<double, 3> slopes{};
   Grid cells = grid;
   for (double& slope : slopes) {
     slope = mean_square_slope(z, cells);
-    cells.periodic = cells.periodic && cells.shape.nx % 2 == 0 && cells.shape.ny % 2 == 0;
+    cells.periodic = cells.periodic.both() && cells.shape.nx % 2 == 0 && cells.shape.ny % 2 == 0;
     z = halved(z, threads);
     cells = halved(cells);
   }

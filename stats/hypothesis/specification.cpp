@@ -96,7 +96,7 @@ void SpecificationTest::choose_lags() {
   const CorrelationAlgebra algebra(rho, grid_);
   const double cells = static_cast<double>(grid_.shape.cells());
   const Shape most = longest_lag(rho, grid_);
-  const LagField c = algebra.convolution({2 * most.nx, 2 * most.ny}, grid_.periodic);
+  const LagField c = algebra.convolution({2 * most.nx, 2 * most.ny}, grid_.periodic.both());
   std::vector<double> scales;  // of third cumulants
   const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
   for (Index p = 0; p <= most.nx; p += dp)

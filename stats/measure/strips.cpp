@@ -53,7 +53,7 @@ StripReader::StripReader(FieldParts parts, int degree, std::size_t memory)
 Field StripReader::strip(Index first, Index core, Index halo) const {
   const Index nx = grid().shape.nx, within = std::min(core + halo, nx - first);
   Field out = parts_.rows(first, within);
-  if (grid().periodic && rows_ < nx && within < core + halo) {
+  if (grid().periodic.both() && rows_ < nx && within < core + halo) {
     const Index around = core + halo - within;
     out.conservativeResize(core + halo, Eigen::NoChange);
     out.bottomRows(around) = parts_.rows(0, around);

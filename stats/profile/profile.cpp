@@ -150,9 +150,10 @@ ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section)
 void ProfileSums::add(const Field& heights) {
   const bool x = along_ == Axis1D::x;
   const double step = x ? grid_.dx : grid_.dy;
+  const bool periodic = x ? grid_.periodic.x : grid_.periodic.y;
   for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
     const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
-    profiles_.add(profile_parameters(profile, step, section_, grid_.periodic));
+    profiles_.add(profile_parameters(profile, step, section_, periodic));
   }
 }
 

@@ -61,7 +61,7 @@ void AcfParameters::check(const Grid& grid) const {
   auto text = [](Shape s) { return std::to_string(s.nx) + "x" + std::to_string(s.ny); };
   throw ParameterError("max-lag",
                        "'" + text(max_lag) + "' is outside 0x0 to " + text(most) +
-                           (grid.periodic ? ", half the period" : ", the longest lags of the field"));
+                           (grid.periodic.both() ? ", half the period" : ", the longest lags of the field"));
 }
 
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
@@ -71,7 +71,7 @@ LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfP
   if (!pairs.complete()) d = zero_filled(d);
   Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads);
   sums /= pairs.points();
-  const bool divided = grid.periodic && pairs.complete();
+  const bool divided = grid.periodic.both() && pairs.complete();
   if (!divided && !parameters.biased) divide_by_pairs(sums, pairs, parameters.max_lag, parameters.threads);
   return LagField(std::move(sums));
 }
@@ -86,7 +86,7 @@ LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int
   const LagField R =
       estimate_autocorrelation(d, pairs, {.max_lag = max_lag, .level = 0.0, .threads = threads});
   if (!pairs.complete()) return over_valid_pairs(d, pairs, R, threads);
-  if (grid.periodic) return LagField(2 * (R(0, 0) - R.half_plane()));
+  if (grid.periodic.both()) return LagField(2 * (R(0, 0) - R.half_plane()));
 
   const auto [nx, ny] = grid.shape;
   const Field below = partial_sums(d.square());

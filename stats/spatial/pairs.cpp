@@ -31,7 +31,7 @@ Pairs Pairs::of(const Field& z, const Grid& grid, int threads) {
 
 double Pairs::pair_fraction(Index p, Index q) const {
   if (complete()) return overlap(grid_, p, q);
-  if (grid_.periodic) p = folded(p, grid_.shape.nx), q = folded(q, grid_.shape.ny);
+  if (grid_.periodic.both()) p = folded(p, grid_.shape.nx), q = folded(q, grid_.shape.ny);
   return (*counts_)(p, q) / points_;
 }
 
@@ -45,12 +45,12 @@ double overlap(const Grid& grid, Index p, Index q) {
   auto part = [](Index lag, Index n) {
     return std::max(0.0, 1 - static_cast<double>(std::abs(lag)) / static_cast<double>(n));
   };
-  return grid.periodic ? 1 : part(p, grid.shape.nx) * part(q, grid.shape.ny);
+  return grid.periodic.both() ? 1 : part(p, grid.shape.nx) * part(q, grid.shape.ny);
 }
 
 Shape longest_lags(const Grid& grid) {
   const auto [nx, ny] = grid.shape;
-  return grid.periodic ? Shape{nx / 2, ny / 2} : Shape{nx - 1, ny - 1};
+  return grid.periodic.both() ? Shape{nx / 2, ny / 2} : Shape{nx - 1, ny - 1};
 }
 
 LagField tapered(const LagField& rho, const Pairs& pairs) {
@@ -69,7 +69,8 @@ void for_each_lag(const LagField& lags, const Pairs& pairs,
     for (Index q = -Q; q <= Q; ++q)
       if (const double fraction = pairs.pair_fraction(p, q); fraction > 0)
         visit(p, q,
-              (p > 0 ? 2 : 1) * fraction * times_met(p, nx, grid.periodic) * times_met(q, ny, grid.periodic));
+              (p > 0 ? 2 : 1) * fraction * times_met(p, nx, grid.periodic.both()) *
+                  times_met(q, ny, grid.periodic.both()));
 }
 
 }  // namespace asperity

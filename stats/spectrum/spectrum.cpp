@@ -82,7 +82,7 @@ void spread(Eigen::ArrayXd& F, double angle, double half_width, double power) {
 }  // namespace
 
 DataWindows default_windows(const Grid& grid) {
-  const DataWindow both = grid.periodic ? DataWindow::none : DataWindow::hann;
+  const DataWindow both = grid.periodic.both() ? DataWindow::none : DataWindow::hann;
   return {both, both};
 }
 
@@ -118,7 +118,7 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads) {
   if (axis == Axis1D::y) {
-    const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, grid.periodic};
+    const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
     return profile_spectrum(d.transpose(), turned, Axis1D::x, window, threads);
   }
   const DataWindows windows{window, DataWindow::none};

@@ -18,7 +18,7 @@ double AcfError::pairs(Index p, Index q) const { return pairs_.pair_fraction(p, 
 
 double AcfError::weight(Index p, Index q, Index k, Index l) const {
   const double there = pairs_.density(k, l);
-  if (pairs_.grid().periodic) return there;
+  if (pairs_.grid().periodic.both()) return there;
   auto overlapping = [](Index n, Index distance) {
     return std::max(0.0, 1 - static_cast<double>(std::abs(distance)) / static_cast<double>(n));
   };

@@ -80,7 +80,7 @@ LagField CorrelationAlgebra::convolution(Shape max_lag, bool periodic) const {
 
 Eigen::ArrayXd CorrelationAlgebra::third_cumulants(const std::vector<CorrelatedLag>& lags) const {
   const LagField rho = tapered(rho_, pairs_);
-  const Field cube = cube_of(rho, pairs_.grid().periodic ? pairs_.grid().shape : torus_for(rho, 6, 2));
+  const Field cube = cube_of(rho, pairs_.grid().periodic.both() ? pairs_.grid().shape : torus_for(rho, 6, 2));
   return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(lags.size()), [&](Index i) {
     const auto& [lag, r] = lags[static_cast<std::size_t>(i)];
     auto t = [&](Index k) {
@@ -92,7 +92,7 @@ Eigen::ArrayXd CorrelationAlgebra::third_cumulants(const std::vector<CorrelatedL
 
 double CorrelationAlgebra::mean_of_triples() const {
   const LagField inside = rho_.within(longest_lags(pairs_.grid()));
-  if (pairs_.grid().periodic) return cube_of(inside, pairs_.grid().shape)(0, 0);
+  if (pairs_.grid().periodic.both()) return cube_of(inside, pairs_.grid().shape)(0, 0);
   const auto [nx, ny] = pairs_.grid().shape;
   const Shape torus = torus_for(inside, 3, 1);
   const RealTransform2D transform(torus);

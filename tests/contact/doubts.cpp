@@ -49,11 +49,19 @@ TEST_CASE("a contact at the domain's edge is told the size that Hertz's needs", 
 TEST_CASE("flats and cylinders at the edge are told what they lack", "[doubts][contract]") {
   CHECK_THAT(told(square(32), {}, {.load = 10}), ContainsSubstring("make them periodic, or give a radius"));
   const Bodies cylinder{.radius = {Radii(50e-3, infinity), Radii()}};
-  CHECK_THAT(told(square(32), cylinder, {.load = 1000}), ContainsSubstring("give a radius along y too\n"));
+  CHECK_THAT(told(square(32), cylinder, {.load = 1000}),
+             ContainsSubstring("make it periodic along y, or give a radius along y too\n"));
   // b = √(4 q R/πE*) = 1.72 mm.
   CHECK_THAT(told(square(32), cylinder, {.load = 16000}),
              ContainsSubstring("give a radius along y too, and a domain of 0.00517 m across"));
   CHECK(told(periodic(square(32)), {}, {.load = 10}).empty());
+  // Along an axis that repeats there is no edge; across, 3b = 5.2 mm.
+  Grid line = square(32);
+  line.periodic = {false, true};
+  CHECK(told(line, cylinder, {.load = 1000}).empty());
+  CHECK_THAT(told(line, cylinder, {.load = 16000}),
+             ContainsSubstring("touch on a width of 0.00345 m; make it 0.00517 m or more along x"));
+  CHECK_THAT(told(line, {}, {.load = 10}), ContainsSubstring("make them periodic, or give a radius"));
 }
 
 // 13.5 TPa came without a word from a rough surface of 0.08 mm x 0.2 mm under 5 kN.

@@ -28,12 +28,12 @@ TEST_CASE("the elastic energy of Hertz's contact is 2/5 of load times approach",
 TEST_CASE("elastic energy and work of flattening are the work of the load along its way", "[energy][law]") {
   const Grid free = square(32), wavy = periodic(square(32, 1e-3));
   for (const Grid& grid : {free, wavy})
-    for (const double cap : {infinity, grid.periodic ? 0.8e9 : 2.5e9}) {
-      const Field gap = grid.periodic ? Field(-1e-6 * random_waves(grid.shape, 3)) : rough_gap(grid);
+    for (const double cap : {infinity, grid.periodic.both() ? 0.8e9 : 2.5e9}) {
+      const Field gap = grid.periodic.both() ? Field(-1e-6 * random_waves(grid.shape, 3)) : rough_gap(grid);
       const auto influence = make_influence(grid, modulus);
       const double touch = gap.minCoeff();
       const double deepest =
-          press(grid, gap, {.load = grid.periodic ? 100 : load, .limit_pressure = cap}).approach;
+          press(grid, gap, {.load = grid.periodic.both() ? 100 : load, .limit_pressure = cap}).approach;
       Contact last;
       auto load_at = [&](double approach) {
         if (approach <= touch) return 0.0;
@@ -50,7 +50,7 @@ TEST_CASE("elastic energy and work of flattening are the work of the load along 
       };
       const double coarse = work(24), fine = work(48);
       const double stored = elastic_energy(grid, last) + plastic_work(grid, last, cap);
-      CAPTURE(grid.periodic, cap, coarse, fine, stored, last.plastic_area);
+      CAPTURE(grid.periodic.both(), cap, coarse, fine, stored, last.plastic_area);
       CHECK((cap == infinity) == (last.plastic_area == 0));
       CHECK(std::abs(fine / stored - 1) <= std::abs(coarse / fine - 1) + 1e-9);
       CHECK(std::abs(fine / stored - 1) <= 1e-3);

@@ -14,7 +14,7 @@ namespace {
 
 using State = std::vector<std::int8_t>;
 
-Grid cells(Index nx, Index ny, bool around) { return {{nx, ny}, 1e-6, 2e-6, around}; }
+Grid cells(Index nx, Index ny, Periodic around) { return {{nx, ny}, 1e-6, 2e-6, around}; }
 
 // Rows of a picture: # is in contact.
 struct Picture {
@@ -49,7 +49,8 @@ Walked walked(const Grid& grid, const State& state) {
       const auto [i, j] = queue.front();
       queue.pop_front();
       for (const auto& [k, l] : {Place{i + 1, j}, Place{i - 1, j}, Place{i, j + 1}, Place{i, j - 1}}) {
-        if (!grid.periodic && (k < 0 || k >= nx || l < 0 || l >= ny)) continue;
+        if (!grid.periodic.x && (k < 0 || k >= nx)) continue;
+        if (!grid.periodic.y && (l < 0 || l >= ny)) continue;
         const Index cell = ((k % nx + nx) % nx) * ny + (l % ny + ny) % ny;
         if (state[size(cell)] == 0) continue;
         if (const auto [at, is_new] = first.try_emplace(cell, k, l); is_new) {
@@ -67,10 +68,8 @@ Walked walked(const Grid& grid, const State& state) {
     auto has_column = [&](Index j) {
       return std::ranges::any_of(patch, [&](Index c) { return c % ny == j; });
     };
-    if (!grid.periodic) {
-      out.along_x |= has_row(0) && has_row(nx - 1);
-      out.along_y |= has_column(0) && has_column(ny - 1);
-    }
+    if (!grid.periodic.x) out.along_x |= has_row(0) && has_row(nx - 1);
+    if (!grid.periodic.y) out.along_y |= has_column(0) && has_column(ny - 1);
     out.patches.push_back(std::move(patch));
   }
   std::ranges::stable_sort(out.patches, std::greater<>(), [](const auto& patch) { return patch.size(); });
@@ -84,7 +83,7 @@ TEST_CASE("the patches of random fields are those of a walk from cell to cell", 
   int spanning = 0, not_spanning = 0;
   for (const Shape shape : {Shape{24, 24}, {17, 31}, {1, 20}, {20, 1}, {2, 2}, {3, 40}, {1, 1}})
     for (const double share : {0.2, 0.5, 0.59, 0.65, 0.9})
-      for (const bool around : {false, true})
+      for (const Periodic around : {Periodic{false}, {true}, {true, false}, {false, true}})
         for (int draw = 0; draw < 8; ++draw) {
           State state(size(shape.cells()));
           std::bernoulli_distribution inside(share);
@@ -93,7 +92,7 @@ TEST_CASE("the patches of random fields are those of a walk from cell to cell", 
           const Grid grid = cells(shape.nx, shape.ny, around);
           const Patches found = find_patches(grid, state);
           const Walked expected = walked(grid, state);
-          CAPTURE(shape.nx, shape.ny, share, around, draw);
+          CAPTURE(shape.nx, shape.ny, share, around.x, around.y, draw);
           REQUIRE(found.count() == static_cast<Index>(expected.patches.size()));
           CHECK(found.percolates_x == expected.along_x);
           CHECK(found.percolates_y == expected.along_y);

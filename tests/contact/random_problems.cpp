@@ -28,7 +28,7 @@ Problem draw(unsigned k) {
   const Shape shape{k % 3 == 2 ? 64 : 32, k % 5 == 0 ? 32 : k % 7 == 0 ? 45 : 64};
   const double dx = 3e-3 / static_cast<double>(shape.nx), aspect = k % 4 == 1 ? draw.decade(-1.7, 1.7) : 1;
   const Grid grid{shape, dx, dx * aspect, k % 6 == 5};
-  const double curvature = grid.periodic || k % 5 == 1 ? 0 : 1 / draw.decade(-2.5, 0),
+  const double curvature = grid.periodic.both() || k % 5 == 1 ? 0 : 1 / draw.decade(-2.5, 0),
                rms = draw.decade(-8, -5);
   const Field round = sample(grid, [&](double x, double y) { return curvature / 2 * (x * x + y * y); });
   ContactParameters parameters{.load = draw.decade(-2, 4.7), .tolerance = 1e-8};
@@ -50,8 +50,8 @@ TEST_CASE("500 random problems end at a residual of 1e-8 within bounds and load,
   for (unsigned k = 0; k < 500; ++k) {
     const Problem problem = draw(k);
     const auto& [grid, gap, parameters] = problem;
-    CAPTURE(k, grid.shape.nx, grid.shape.ny, grid.dy / grid.dx, grid.periodic, parameters.load,
-            parameters.limit_pressure);
+    CAPTURE(k, grid.shape.nx, grid.shape.ny, grid.dy / grid.dx, grid.periodic.x, grid.periodic.y,
+            parameters.load, parameters.limit_pressure);
     if (!is_feasible(problem)) {
       CHECK_THROWS_AS(solve_contact(grid, gap, modulus, parameters), ParameterError);
       continue;

@@ -96,7 +96,7 @@ TEST_CASE("in forty rough sweeps stiffness is above 0 and its chords lie between
           "[stiffness][law]") {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const Grid grid = seed % 4 == 3 ? periodic(square(32)) : square(32, seed % 2 == 1 ? 0.5e-3 : 3e-3);
-    const Field gap = grid.periodic ? -1e-7 * random_waves(grid.shape, seed) : rough_gap(grid, seed);
+    const Field gap = grid.periodic.both() ? -1e-7 * random_waves(grid.shape, seed) : rough_gap(grid, seed);
     const auto influence = make_influence(grid, modulus);
     std::vector<Contact> turns;
     solve_load_sequence(grid, gap, *influence, {.tolerance = 1e-10, .stiffness = true},

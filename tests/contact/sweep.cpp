@@ -65,8 +65,8 @@ TEST_CASE("a flattened surface carries its load again, elastically and under the
   const Grid wavy = periodic(square(64));
   const Field waves = -1e-6 * random_waves(wavy.shape, 3);
   for (const Grid& grid : {square(64), wavy}) {
-    const Field gap = grid.periodic ? waves : rough_gap(grid);
-    const double yielding = grid.periodic ? 0.8e9 : limit;
+    const Field gap = grid.periodic.both() ? waves : rough_gap(grid);
+    const double yielding = grid.periodic.both() ? 0.8e9 : limit;
     const Contact plastic = press(grid, gap, {.limit_pressure = yielding, .tolerance = 1e-10});
     REQUIRE(plastic.plastic_area > 0);
     const Field flattened = plastic_flattening(plastic);
@@ -74,7 +74,7 @@ TEST_CASE("a flattened surface carries its load again, elastically and under the
     CHECK(flattened.maxCoeff() > 1e-9);
     CHECK((flattened > 0).count() <= (plastic.pressure == yielding).count());
     const Contact again = press(grid, gap + flattened, {.tolerance = 1e-10});
-    CAPTURE(grid.periodic);
+    CAPTURE(grid.periodic.both());
     CHECK(again.max_pressure <= yielding * (1 + 1e-7));
     CHECK((again.pressure - plastic.pressure).abs().maxCoeff() <= 1e-7 * yielding);
     CHECK(relative_error(again.approach, plastic.approach) <= 1e-8);
@@ -101,8 +101,8 @@ TEST_CASE("a load below the greatest presses what that has flattened, and one ab
           "[sweep][law]") {
   const Grid wavy = periodic(square(64));
   for (const Grid& grid : {square(64), wavy}) {
-    const Field gap = grid.periodic ? Field(-1e-6 * random_waves(wavy.shape, 3)) : rough_gap(grid);
-    const double yielding = grid.periodic ? 0.8e9 : limit;
+    const Field gap = grid.periodic.both() ? Field(-1e-6 * random_waves(wavy.shape, 3)) : rough_gap(grid);
+    const double yielding = grid.periodic.both() ? 0.8e9 : limit;
     const ContactParameters parameters{.limit_pressure = yielding, .tolerance = 1e-10};
     const std::vector<Contact> turns = sweep(grid, gap, parameters, {1000, 5000, 20, 1000, 2500, 6000, 2500});
     for (const auto& [greatest, back] : {std::pair{1, 2}, {1, 3}, {1, 4}, {5, 6}}) {
@@ -110,7 +110,7 @@ TEST_CASE("a load below the greatest presses what that has flattened, and one ab
                     &c = turns[static_cast<std::size_t>(back)];
       const Field left = plastic_flattening(at);
       const Contact alone = press(grid, gap + left, {.load = c.load, .tolerance = 1e-10});
-      CAPTURE(grid.periodic, back);
+      CAPTURE(grid.periodic.both(), back);
       REQUIRE(at.plastic_area > 0);
       CHECK(c.converged);
       CHECK(relative_error(c.flattening_load, at.load) <= 1e-12);

@@ -74,7 +74,7 @@ TEST_CASE("whatever lies on a coordinate that descends is turned around with it,
   }
   const Dataset both = decode_netcdf(encode_netcdf(to_viewer_axes(turned(turned(data, "y"), "x"))));
   CHECK((field_of(both, "heights") == field_of(data, "heights")).all());
-  CHECK(grid_of(both).periodic);
+  CHECK(grid_of(both).periodic.both());
   CHECK(both.notes ==
         std::vector<std::string>{"descending coordinates x, y reversed, with all values on them"});
 }

@@ -39,7 +39,7 @@ TEST_CASE("a grid and a field come back through the bytes to the last bit", "[la
   CHECK(grid_of(back).shape == grid.shape);
   CHECK(relative_error(grid_of(back).dx, grid.dx) <= epsilon);
   CHECK(relative_error(grid_of(back).dy, grid.dy) <= epsilon);
-  CHECK_FALSE(grid_of(back).periodic);
+  CHECK_FALSE(grid_of(back).periodic.both());
 }
 
 // The file says: 5 nm × 10 nm, 5 × 10 points, heights in nm; the first row falls from 9.
@@ -79,7 +79,7 @@ TEST_CASE("a new grid of another shape drops what stood on the old one, and noth
   set_grid(data, {{8, 4}, 1e-6, 1e-6, true});
   CHECK_FALSE(data.has("heights"));
   CHECK(data.has("kernel"));
-  CHECK(grid_of(data).periodic);
+  CHECK(grid_of(data).periodic.both());
 }
 
 TEST_CASE("a height that is not finite is refused by its place", "[layout][contract]") {

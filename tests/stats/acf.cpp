@@ -29,7 +29,7 @@ double greatest_difference(const Field& z, const Grid& g, const AcfParameters& p
   double worst = 0;
   for (Index p = -acf.max_p(); p <= acf.max_p(); ++p)
     for (Index q = -acf.max_q(); q <= acf.max_q(); ++q)
-      worst = std::max(worst, std::abs(acf(p, q) - direct(d, g.periodic, p, q, parameters.biased)));
+      worst = std::max(worst, std::abs(acf(p, q) - direct(d, g.periodic.both(), p, q, parameters.biased)));
   return worst;
 }
 

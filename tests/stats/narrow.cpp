@@ -29,7 +29,7 @@ LagField oblique() {
 Eigen::MatrixXd covariance(const LagField& rho, const Grid& g) {
   const auto [nx, ny] = g.shape;
   auto lag = [&](Index d, Index n) {
-    if (!g.periodic) return d;
+    if (!g.periodic.both()) return d;
     const Index within = (d % n + n) % n;
     return 2 * within > n ? within - n : within;
   };

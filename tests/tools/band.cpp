@@ -122,7 +122,7 @@ TEST_CASE("asperity-kernel --periodic solves what asperity-generate --periodic d
   const Dataset drawn = read_dataset("c.nc");
   CHECK(shape_of(field_of(drawn, "heights")) == Shape{24, 20});
   CHECK(grid_of(drawn).dx == Approx(1e-6).epsilon(1e-12));
-  CHECK(grid_of(drawn).periodic);
+  CHECK(grid_of(drawn).periodic.both());
   // A table of a whole period gives the shape too; of another period it is any surface's.
   require("asperity-acf c.nc --absolute -o t.nc; asperity-kernel -q --periodic --acf t.nc -o twin.nc");
   CHECK(numbers(*read_dataset("twin.nc").attributes.find("kernel_period")) == std::vector<double>{24, 20});

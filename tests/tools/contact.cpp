@@ -94,19 +94,48 @@ TEST_CASE("the boundary is that of the grid unless it is freed", "[contact][cont
   require(surface + " --seed 1 --periodic -o periodic.nc");
   const std::string press = "asperity-contact periodic.nc --load 50N" + elastic;
   require(press + "-o kept.nc");
-  CHECK(grid_of(read_dataset("kept.nc")).periodic);
+  CHECK(grid_of(read_dataset("kept.nc")).periodic.both());
   CHECK(read_dataset("kept.nc").attributes.text("contact_boundary") == "periodic");
   require(press + "--boundary periodic -o asked.nc");
   CHECK((field_of(read_dataset("asked.nc"), "pressure") == field_of(read_dataset("kept.nc"), "pressure"))
             .all());
   require(press + "--boundary free -o freed.nc");
-  CHECK_FALSE(grid_of(read_dataset("freed.nc")).periodic);
+  CHECK_FALSE(grid_of(read_dataset("freed.nc")).periodic.both());
   require(press + "--boundary free --radius 50mm -o curved.nc");
   // A wave's displacement has no mean; a half-space's has.
   const Field repeated = field_of(read_dataset("kept.nc"), "displacement"),
               alone = field_of(read_dataset("freed.nc"), "displacement");
   CHECK(std::abs(repeated.mean()) <= 1e-12 * repeated.maxCoeff());
   CHECK(alone.minCoeff() > 0);
+}
+
+// The truncation of 54 cells across, tests/contact/line.cpp.
+TEST_CASE("a cylinder that repeats along one axis is pressed as Hertz's line contact", "[contact][exact]") {
+  const std::string press =
+      "asperity-contact --smooth --shape 16x256 --size 0.2mm,1mm --radius-y 10mm,inf "
+      "--load 20N --boundary periodic_x --tolerance 1e-9" +
+      elastic;
+  require(press + "-o line.nc");
+  const Dataset data = read_dataset("line.nc");
+  const Attributes& a = data.attributes;
+  auto number = [&](const char* name) { return a.number(std::string("contact_") + name, 0); };
+  CHECK(grid_of(data).periodic == Periodic{true, false});
+  CHECK(a.text("contact_boundary") == "periodic_x");
+  const double modulus = number("composite_modulus"), q = 20 / 0.2e-3;
+  CHECK(number("hertz_pressure") == Approx(std::sqrt(q * modulus / (M_PI * 10e-3))).epsilon(1e-12));
+  CHECK(number("hertz_half_width") == Approx(std::sqrt(4 * q * 10e-3 / (M_PI * modulus))).epsilon(1e-12));
+  CHECK(number("approach_datum") == Approx(0.5e-3).epsilon(1e-12));
+  CHECK(number("max_pressure") == Approx(number("hertz_pressure")).epsilon(3e-4));
+  CHECK(number("approach") == Approx(number("hertz_approach")).epsilon(1e-4));
+  CHECK(a.find("contact_hertz_radius") == nullptr);
+  // The rough line: a surface that repeats along both axes, pressed as a cylinder along x.
+  require(surface + " --seed 1 --periodic -o periodic.nc");
+  require("asperity-contact periodic.nc --boundary periodic_x --radius-y 50mm --load 50N" + elastic +
+          "-o rough.nc");
+  CHECK(grid_of(read_dataset("rough.nc")).periodic == Periodic{true, false});
+  require("asperity-contact rough.nc --radius-y 50mm --load 50N" + elastic + "-o again.nc");
+  CHECK((field_of(read_dataset("again.nc"), "pressure") == field_of(read_dataset("rough.nc"), "pressure"))
+            .all());
 }
 
 // Proof in contact/flattening.hpp: the former pressure and approach solve the elastic contact of what is
@@ -164,6 +193,11 @@ TEST_CASE("what asperity-contact cannot do is one line that names the option, th
       {sphere + "--load 5N --json", "--json"},
       {sphere + "--load 5N --boundary periodic", "--radius: a periodic surface"},
       {smooth + "--radius-y 5mm --load 5N --boundary periodic", "--radius-y: a periodic surface"},
+      {sphere + "--load 5N --boundary periodic_x",
+       "--radius: a surface periodic along x has no radius along x"},
+      {smooth + "--radius-x 5mm --radius-y 5mm --load 5N --boundary periodic_y",
+       "--radius-y: a surface periodic along y"},
+      {surface + " | asperity-contact --load 5N --boundary periodic_y" + elastic, "--boundary: periodic_y"},
       {sphere + "--radius-x 5mm --load 5N", "--radius"},
       {smooth + "--radius-y=0mm --load 5N", "--radius-y"},
       {smooth + "--radius 5mm,-4mm --load 5N", "narrower"},

@@ -1,6 +1,7 @@
 // Manual pages and completions, which tools print of themselves.
-#include "support.hpp"
 #include "tools/cli/documents.hpp"
+
+#include "support.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 
@@ -73,7 +74,7 @@ TEST_CASE("bash completes options, the words of a choice and files", "[completio
   CHECK(offered("generate", "--model = g") == "gaussian\n");
   CHECK(offered("generate", "--form ''").empty() == false);
   CHECK(offered("generate", "--rq ''") == "\n");
-  CHECK(offered("contact", "--boundary ''") == "free periodic\n");
+  CHECK(offered("contact", "--boundary ''") == "free periodic periodic_x periodic_y\n");
   shell("touch 'that surface.nc' other.file");
   CHECK(offered("stats", "--json that") == "that surface.nc\n");
   CHECK(offered("kernel", "-o other.f") == "other.file\n");

@@ -20,7 +20,7 @@ TEST_CASE("--refine keeps the points of a periodic surface and its period, and m
   const Field z = heights_in("s.nc"), fine = heights_in("fine.nc");
   const Grid coarse = grid_of(read_dataset("s.nc")), grid = grid_of(read_dataset("fine.nc"));
   CHECK(grid.shape == Shape{96, 48});
-  CHECK(grid.periodic);
+  CHECK(grid.periodic.both());
   CHECK(relative_error(grid.dx, coarse.dx / 4) <= 1e-12);
   CHECK(relative_error(grid.dy, coarse.dy / 3) <= 1e-12);
   for (Index i = 0; i < 24; ++i)
@@ -38,7 +38,7 @@ TEST_CASE("--refine keeps the coordinates of a surface that is not periodic", "[
   const Field z = heights_in("s.nc"), fine = heights_in("fine.nc");
   const Grid coarse = grid_of(read_dataset("s.nc")), grid = grid_of(read_dataset("fine.nc"));
   CHECK(grid.shape == Shape{70, 31});
-  CHECK_FALSE(grid.periodic);
+  CHECK_FALSE(grid.periodic.any());
   for (Index i = 0; i < 24; ++i) CHECK(std::abs(grid.x(3 * i) - coarse.x(i)) <= 1e-15);
   for (Index i = 0; i < 24; ++i)
     for (Index j = 0; j < 16; ++j) CHECK(std::abs(fine(3 * i, 2 * j) - z(i, j)) <= 100 * epsilon * 1e-6);
@@ -64,8 +64,8 @@ TEST_CASE("a period that is thinned without a rest remains one", "[refine][contr
           "--periodic -o s.nc; asperity-convert -q s.nc --refine 2 | asperity-convert -q --decimate 2x2 -o "
           "back.nc; asperity-convert -q s.nc --decimate 5x1 -o cut.nc");
   CHECK((heights_in("back.nc") - heights_in("s.nc")).abs().maxCoeff() <= 100 * epsilon * 1e-6);
-  CHECK(grid_of(read_dataset("back.nc")).periodic);
-  CHECK_FALSE(grid_of(read_dataset("cut.nc")).periodic);
+  CHECK(grid_of(read_dataset("back.nc")).periodic.both());
+  CHECK_FALSE(grid_of(read_dataset("cut.nc")).periodic.both());
 }
 
 TEST_CASE("what --refine cannot do is one line and exit 2", "[refine][contract]") {

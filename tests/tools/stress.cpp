@@ -250,6 +250,29 @@ TEST_CASE("points above stress_accurate_depth are counted in a warning, deeper o
             .empty());
 }
 
+// Johnson, (4.45) on the axis of a line contact, b = p₀ = 1; 54 cells across leave 5e-4.
+TEST_CASE("below a line contact the largest von Mises stress is that of plane strain", "[stress][exact]") {
+  const auto mises = [](double z) {
+    const double root = std::sqrt(1 + z * z), across = 2 * z - (1 + 2 * z * z) / root, down = -1 / root,
+                 along = 0.3 * (across + down);
+    return std::sqrt((std::pow(across - down, 2) + std::pow(down - along, 2) + std::pow(along - across, 2)) /
+                     2);
+  };
+  double top = 0, depth = 0;
+  for (double z = 0; z < 2; z += 1e-4)
+    if (mises(z) > top) top = mises(z), depth = z;
+  for (const char* place : {"--shape 8x256 --size 0.1mm,1mm --radius-y 10mm,inf --boundary periodic_x",
+                            "--shape 256x8 --size 1mm,0.1mm --radius-x 10mm,inf --boundary periodic_y"}) {
+    require(std::string("asperity-contact --smooth ") + place +
+            " --young 208GPa --poisson 0.3 --load 10N | asperity-stress --maximum -o line.nc");
+    const Attributes& a = read_dataset("line.nc").attributes;
+    const double p0 = a.number("contact_hertz_pressure", 0), b = a.number("contact_hertz_half_width", 0);
+    CAPTURE(place);
+    CHECK(a.number("stress_max_von_mises", 0) == Approx(top * p0).epsilon(1e-3));
+    CHECK(a.number("stress_max_depth", 0) == Approx(depth * b).epsilon(0.02));
+  }
+}
+
 // A pressure that rises as sin² towards the edge and would fall beyond it.
 TEST_CASE("a maximum at the edge of a free domain is a warning, at the edge of a period it is none",
           "[stress][contract]") {

@@ -105,7 +105,7 @@ TEST_CASE(
               .exit == 0);
   const Dataset layers = read_dataset("layers.nc"), plane = read_dataset("plane.nc");
   const Grid grid = grid_of(layers);
-  REQUIRE(grid.periodic);
+  REQUIRE(grid.periodic.both());
   const double bound = 2 * 48 * epsilon * field_of(layers, "pressure").maxCoeff();
   const std::vector<double> depths = depths_of(layers);
   for (Index i : {0, 21, 47, -48, 95})  // the last two a period beside

@@ -9,11 +9,17 @@
 
 namespace asperity::cli {
 
+/// ", periodic", ", periodic along x", or nothing.
+inline std::string periodic_words(Periodic periodic) {
+  if (!periodic.any()) return "";
+  return periodic.both() ? ", periodic" : periodic.x ? ", periodic along x" : ", periodic along y";
+}
+
 /// "64x32 cells on 1mm x 0.5mm, periodic"
 inline std::string described(const Grid& grid) {
   return std::to_string(grid.shape.nx) + "x" + std::to_string(grid.shape.ny) + " cells on " +
          format_quantity(grid.size_x(), "m") + " x " + format_quantity(grid.size_y(), "m") +
-         (grid.periodic ? ", periodic" : "");
+         periodic_words(grid.periodic);
 }
 
 inline bool same_spacing(const Grid& one, const Grid& other) {

@@ -75,11 +75,13 @@ void ContactOptions::declare_surface(Tool& tool) {
             "less both "
             "heights at the same (x, y): mirror a body that was measured face up",
             surface);
-  tool.choice("--boundary", boundary, {"free", "periodic"},
-              "Boundary condition; free: half-spaces loaded on the domain only; periodic: surfaces that "
-              "repeat the domain, "
-              "without radii. Default: periodic if the dataset is, else free",
-              surface);
+  tool.choice(
+      "--boundary", boundary, {"free", "periodic", "periodic_x", "periodic_y"},
+      "Boundary condition; free: half-spaces loaded on the domain only; periodic: surfaces that "
+      "repeat the domain, without radii; periodic_x, periodic_y: surfaces that repeat along this axis "
+      "alone, with radii across it, as in line contact. The approach then counts from "
+      "contact_approach_datum. Default: periodic along the axes along which the dataset is",
+      surface);
 }
 
 void ContactOptions::declare_bodies(Tool& tool) {

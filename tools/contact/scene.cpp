@@ -6,6 +6,7 @@
 
 #include "contact/flattening.hpp"
 #include "contact/hertz.hpp"
+#include "contact/influence.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
@@ -18,25 +19,51 @@ using namespace std::string_literals;
 namespace asperity::cli {
 namespace {
 
+// The words of --boundary.
+Periodic periodic_of(std::string_view boundary) {
+  const bool both = boundary == "periodic";
+  return {both || boundary == "periodic_x", both || boundary == "periodic_y"};
+}
+
+std::string boundary_of(Periodic periodic) {
+  if (!periodic.any()) return "free";
+  return periodic.both() ? "periodic" : periodic.x ? "periodic_x" : "periodic_y";
+}
+
 Grid smooth_grid(const ContactOptions& o) {
   if (o.shape.cells() == 0) throw UsageError("shape", "is needed with --smooth");
   for (double side : o.size)
     if (!(side > 0 && std::isfinite(side)))
       throw UsageError("size", "is needed with --smooth, both sides above 0");
   return {o.shape, o.size[0] / static_cast<double>(o.shape.nx), o.size[1] / static_cast<double>(o.shape.ny),
-          o.boundary == "periodic"};
+          periodic_of(o.boundary)};
+}
+
+void refuse_radius(const ContactOptions& o, Periodic periodic) {
+  const bool in_x = periodic.x && o.bodies.curvature_x() != 0;
+  if (!in_x && !(periodic.y && o.bodies.curvature_y() != 0)) return;
+  if (periodic.both())
+    throw UsageError(o.radius_option,
+                     "a periodic surface has no radius: leave it out, or press with --boundary free");
+  throw UsageError(
+      o.radius_option == "radius" ? "radius"
+      : in_x                      ? "radius-x"
+                                  : "radius-y",
+      fmt::format("a surface periodic along {0} has no radius along {0}: give --radius-{1} alone, "
+                  "or press with --boundary free",
+                  in_x ? "x" : "y", in_x ? "y" : "x"));
 }
 
 // A periodic surface may be pressed as a single patch; no other becomes periodic by being told so.
-bool periodic(const ContactOptions& o, const Grid& grid) {
-  if (o.boundary == "periodic" && !grid.periodic)
+Periodic periodic(const ContactOptions& o, const Grid& grid) {
+  const Periodic out = o.boundary.empty() ? grid.periodic : periodic_of(o.boundary);
+  const bool in_x = out.x && !grid.periodic.x;
+  if (in_x || (out.y && !grid.periodic.y))
     throw UsageError("boundary",
-                     "periodic needs a surface that continues at its opposite edge; this one does not "
-                     "(asperity-generate --periodic draws one)");
-  const bool out = o.boundary.empty() ? grid.periodic : o.boundary == "periodic";
-  if (out && !o.bodies.flat())
-    throw UsageError(o.radius_option,
-                     "a periodic surface has no radius: leave it out, or press with --boundary free");
+                     fmt::format("{} needs a surface that continues at its opposite edge along {}; this one "
+                                 "does not (asperity-generate --periodic draws one)",
+                                 o.boundary, in_x ? "x" : "y"));
+  refuse_radius(o, out);
   return out;
 }
 
@@ -60,14 +87,21 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
   set_pair("contact_young", b.young[0], b.young[1]);
   set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
   a.set("contact_composite_modulus", b.composite_modulus());
-  a.set("contact_boundary", grid.periodic ? "periodic" : "free");
+  a.set("contact_boundary", boundary_of(grid.periodic));
+  if (grid.periodic.one()) a.set("contact_approach_datum", displacement_datum(grid));
   if (!o.counter.empty()) a.set("contact_counter", o.counter);
   a.set("contact_limit_pressure", o.contact.limit_pressure);
   a.set("contact_tolerance", o.contact.tolerance);
 }
 
 // What the bodies would do were they smooth, where that has a closed form.
-void record_hertz(Attributes& a, const Bodies& bodies, double load) {
+void record_hertz(Attributes& a, const Grid& grid, const Bodies& bodies, double load) {
+  if (has_line_contact(grid, bodies)) {
+    const HertzLine smooth = hertz_line(grid, bodies, load);
+    a.set("contact_hertz_pressure", smooth.pressure);
+    a.set("contact_hertz_half_width", smooth.half_width);
+    a.set("contact_hertz_approach", smooth.approach);
+  }
   if (!has_point_contact(bodies)) return;
   const Hertz smooth = hertz(bodies, load);
   a.set("contact_hertz_pressure", smooth.pressure);
@@ -156,8 +190,8 @@ ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
   if (o.smooth) set_grid(scene.data, scene.grid);
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
-  for (const char* axis : {"x", "y"})
-    scene.data.find(axis)->attributes.set("periodic", scene.grid.periodic ? 1 : 0);
+  scene.data.find("x")->attributes.set("periodic", scene.grid.periodic.x ? 1 : 0);
+  scene.data.find("y")->attributes.set("periodic", scene.grid.periodic.y ? 1 : 0);
 
   scene.gap = undeformed_gap(scene.grid, o.bodies);
   if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m");
@@ -180,7 +214,7 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   Attributes& a = scene.data.attributes;
   if (!options.smooth) a.set("contact_variable", options.variable);
   record_bodies(a, options, scene.grid);
-  record_hertz(a, options.bodies, contact.load);
+  record_hertz(a, scene.grid, options.bodies, contact.load);
   record_result(a, contact);
   record_stiffness(a, options, contact);
   record(a, scene.growth, grid);

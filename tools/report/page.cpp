@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
+#include "tools/cli/grid_words.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"
@@ -58,7 +59,7 @@ std::string what_it_is(const Content& c) {
   const Grid grid = grid_of(data);
   return out + fmt::format(": {} × {} points, spacing {} × {}, size {} × {}{}.", grid.shape.nx, grid.shape.ny,
                            readable(grid.dx, "m"), readable(grid.dy, "m"), readable(grid.size_x(), "m"),
-                           readable(grid.size_y(), "m"), grid.periodic ? ", periodic" : "");
+                           readable(grid.size_y(), "m"), cli::periodic_words(grid.periodic));
 }
 
 // ---- key numbers ----

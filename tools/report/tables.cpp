@@ -64,28 +64,43 @@ std::string share(double part, double whole, const char* of) {
   return part >= 0 && whole > 0 ? fmt::format("{:.3g}\u00A0% of {}", 100 * part / whole, of) : "";
 }
 
+struct Smooth {
+  double area, stiffness;
+};
+
+// Hertz's; of a line contact by (5), (6) of contact/hertz.hpp, of a point contact from δ ~ Q^⅔.
+template <class Value>
+Smooth smooth_of(const Grid& grid, Value value) {
+  const double b = value("hertz_half_width"), length = grid.periodic.x ? grid.size_x() : grid.size_y();
+  if (b > 0)
+    return {2 * b * length, std::numbers::pi * value("composite_modulus") * length /
+                                (2 * std::log(2 * value("approach_datum") / b))};
+  return {std::numbers::pi * value("hertz_radius_x") * value("hertz_radius_y"),
+          1.5 * value("load") / value("hertz_approach")};
+}
+
 std::vector<Comparison> comparisons(const Dataset& data) {
   auto value = [&](const char* name) {
     return data.attributes.number(std::string("contact_") + name, std::nan(""));
   };
   const Grid grid = grid_of(data);
-  const double area = value("area"), plastic = value("plastic_area"),
-               ellipse = std::numbers::pi * value("hertz_radius_x") * value("hertz_radius_y");
-  auto figure = [&](const char* label, const char* name, double smooth, const char* unit,
+  const double area = value("area"), plastic = value("plastic_area");
+  const Smooth smooth = smooth_of(grid, value);
+  auto figure = [&](const char* label, const char* name, double of_smooth, const char* unit,
                     const std::string& remark = {}) {
-    return Comparison{label, value(name), smooth, unit, value((std::string(name) + "_error").c_str()),
+    return Comparison{label, value(name), of_smooth, unit, value((std::string(name) + "_error").c_str()),
                       remark};
   };
   return {
       figure("load", "load", NAN, "N"),
       figure("approach", "approach", value("hertz_approach"), "m"),
       figure("maximum pressure", "max_pressure", value("hertz_pressure"), "Pa"),
-      figure("real contact area", "area", ellipse, "m2",
+      figure("real contact area", "area", smooth.area, "m2",
              share(area, grid.size_x() * grid.size_y(), "the domain")),
-      figure("corrected area", "area_corrected", ellipse, "m2", "without the bias of whole cells"),
+      figure("corrected area", "area_corrected", smooth.area, "m2", "without the bias of whole cells"),
       figure("area at the limit pressure", "plastic_area", NAN, "m2", share(plastic, area, "the contact")),
       figure("mean gap", "mean_gap", NAN, "m"),
-      figure("stiffness", "stiffness", 1.5 * value("load") / value("hertz_approach"), "N/m")};  // δ ~ Q^⅔
+      figure("stiffness", "stiffness", smooth.stiffness, "N/m")};
 }
 
 }  // namespace

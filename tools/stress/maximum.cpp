@@ -79,9 +79,9 @@ bool at_end(double place, double first, double last) {
 
 void warn_if_at_edge(const Tool& tool, const Grid& grid, const StressMaximum& maximum, const char* what) {
   const auto [nx, ny] = grid.shape;
-  if (grid.periodic ||
-      !(at_end(maximum.x, grid.x(0), grid.x(nx - 1)) || at_end(maximum.y, grid.y(0), grid.y(ny - 1))))
-    return;
+  const bool in_x = !grid.periodic.x && at_end(maximum.x, grid.x(0), grid.x(nx - 1)),
+             in_y = !grid.periodic.y && at_end(maximum.y, grid.y(0), grid.y(ny - 1));
+  if (!in_x && !in_y) return;
   tool.warn(
       fmt::format("the largest {} lies at the edge of the domain, at ({:.4g}, {:.4g}) um, and may be "
                   "larger beyond it; choose a larger domain",

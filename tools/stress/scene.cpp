@@ -101,7 +101,7 @@ void record_parameters(StressScene& scene) {
 
 bool is_shallow(const LoadedBody& body, double depth) {
   const Field& p = body.pressure;
-  const bool uniform = body.grid.periodic && p.maxCoeff() - p.minCoeff() <= round_off * p.maxCoeff();
+  const bool uniform = body.grid.periodic.both() && p.maxCoeff() - p.minCoeff() <= round_off * p.maxCoeff();
   return depth < accurate_depth(body.grid) && !uniform;
 }
 

@@ -81,7 +81,7 @@ std::optional<Shape> period_of(const Dataset& data, const std::string& name, con
   if (name == "acf") {
     if (!data.has("x") || !data.has("y")) return std::nullopt;
     const Grid grid = grid_of(data);
-    if (!grid.periodic) return std::nullopt;
+    if (!grid.periodic.both()) return std::nullopt;
     period = grid.shape;
   }
   const bool all =

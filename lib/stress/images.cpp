@@ -1,0 +1,248 @@
+#include "stress/images.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "math/gauss_legendre.hpp"
+#include "stress/corner_tile.hpp"
+#include "transform/mirrored.hpp"
+
+namespace asperity {
+namespace {
+
+using stress::Component;
+using stress::Traction;
+
+constexpr Index width = LayerInfluence::width;
+constexpr double pi = std::numbers::pi;
+constexpr double flat = 1, fall = image_periods - flat;  // of w [periods]
+constexpr double endless = 1e20;                         // a coordinate in cells, beyond round-off of any
+
+Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
+
+// The integral of exp(β (√(1-u²) - 1)) over panels of [-1, 1].
+class Slope {
+ public:
+  Slope() {
+    for (std::size_t k = 0; k < panels; ++k) below_[k + 1] = below_[k] + part(at(k), at(k + 1));
+  }
+  double share(double u) const {
+    const auto k = std::min(static_cast<std::size_t>((u + 1) / 2 * panels), panels - 1);
+    return (below_[k] + part(at(k), u)) / below_[panels];
+  }
+
+ private:
+  static constexpr std::size_t panels = 64;
+  static double at(std::size_t k) { return 2 * static_cast<double>(k) / panels - 1; }
+  static double part(double from, double to) {
+    const double beta = pi * fall, half = (to - from) / 2, middle = (to + from) / 2;
+    double sum = 0;
+    for (std::size_t i = 0; i < gauss8.nodes.size(); ++i) {
+      const double u = middle + half * gauss8.nodes[i];
+      sum += gauss8.weights[i] * std::exp(beta * (std::sqrt(1 - u * u) - 1));
+    }
+    return half * sum;
+  }
+  std::array<double, panels + 1> below_{};
+};
+
+// The problem with x and y exchanged, where y is the periodic axis: x is in here.
+Traction exchanged(Traction t) {
+  return t == stress::normal ? t : t == stress::shear_x ? stress::shear_y : stress::shear_x;
+}
+
+// Kernels of all components in real space, summed over the images along their first axis.
+class ImageSum {
+ public:
+  // Lags along the periodic axis and across.
+  ImageSum(Index period, Index across, double along_step, double across_step, std::vector<double> taper,
+           double poisson)
+      : period_(period),
+        across_(across),
+        unit_(along_step),
+        height_(across_step / along_step),
+        taper_(std::move(taper)),
+        poisson_(poisson) {
+    for (Index i = 0; i < image_periods * period_; ++i)
+      weights_.push_back(image_weight(static_cast<double>(i) / static_cast<double>(period_)));
+  }
+
+  Index lags() const { return period_ / 2 + 1; }
+  const Field& kernel(Traction t, Component c) const { return parts_[t][c].sum; }
+
+  void compute(double z, const std::array<stress::Set, 3>& asked) {
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components) {
+        parts_[t][c].tile.resize(asked[t][c] ? size(width * across_) : 0);
+        parts_[t][c].sum = asked[t][c] ? Field(Field::Zero(lags(), across_)) : Field();
+      }
+    for (Index first = 0; first < image_periods * period_; first += width) {
+      evaluate(static_cast<double>(first) + 0.5, z);
+      each([&](Part& part, Traction t, Component c) {
+        for (Index l = 0; l < std::min(width, image_periods * period_ - first); ++l)
+          add(part, first + l, row_of(part, l, odd_in_y(c, t)), odd_in_x(c, t));
+      });
+    }
+    evaluate(endless, z);
+    each([&](Part& part, Traction t, Component c) {
+      if (!odd_in_x(c, t)) set_mean(part.sum, 2 * row_of(part, 0, odd_in_y(c, t)));
+    });
+  }
+
+ private:
+  using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
+  struct Part {
+    AlignedVector<double> tile;  // corner functions of eight rows, [j][8]
+    Row before;                  // the row before, half a cell away
+    Field sum;
+  };
+
+  template <class Visit>
+  void each(Visit visit) {
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components)
+        if (!parts_[t][c].tile.empty()) visit(parts_[t][c], t, c);
+  }
+
+  void evaluate(double first, double z) {
+    double* out[3][6];
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components)
+        out[t][c] = parts_[t][c].tile.empty() ? nullptr : parts_[t][c].tile.data();
+    corner_tile(first, height_, across_, z / unit_, poisson_, out);
+  }
+
+  // Row l of a tile, as differences across: f(-½) is -f(½) of an even kernel, f(½) of an odd one.
+  Row row_of(const Part& part, Index l, bool odd) const {
+    Row out(across_);
+    double before = (odd ? 1 : -1) * part.tile[size(l)];
+    for (Index j = 0; j < across_; ++j) {
+      const double f = part.tile[size(j * width + l)];
+      out(j) = taper_[size(j)] * (f - before) / (2 * pi);
+      before = f;
+    }
+    return out;
+  }
+
+  // The kernel at lag i, the difference along, to its places within half a period.
+  void add(Part& part, Index i, const Row& f, bool odd) const {
+    if (i == 0) part.before = (odd ? 1 : -1) * f;
+    const Row kernel = weights_[size(i)] * (f - part.before);
+    part.before = f;
+    const Index ahead = i % period_, back = (period_ - ahead) % period_;
+    if (ahead < lags()) part.sum.row(ahead) += kernel;
+    if (i > 0 && back < lags()) part.sum.row(back) += (odd ? -1 : 1) * kernel;
+  }
+
+  // (2) of an even kernel.
+  void set_mean(Field& sum, const Row& strip) const {
+    Row total = sum.row(0);
+    for (Index i = 1; i < lags(); ++i) total += (2 * i == period_ ? 1 : 2) * sum.row(i);
+    const Row missing = (strip - total) / static_cast<double>(period_);
+    sum.rowwise() += missing;
+  }
+
+  Index period_, across_;
+  double unit_, height_;
+  std::vector<double> taper_, weights_;
+  double poisson_;
+  std::array<std::array<Part, 6>, 3> parts_;
+};
+
+class ImageInfluence final : public LayerInfluence {
+ public:
+  ImageInfluence(const Resolution& r, double poisson, stress::Tractions acting)
+      : in_x_(r.cells.periodic.x),
+        lags_(r.cells.shape),
+        acting_(acting),
+        sum_(in_x_ ? ImageSum(r.transform.torus().nx, lags_.ny, r.cells.dx, r.cells.dy, r.taper[1], poisson)
+                   : ImageSum(r.transform.torus().ny, lags_.nx, r.cells.dy, r.cells.dx, r.taper[0], poisson)),
+        along_x_(r.transform.torus().nx),
+        along_y_(r.transform.torus().ny),
+        blocks_(r.transform.blocks()),
+        work_(size(std::max(along_x_.size(), along_y_.size()))),
+        spectrum_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
+    for (Traction t : stress::tractions)
+      if (acting[t]) transfer_[t].resize(size(along_x_.size()));
+  }
+
+  void set_depth(double z, stress::Set asked, Index) override {
+    std::array<stress::Set, 3> wanted{};
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components)
+        if (acting_[t] && asked[c]) wanted[in_x_ ? t : exchanged(t)].set(in_x_ ? c : stress::exchanged(c));
+    sum_.compute(z, wanted);
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components)
+        if (acting_[t] && asked[c]) transform_along_y(t, c);
+  }
+
+  TransferFunction transfer_function(Traction t, Component c, Index b) override {
+    transform(along_x_, parity(odd_in_x(c, t)), by_lags(t, c, b).data(), lags_.nx, transfer_[t].data());
+    return {transfer_[t], along_x_.stride()};
+  }
+
+  std::span<const double> by_lags(Traction t, Component c, Index b) override {
+    return std::span(columns_[t][c]).subspan(size(b * lags_.nx * width), size(lags_.nx * width));
+  }
+
+ private:
+  // Eight rows at a time.
+  void transform_along_y(Traction t, Component c) {
+    const Field& kernel = in_x_ ? sum_.kernel(t, c) : sum_.kernel(exchanged(t), stress::exchanged(c));
+    columns_[t][c].resize(size(blocks_ * lags_.nx * width));
+    rows_.resize(size(lags_.ny * width));
+    for (Index first = 0; first < lags_.nx; first += width) {
+      const Index count = std::min(width, lags_.nx - first);
+      for (Index j = 0; j < lags_.ny; ++j)
+        for (Index l = 0; l < width; ++l)
+          rows_[size(j * width + l)] = l >= count ? 0 : in_x_ ? kernel(first + l, j) : kernel(j, first + l);
+      transform(along_y_, parity(odd_in_y(c, t)), rows_.data(), lags_.ny, spectrum_.data());
+      for (Index b = 0; b < blocks_; ++b)
+        for (Index l = 0; l < count; ++l) {
+          const Complex* row = spectrum_.data() + l / 2 * along_y_.stride() + b * width;
+          double* column = columns_[t][c].data() + (b * lags_.nx + first + l) * width;
+          const Index modes =
+              std::min(width, along_y_.period() / 2 + 1 - b * width);  // what follows is scratch
+          for (Index q = 0; q < width; ++q)
+            column[q] = q >= modes ? 0 : l % 2 == 0 ? row[q].real() : row[q].imag();
+        }
+    }
+  }
+
+  // Eight interleaved sequences, transformed, by pairs.
+  void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
+                 Complex* pairs) {
+    columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
+                                                work_.data(), along.stride());
+    along.apply(parity, work_.data(), given, pairs);
+  }
+
+  bool in_x_;
+  Shape lags_;
+  stress::Tractions acting_;
+  ImageSum sum_;
+  MirroredTransform along_x_, along_y_;
+  Index blocks_;
+  std::array<std::array<AlignedVector<double>, 6>, 3> columns_;  ///< [block][i][8], transformed along y
+  AlignedVector<double> rows_;
+  AlignedVector<Complex> work_, spectrum_;
+  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last requested, by traction
+};
+
+}  // namespace
+
+double image_weight(double periods) {
+  static const Slope slope;
+  const double distance = std::abs(periods);
+  if (distance <= flat) return 1;
+  return distance < image_periods ? 1 - slope.share(2 * (distance - flat) / fall - 1) : 0;
+}
+
+std::unique_ptr<LayerInfluence> make_image_influence(const Resolution& resolution, double poisson,
+                                                     stress::Tractions acting) {
+  return std::make_unique<ImageInfluence>(resolution, poisson, acting);
+}
+
+}  // namespace asperity
