@@ -237,7 +237,7 @@ TEST_CASE("40 random strips end at a residual of 1e-8 within bounds and load, an
     const Contact contact = solve_contact(grid, gap, modulus, parameters);
     CAPTURE(k, contact.reason, contact.convolutions);
     CHECK(contact.residual <= 1e-8);
-    CHECK(contact.load_error <= 1e-12);
+    CHECK(contact.load_residual <= 1e-12);
     CHECK(contact.pressure.minCoeff() >= 0);
     CHECK(contact.pressure.maxCoeff() <= parameters.limit_pressure);
     if (contact.plastic_area >= 0.9999 * grid.size_x() * grid.size_y()) continue;  // δ is any
