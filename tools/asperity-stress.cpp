@@ -25,12 +25,14 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
   const bool through_maximum = cli::through_maximum(options.section);
   std::optional<StressSolver> solver;
   if (!scene.plane) solver.emplace(scene.body, std::nullopt, threads, scene.resolution);
-  double largest = 0;  // von Mises stress
+  double largest = 0;    // von Mises stress
+  bool shallow = false;  // as a warning of the maximum said
   if (options.maximum || through_maximum) {
     const StressMaximum top =
         solver ? cli::find_maximum(tool, scene, search, *solver)
                : cli::find_maximum(tool, scene, search, StressSolver(scene.body, threads, scene.resolution));
     if (search.of == Criterion::von_mises) largest = top.value;
+    shallow = cli::is_shallow(scene.body, top.depth);
     if (through_maximum) cli::cut(scene, options.section, {top.x, top.y});
   }
   if (scene.plane) solver.emplace(scene.body, scene.plane, threads, scene.resolution);
@@ -45,6 +47,7 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
     writer.write(record_time);
     largest = std::max(largest, writer.largest("von_mises"));
   }
+  if (!shallow) cli::warn_of_shallow_layers(tool, scene);
   before.tell(tool, scene.data, "stress");
   cli::warn_of_yield(tool, scene, largest);
 }
@@ -78,7 +81,12 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check(tool);
     const cli::StressSelection selection(options.components);
-    options.points.empty() ? compute(tool, options, selection) : cli::print_points(tool, options, selection);
+    if (!options.points.empty())
+      cli::print_points(tool, options, selection);
+    else if (options.result == "maxima")
+      cli::print_maxima(tool, options);
+    else
+      compute(tool, options, selection);
     return cli::done;
   });
 }

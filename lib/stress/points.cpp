@@ -1,5 +1,6 @@
 #include "stress/points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -18,7 +19,9 @@ using stress::Tensor;
 using stress::Traction;
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double faded = 40;  // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
+constexpr double on_a_side = 1e-9;        // of a side: coordinates have this much round-off
+constexpr double step_that_shows = 1e-3;  // of the largest pressure: times ln(1e9)/π, 0.7 % of it
+constexpr double faded = 40;              // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
 
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
 std::vector<Complex> waves(Index n, double share) {
@@ -58,6 +61,32 @@ Tensor StressPoints::at(double x, double y, double z) const {
     throw ParameterError("place", fmt::format("({}, {}) m is farther than {:g} m", x, y, farthest));
   check_depth(z);
   return body_.grid.periodic ? below_waves(x, y, z) : below_cells(x, y, z);
+}
+
+double StressPoints::pressure_at(Index i, Index j) const {
+  const auto [nx, ny] = body_.grid.shape;
+  return i >= 0 && j >= 0 && i < nx && j < ny ? body_.pressure(i, j) : 0;
+}
+
+bool StressPoints::singular(double x, double y, double z) const {
+  const Grid& grid = body_.grid;
+  const double u = (x + 0.5 * grid.size_x()) / grid.dx, v = (y + 0.5 * grid.size_y()) / grid.dy;  // sides
+  const auto [nx, ny] = grid.shape;
+  const bool inside =
+      u > -0.5 && v > -0.5 && u < static_cast<double>(nx) + 0.5 && v < static_cast<double>(ny) + 0.5;
+  if (grid.periodic || z > on_a_side * std::min(grid.dx, grid.dy) || !inside) return false;
+  const bool on_x = std::abs(u - std::round(u)) <= on_a_side, on_y = std::abs(v - std::round(v)) <= on_a_side;
+  // The cell beyond the side, or the one that holds the point.
+  const auto i = static_cast<Index>(on_x ? std::round(u) : std::floor(u)),
+             j = static_cast<Index>(on_y ? std::round(v) : std::floor(v));
+  const double step = step_that_shows * body_.pressure.maxCoeff(), here = pressure_at(i, j),
+               left = pressure_at(i - 1, j), under = pressure_at(i, j - 1),
+               across = pressure_at(i - 1, j - 1);
+  auto steps = [&](double difference) { return std::abs(difference) > step; };
+  if (on_x && on_y && body_.poisson < 0.5 && steps(here - left - under + across)) return true;
+  if (body_.friction.coefficient == 0) return false;
+  return (on_x && steps(here - left)) || (on_y && steps(here - under)) ||
+         (on_x && on_y && (steps(under - across) || steps(left - across)));
 }
 
 Tensor StressPoints::below_cells(double x, double y, double z) const {

@@ -31,9 +31,16 @@ class StressPoints {
   /// Throws ParameterError("depth") as check_depth does, ("place") unless |x| and |y| are as bounded.
   stress::Tensor at(double x, double y, double z) const;
 
+  /// Whether components are infinite there: at the surface of a free load, on a side of a cell across which
+  /// the traction steps (σxx, σyy, σxy), or at a corner about which the pressures have a twist (σxy), by more
+  /// than 1e-3 of the largest pressure. at() then has a finite value in place of the logarithm of the
+  /// distance 0 (stress/influence.hpp), which is right to order 2 where the cells are those of a smooth load.
+  bool singular(double x, double y, double z) const;
+
  private:
   stress::Tensor below_cells(double x, double y, double z) const;
   stress::Tensor below_waves(double x, double y, double z) const;
+  double pressure_at(Index i, Index j) const;  ///< 0 beside the grid
 
   LoadedBody body_;
   LoadWeights weights_;

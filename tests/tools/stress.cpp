@@ -72,8 +72,9 @@ TEST_CASE("friction adds its traction at the surface, along its angle, and is re
 }
 
 // Components are written in double precision: what follows from them is to their round-off.
-TEST_CASE("principal, largest and octahedral shear stress are written with the components that they follow from",
-          "[stress][contract]") {
+TEST_CASE(
+    "principal, largest and octahedral shear stress are written with the components that they follow from",
+    "[stress][contract]") {
   REQUIRE(
       shell("asperity-contact --smooth --shape 24x20 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
             "--load 5000N | asperity-stress --depths 0.1mm,0.45mm --friction 0.2 --components "
@@ -179,7 +180,47 @@ TEST_CASE("a maximum above stress_accurate_depth is a warning with both depths, 
   const std::string error = errors_of(smooth + " | asperity-stress --maximum --friction 0.6 -q -o b.nc");
   CHECK(lines(error) == 1);
   CHECK_THAT(error, ContainsSubstring("warning: the largest von Mises stress lies 0 um deep") &&
-                        ContainsSubstring("93.75 um of stress_accurate_depth") && ContainsSubstring("25 %"));
+                        ContainsSubstring("93.75 um of stress_accurate_depth") && ContainsSubstring("25 %") &&
+                        ContainsSubstring("only as the root of its cell"));
+  // 9 % and 26 % of 0.6, of the largest pressure on these cells.
+  const Dataset data = read_dataset("b.nc");
+  CHECK(relative_error(data.attributes.number("stress_max_von_mises_error", 0),
+                       0.246 * field_of(data, "pressure").maxCoeff()) <= 1e-12);
+  // The former run's error does not stay.
+  CHECK(errors_of("asperity-stress b.nc --maximum -q -o c.nc").empty());
+  CHECK(read_dataset("c.nc").attributes.find("stress_max_von_mises_error") == nullptr);
+}
+
+// At μ = 0.31 the edge bears 0.658 p0, the depth 0.652, but these cells see only the depth: nothing was said.
+TEST_CASE("friction above the one at which the edge bears most is told where the maximum found is deep",
+          "[stress][contract]") {
+  REQUIRE(shell(smooth + "-o elastic.nc").exit == 0);
+  const std::string run = "asperity-stress elastic.nc -q -o b.nc --maximum ";
+  const std::string error = errors_of(run + "--friction 0.31");
+  CHECK(lines(error) == 1);
+  CHECK_THAT(error, ContainsSubstring("friction of 0.31 is above 0.305") && ContainsSubstring("edge"));
+  CHECK(errors_of(run + "--friction 0.3").empty());
+  CHECK(errors_of(run + "--friction 0.31 --below 2px").empty());
+  CHECK(errors_of("asperity-contact --smooth --shape 16x16 --size 1mm --boundary periodic --young 208GPa "
+                  "--poisson 0.3 --load 5N | asperity-stress --maximum --friction 0.4 -q -o b.nc")
+            .empty());
+}
+
+TEST_CASE("layers above stress_accurate_depth are counted in one warning, which the maximum's stands for",
+          "[stress][contract]") {
+  REQUIRE(shell(smooth + "-o elastic.nc").exit == 0);
+  for (const char* section : {"", "--section y=0"}) {
+    const std::string error = errors_of("asperity-stress elastic.nc --depths 0,90um,94um,0.45mm -o b.nc -q " +
+                                        std::string(section));
+    CHECK(lines(error) == 1);
+    CHECK_THAT(error, ContainsSubstring("2 of 4 layers lie less than 93.75 um deep") &&
+                          ContainsSubstring("stress_accurate_depth") && ContainsSubstring("9 %"));
+  }
+  CHECK(errors_of("asperity-stress elastic.nc --depths 2px,0.45mm -o b.nc -q").empty());
+  const std::string both =
+      errors_of("asperity-stress elastic.nc --depths 0,0.45mm --maximum --friction 0.6 -o b.nc -q");
+  CHECK(lines(both) == 1);
+  CHECK_THAT(both, ContainsSubstring("the largest von Mises stress lies 0 um deep"));
 }
 
 // At a corner of cells the shear stress of their pressures grows without end towards the surface: 15 GPa
@@ -191,6 +232,17 @@ TEST_CASE("points above stress_accurate_depth are counted in a warning, deeper o
   CHECK(lines(error) == 1);
   CHECK_THAT(error,
              ContainsSubstring("2 of 3 points lie less than 93.75 um deep") && ContainsSubstring("9 %"));
+  // In the middle of the contact the four cells bear alike, at (0.656 mm, 0.656 mm) they do not.
+  CHECK_THAT(error, !ContainsSubstring("infinite"));
+  REQUIRE(shell("printf '0 0 0\\n0.65625mm 0.65625mm 0\\n0.65625mm 0.01mm 0\\n' > sides").exit == 0);
+  CHECK_THAT(errors_of("asperity-stress elastic.nc --points sides -q"),
+             ContainsSubstring(
+                 "; at 1 of them, the first at (656.25, 656.25) um, on a corner of a cell at the surface, "
+                 "stress_xy is infinite"));
+  CHECK_THAT(errors_of("asperity-stress elastic.nc --points sides -q --friction 0.2"),
+             ContainsSubstring(
+                 "; at 2 of them, the first at (656.25, 656.25) um, on a side of a cell at the surface, "
+                 "stress_xx, stress_yy or stress_xy is infinite"));
   // A uniform pressure has the same stress at every depth, exactly.
   CHECK(errors_of("asperity-contact --smooth --shape 16x16 --size 1mm --boundary periodic --young 208GPa "
                   "--poisson 0.3 "

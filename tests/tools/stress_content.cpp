@@ -115,6 +115,31 @@ TEST_CASE(
   CHECK(read_dataset("s.nc").attributes.find("stress_max_shear") != nullptr);
 }
 
+// The table is that of the layers; between the cell centres of a rough one its values are higher by a parabola.
+TEST_CASE("--result maxima prints the largest stress of each layer and its place", "[stress][contract]") {
+  const Outcome tsv = shell("asperity-stress " + pressed() + "--result maxima --depths 2px,0.2mm,0.5mm -q"),
+                json = shell("asperity-stress " + pressed() +
+                             "--result maxima --depths 2px,0.2mm,0.5mm --of max_shear --json -q");
+  CHECK(tsv.exit == 0);
+  CHECK(tsv.out.starts_with("# depth [m]\tvon_mises [Pa]\tx [m]\ty [m]\n"));
+  CHECK(lines(tsv.out) == 4);
+  const auto columns = nlohmann::json::parse(json.out);
+  const Dataset data = below("--depths 2px,0.2mm,0.5mm --components max_shear");
+  const std::vector<double> all = values(data, "max_shear"), z = values(data, "z");
+  const std::size_t cells = all.size() / 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double found = columns["max_shear"]["values"][k],
+                 cell = *std::max_element(all.begin() + static_cast<long>(k * cells),
+                                          all.begin() + static_cast<long>((k + 1) * cells));
+    CAPTURE(k, found, cell);
+    CHECK(columns["depth"]["values"][k] == z[k]);
+    CHECK(found >= cell);
+    CHECK(found <= 1.05 * cell);
+    CHECK(std::abs(columns["x"]["values"][k].get<double>()) <= 1.5e-3);
+    CHECK(std::abs(columns["y"]["values"][k].get<double>()) <= 1.2e-3);
+  }
+}
+
 TEST_CASE("all components are all stresses, and the directions of the principal ones are asked for by name",
           "[stress][contract]") {
   const Dataset all = below("--depths 0.1mm --components all"),
@@ -176,7 +201,15 @@ TEST_CASE("what asperity-stress cannot do is one line that names the option and 
       {"--depths 0 --above=-1p0", "--above: '-1p0' is not above 0", 2},
       {"--maximum --components zz", "--components needs", 2},
       {"--maximum --of zz", "--of: 'zz' is none of von_mises|max_shear|principal", 2},
-      {"--depths 0 --of max_shear", "--of needs --maximum", 2},
+      {"--depths 0 --of max_shear", "--of needs --maximum or --result maxima", 2},
+      {"--result maxima", "--depths is required", 2},
+      {"--result maxima --maximum", "--result: maxima needs --depths", 2},
+      {"--result maxima --depths 0 --maximum", "--maximum cannot be combined with --result maxima", 2},
+      {"--result maxima --depths 0 --section y=0", "--section cannot be combined", 2},
+      {"--result maxima --depths 0 --components zz", "--components cannot be combined", 2},
+      {"--result maxima --depths 0 --above 1MPa", "--above cannot be combined", 2},
+      {"--result maxima --points points", "--points cannot be combined", 2},
+      {"--result maxima --depths 0 --report r.json", "--report cannot be combined", 2},
       {"--depths 0 --below 2px", "--below needs --maximum", 2},
       {"--maximum --below=-1px", "--below: '-1px' is not a depth from 0", 2},
       {"--maximum --below 3", "--below: '3' has no unit", 2},

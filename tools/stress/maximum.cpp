@@ -1,14 +1,16 @@
 #include "tools/stress/maximum.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/words.hpp"
+#include "stress/edge.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 namespace {
-
-constexpr double round_off = 1e-12;  // of a pressure that is balanced to it
 
 // How a criterion is called: by --of, by the attribute of its maximum, and in a message.
 struct Words {
@@ -39,17 +41,35 @@ StressMaximum search_layers(const Tool& tool, const StressSolver& volume, const 
   });
 }
 
-void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressMaximum& maximum,
-                     const char* what) {
-  const auto& [grid, pressure, poisson, friction] = body;
-  const double accurate = accurate_depth(grid), spread = pressure.maxCoeff() - pressure.minCoeff();
-  const bool uniform = grid.periodic && spread <= round_off * pressure.maxCoeff();  // at any depth
-  if (maximum.depth >= accurate || uniform) return;
+// A maximum in the depth, where that of the surface's edge is larger on a finer grid.
+void warn_of_hidden_edge(const Tool& tool, const LoadedBody& body, const StressSearch& search) {
+  const double from = edge_friction(body.poisson);
+  if (search.of != Criterion::von_mises || search.below > 0 || !has_edge(body) ||
+      body.friction.coefficient < from)
+    return;
   tool.warn(
-      fmt::format("the largest {} lies {:.4g} um deep, less than the {:.4g} um of "
-                  "stress_accurate_depth: it rests on single cells and may be off by {:.0f} % of the "
-                  "largest pressure; refine the grid",
-                  what, maximum.depth * 1e6, accurate * 1e6, 100 * shallow_error(poisson, friction)));
+      fmt::format("friction of {} is above {:.3f}, from which on a smooth contact has its largest von "
+                  "Mises stress at its trailing edge: cells as wide as these find up to {:.4g} MPa too "
+                  "little there, and this maximum lies deeper; refine the grid",
+                  body.friction.coefficient, from, edge_error(body, search.of) * 1e-6));
+}
+
+void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressSearch& search,
+                     const StressMaximum& top) {
+  const double error = edge_error(body, search.of), share = 100 * shallow_error(body.poisson, body.friction);
+  if (!is_shallow(body, top.depth)) return warn_of_hidden_edge(tool, body, search);
+  const std::string start =
+      fmt::format("the largest {} lies {:.4g} um deep, less than the {:.4g} um of stress_accurate_depth: it ",
+                  words_of(search.of).text, top.depth * 1e6, accurate_depth(body.grid) * 1e6);
+  tool.warn(start +
+            (is_at_edge(top, search.of, body)
+                 ? fmt::format("rises to an edge of the contact, may be off by {:.4g} MPa ({:.0f} % of the "
+                               "largest pressure), and a finer grid helps only as the root of its cell; "
+                               "--below 2px searches deeper",
+                               error * 1e-6, 100 * error / body.pressure.maxCoeff())
+                 : fmt::format("rests on single cells and may be off by {:.0f} % of the largest pressure; "
+                               "refine the grid",
+                               share)));
 }
 
 // A maximum in the outermost cells has no parabola through it and stays at their centres.
@@ -93,9 +113,31 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
   if (top.value == 0) return top;
   if (search.below > 0 && top.depth == search.below)
     tool.note(fmt::format("the largest {} lies at the depth of --below; above it, it is larger", what));
-  warn_if_shallow(tool, scene.body, top, what);
+  if (is_shallow(scene.body, top.depth) && is_at_edge(top, search.of, scene.body))
+    a.set(std::string(attribute) + "_error", edge_error(scene.body, search.of));
+  warn_if_shallow(tool, scene.body, search, top);
   warn_if_at_edge(tool, scene.body.grid, top, what);
   return top;
+}
+
+void print_maxima(const Tool& tool, const StressOptions& options) {
+  const StressScene scene = read_scene(tool, options);
+  const StressSearch search = search_of(options, scene.body.grid);
+  const auto [of, attribute, what] = words_of(search.of);
+  Progress progress(tool);
+  const auto maxima = maximum_by_depth(StressSolver(scene.body, tool.thread_count(), scene.resolution),
+                                       search.of, scene.depths, [&](const StressProbe& p) {
+                                         progress.count(static_cast<double>(p.done),
+                                                        static_cast<double>(p.expected), "layers");
+                                       });
+  Table table{{{"depth", "m"}, {of, "Pa"}, {"x", "m"}, {"y", "m"}}, {}};
+  for (const StressMaximum& m : maxima) table.rows.push_back({m.depth, m.value, m.x, m.y});
+  print(tool, table);
+  warn_of_shallow_layers(tool, scene);
+  const StressMaximum& top = *std::ranges::max_element(maxima, {}, &StressMaximum::value);
+  if (top.value == 0) return;
+  warn_if_at_edge(tool, scene.body.grid, top, what);
+  if (search.of == Criterion::von_mises) warn_of_yield(tool, scene, top.value);
 }
 
 }  // namespace asperity::cli

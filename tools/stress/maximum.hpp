@@ -11,9 +11,12 @@ namespace asperity::cli {
 /// What --of and --below ask for on this grid; throws ParameterError("below", …).
 StressSearch search_of(const StressOptions& options, const Grid& grid);
 
-/// Searches in whole layers, sets the attributes stress_max_…, and warns of a maximum that the grid does not
-/// resolve or that may lie outside.
+/// Searches in whole layers, sets the attributes stress_max_…, with the error of a maximum at an edge, and
+/// warns of one that the grid does not resolve or that may lie outside.
 StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
                            const StressSolver& solver);
+
+/// Prints the largest stress of each layer and its place, the table of --result maxima.
+void print_maxima(const Tool& tool, const StressOptions& options);
 
 }  // namespace asperity::cli

@@ -26,6 +26,11 @@ void StressOptions::declare(Tool& tool) {
             "(1um 0 5um), or "
             "under a header with units, '# x [um] y [um] depth [um]'; - is standard input",
             where);
+  tool.choice(
+      "--result", result, {"dataset", "maxima"},
+      "Write the dataset, or print maxima. maxima: the largest stress in each layer of --depths, that of "
+      "--of, and its place",
+      "Result");
   declare_content(tool);
   declare_body(tool);
   tool.memory(
@@ -45,8 +50,9 @@ void StressOptions::declare_maximum(Tool& tool) {
   tool.flag("--maximum", maximum,
             "Search for the largest stress, its place and depth; --depths are not needed", where);
   tool.choice("--of", of, {"von_mises", "max_shear", "principal"},
-              "Stress of --maximum; von_mises, max_shear: by Tresca, or principal: the largest one, positive "
-              "in tension",
+              "Stress of --maximum and of --result maxima; von_mises, max_shear: by Tresca, or principal: "
+              "the largest "
+              "one, positive in tension",
               where);
   tool.text(
       "--below", below, "DEPTH",
@@ -83,23 +89,34 @@ void StressOptions::declare_body(Tool& tool) {
       .needs(slides);
 }
 
+namespace {
+
+void refuse_if(bool wrong, const char* option, const std::string& why) {
+  if (wrong) throw UsageError(option, why);
+}
+
+}  // namespace
+
 void StressOptions::check(Tool& tool) const {
-  const bool layers = !depths.empty(), table = !points.empty();
-  auto refuse = [&](bool wrong, const char* option, const std::string& why) {
-    if (wrong) throw UsageError(option, why);
-  };
-  refuse(!layers && !table && !maximum, "depths", "is required, or --maximum or --points");
-  refuse(table && (layers || maximum), "points", "cannot be combined with --depths or --maximum");
-  refuse(!layers && tool.given("--section"), "section", "needs --depths");
-  refuse(!layers && tool.given("--above"), "above", "needs --depths");
-  refuse(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
+  const bool layers = !depths.empty(), maxima = result == "maxima", table = prints_table();
   const bool searches = maximum || through_maximum(section);
-  for (const char* option : {"--of", "--below"})
-    refuse(!searches && tool.given(option), option + 2, "needs --maximum");
+  refuse_if(!layers && points.empty() && !maximum, "depths", "is required, or --maximum or --points");
+  refuse_if(!points.empty() && (layers || maximum || maxima), "points",
+            "cannot be combined with --depths, --maximum or --result maxima");
+  refuse_if(maxima && !layers, "result", "maxima needs --depths");
+  for (const char* option : {"--maximum", "--section", "--above", "--below", "--components", "--report"})
+    refuse_if(maxima && tool.given(option), option + 2, "cannot be combined with --result maxima");
+  refuse_if(!layers && tool.given("--section"), "section", "needs --depths");
+  refuse_if(!layers && tool.given("--above"), "above", "needs --depths");
+  refuse_if(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
+  refuse_if(!searches && !maxima && tool.given("--of"), "of", "needs --maximum or --result maxima");
+  refuse_if(!searches && tool.given("--below"), "below", "needs --maximum");
   if (!above.empty()) static_cast<void>(StressBound(above));
-  refuse(!table && tool.json(), "json", "prints the table of --points: add it, or leave --json out");
-  refuse(table && tool.given("--report"), "report", "belongs to a dataset; --points prints a table");
-  refuse(points == "-" && tool.input_name() == "-", "points", "standard input is the dataset: name a file");
+  refuse_if(!table && tool.json(), "json",
+            "prints a table: add --points or --result maxima, or leave --json out");
+  refuse_if(table && tool.given("--report"), "report", "belongs to a dataset; --points prints a table");
+  refuse_if(points == "-" && tool.input_name() == "-", "points",
+            "standard input is the dataset: name a file");
   tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!table) refuse_terminal(tool.output_name());

@@ -13,7 +13,7 @@ struct StressOptions {
 
   std::string depths, section, above, components = "von_mises";
   bool maximum = false;
-  std::string of = "von_mises", below;
+  std::string of = "von_mises", below, result = "dataset";
   std::string points;
   double poisson = none, friction = 0;
   std::string friction_angle = "0deg";
@@ -23,6 +23,8 @@ struct StressOptions {
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool) const;
+  /// Instead of a dataset.
+  bool prints_table() const { return !points.empty() || result == "maxima"; }
 
  private:
   void declare_maximum(Tool& tool);

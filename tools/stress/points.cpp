@@ -78,10 +78,9 @@ Places parse_points(std::string_view text, const MemoryBound& memory) {
 }
 
 // The tensor at each point: a row a component.
-Field stress_at(const StressScene& scene, const Places& points, int threads) {
+Field stress_at(const StressPoints& below, const Places& points, int threads) {
   const auto count = static_cast<Index>(points.size());
   Field out(6, count);
-  const StressPoints below(scene.body, threads);
   parallel_ranges(count, threads, [&](Index begin, Index end, int) {
     for (Index k = begin; k < end; ++k) {
       const auto [x, y, z] = points[static_cast<std::size_t>(k)];
@@ -101,11 +100,11 @@ double largest_in(const Table& table, std::string_view name) {
   return top;
 }
 
-Table stress_table(const StressScene& scene, const StressSelection& selection, const Places& points,
+Table stress_table(const StressPoints& below, const StressSelection& selection, const Places& points,
                    int threads) {
   Table table{{{"x", "m"}, {"y", "m"}, {"z", "m"}}, {}};
   for (const auto& output : selection.outputs()) table.columns.push_back({output.name, output.units});
-  const Field components = stress_at(scene, points, threads);
+  const Field components = stress_at(below, points, threads);
   std::vector<std::vector<double>> values(selection.outputs().size(), std::vector<double>(points.size()));
   StressRow row{};
   for (stress::Component c : stress::components)
@@ -120,17 +119,31 @@ Table stress_table(const StressScene& scene, const StressSelection& selection, c
   return table;
 }
 
-void warn_if_shallow(const Tool& tool, const StressScene& scene, const Places& points) {
+// What else is to be said of points on the sides of cells; of a stress without friction only corners count.
+std::string infinite(const StressScene& scene, const StressPoints& below, const Places& points) {
+  auto singular = [&](const auto& p) { return below.singular(p[0], p[1], p[2]); };
+  const auto first = std::ranges::find_if(points, singular);
+  if (first == points.end()) return {};
+  const bool slides = scene.body.friction.coefficient > 0;
+  return fmt::format(
+      "; at {} of them, the first at ({:.6g}, {:.6g}) um, on a {} of a cell at the surface, {} "
+      "infinite, and the finite value here that of a smooth load: move them to a cell's centre "
+      "or below the surface",
+      std::ranges::count_if(points, singular), (*first)[0] * 1e6, (*first)[1] * 1e6,
+      slides ? "side" : "corner", slides ? "stress_xx, stress_yy or stress_xy is" : "stress_xy is");
+}
+
+void warn_if_shallow(const Tool& tool, const StressScene& scene, const StressPoints& below,
+                     const Places& points) {
   const double accurate = accurate_depth(scene.body.grid);
   const auto shallow = std::ranges::count_if(points, [&](const auto& p) { return p[2] < accurate; });
   if (shallow == 0) return;
   tool.warn(fmt::format(
       "{} of {} points lie less than {:.4g} um deep, the stress_accurate_depth: their stress is that of "
-      "single "
-      "cells, off by up to {:.0f} % of the maximum pressure below a cell's centre, and unbounded at the "
-      "surface "
-      "towards its edges and corners",
-      shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));
+      "single cells, off by up to {:.0f} % of the maximum pressure below a cell's centre, and unbounded at "
+      "the surface towards its edges and corners{}",
+      shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction),
+      infinite(scene, below, points)));
 }
 
 }  // namespace
@@ -140,9 +153,10 @@ void print_points(const Tool& tool, const StressOptions& options, const StressSe
   const Bytes text = read_all(options.points, tool.memory_bound());
   const Places points = parse_points(text, tool.memory_bound(2 * text.size()));
   const StressScene scene = read_scene(tool, options);
-  const Table table = stress_table(scene, selection, points, tool.thread_count());
+  const StressPoints below(scene.body, tool.thread_count());
+  const Table table = stress_table(below, selection, points, tool.thread_count());
   print(tool, table);
-  warn_if_shallow(tool, scene, points);
+  warn_if_shallow(tool, scene, below, points);
   warn_of_yield(tool, scene, largest_in(table, "von_mises"));
 }
 

@@ -9,11 +9,14 @@
 #include "contact/flattening.hpp"
 #include "core/error.hpp"
 #include "core/poisson.hpp"
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/section.hpp"
 
 namespace asperity::cli {
 namespace {
+
+constexpr double round_off = 1e-12;  // of a pressure that is balanced to it
 
 std::vector<double> depths_on(const Grid& grid, const std::string& text) {
   if (text.empty()) return {};
@@ -94,6 +97,24 @@ void record_parameters(StressScene& scene) {
   if (scene.least > 0) a.set("stress_above", scene.least);
   if (scene.plane)
     a.set(scene.plane->along_x ? "stress_section_y" : "stress_section_x", place_of(*scene.plane, grid));
+}
+
+bool is_shallow(const LoadedBody& body, double depth) {
+  const Field& p = body.pressure;
+  const bool uniform = body.grid.periodic && p.maxCoeff() - p.minCoeff() <= round_off * p.maxCoeff();
+  return depth < accurate_depth(body.grid) && !uniform;
+}
+
+void warn_of_shallow_layers(const Tool& tool, const StressScene& scene) {
+  const auto shallow =
+      std::ranges::count_if(scene.depths, [&](double z) { return is_shallow(scene.body, z); });
+  if (shallow == 0) return;
+  tool.warn(fmt::format(
+      "{} of {} lie less than {:.4g} um deep, the stress_accurate_depth: within two cells of an edge of the "
+      "contact their stress may be off by {:.0f} % of the maximum pressure; refine the grid, or leave them "
+      "out",
+      shallow, counted(static_cast<Index>(scene.depths.size()), "layer"),
+      accurate_depth(scene.body.grid) * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));
 }
 
 void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises) {

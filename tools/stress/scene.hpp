@@ -37,6 +37,13 @@ void cut(StressScene& scene, const std::string& section, std::array<double, 2> m
 /// The effective parameters, as attributes.
 void record_parameters(StressScene& scene);
 
+/// Whether stresses at this depth rest on single cells: it is less than the accurate depth, and the pressure
+/// not uniform.
+bool is_shallow(const LoadedBody& body, double depth);
+
+/// Warns of layers that are.
+void warn_of_shallow_layers(const Tool& tool, const StressScene& scene);
+
 /// Warns where this largest von Mises stress [Pa] exceeds the yield stress of a contact with a limit
 /// pressure.
 void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises);
