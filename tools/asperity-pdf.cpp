@@ -169,7 +169,10 @@ void document(cli::Tool& tool) {
       "and allow for the correlation of the heights; errors of neighbouring rows are correlated. For a "
       "Gaussian surface 95 % of the misfits lie within 2, except in bins of a few counts and for the "
       "outermost quantiles. Errors of a pressure and a gap come from the counts of 16 or 64 blocks of the "
-      "field, whatever the distribution, and hold for correlations below an eighth of its side.");
+      "field, whatever the distribution, and hold for correlations below an eighth of its side: of 80 "
+      "contacts, 89 to 98 % have the quartiles "
+      "of the pressure within 1.96 errors. The gap varies 1.1 to 1.6 times as much from surface to surface "
+      "as its errors tell, because the displacement under all contacts moves it together.");
 }
 
 }  // namespace

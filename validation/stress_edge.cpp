@@ -7,7 +7,7 @@
 /// μ = 0 and 0.25 and at the trailing edge for 0.4 and 0.5, beside Smith & Liu's; `found` is that of the
 /// search on the largest grid. Second table: errors of the largest von Mises stress, as shares of it, `found` by the
 /// search, `coarse` on cells twice as wide (means of four of the same pressure) and `extrapolated` from both at order
-/// ½; `stated` is the error that the library states (stress/edge.hpp). Third table: the largest tension (1-2ν)/3
+/// ½; `stated` is what the library says may be missing (stress/edge.hpp). Third table: the largest tension (1-2ν)/3
 /// + πμ(4+ν)/8, on the same grids.
 #include <cstdlib>
 #include <numbers>
@@ -38,8 +38,8 @@ LoadedBody coarsened(const LoadedBody& fine) {
   return out;
 }
 
-double found(const LoadedBody& body, Criterion of) {
-  return maximum_stress(StressSolver(body, 1, DepthResolution::adapted), {of, 0}).value;
+StressMaximum found(const LoadedBody& body, Criterion of) {
+  return maximum_stress(StressSolver(body, 1, DepthResolution::adapted), {of, 0});
 }
 
 // Where the surface's pressure and traction end, and the largest of all below it.
@@ -56,7 +56,7 @@ double tension(double mu) { return (1 - 2 * nu) / 3 + std::numbers::pi * mu * (4
 void published(Index n) {
   fmt::print("# mu\tpublished\tclosed_form\tfound\tfound_error\n");
   for (const Figure& f : figures) {
-    const double here = found(contact(n, f.mu), Criterion::von_mises);
+    const double here = found(contact(n, f.mu), Criterion::von_mises).value;
     fmt::print("{}\t{:.4f}\t{:.5f}\t{:.5f}\t{:.1e}\n", f.mu, f.published, exact(f) / std::numbers::sqrt3,
                here / std::numbers::sqrt3, here / exact(f) - 1);
   }
@@ -68,13 +68,14 @@ void edge(Index largest) {
     for (Index n = 64; n <= largest; n *= 2) {
       const LoadedBody body = contact(n, mu);
       const Stopwatch clock;
-      const double fine = found(body, Criterion::von_mises), seconds = clock.seconds();
-      const double coarse = found(coarsened(body), Criterion::von_mises),
+      const StressMaximum top = found(body, Criterion::von_mises);
+      const double seconds = clock.seconds(), fine = top.value,
+                   coarse = found(coarsened(body), Criterion::von_mises).value,
                    root = fine + (fine - coarse) / (std::numbers::sqrt2 - 1),
                    value = exact(figures[mu == 0.4 ? 2 : 3]);
       fmt::print("{}\t{}\t{:.0f}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.2f}\n", mu, n,
                  static_cast<double>(n) / 3, fine / value - 1, coarse / value - 1, root / value - 1,
-                 edge_error(body, Criterion::von_mises) / value, seconds);
+                 edge_error(top, Criterion::von_mises, body) / value, seconds);
     }
 }
 
@@ -83,8 +84,9 @@ void tensions(Index largest) {
   for (double mu : {0.0, 0.1, 0.3, 0.5})
     for (Index n = 64; n <= largest; n *= 2) {
       const LoadedBody body = contact(n, mu);
-      fmt::print("{}\t{}\t{:.1e}\t{:.1e}\n", mu, n, found(body, Criterion::principal) / tension(mu) - 1,
-                 edge_error(body, Criterion::principal) / tension(mu));
+      const StressMaximum top = found(body, Criterion::principal);
+      fmt::print("{}\t{}\t{:.1e}\t{:.1e}\n", mu, n, top.value / tension(mu) - 1,
+                 edge_error(top, Criterion::principal, body) / tension(mu));
     }
 }
 

@@ -118,8 +118,7 @@ inline constexpr double accurate_cells = 2;           ///< depth from which stre
 inline constexpr double edge_error = 0.09;            ///< of the largest pressure, above that depth
 inline constexpr double edge_error_compliant = 0.11;  ///< times 1 - 2ν, if that is more
 inline constexpr double edge_error_friction = 0.26;   ///< times μ, in addition
-inline constexpr double edge_error_tension =
-    0.26;  ///< times μ, for the largest tension: tests/stress/edge.cpp
+inline constexpr double edge_stairs = 0.015;          ///< of the largest pressure: tests/stress/edge.cpp
 
 // Wider cells for deep layers: tests/stress/layers.cpp and `error` of validation/stress_request_time.
 inline constexpr double depth_of_wide_cells = 5;  ///< in sides of the wide cell

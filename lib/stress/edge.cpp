@@ -1,35 +1,41 @@
 #include "stress/edge.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <numbers>
 
 #include "core/calibration.hpp"
+#include "stress/equivalent.hpp"
 
 namespace asperity {
+namespace {
 
-// Linear between the values at every tenth of ν from Hamilton's field; the first is on the line through 0.
-double edge_friction(double poisson) {
-  constexpr std::array at_tenths{-0.0231, 0.0138, 0.0507, 0.0933, 0.1416,
-                                 0.1945,  0.2499, 0.3047, 0.3558, 0.4069};
-  constexpr double first = -0.4, spacing = 0.1;
-  const double place =
-      std::clamp((poisson - first) / spacing, 0.0, static_cast<double>(at_tenths.size() - 1));
-  const auto k = std::min(static_cast<std::size_t>(place), at_tenths.size() - 2);
-  return std::max(0.0, std::lerp(at_tenths[k], at_tenths[k + 1], place - static_cast<double>(k)));
+// Of the surface in the plane stress σxx, σyy.
+double value_of(Criterion of, double xx, double yy) {
+  const stress::Tensor s{xx, yy, 0, 0, 0, 0};
+  switch (of) {
+    case Criterion::von_mises:
+      return von_mises(s);
+    case Criterion::max_shear:
+      return max_shear_stress(s);
+    case Criterion::principal:
+      return principal_stress(s).value[0];
+  }
+  return 0;
 }
 
-bool has_edge(const LoadedBody& body) { return !body.grid.periodic.both() || (body.pressure == 0).any(); }
+}  // namespace
 
-bool is_at_edge(const StressMaximum& maximum, Criterion of, const LoadedBody& body) {
-  return has_edge(body) && maximum.depth < accurate_depth(body.grid) &&
-         (of == Criterion::principal || body.friction.coefficient >= edge_friction(body.poisson));
+double edge_stress(Criterion of, double poisson, double friction) {
+  const double rest = (1 - 2 * poisson) / 3, slip = std::numbers::pi * friction / 8;
+  return std::max(value_of(of, rest + (4 + poisson) * slip, -rest + 3 * poisson * slip),
+                  value_of(of, 2 * friction, 2 * poisson * friction));
 }
 
-double edge_error(const LoadedBody& body, Criterion of) {
-  const double tension =
-      of == Criterion::principal ? calibration::stress::edge_error_tension * body.friction.coefficient : 0;
-  return (shallow_error(body.poisson, body.friction) + tension) * body.pressure.maxCoeff();
+double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body) {
+  const bool has_edge = !body.grid.periodic.both() || (body.pressure == 0).any();
+  const double largest = body.pressure.maxCoeff(),
+               missing = edge_stress(of, body.poisson, body.friction.coefficient) * largest - maximum.value;
+  return has_edge && missing > 0 ? missing + calibration::stress::edge_stairs * largest : 0;
 }
 
 }  // namespace asperity

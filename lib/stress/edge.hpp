@@ -1,17 +1,29 @@
-/// The largest stress of a sliding contact at its trailing edge, and what a grid misses of it.
+/// The largest stress at an edge of a smooth contact, which a grid shows in part only, and what it misses.
 ///
-/// Above some coefficient of friction a smooth sphere that slides bears its largest von Mises stress not in
-/// the depth but at the surface, where the contact begins [1]. In front of that edge the stress is nearly
-/// level, and at it rises as the root of the distance, on both sides. A grid that does not see the rise finds
-/// the level: 7 % less at μ = 0.4 and 4 % at μ = 0.5 (ν = 0.3). One that does, from 40 or 85 cells across the
-/// contact's radius a on, finds 0.44 √(h/a) of the stress less. Coarser grids do not tell that error: they
-/// are on the level together and agree within 0.2 % where 4 % is missing, and an extrapolation at order ½ is
-/// still 1 to 5 % off (validation/stress_edge). So only a bound is stated, shallow_error (stress/layers.hpp).
-/// Tension is largest at an edge with friction or without; it converges at order ½ under friction, and at
-/// rest is 5 % too large on every grid, by the steps of the edge.
+/// Friction draws the surface behind a contact and presses it in front. At the trailing edge, where neither
+/// pressure nor traction acts, the surface stresses of a sphere [1] and of a cylinder across the motion [2]
+/// are, in units of the largest pressure,
+///     σxx = (1-2ν)/3 + π(4+ν) μ/8,   σyy = -(1-2ν)/3 + 3πν μ/8,                                       (1)
+///     σxx = 2μ,                      σyy = 2νμ,                                                        (2)
+/// the first at rest in pure shear all along the edge. No tension of a sphere is larger than there; its von
+/// Mises stress is the largest from μ = 0.305 on if ν = 0.3 (0.142, 0.194, 0.250 if ν = 0, 0.1, 0.2), below
+/// that in the depth.
+///
+/// From the edge the stress falls as the root of the distance: cells of side h find a share of √(h/a) less, a
+/// the contact's radius. In front of the edge the stress is nearly level. At μ = 0.4 a grid of fewer than 40
+/// cells to the radius, at 0.5 one of fewer than 90, finds the level, 7 and 4 % less. Coarser grids do not
+/// tell: they are on the level together and agree within 0.3 %, and an extrapolation at order ½ leaves 1 to
+/// 5 %. What (1) and (2) make of the largest pressure does tell, without another grid: the cells have that
+/// pressure within order 2.
+///
+/// Scope     contacts whose pressure falls to 0 as a root, as without a limit pressure. On a rough surface
+///           each contact has a largest pressure of its own, and (1) of the largest of all is a bound.
+/// Accuracy  on 20 to 170 cells to a sphere's radius 1.2 to 1.6 times what is missing of von Mises stress,
+///           1.1 to 2.4 times of a tension (validation/stress_edge).
 ///
 /// [1] G. M. Hamilton, Explicit equations for the stresses beneath a sliding spherical contact, Proc. Inst.
 ///     Mech. Engrs 197C (1983) 53-59.
+/// [2] K. L. Johnson, Contact Mechanics, Cambridge 1985, section 7.2.
 #pragma once
 
 #include "stress/load.hpp"
@@ -19,19 +31,12 @@
 
 namespace asperity {
 
-/// The coefficient of friction from which that edge of a smooth sphere bears the largest von Mises stress:
-/// 0.305 for ν = 0.3, within 2e-3 for every ν; 0 where it does at rest, below ν = -0.34.
-double edge_friction(double poisson);
+/// The larger of (1) and (2), in the largest pressure.
+double edge_stress(Criterion of, double poisson, double friction);
 
-/// Whether the load ends somewhere: not where a periodic one acts on every cell.
-bool has_edge(const LoadedBody& body);
-
-/// Whether a maximum is that of an edge: there is one, it lies above the accurate depth, and is one of
-/// tension, or of friction not below edge_friction.
-bool is_at_edge(const StressMaximum& maximum, Criterion of, const LoadedBody& body);
-
-/// How far it may be from the largest stress, which lies between the cells [Pa]: shallow_error of the largest
-/// pressure, for a tension 26 μ % of it more. For contacts ten cells in radius and more.
-double edge_error(const LoadedBody& body, Criterion of);
+/// How much larger the maximum may be because of an edge [Pa]: what is missing to edge_stress of the largest
+/// pressure, and 1.5 % of that pressure, for the edge of cells is a stair. 0 where nothing is missing, and
+/// under a periodic load that acts on every cell. The search is one from the surface on.
+double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body);
 
 }  // namespace asperity

@@ -5,6 +5,10 @@
 /// Bins of equal width reach from 0 to the largest value. Their number follows Scott's rule unless given
 /// (stats/height/distribution.hpp). A count has the error of its share times the number of counted cells.
 ///
+/// Accuracy  Of 80 periodic rough contacts under one load, or at one approach, with correlation lengths of
+///           1/32 and 1/16 of the side, 89 to 98 % have the quartiles of the pressure within 1.96 errors of
+///           their mean, 79 to 92 % those of the gap: the displacement under all contacts moves it together,
+///           and it varies 1.1 to 1.6 times as much as the blocks tell.
 /// Cost      one pass for the counts, two for the errors; quantiles sort the values.
 #pragma once
 

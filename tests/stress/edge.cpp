@@ -3,7 +3,9 @@
 
 #include <numbers>
 
+#include "core/calibration.hpp"
 #include "layer.hpp"
+#include "stress/influence.hpp"
 #include "stress/points.hpp"
 #include "support.hpp"
 
@@ -32,22 +34,55 @@ double deep_maximum(double nu, double mu) {
 
 }  // namespace
 
-// At the edge (-1, 0, 0) nothing presses or pulls: σxx = (1-2ν)/3 + πμ(4+ν)/8, σyy = -(1-2ν)/3 + 3πμν/8.
-TEST_CASE("from edge_friction on the trailing edge bears more than the depth, below it less",
-          "[edge][exact]") {
-  for (double nu : {-0.25, -0.1, 0.0, 0.15, 0.25, 0.3, 0.35, 0.45, 0.5}) {
-    const double mu = edge_friction(nu);
-    auto excess = [&](double m) {
-      const double k = (1 - 2 * nu) / 3, q = std::numbers::pi * m / 8;
-      const double edge = von_mises({k + q * (4 + nu), -k + q * 3 * nu, 0, 0, 0, 0});
-      return edge - deep_maximum(nu, m);
-    };
+// Of the closed field, 0.303 and 0.307 on either side of 0.305, and likewise.
+TEST_CASE(
+    "the edge of a sphere bears the largest von Mises stress from a friction on that depends on the "
+    "Poisson's ratio",
+    "[edge][exact]") {
+  for (auto [nu, mu] :
+       {std::array{0.0, 0.142}, std::array{0.1, 0.194}, std::array{0.2, 0.250}, std::array{0.3, 0.305}}) {
     CAPTURE(nu, mu);
-    CHECK(excess(mu + 2e-3) > 0);
-    CHECK(excess(mu - 2e-3) < 0);
+    CHECK(edge_stress(Criterion::von_mises, nu, mu + 2e-3) > deep_maximum(nu, mu + 2e-3));
+    CHECK(edge_stress(Criterion::von_mises, nu, mu - 2e-3) < deep_maximum(nu, mu - 2e-3));
   }
-  CHECK(edge_friction(-0.5) == 0);
-  CHECK(edge_friction(-1) == 0);
+}
+
+// hertz_stress is Hamilton's field; its surface stresses in closed form are another way to the same numbers.
+TEST_CASE("at the edge of a sphere the stress is that of its field", "[edge][exact]") {
+  for (double nu : {-0.5, 0.0, 0.3, 0.5})
+    for (double mu : {0.0, 0.1, 0.3}) {
+      const stress::Tensor s = hertz_stress(-1, 0, 0, nu, Friction{mu, 0});
+      const PrincipalStress p = principal_stress(s);
+      CAPTURE(nu, mu);
+      if (nu <= 0.3) {  // otherwise a cylinder's is larger
+        CHECK(edge_stress(Criterion::von_mises, nu, mu) == Approx(von_mises(s)).epsilon(1e-12));
+        CHECK(edge_stress(Criterion::max_shear, nu, mu) ==
+              Approx(0.5 * (p.value[0] - p.value[2])).epsilon(1e-12));
+        CHECK(edge_stress(Criterion::principal, nu, mu) == Approx(p.value[0]).epsilon(1e-12));
+      }
+      CHECK(edge_stress(Criterion::von_mises, nu, mu) >= von_mises(s) * (1 - 1e-12));
+    }
+}
+
+// Strips 2/n wide and very long under the cells' traction; just outside of the edge, a strip's width from it,
+// the stress has fallen by the root of that distance.
+TEST_CASE("at the edge of a long cylinder a traction of μ makes a tension of 2μ", "[edge][order]") {
+  const double nu = 0.3, mu = 0.7;
+  double coarse = 1;
+  for (int n : {250, 1000, 4000}) {
+    double xx = 0, yy = 0;
+    for (int i = 0; i < n; ++i) {
+      const double x = -1 + (2 * i + 1.0) / n;
+      const stress::Tensor s = rectangle_stress(-1 - 1.0 / n - x, 0, 0, 1.0 / n, 1e4, nu, stress::shear_x);
+      xx += mu * std::sqrt(1 - x * x) * s[stress::xx], yy += mu * std::sqrt(1 - x * x) * s[stress::yy];
+    }
+    const double error = 1 - xx / edge_stress(Criterion::principal, nu, mu);
+    CAPTURE(n, xx, yy, error);
+    CHECK(yy == Approx(nu * xx).epsilon(1e-3));
+    CHECK(error > 0);
+    if (n > 250) CHECK(error == Approx(coarse / 2).epsilon(0.1));
+    coarse = error;
+  }
 }
 
 // Hamilton's closed form at the edge, Smith & Liu's √J2/p0 to four digits.
@@ -58,31 +93,39 @@ TEST_CASE("the closed field has the published stress at the edge of a sliding co
     CHECK(std::abs(deep_maximum(0.3, mu) / std::sqrt(3.0) - published) <= 5e-5);
 }
 
-TEST_CASE("the stated error of a maximum at an edge holds, and those are told from deep ones",
-          "[edge][order]") {
-  for (double mu : {0.0, 0.2, 0.4, 0.5})
-    for (Index n : {32, 64, 96}) {
-      const LoadedBody body{hertz_grid(n), hertz_pressure(hertz_grid(n)), 0.3, {mu, 0}};
-      const double nu = 0.3, tension = (1 - 2 * nu) / 3 + std::numbers::pi * mu * (4 + nu) / 8;
-      const StressSolver solver(body);
-      const StressMaximum pulled = maximum_stress(solver, {Criterion::principal, 0}),
-                          top = maximum_stress(solver);
-      CAPTURE(mu, n, pulled.value, tension, top.value);
-      CHECK(std::abs(pulled.value - tension) <= edge_error(body, Criterion::principal));
-      CHECK(is_at_edge(pulled, Criterion::principal, body));
-      CHECK(is_at_edge(top, Criterion::von_mises, body) == (mu > 0.3));
-      if (mu > 0.3)
-        CHECK(std::abs(top.value - von_mises_at(-1, 0, nu, mu)) <= edge_error(body, Criterion::von_mises));
-    }
+// What is missing to the edge of the closed field; a cylinder's is at most 0.03 p0 above it here. The mean of
+// the pressure over the cells takes less than 1e-3 off its largest value.
+TEST_CASE(
+    "what a maximum lacks of the edge of a sphere lies within the stated error, which is not much larger",
+    "[edge][order]") {
+  for (Criterion of : {Criterion::von_mises, Criterion::max_shear, Criterion::principal})
+    for (double nu : {-0.5, 0.0, 0.3})
+      for (double mu : {0.0, 0.1, 0.31, 0.5})
+        for (Index n : {32, 64, 96}) {
+          const LoadedBody body{hertz_grid(n), hertz_pressure(hertz_grid(n)), nu, {mu, 0}};
+          const StressMaximum top = maximum_stress(StressSolver(body), {of, 0});
+          const PrincipalStress p = principal_stress(hertz_stress(-1, 0, 0, nu, Friction{mu, 0}));
+          const double edge = of == Criterion::von_mises   ? von_mises_at(-1, 0, nu, mu)
+                              : of == Criterion::max_shear ? 0.5 * (p.value[0] - p.value[2])
+                                                           : p.value[0];
+          const double missing = edge - top.value, stated = edge_error(top, of, body);
+          CAPTURE(static_cast<int>(of), nu, mu, n, top.value, edge, stated);
+          CHECK(missing <= stated);
+          CHECK(stated <= std::max(missing, 0.0) + 0.03 + calibration::stress::edge_stairs);
+          if (missing < -0.03) CHECK(stated == 0);
+        }
 }
 
 TEST_CASE("a periodic load on every cell has no edge, one with an open cell or of a free domain has",
           "[edge][contract]") {
   Field p = Field::Ones(4, 3);
-  CHECK_FALSE(has_edge({{{4, 3}, 1, 1, true}, p, 0.3}));
-  CHECK(has_edge({{{4, 3}, 1, 1}, p, 0.3}));
+  auto error = [&](bool periodic) {
+    return edge_error({}, Criterion::von_mises, {{{4, 3}, 1, 1, periodic}, p, 0.3, {0.5, 0}});
+  };
+  CHECK(error(true) == 0);
+  CHECK(error(false) > 0.5);
   p(1, 1) = 0;
-  CHECK(has_edge({{{4, 3}, 1, 1, true}, p, 0.3}));
+  CHECK(error(true) > 0.5);
 }
 
 // 3 × 3 cells of a unit side, and the corner (½, ½) of the middle one: twist 1 of the pressures about it.
@@ -96,7 +139,9 @@ TEST_CASE("points at the surface where constant cells have an infinite stress ar
   CHECK(rests.singular(1.5, 1.5, 0));
   CHECK(rests.singular(-1.5, -1.5, 0));
   CHECK_FALSE(rests.singular(-0.5, -0.5, 0));  // equal cells
-  CHECK_FALSE(rests.singular(0.5, 1, 0));      // a side
+  const Field slope = sample(grid, [](double x, double y) { return 5 + x + 2 * y; });
+  CHECK_FALSE(StressPoints({grid, slope, 0.3}).singular(0.5, 0.5, 0));  // steps, but no twist
+  CHECK_FALSE(rests.singular(0.5, 1, 0));                               // a side
   CHECK_FALSE(rests.singular(0.5, 0.5, 1e-3));
   CHECK_FALSE(rests.singular(7.5, 0.5, 0));
   CHECK_FALSE(soft.singular(0.5, 0.5, 0));

@@ -144,7 +144,7 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
        {press.substr(0, press.find("--load")) + "--sweep 2kN,5kN s.nc", " of 2 loads"},
        {"asperity-stats s.nc p.nc", " of 2 surfaces"},
        {"asperity-stress smooth.nc --maximum -o a.nc", " layers searched"},
-       {"asperity-stress smooth.nc --depths 0:1mm:30 -o a.nc", " of 30 layers"}}));
+       {"asperity-stress smooth.nc --depths 0.2mm:1mm:30 -o a.nc", " of 30 layers"}}));
   CAPTURE(command);
   const Outcome always = shell(command + " --progress always");
   CHECK(always.exit == 0);

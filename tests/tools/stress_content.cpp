@@ -116,7 +116,8 @@ TEST_CASE(
 }
 
 // The table is that of the layers; between the cell centres of a rough one its values are higher by a parabola.
-TEST_CASE("--result maxima prints the largest stress of each layer and its place", "[stress][contract]") {
+TEST_CASE("the table of --result maxima holds the largest stress of each layer and its place",
+          "[stress][contract]") {
   const Outcome tsv = shell("asperity-stress " + pressed() + "--result maxima --depths 2px,0.2mm,0.5mm -q"),
                 json = shell("asperity-stress " + pressed() +
                              "--result maxima --depths 2px,0.2mm,0.5mm --of max_shear --json -q");

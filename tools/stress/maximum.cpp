@@ -41,35 +41,28 @@ StressMaximum search_layers(const Tool& tool, const StressSolver& volume, const 
   });
 }
 
-// A maximum in the depth, where that of the surface's edge is larger on a finer grid.
-void warn_of_hidden_edge(const Tool& tool, const LoadedBody& body, const StressSearch& search) {
-  const double from = edge_friction(body.poisson);
-  if (search.of != Criterion::von_mises || search.below > 0 || !has_edge(body) ||
-      body.friction.coefficient < from)
-    return;
-  tool.warn(
-      fmt::format("friction of {} is above {:.3f}, from which on a smooth contact has its largest von "
-                  "Mises stress at its trailing edge: cells as wide as these find up to {:.4g} MPa too "
-                  "little there, and this maximum lies deeper; refine the grid",
-                  body.friction.coefficient, from, edge_error(body, search.of) * 1e-6));
-}
-
+// `missing`: edge_error, 0 where no edge counts.
 void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressSearch& search,
-                     const StressMaximum& top) {
-  const double error = edge_error(body, search.of), share = 100 * shallow_error(body.poisson, body.friction);
-  if (!is_shallow(body, top.depth)) return warn_of_hidden_edge(tool, body, search);
-  const std::string start =
-      fmt::format("the largest {} lies {:.4g} um deep, less than the {:.4g} um of stress_accurate_depth: it ",
-                  words_of(search.of).text, top.depth * 1e6, accurate_depth(body.grid) * 1e6);
-  tool.warn(start +
-            (is_at_edge(top, search.of, body)
-                 ? fmt::format("rises to an edge of the contact, may be off by {:.4g} MPa ({:.0f} % of the "
-                               "largest pressure), and a finer grid helps only as the root of its cell; "
-                               "--below 2px searches deeper",
-                               error * 1e-6, 100 * error / body.pressure.maxCoeff())
-                 : fmt::format("rests on single cells and may be off by {:.0f} % of the largest pressure; "
-                               "refine the grid",
-                               share)));
+                     const StressMaximum& top, double missing) {
+  const bool shallow = is_shallow(body, top.depth);
+  if (!shallow && missing == 0) return;
+  std::string line =
+      fmt::format("the largest {} lies {:.4g} um deep", words_of(search.of).text, top.depth * 1e6);
+  if (shallow)
+    line +=
+        fmt::format(", less than the {:.4g} um of stress_accurate_depth", accurate_depth(body.grid) * 1e6);
+  if (missing > 0)
+    line += fmt::format(
+        ": at an edge of a smooth contact with this largest pressure it is up to {:.4g} MPa "
+        "more, of which a finer grid shows more only as the root of its cell; refine the grid, "
+        "or search below the edge, --below 2px",
+        missing * 1e-6);
+  else
+    line += fmt::format(
+        ": it rests on single cells and may be off by {:.0f} % of the largest pressure; refine "
+        "the grid",
+        100 * shallow_error(body.poisson, body.friction));
+  tool.warn(line);
 }
 
 // A maximum in the outermost cells has no parabola through it and stays at their centres.
@@ -113,9 +106,9 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
   if (top.value == 0) return top;
   if (search.below > 0 && top.depth == search.below)
     tool.note(fmt::format("the largest {} lies at the depth of --below; above it, it is larger", what));
-  if (is_shallow(scene.body, top.depth) && is_at_edge(top, search.of, scene.body))
-    a.set(std::string(attribute) + "_error", edge_error(scene.body, search.of));
-  warn_if_shallow(tool, scene.body, search, top);
+  const double missing = search.below > 0 ? 0 : edge_error(top, search.of, scene.body);
+  if (missing > 0) a.set(std::string(attribute) + "_error", missing);
+  warn_if_shallow(tool, scene.body, search, top, missing);
   warn_if_at_edge(tool, scene.body.grid, top, what);
   return top;
 }
