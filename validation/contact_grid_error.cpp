@@ -45,8 +45,10 @@ struct Solved {
   Contact contact;
 
   Solved(const Scene& s, Index times)
-      : grid(s.grid(times)), gap(s.gap(times)), influence(make_influence(grid, modulus, 2)) {
-    parameters = {.limit_pressure = s.limit, .tolerance = 1e-8, .stiffness = true, .threads = 2};
+      : grid(s.grid(times)),
+        gap(s.gap(times)),
+        influence(make_influence(grid, modulus, 2)),
+        parameters{.limit_pressure = s.limit, .tolerance = 1e-8, .stiffness = true, .threads = 2} {
     if (s.approach > 0)
       parameters.approach = s.approach;
     else

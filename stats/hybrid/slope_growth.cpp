@@ -13,7 +13,8 @@ namespace asperity {
 namespace {
 
 constexpr Index least_side = 16;
-constexpr double round_off = 1e-12;  // of a mean square slope, by which it may fall
+constexpr double round_off = 1e-12;     // of a mean square slope, by which it may fall
+constexpr double left_of_form = 1e-20;  // of a mean square slope, by its round-off
 
 double mean_square_slope(const Field& z, const Grid& grid) {
   const Index nx = z.rows(), ny = z.cols();
@@ -50,7 +51,8 @@ SlopeGrowth slope_growth(const Field& heights, const Grid& grid, int threads) {
     cells = halved(cells);
   }
   const double first = slopes[0] - slopes[1], second = slopes[1] - slopes[2];
-  if (!(first > round_off * slopes[0])) return {0};
+  const double with_form = mean_square_slope(heights, grid);
+  if (!(first > round_off * slopes[0] && slopes[0] > left_of_form * with_form)) return {0};
   return {second > 0 ? first / second : std::numeric_limits<double>::infinity()};
 }
 

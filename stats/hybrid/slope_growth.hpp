@@ -8,7 +8,8 @@
 /// 8 cells 0.3 to 0.4, 4 cells 0.5 to 0.8, 3 cells 0.9 to 1.4, 2 cells 1.4 to 1.6; Gaussian ACF 0.3 to 0.5,
 /// Matérn with ν = 2 0.6, exponential 3.9 to 4.7, self-affine with H = 0.8 2.1.
 ///
-/// A form of degree 2 is removed first, but from a surface periodic along both axes; an odd last line is left out.
+/// A form of degree 2 is removed first, but from a surface that is periodic along both axes; an odd last line
+/// is left out.
 ///
 /// Cost      a few passes; the form is two of its own.
 #pragma once

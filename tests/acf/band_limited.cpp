@@ -99,7 +99,7 @@ TEST_CASE("the kernel of a band has its autocorrelation to round-off on even, od
 }
 
 // |kernel^|² is the power times N M; amplitudes of rounding are below ε Σ|kernel| ≤ 24 ε.
-TEST_CASE("waves shorter than the cut-off, and the mean, have no power; others that of the model",
+TEST_CASE("waves shorter than the cut-off, and the mean, have no power, others that of the model",
           "[band][exact]") {
   const Shape period{24, 20};
   const double hurst = 0.7, rolloff = 11, cutoff = 4;

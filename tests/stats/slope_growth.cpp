@@ -25,7 +25,8 @@ Field white(Shape shape) {
 // (2/H)² sin²(qH/2)/2 of its square.
 TEST_CASE("a wave grows by the transfer functions of means and differences", "[hybrid][exact]") {
   const double pi = std::numbers::pi;
-  for (Index cells : {4, 8, 16, 32}) {
+  for (Index cells :
+       {16, 32, 64}) {  // no wave of two points on the coarsest grid, whose square depends on its place
     const double q = 2 * pi / static_cast<double>(cells);
     const Grid grid{{64, 64}, 1, 1, true};
     const Field z = sample(grid, [q](double x, double) { return std::cos(q * x + 0.3); });
@@ -39,7 +40,7 @@ TEST_CASE("a wave grows by the transfer functions of means and differences", "[h
 }
 
 // Of white noise each coarser grid keeps a quarter of the variance over four times the squared spacing: s² falls by 16.
-TEST_CASE("white noise grows by sixteen and is not resolved; a smooth cap is", "[hybrid][law]") {
+TEST_CASE("white noise grows by sixteen and is not resolved, a smooth cap is", "[hybrid][law]") {
   const Grid grid{{256, 256}, 1e-6, 1e-6, true};
   // The mean of 16 384 squares scatters by √(2/16 384) = 1.1 % or so.
   const SlopeGrowth noise = slope_growth(white(grid.shape), grid);

@@ -11,7 +11,7 @@ using namespace asperity::test;
 
 namespace {
 
-const std::string generate = "asperity-generate --shape 32x32 --size 3mm --rq 0.4um --length 4px --seed 7";
+const std::string generate = "asperity-generate --shape 32x32 --size 3mm --rq 0.4um --model gaussian --length 8px --seed 7";
 const std::string contact =
     "asperity-contact --radius 50mm,50mm --young 208GPa --poisson 0.3 --load 5000N --yield 1200MPa";
 const std::string stress = "asperity-stress --depths 0:0.8mm:4";

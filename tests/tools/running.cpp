@@ -14,7 +14,8 @@ using namespace asperity::test;
 
 namespace {
 
-const std::string draw = "asperity-generate --shape 64x48 --size 3mm --rq 0.4um --length 6px --seed 3 ";
+const std::string draw =
+    "asperity-generate --shape 64x48 --size 3mm --rq 0.4um --model gaussian --length 8px --seed 3 ";
 const std::string fine = "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 6px --seed 3 ";
 const std::string press =
     "asperity-contact --radius 50mm --young 208GPa --poisson 0.3 --load 5kN --yield 1.2GPa ";
