@@ -47,7 +47,7 @@ class Forest {
     const bool under_a = node(a.root).cells >= node(b.root).cells;
     Node &top = node(under_a ? a.root : b.root), &below = node(under_a ? b.root : a.root);
     below.parent = under_a ? a.root : b.root;
-    below.offset = under_a ? around : Periods{} - around;
+    below.offset = under_a ? around : Periods{-around[0], -around[1]};
     top.cells += below.cells;
     return {};
   }

@@ -129,7 +129,7 @@ TEST_CASE("asperity-kernel --periodic solves what asperity-generate --periodic d
 }
 
 // Noise of some skewness through the same kernel: no other waves come in.
-TEST_CASE("the method filter keeps the band of heights that are not Gaussian", "[band][exact]") {
+TEST_CASE("the option --method filter keeps the band of heights that are not Gaussian", "[band][exact]") {
   require(
       "asperity-generate -q --periodic --shape 64x64 --size 1mm --rq 1um --model gaussian --length 6px "
       "--cutoff 8px "
