@@ -6,6 +6,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/section.hpp"
+#include "tools/stress/grid_errors.hpp"
 #include "tools/stress/maximum.hpp"
 #include "tools/stress/points.hpp"
 #include "tools/stress/writer.hpp"
@@ -17,6 +18,8 @@ namespace {
 void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
   cli::StressScene scene = cli::read_scene(tool, options);
   const StressSearch search = cli::search_of(options, scene.body.grid);
+  std::optional<cli::LoadingContact> loading;
+  if (options.adds("grid_errors")) loading = cli::loading_contact(scene.data);
   const Stopwatch clock;
   const cli::Inventory before(scene.data);
   cli::drop_results(scene.data, "stress");
@@ -33,6 +36,7 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
                : cli::find_maximum(tool, scene, search, StressSolver(scene.body, threads, scene.resolution));
     if (search.of == Criterion::von_mises) largest = top.value;
     shallow = cli::is_shallow(scene.body, top.depth);
+    if (loading && top.value > 0) cli::record_grid_errors(tool, scene, *loading, search, top);
     if (through_maximum) cli::cut(scene, options.section, {top.x, top.y});
   }
   if (scene.plane) solver.emplace(scene.body, scene.plane, threads, scene.resolution);

@@ -67,9 +67,10 @@ struct Solved {
   }
 };
 
-PeakStress largest_stress(const Grid& grid, const Contact& contact) {
-  const StressMaximum top = maximum_stress(StressSolver({grid, contact.pressure, 0.3, {}}, 2));
-  return {top.value, top.depth};
+LoadedBody loaded(const Grid& grid, const Contact& contact) { return {grid, contact.pressure, 0.3, {}}; }
+
+StressMaximum largest_stress(const Grid& grid, const Contact& contact) {
+  return maximum_stress(StressSolver(loaded(grid, contact), 2));
 }
 
 // Of one figure in one scene.
@@ -149,11 +150,11 @@ void judge(Page& page, const Scene& scene, const Solved& here) {
   page.add(scene, "approach", c.approach, t.approach, e.approach);
   page.add(scene, "mean_gap", c.mean_gap, t.mean_gap, e.mean_gap);
   page.add(scene, "stiffness", c.stiffness, t.stiffness, e.stiffness);
-  const PeakStress largest = largest_stress(here.grid, c), exact = largest_stress(truth.grid, t);
-  const PeakStress of_stress = maximum_error(here.grid,
-                                             {largest, largest_stress(coarser.grid[0], coarser.contact[0]),
-                                              largest_stress(coarser.grid[1], coarser.contact[1])},
-                                             c.plastic_area > 0);
+  const StressMaximum largest = largest_stress(here.grid, c), exact = largest_stress(truth.grid, t);
+  const StressMaximum of_stress = maximum_error(loaded(here.grid, c),
+                                                {largest, largest_stress(coarser.grid[0], coarser.contact[0]),
+                                                 largest_stress(coarser.grid[1], coarser.contact[1])},
+                                                Criterion::von_mises, c.plastic_area > 0);
   page.add(scene, "von_mises", largest.value, exact.value, of_stress.value);
   page.add(scene, "depth", largest.depth, exact.depth, of_stress.depth);
 }

@@ -5,17 +5,21 @@
 
 #include "core/calibration.hpp"
 #include "math/grid_change.hpp"
+#include "stress/edge.hpp"
 
 namespace asperity {
 
-PeakStress maximum_error(const Grid& grid, const std::array<PeakStress, 3>& maxima, bool at_limit_pressure) {
+StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaximum, 3>& maxima, Criterion of,
+                            bool at_limit_pressure) {
   namespace share = calibration::grid_error;
   const auto& [fine, half, quarter] = maxima;
-  const double h = std::min(grid.dx, grid.dy), shallow = fine.depth > h ? std::pow(h / fine.depth, 2) : 1;
-  PeakStress out{
-      std::max(share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
-               share::shallow_stress * shallow * fine.value),
-      std::max(share::depth * grid_change(fine.depth, half.depth, quarter.depth), share::depth_of_cell * h)};
+  const double h = std::min(body.grid.dx, body.grid.dy);
+  const double shallow = fine.depth > h ? std::pow(h / fine.depth, 2) : 1;
+  StressMaximum out;
+  out.value = std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
+                        share::shallow_stress * shallow * fine.value, edge_error(fine, of, body)});
+  out.depth =
+      std::max(share::depth * grid_change(fine.depth, half.depth, quarter.depth), share::depth_of_cell * h);
   if (at_limit_pressure && fine.depth < 2 * h) {
     out.value += share::near_plastic * fine.value;
     out.depth += fine.depth;

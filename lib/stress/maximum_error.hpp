@@ -1,28 +1,25 @@
 /// What the grid leaves of the largest stress below a contact: its error, from the contact on coarser cells.
 ///
-/// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and h the
-/// shorter side of a cell,
+/// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and h the shorter
+/// side of a cell,
 ///     error of the value   max(0.28 m, 0.03 min(1, (h/z)²) of it),                               (1)
 ///     error of its depth   max(m/4, 0.03 h).                                                     (2)
 /// Where the limit pressure is reached and z < 2h the stress is that of single cells' edges: a tenth of the
-/// value is added to (1), z to (2).
+/// value is added to (1), z to (2). What cells hide of an edge (stress/edge.hpp), as of sliding, coarser cells hide
+/// too: (1) is no less than that.
 ///
 /// Symbols   z depth of the largest stress [m]   n cells along a side
-/// Accuracy  validation/contact_grid_error.
+/// Accuracy  validation/contact_grid_error without friction; tests/stress/maximum_error.cpp with it.
 #pragma once
 
 #include <array>
 
-#include "core/field.hpp"
+#include "stress/maximum.hpp"
 
 namespace asperity {
 
-/// The largest value and its depth on one grid.
-struct PeakStress {
-  double value = 0, depth = 0;
-};
-
-/// On n, n/2 and n/4 cells; errors in the units of both.
-PeakStress maximum_error(const Grid& grid, const std::array<PeakStress, 3>& maxima, bool at_limit_pressure);
+/// Of the maxima on n, n/2 and n/4 cells, the first below this body: errors of the value and of the depth.
+StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaximum, 3>& maxima, Criterion of,
+                            bool at_limit_pressure);
 
 }  // namespace asperity

@@ -80,3 +80,33 @@ TEST_CASE("a grid without coarser ones says so once", "[contact][contract]") {
   CHECK(odd.error.find("under 2 more loads") != std::string::npos);
   CHECK(odd.error.find("multiples of 4") == odd.error.rfind("multiples of 4"));
 }
+
+TEST_CASE("the largest stress has errors when asked for, by the contact solved again", "[stress][contract]") {
+  require(band_limited + press + "--yield 3GPa -o pressed.nc");
+  const std::string line = "asperity-stress --maximum pressed.nc -o stress.nc ";
+  require(line + "--add grid_errors");
+  const Attributes a = read_dataset("stress.nc").attributes;
+  const double value = a.number("stress_max_von_mises", 0),
+               error = a.number("stress_max_von_mises_error", -1);
+  CHECK(error > 0);
+  CHECK(error < 0.3 * value);
+  CHECK(a.number("stress_max_depth_error", -1) > 0);
+  require(line + "--add grid_errors --of max_shear");
+  CHECK(read_dataset("stress.nc").attributes.number("stress_max_shear_error", -1) > 0);
+  require(line);
+  CHECK(read_dataset("stress.nc").attributes.find("stress_max_von_mises_error") == nullptr);
+  CHECK_THAT(shell("asperity-stress --depths 10um --add grid_errors pressed.nc -o no.nc").error,
+             ContainsSubstring("needs --maximum"));
+  // A pressure without its contact, and one of a surface that the grid does not resolve.
+  Dataset bare = read_dataset("pressed.nc");
+  bare.erase("gap");
+  write_dataset(bare, "bare.nc");
+  const Outcome refused = shell("asperity-stress --maximum --add grid_errors bare.nc -o no.nc");
+  CHECK(refused.exit == 2);
+  CHECK_THAT(refused.error, ContainsSubstring("the dataset has no gap"));
+  require(surface + press + "-o rough.nc");
+  const Outcome rough = shell("asperity-stress --maximum --add grid_errors rough.nc -o stress.nc");
+  CHECK(rough.exit == 0);
+  CHECK_THAT(rough.error, ContainsSubstring("does not resolve the surface"));
+  CHECK(read_dataset("stress.nc").attributes.find("stress_max_von_mises_error") == nullptr);
+}

@@ -83,6 +83,8 @@ void warn_if_at_edge(const Tool& tool, const Grid& grid, const StressMaximum& ma
 
 }  // namespace
 
+std::string attribute_of(Criterion of) { return words_of(of).attribute; }
+
 StressSearch search_of(const StressOptions& options, const Grid& grid) {
   StressSearch search;
   for (Criterion c : {Criterion::von_mises, Criterion::max_shear, Criterion::principal})

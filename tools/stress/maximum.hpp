@@ -11,6 +11,9 @@ namespace asperity::cli {
 /// What --of and --below ask for on this grid; throws ParameterError("below", …).
 StressSearch search_of(const StressOptions& options, const Grid& grid);
 
+/// The name of the attribute with this maximum.
+std::string attribute_of(Criterion of);
+
 /// Searches in whole layers, sets the attributes stress_max_…, with the error of a maximum at an edge, and
 /// warns of one that the grid does not resolve or that may lie outside.
 StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,

@@ -59,6 +59,10 @@ void StressOptions::declare_maximum(Tool& tool) {
       "Depth from which on --maximum searches; 2px, 10um. px is the shorter side of a cell. Default: the "
       "surface",
       where);
+  tool.words("--add", add, {"grid_errors"},
+             "Further results to write; grid_errors: by how much the grid may put the value and the depth of "
+             "--maximum off, from the contact on half and a quarter as many cells a side",
+             where);
 }
 
 void StressOptions::declare_content(Tool& tool) {
@@ -106,6 +110,7 @@ void StressOptions::check(Tool& tool) const {
   refuse_if(maxima && !layers, "result", "maxima needs --depths");
   for (const char* option : {"--maximum", "--section", "--above", "--below", "--components", "--report"})
     refuse_if(maxima && tool.given(option), option + 2, "cannot be combined with --result maxima");
+  refuse_if(adds("grid_errors") && !maximum, "add", "grid_errors needs --maximum");
   refuse_if(!layers && tool.given("--section"), "section", "needs --depths");
   refuse_if(!layers && tool.given("--above"), "above", "needs --depths");
   refuse_if(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");

@@ -1,8 +1,10 @@
 /// The options of asperity-stress.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "tools/cli/tool.hpp"
 
@@ -14,12 +16,14 @@ struct StressOptions {
   std::string depths, section, above, components = "von_mises";
   bool maximum = false;
   std::string of = "von_mises", below, result = "dataset";
+  std::vector<std::string> add;  ///< further results
   std::string points;
   double poisson = none, friction = 0;
   std::string friction_angle = "0deg";
   int body = 1;
   std::string resolution = "adapted";
 
+  bool adds(std::string_view result) const { return std::ranges::find(add, result) != add.end(); }
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool) const;

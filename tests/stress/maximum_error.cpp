@@ -1,0 +1,88 @@
+// The stated errors of a largest stress against closed forms: Hertz, and Hertz sliding.
+#include "stress/maximum_error.hpp"
+
+#include "contact/bodies.hpp"
+#include "contact/grid_error.hpp"
+#include "contact/hertz.hpp"
+#include "contact/influence.hpp"
+#include "core/calibration.hpp"
+#include "support.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const Bodies spheres{.radius = {50e-3, 50e-3}};
+constexpr double load = 5000;
+
+struct Judged {
+  StressMaximum value, error;
+};
+
+Judged judged(Index n, double friction) {
+  const double step = 3e-3 / static_cast<double>(n);
+  const Grid grid{{n, n}, step, step};
+  const Field gap = undeformed_gap(grid, spheres);
+  const auto influence = make_influence(grid, spheres.composite_modulus());
+  const ContactParameters parameters{.load = load, .tolerance = 1e-8};
+  const Contact contact = solve_contact(grid, gap, *influence, parameters);
+  const CoarserContacts coarser = coarser_contacts(grid, gap, *influence, contact, parameters, spheres);
+  REQUIRE(coarser.unknown.empty());
+  auto body = [friction](const Grid& cells, const Contact& c) {
+    return LoadedBody{cells, c.pressure, 0.3, {friction, 0}};
+  };
+  auto top = [&](const Grid& cells, const Contact& c) {
+    return maximum_stress(StressSolver(body(cells, c)));
+  };
+  const StressMaximum here = top(grid, contact);
+  return {here, maximum_error(body(grid, contact),
+                              {here, top(coarser.grid[0], coarser.contact[0]),
+                               top(coarser.grid[1], coarser.contact[1])},
+                              Criterion::von_mises, false)};
+}
+
+}  // namespace
+
+// Johnson (1985), section 3.4 with ν = 0.3: 0.62019 p0 at 0.48086 a.
+TEST_CASE("below Hertz the largest von Mises stress and its depth lie within their errors", "[stress][law]") {
+  const Hertz exact = hertz(spheres, load);
+  for (Index n : {64, 96, 128}) {
+    CAPTURE(n);
+    const auto [value, error] = judged(n, 0);
+    CHECK(std::abs(value.value - 0.62019 * exact.pressure) <= error.value);
+    CHECK(std::abs(value.depth - 0.48086 * exact.radius) <= error.depth);
+    // 0.95/n² of the value with n cells across (tests/stress/hertz.cpp), and no more than thirty times that.
+    const double across = 2 * exact.radius / (3e-3 / static_cast<double>(n));
+    CHECK(error.value <= 30 * 0.95 / (across * across) * value.value);
+  }
+}
+
+// Hamilton (1983), √J2 = 0.4646 p0 and 0.5523 p0 at the trailing edge for μ = 0.4 and 0.5, ν = 0.3; von Mises is
+// √3 of it.
+// Coarse cells find a maximum in the depth instead (stress/edge.hpp).
+TEST_CASE("a sliding contact's largest stress at the edge lies within its error", "[stress][law]") {
+  const Hertz exact = hertz(spheres, load);
+  const std::pair<double, double> published[] = {{0.4, 0.4646}, {0.5, 0.5523}};
+  for (const auto& [friction, root_of_j2] : published)
+    for (Index n : {64, 96, 128}) {
+      CAPTURE(friction, n);
+      const auto [value, error] = judged(n, friction);
+      CHECK(std::abs(value.value - std::sqrt(3.0) * root_of_j2 * exact.pressure) <= error.value);
+      CHECK(error.value <= 0.5 * value.value);
+    }
+}
+
+TEST_CASE("near the surface of a contact at its limit pressure the error says so", "[stress][exact]") {
+  const LoadedBody body{{{64, 64}, 1e-6, 2e-6, true}, Field::Ones(64, 64), 0.3, {}};
+  const StressMaximum fine{1e9, 0, 0, 1.5e-6, 0}, half{1.1e9, 0, 0, 2e-6, 0};
+  const StressMaximum plain = maximum_error(body, {fine, half, half}, Criterion::von_mises, false),
+                      capped = maximum_error(body, {fine, half, half}, Criterion::von_mises, true);
+  CHECK(plain.value == Approx(0.28 * 0.1e9));
+  CHECK(plain.depth == Approx(0.25 * 0.5e-6));
+  CHECK(capped.value == Approx(plain.value + 0.1e9));
+  CHECK(capped.depth == Approx(plain.depth + 1.5e-6));
+  // Level maxima still have the error of single cells.
+  CHECK(maximum_error(body, {fine, fine, fine}, Criterion::von_mises, false).value ==
+        Approx(0.03 * 1e9 / (1.5 * 1.5)));
+}
