@@ -9,15 +9,16 @@
 
 namespace asperity {
 
-StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaximum, 3>& maxima, Criterion of,
-                            bool at_limit_pressure) {
+StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaximum, 3>& maxima,
+                            const StressSearch& search, bool at_limit_pressure) {
   namespace share = calibration::grid_error;
   const auto& [fine, half, quarter] = maxima;
   const double h = std::min(body.grid.dx, body.grid.dy);
   const double shallow = fine.depth > h ? std::pow(h / fine.depth, 2) : 1;
+  const double edge = search.below > 0 ? 0 : edge_error(fine, search.of, body);
   StressMaximum out;
   out.value = std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
-                        share::shallow_stress * shallow * fine.value, edge_error(fine, of, body)});
+                        share::shallow_stress * shallow * fine.value, edge});
   out.depth =
       std::max(share::depth * grid_change(fine.depth, half.depth, quarter.depth), share::depth_of_cell * h);
   if (at_limit_pressure && fine.depth < 2 * h) {

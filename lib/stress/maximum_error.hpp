@@ -1,12 +1,12 @@
 /// What the grid leaves of the largest stress below a contact: its error, from the contact on coarser cells.
 ///
-/// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and h the shorter
-/// side of a cell,
+/// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and h the
+/// shorter side of a cell,
 ///     error of the value   max(0.28 m, 0.03 min(1, (h/z)²) of it),                               (1)
 ///     error of its depth   max(m/4, 0.03 h).                                                     (2)
 /// Where the limit pressure is reached and z < 2h the stress is that of single cells' edges: a tenth of the
-/// value is added to (1), z to (2). What cells hide of an edge (stress/edge.hpp), as of sliding, coarser cells hide
-/// too: (1) is no less than that.
+/// value is added to (1), z to (2). What cells hide of an edge, as of sliding, coarser cells hide too: unless
+/// the search begins below it, (1) is no less than that (stress/edge.hpp).
 ///
 /// Symbols   z depth of the largest stress [m]   n cells along a side
 /// Accuracy  validation/contact_grid_error without friction; tests/stress/maximum_error.cpp with it.

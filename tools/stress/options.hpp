@@ -23,7 +23,7 @@ struct StressOptions {
   int body = 1;
   std::string resolution = "adapted";
 
-  bool adds(std::string_view result) const { return std::ranges::find(add, result) != add.end(); }
+  bool adds(std::string_view word) const { return std::ranges::find(add, word) != add.end(); }
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds.
   void check(Tool& tool) const;
