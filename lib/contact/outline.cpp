@@ -13,6 +13,8 @@ namespace {
 
 using namespace calibration::grid_error;
 
+constexpr double bias = (std::numbers::pi - 1 + std::numbers::ln2) / 24;  // of a cell a side
+
 // The cells of the set.
 class Cells {
  public:
@@ -76,8 +78,7 @@ Outline outline(const Grid& grid, const Contact& contact, Contact::State least) 
 }
 
 double corrected_area(const Grid& grid, double area, const Outline& outline) {
-  constexpr double share = (std::numbers::pi - 1 + std::numbers::ln2) / 24;
-  return std::max(0.0, area - share * outline.sides() * grid.cell_area());
+  return std::max(0.0, area - bias * outline.sides() * grid.cell_area());
 }
 
 double area_scatter(const Grid& grid, const Outline& outline) {
@@ -86,8 +87,7 @@ double area_scatter(const Grid& grid, const Outline& outline) {
 }
 
 double area_excess(const Grid& grid, const Outline& outline) {
-  const double n = outline.sides();
-  return std::max(whole_cells * n * grid.cell_area(), area_scatter(grid, outline));
+  return bias * outline.sides() * grid.cell_area() + area_scatter(grid, outline);
 }
 
 }  // namespace asperity

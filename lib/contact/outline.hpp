@@ -9,8 +9,8 @@
 /// symmetries repeat each piece of the outline m times.
 ///
 /// Symbols   A area of the cells [m²]   A* corrected area [m²]   N sides   Δx, Δy cell [m]   S perimeter [m]
-/// Accuracy  errors that validation/contact_grid_error confirms: |A* - true| ≤ (0.5 √(N m) + 0.02 N) ΔxΔy,
-///           0 ≤ A - true ≤ 0.13 N ΔxΔy + that scatter where N is small.
+/// Accuracy  |A* - true| ≤ (0.5 √(N m) + 0.02 N) ΔxΔy, and A lies no further off than that and its bias: how
+///           often, validation/contact_grid_error tells.
 /// Cost      one pass over the cells.
 ///
 /// [1] V. A. Yastrebov, G. Anciaux, J.-F. Molinari, On the accurate computation of the true contact-area in
@@ -39,7 +39,7 @@ Outline outline(const Grid& grid, const Contact& contact, Contact::State least =
 double corrected_area(const Grid& grid, double area, const Outline& outline);
 /// The scatter of a corrected area [m²].
 double area_scatter(const Grid& grid, const Outline& outline);
-/// By how much the area of whole cells is too large at most [m²].
+/// By how much the area of whole cells may be too large [m²]: its bias and the scatter.
 double area_excess(const Grid& grid, const Outline& outline);
 
 }  // namespace asperity

@@ -70,7 +70,7 @@ void record_grid_errors(const Tool& tool, StressScene& scene, const LoadingConta
   auto on = [&](std::size_t level) {
     return maximum_below(scene, coarser.grid[level], coarser.contact[level].pressure, search, threads);
   };
-  const StressMaximum error = maximum_error(scene.body, {maximum, on(0), on(1)}, search.of,
+  const StressMaximum error = maximum_error(scene.body, {maximum, on(0), on(1)}, search,
                                             contact.pressure.maxCoeff() >= loading.limit);
   scene.data.attributes.set(attribute_of(search.of) + "_error", error.value);
   scene.data.attributes.set("stress_max_depth_error", error.depth);

@@ -52,3 +52,21 @@ spheres. On the smooth scenes A and D they never reach 1e-10 within 600. Cells t
 gradient, and it overtakes them where there are many such cells, although it has no memory. Four more digits cost the solver a half
 to three quarters of the first four: most of the time goes into finding the cells in contact.
 END
+heading "Errors of the grid, stated and true"
+run contact_grid_error $(size "42 512" "150 512")
+text <<'END'
+`--add grid_errors` states by how much the grid may put each figure off, from the same contact on half and a quarter of the cells
+along each side. Random scenes of six kinds (smooth, rough, at a limit pressure, periodic, oblong, under a prescribed approach) are
+solved on 64 to 128 cells a side and, for the truth, the same surface on four times as many. `within` is the share of scenes whose
+true error is no more than the stated one; `ratio` is the median of stated over true.
+END
+table contact_grid_error-1
+text <<'END'
+The areas' errors come from the outline alone. The depth of the largest stress is the least certain: two layers of nearly the same
+stress may change places from grid to grid. The cost on so small grids is mostly that of their set-up:
+END
+table contact_grid_error-2
+claim "Of all scenes, nine in ten have true errors within the stated ones, for every figure." contact_grid_error-1 \
+  '$c["kind"] == "all" && $c["scenes"] >= 20' '$c["within"] >= 0.9'
+claim "The stated error is at most five times the true one in the median of all scenes, for every figure." contact_grid_error-1 \
+  '$c["kind"] == "all" && $c["scenes"] >= 20' '$c["ratio"] <= 5'
