@@ -4,13 +4,14 @@
 #include <limits>
 #include <string>
 
-#include "tools/cli/tool.hpp"
+#include "tools/cli/ensemble_input.hpp"
 
 namespace asperity::cli {
 
 struct StressOptions {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+  EnsembleInput surfaces;  ///< pressed ones
   std::string depths, section, above, components = "von_mises";
   bool maximum = false;
   std::string of = "von_mises", below, result = "dataset";
@@ -21,15 +22,21 @@ struct StressOptions {
   std::string resolution = "adapted";
 
   void declare(Tool& tool);
-  /// After parsing: throws ParameterError when options do not go together or are out of bounds.
-  void check(Tool& tool) const;
+  /// After parsing: throws ParameterError when options do not go together or are out of bounds. Reads
+  /// standard input, which may list the surfaces.
+  void check(Tool& tool);
+  bool several() const { return surfaces_ > 1; }
   /// Instead of a dataset.
-  bool prints_table() const { return !points.empty() || result == "maxima"; }
+  bool prints_table() const { return !points.empty() || result == "maxima" || several(); }
 
  private:
+  void check_content(const Tool& tool) const;
+  void check_output(Tool& tool) const;
   void declare_maximum(Tool& tool);
   void declare_content(Tool& tool);
   void declare_body(Tool& tool);
+
+  std::size_t surfaces_ = 1;
 };
 
 }  // namespace asperity::cli
