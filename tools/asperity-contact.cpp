@@ -1,18 +1,15 @@
 /// Presses two bodies together: pressure, gap, displacement and state of each cell, or a table of loads.
+#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
-#include "contact/doubts.hpp"
-#include "contact/influence.hpp"
-#include "contact/stiffness.hpp"
 #include "contact/sweep.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/contact/resolution.hpp"
-#include "tools/contact/scene.hpp"
+#include "tools/contact/several.hpp"
 
 using namespace asperity;
 
@@ -27,16 +24,17 @@ class ProgressCounter {
       : progress_(tool),
         rounds_(tool, {"grid", "convolutions", "residual", "area [mm2]", "greatest [MPa]"}),
         tolerance_(options.contact.tolerance),
-        loads_(options.loads.size()) {}
+        loads_(options.loads.size()),
+        of_one_(!options.several()) {}
 
   /// Of a sweep: another load is done.
   void next() { ++load_; }
   void add(const ContactProgress& p) {
     const std::string grid = fmt::format("{}x{}", p.shape.nx, p.shape.ny);
-    if (loads_ > 0)
+    if (of_one_ && loads_ > 0)
       progress_.count(static_cast<double>(load_) + (p.finest ? cli::decades_done(p.residual, tolerance_) : 0),
                       static_cast<double>(loads_), "loads");
-    else
+    else if (of_one_)
       progress_.iterate({.stage = {grid},
                          .residual = p.residual,
                          .tolerance = tolerance_,
@@ -53,104 +51,102 @@ class ProgressCounter {
   cli::StepTable rounds_;
   double tolerance_;
   std::size_t loads_, load_ = 0;
+  bool of_one_;  ///< several surfaces are counted, not their rounds
 };
 
 void warn(const cli::Tool& tool, const std::vector<Doubt>& doubts) {
   for (const Doubt& doubt : doubts) tool.warn(doubt.words);
 }
 
-// The doubts of a sweep: each kind in full at its first load, then a count and the last load.
-class SweepDoubts {
- public:
-  void add(const cli::Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {
-    for (const Doubt& doubt : doubts) {
-      Seen& seen = seen_[doubt.about];
-      if (seen.loads++ == 0) tool.warn(load + ": " + doubt.words);
-      seen.last = load;
-    }
-  }
-  void tell(const cli::Tool& tool) const {
-    for (const auto& [about, seen] : seen_)
-      if (const int more = seen.loads - 1; more > 0)
-        tool.warn(fmt::format("the contact {} under {} more load{}, up to {}", about, more,
-                              more == 1 ? "" : "s", seen.last));
-  }
-
- private:
-  struct Seen {
-    int loads = 0;
-    std::string last;
-  };
-  std::map<std::string_view, Seen> seen_;
-};
-
-int told_exit(const cli::Tool& tool, const cli::ContactOptions& options, const Contact& contact,
-              const std::string& of) {
-  if (!contact.converged) tool.warn(of + "not converged: " + contact.reason);
-  const bool stiff = !options.contact.stiffness || !std::isnan(contact.stiffness);
-  if (contact.converged && !stiff)
-    tool.warn(of + fmt::format(
-                       "the stiffness is not converged: residual {:.1e} above {:.0e}; see --max-convolutions",
-                       contact.stiffness_residual, stiffness_tolerance));
-  return contact.converged && stiff ? cli::done : cli::not_converged;
+// The one that is pressed, or none of a smooth body.
+cli::ContactScene only_scene(const cli::Tool& tool, cli::ContactOptions& options) {
+  return cli::scene_of(tool, options, options.smooth ? Dataset() : options.surfaces.only(tool));
 }
 
-int press(cli::Tool& tool, const cli::ContactOptions& options) {
-  cli::ContactScene scene = cli::read_scene(tool, options);
-  const auto influence =
-      make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
-  Contact contact = solve_contact(scene.grid, scene.gap, *influence, options.contact);
-  contact.setup_seconds = influence->setup_seconds();
-  const cli::GridFigures figures = cli::grid_figures(options, scene, *influence, contact);
+int press(cli::Tool& tool, cli::ContactOptions& options) {
+  cli::ContactScene scene = only_scene(tool, options);
+  cli::Influence influence(options);
   const cli::Inventory before(scene.data);
-  cli::record(scene, options, contact, figures);
+  const cli::Pressed pressed = cli::press(options, scene, influence);
   before.tell(tool, scene.data, "pressure");
   tool.write(scene.data);
   warn(tool, cli::doubts(scene.growth));
   warn(tool, doubts(scene.grid, options.bodies));
-  warn(tool, doubts(scene.grid, options.bodies, contact));
-  warn(tool, doubts(figures));
-  return told_exit(tool, options, contact, "");
+  warn(tool, pressed.doubts);
+  return cli::told_exit(tool, options, pressed.contact, "");
 }
 
-int sweep(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& counter) {
-  const cli::ContactScene scene = cli::read_scene(tool, options);
-  const auto influence =
-      make_influence(scene.grid, options.bodies.composite_modulus(), options.contact.threads);
-  const cli::Inventory before(scene.data);
-  cli::Table table;
-  SweepDoubts in_doubt;
-  int code = cli::done, number = 0;
-  warn(tool, cli::doubts(scene.growth));
-  warn(tool, doubts(scene.grid, options.bodies));
-  solve_load_sequence(scene.grid, scene.gap, *influence, options.contact, options.loads,
-                      [&](const Contact& c) {
-                        ++number;
-                        counter.next();
-                        const cli::GridFigures figures = cli::grid_figures(options, scene, *influence, c);
-                        cli::add_load(table, scene, options, c, figures);
-                        const std::string load = cli::format_quantity(c.load, "N");
-                        in_doubt.add(tool, doubts(scene.grid, options.bodies, c), load);
-                        in_doubt.add(tool, doubts(figures), load);
-                        code = std::max(code, told_exit(tool, options, c, load + ": "));
-                        if (options.each.empty()) return;
-                        cli::ContactScene one = scene;
-                        cli::record(one, options, c, figures);
-                        if (number == 1) before.tell(tool, one.data, "pressure");
-                        tool.write(one.data, cli::numbered("each", options.each, number));
-                      });
-  cli::print(tool, table);
-  in_doubt.tell(tool);
+// The sweeps of a run: one surface, or several.
+class Sweeps {
+ public:
+  Sweeps(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& counter)
+      : tool_(tool), options_(options), counter_(counter) {}
+
+  cli::Table table(const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of,
+                   int& code) {
+    cli::Table out;
+    int number = 0;
+    solve_load_sequence(scene.grid, scene.gap, influence, options_.contact, options_.loads,
+                        [&](const Contact& c) {
+                          counter_.next();
+                          const cli::GridFigures figures = cli::grid_figures(options_, scene, influence, c);
+                          cli::add_load(out, scene, options_, c, figures);
+                          const std::string load = of + cli::format_quantity(c.load, "N");
+                          in_doubt_.add(tool_, doubts(scene.grid, options_.bodies, c), load);
+                          in_doubt_.add(tool_, cli::doubts(figures), load);
+                          code = std::max(code, cli::told_exit(tool_, options_, c, load + ": "));
+                          if (!options_.each.empty()) write(scene, c, figures, ++number);
+                        });
+    return out;
+  }
+  void tell() const { in_doubt_.tell(tool_); }
+
+ private:
+  void write(const cli::ContactScene& scene, const Contact& contact, const cli::GridFigures& figures,
+             int number) {
+    cli::ContactScene one = scene;
+    cli::record(one, options_, contact, figures);
+    if (number == 1) cli::Inventory(scene.data).tell(tool_, one.data, "pressure");
+    tool_.write(one.data, cli::numbered("each", options_.each, number));
+  }
+
+  cli::Tool& tool_;
+  const cli::ContactOptions& options_;
+  ProgressCounter& counter_;
+  cli::SweepDoubts in_doubt_;
+};
+
+int sweep(cli::Tool& tool, cli::ContactOptions& options, ProgressCounter& counter) {
+  Sweeps sweeps(tool, options, counter);
+  int code = cli::done;
+  if (options.several()) {
+    code = cli::sweep_several(
+        tool, options,
+        [&](const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of, int& worst) {
+          return sweeps.table(scene, influence, of, worst);
+        });
+  } else {
+    const cli::ContactScene scene = only_scene(tool, options);
+    cli::Influence influence(options);
+    warn(tool, cli::doubts(scene.growth));
+    warn(tool, doubts(scene.grid, options.bodies));
+    cli::print(tool, sweeps.table(scene, influence.on(scene.grid), "", code));
+  }
+  sweeps.tell();
   return code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-contact",
-                 "Presses two rough bodies together, elastic or elastic-perfectly plastic: pressure, gap, "
-                 "displacement and state of "
-                 "each cell, contact area and approach.");
+  cli::Tool tool(
+      "asperity-contact",
+      "Presses two rough bodies together, elastic or elastic-perfectly plastic: pressure, gap, "
+      "displacement and state of "
+      "each cell, contact area and approach. Of several surfaces it prints a table: a row for each, "
+      "then the mean and its standard error by the spread between them; with --sweep a row for each "
+      "load, with means and standard errors. A surface that fails or does not converge is not in "
+      "the mean.");
   cli::ContactOptions options;
   options.declare(tool);
   tool.example(
@@ -170,6 +166,7 @@ int main(int argc, char** argv) {
     ProgressCounter counter(tool, options);
     if (tool.verbose() || tool.shows_progress())
       options.contact.progress = [&](const ContactProgress& p) { counter.add(p); };
-    return options.sweeps() ? sweep(tool, options, counter) : press(tool, options);
+    if (options.sweeps()) return sweep(tool, options, counter);
+    return options.several() ? cli::press_several(tool, options) : press(tool, options);
   });
 }

@@ -9,13 +9,14 @@
 #include "tools/stress/grid_errors.hpp"
 #include "tools/stress/maximum.hpp"
 #include "tools/stress/points.hpp"
+#include "tools/stress/several.hpp"
 #include "tools/stress/writer.hpp"
 
 using namespace asperity;
 
 namespace {
 
-void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::StressSelection& selection) {
+void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSelection& selection) {
   cli::StressScene scene = cli::read_scene(tool, options);
   const StressSearch search = cli::search_of(options, scene.body.grid);
   std::optional<cli::LoadingContact> loading;
@@ -59,9 +60,12 @@ void compute(cli::Tool& tool, const cli::StressOptions& options, const cli::Stre
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-stress",
-                 "Computes the elastic stress below a loaded surface: in layers, in a section, at points, "
-                 "and where it is largest.");
+  cli::Tool tool(
+      "asperity-stress",
+      "Computes the elastic stress below a loaded surface: in layers, in a section, at points, "
+      "and where it is largest. Of several surfaces --maximum prints a table: a row for each, then "
+      "the mean and its standard error by the spread between them; and --result maxima the mean at "
+      "each depth.");
   cli::StressOptions options;
   options.declare(tool);
   tool.example("asperity-stress --depths 0:0.8mm:32 --components von_mises,zz pressed.nc -o stress.nc");
@@ -85,12 +89,13 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check(tool);
     const cli::StressSelection selection(options.components);
+    if (options.several()) return cli::print_several(tool, options);
     if (!options.points.empty())
       cli::print_points(tool, options, selection);
     else if (options.result == "maxima")
-      cli::print_maxima(tool, options);
+      cli::print(tool, cli::maxima_of(tool, options, cli::read_scene(tool, options)));
     else
       compute(tool, options, selection);
-    return cli::done;
+    return int{cli::done};
   });
 }

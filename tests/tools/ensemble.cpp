@@ -1,6 +1,7 @@
 // Surfaces of an ensemble must have grids over which a mean says something.
 #include "dataset/layout.hpp"
 #include "support.hpp"
+#include "tools/cli/repeated.hpp"
 #include "tools/files.hpp"
 
 using namespace asperity;
@@ -73,4 +74,18 @@ TEST_CASE("a length that is not that of the points is not taken, which every too
     CHECK(std::abs(read_dataset("mended.nc").at("x").attributes.number("length", 0) / 640e-6 - 1) <= 1e-12);
     CHECK(shell("asperity-stats mended.nc").error.empty());
   }
+}
+
+// 500 surfaces had 500 warnings that differ in a number.
+TEST_CASE("a warning that comes again for another surface is told once, and counted",
+          "[ensemble][contract]") {
+  cli::Repeated warnings;
+  CHECK(warnings.first("a.nc", "lies 1.5 um deep") == "a.nc: lies 1.5 um deep");
+  CHECK(warnings.first("a.nc", "a.nc: another").value() == "a.nc: another");
+  CHECK_FALSE(warnings.first("b.nc", "lies 2.5e-01 um deep").has_value());
+  CHECK_FALSE(warnings.first("c.nc", "lies 30 um deep").has_value());
+  CHECK_FALSE(warnings.first("c.nc", "c.nc: another").has_value());
+  CHECK(warnings.rest() ==
+        std::vector<std::string>{"2 more surfaces, up to c.nc: lies 30 um deep", "c.nc: another"});
+  CHECK(warnings.rest().empty());
 }

@@ -1,6 +1,6 @@
 #include "tools/cli/ensemble_input.hpp"
 
-#include <cctype>
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <glob.h>
@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
@@ -61,11 +62,10 @@ void check(const Tool& tool, const Names& names) {
 
 // A table of numbers, not a list of names: whether it begins like one, and not with the name of a file.
 bool is_table(const std::string& first_line) {
-  const char first = first_line.empty() ? ' ' : first_line.front();
-  const bool number = std::isdigit(static_cast<unsigned char>(first)) || first == '-' || first == '+' ||
-                      first == '.' || first == '#';
-  const bool words = first_line.find_first_of(" \t;") != std::string::npos;
-  return (number || words) && !std::filesystem::exists(first_line);
+  const std::string first = first_line.substr(0, first_line.find_first_of(" \t;,"));
+  const bool table =
+      first.size() < first_line.size() || first_line.front() == '#' || to_number<double>(first);
+  return table && !std::filesystem::exists(first_line);
 }
 
 // The names, one per line, if these bytes are no dataset and no map.
@@ -79,20 +79,16 @@ Names listed(const Tool& tool, const Bytes& bytes) {
   return is_table(out.front()) ? Names() : out;
 }
 
-// Visits the dataset on standard input, one of so many, or returns the names that it lists.
-Names from_standard_input(const Tool& tool, std::size_t of, const EnsembleInput::Visit& visit,
-                          const EnsembleInput::VisitPath& taken) {
+// Standard input's list in its place.
+void replace(Names& names, std::size_t place, const Names& listed) {
+  const auto at = names.begin() + static_cast<std::ptrdiff_t>(place);
+  names.insert(names.erase(at), listed.begin(), listed.end());
+}
+
+Bytes piped(const Tool& tool) {
   if (stdin_is_terminal())
     throw UsageError(argument, "no input: name files, or pipe in a dataset or a list of files");
-  tool.reads("-", of == 1 && tool.result_is_dataset());
-  if (taken("/proc/self/fd/0")) return {};  // if it is a file
-  std::optional<Bytes> bytes = read_all("-", tool.memory_bound());
-  const Names names = listed(tool, *bytes);
-  if (!names.empty()) return names;
-  Dataset dataset = tool.read(*bytes, "-");
-  bytes.reset();
-  visit({std::move(dataset), "-", of});
-  return {};
+  return read_all("-", tool.memory_bound());
 }
 
 }  // namespace
@@ -106,23 +102,87 @@ Option EnsembleInput::declare(Tool& tool) {
   return out;
 }
 
-void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const VisitPath& taken) const {
+bool EnsembleInput::takes_standard_input() const {
+  return files.empty() || std::ranges::find(files, "-") != files.end();
+}
+
+std::size_t EnsembleInput::resolve(const Tool& tool) {
+  files = all_matches(files);
+  check(tool, files);
+  const auto place = std::ranges::find(files, "-");
+  if (place == files.end()) return files.size();
+  piped_ = piped(tool);
+  if (const Names names = listed(tool, *piped_); !names.empty()) {
+    replace(files, static_cast<std::size_t>(place - files.begin()), names);
+    check(tool, files);
+    piped_.reset();
+  }
+  return files.size();
+}
+
+Dataset EnsembleInput::only(const Tool& tool) {
+  Dataset out;
+  for_each(tool, [&](EnsembleMember&& member) { out = std::move(member.data); });
+  return out;
+}
+
+void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const VisitPath& taken) {
+  const Failed none;
+  visit_all({tool, visit, taken, none});
+}
+
+void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const Failed& failed) {
+  const VisitPath none = [](const std::string&) { return false; };
+  visit_all({tool, visit, none, failed});
+}
+
+// The next surface, unless it cannot be read and the others go on.
+void EnsembleInput::visit_one(const Run& run, const std::string& name, std::size_t of,
+                              const std::function<Dataset()>& read) {
+  std::optional<Dataset> data;
+  try {
+    data = read();
+  } catch (const DataError& error) {
+    if (of == 1 || !run.failed) throw;
+    run.failed(name, run.tool.in_file(error));
+  }
+  if (data) run.visit({std::move(*data), name, of});
+}
+
+// Visits the dataset on standard input, one of so many, or returns the names that it lists.
+Names EnsembleInput::from_standard_input(const Run& run, std::size_t of) {
+  run.tool.reads("-", of == 1 && run.tool.result_is_dataset());
+  if (!piped_ && run.taken("/proc/self/fd/0")) return {};  // if it is a file
+  if (!piped_) piped_ = piped(run.tool);
+  const Names names = listed(run.tool, *piped_);
+  if (names.empty())
+    visit_one(run, "-", of, [&] {
+      const std::optional<Bytes> bytes = std::exchange(piped_, {});
+      return run.tool.read(*bytes, "-");
+    });
+  piped_.reset();
+  return names;
+}
+
+void EnsembleInput::visit_all(const Run& run) {
   Names names = all_matches(files);
-  check(tool, names);
-  Progress progress(tool);
+  check(run.tool, names);
+  Progress progress(run.tool);
   for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names.size() > 1) run.tool.about(names[k]);
     if (names[k] == "-") {
-      const Names more = from_standard_input(tool, names.size(), visit, taken);
+      const Names more = from_standard_input(run, names.size());
       if (more.empty()) continue;
-      names.erase(names.begin() + static_cast<std::ptrdiff_t>(k));
-      names.insert(names.begin() + static_cast<std::ptrdiff_t>(k), more.begin(), more.end());
-      check(tool, names);
+      replace(names, k, more);
+      check(run.tool, names);
+      if (names.size() > 1) run.tool.about(names[k]);
     }
     const bool alone = names.size() == 1;
     if (!alone) progress.count(static_cast<double>(k), static_cast<double>(names.size()), "surfaces");
-    tool.reads(names[k], alone && tool.result_is_dataset());
-    if (!taken(names[k])) visit({tool.read(names[k]), names[k], names.size()});
+    run.tool.reads(names[k], alone && run.tool.result_is_dataset());
+    if (!run.taken(names[k])) visit_one(run, names[k], names.size(), [&] { return run.tool.read(names[k]); });
   }
+  run.tool.about("");
 }
 
 void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit) {

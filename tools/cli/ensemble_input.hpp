@@ -30,14 +30,39 @@ struct EnsembleInput {
   /// INPUT, any number of them, and the options of Tool::input_format().
   Option declare(Tool& tool);
 
+  bool takes_standard_input() const;
+  /// How many surfaces there are. Reads standard input if it is named: files that are listed there take its
+  /// place.
+  std::size_t resolve(const Tool& tool);
+
+  /// The surface, where there is one.
+  Dataset only(const Tool& tool);
+
   using Visit = std::function<void(EnsembleMember&&)>;
   using VisitPath = std::function<bool(const std::string&)>;
+  using Failed = std::function<void(const std::string& name, const std::string& why)>;
 
   /// Calls visit(member) for each surface, except files for which taken(path) returns true: it has read them
   /// itself. Of a surface that is alone, --output may take the place, as of Tool::read().
   void for_each(
       const Tool& tool, const Visit& visit,
-      const VisitPath& taken = [](const std::string&) { return false; }) const;
+      const VisitPath& taken = [](const std::string&) { return false; });
+  /// The same; where there are several, one that cannot be read is told to `failed`, and the others go on.
+  void for_each(const Tool& tool, const Visit& visit, const Failed& failed);
+
+ private:
+  struct Run {
+    const Tool& tool;
+    const Visit& visit;
+    const VisitPath& taken;
+    const Failed& failed;  ///< empty: an error ends the run
+  };
+  void visit_all(const Run& run);
+  static void visit_one(const Run& run, const std::string& name, std::size_t of,
+                        const std::function<Dataset()>& read);
+  std::vector<std::string> from_standard_input(const Run& run, std::size_t of);
+
+  std::optional<Bytes> piped_ = {};  ///< a dataset that resolve() has read
 };
 
 /// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths

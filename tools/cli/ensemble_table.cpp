@@ -56,17 +56,22 @@ void EnsembleTable::check_keys(const Table& table, const std::string& file) cons
   }
 }
 
+void EnsembleTable::add_further(const Table& table, const std::string& name, bool with_error) {
+  const Column* column = column_of(table, name);
+  if (column == nullptr) return;
+  auto known = std::ranges::find(further_, name, [](const Further& f) { return f.column.name; });
+  if (known == further_.end())
+    known = further_.insert(known, {{name, column->unit, Holds::unknown}, with_error});
+  known->values.add(numbers_in(table, name));
+}
+
 void EnsembleTable::add(const Table& table, const std::string& file) {
   if (surfaces_++ == 0) first_ = table;
   check_keys(table, file);
   values_.add(numbers_in(table, content_.value));
-  square_errors_.add(numbers_in(table, content_.error).square());
-  for (const std::string& name : content_.means) {
-    const Column* column = column_of(table, name);
-    if (column == nullptr) continue;
-    if (!means_.contains(name)) mean_columns_.push_back(*column);
-    means_[name].add(numbers_in(table, name));
-  }
+  if (column_of(table, content_.error)) square_errors_.add(numbers_in(table, content_.error).square());
+  for (const std::string& name : content_.others) add_further(table, name, true);
+  for (const std::string& name : content_.means) add_further(table, name, false);
 }
 
 Table EnsembleTable::table() const {
@@ -80,10 +85,15 @@ Table EnsembleTable::table() const {
   const std::string unit = column_of(first_, content_.value)->unit;
   append(out, {content_.value, unit, Holds::unknown}, values_.mean());
   append(out, {content_.error, unit, Holds::unknown}, values_.standard_error());
-  for (const Column& column : mean_columns_)
-    append(out, {column.name, column.unit, Holds::unknown}, means_.at(column.name).mean());
-  append(out, {"spread", unit, Holds::unknown}, values_.spread());
-  append(out, {"expected_spread", unit, Holds::unknown}, square_errors_.mean().sqrt());
+  for (const auto& [column, with_error, values] : further_) {
+    append(out, column, values.mean());
+    if (with_error)
+      append(out, {column.name + "_standard_error", column.unit, Holds::unknown}, values.standard_error());
+  }
+  if (square_errors_.count().size() > 0) {
+    append(out, {"spread", unit, Holds::unknown}, values_.spread());
+    append(out, {"expected_spread", unit, Holds::unknown}, square_errors_.mean().sqrt());
+  }
   append(out, {"surfaces", "1"}, values_.count());
   return out;
 }

@@ -5,7 +5,6 @@
 /// (stats/sample/ensemble.hpp, stats/measure/ensemble_parameters.hpp).
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -22,30 +21,36 @@ Table ensemble_table(const EnsembleParameters& parameters);
 /// Tables of one surface each, such as an ACF over its lags, averaged row by row.
 class EnsembleTable {
  public:
-  /// `value` and its `error`, columns of the single tables. Its mean gets a column `value`, the error of the
-  /// mean a column `error`, whatever the single table calls its own. Columns of `means` are averaged without
-  /// an error, if the tables have them; other columns are left out.
+  /// The columns of the single tables. The mean of `value` gets a column of this name, and the error of the
+  /// mean a column `error`; if the single tables have errors of this name, the spread between surfaces is set
+  /// beside the one expected from them. Those of `others` are averaged with a NAME_standard_error, those of
+  /// `means` without an error, where the tables have them; other columns are left out.
   struct Content {
     std::vector<std::string> keys;  ///< columns that are the same for all surfaces
     std::string value, error = "standard_error";
-    std::vector<std::string> means = {};
+    std::vector<std::string> others = {}, means = {};
   };
   explicit EnsembleTable(Content content) : content_(std::move(content)) {}
 
   /// Throws DataError(file, …) unless its keys are those of the first table.
   void add(const Table& table, const std::string& file);
   int surfaces() const { return surfaces_; }
-  /// Keys, value, error, means, and spread, expected_spread, surfaces of the value.
+  /// Keys, value, error, others, means, and spread, expected_spread, surfaces of the value.
   Table table() const;
 
  private:
   void check_keys(const Table& table, const std::string& file) const;
+  void add_further(const Table& table, const std::string& name, bool with_error);
 
   Content content_;
   Table first_ = {};
   Ensemble values_ = {}, square_errors_ = {};
-  std::map<std::string, Ensemble> means_ = {};
-  std::vector<Column> mean_columns_ = {};
+  struct Further {
+    Column column;
+    bool with_error;
+    Ensemble values = {};
+  };
+  std::vector<Further> further_ = {};
   int surfaces_ = 0;
 };
 

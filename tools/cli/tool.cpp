@@ -243,10 +243,21 @@ void Tool::write_text(const std::string& text) const {
 
 bool Tool::output_is_terminal() const { return output_ == "-" && stdout_is_terminal(); }
 
-void Tool::warn(const std::string& text) const { say(name_ + ": warning: " + with_options(text)); }
+void Tool::warn(const std::string& text) const {
+  const std::optional<std::string> line = subject_.empty() ? text : warnings_.first(subject_, text);
+  if (line) say(name_ + ": warning: " + with_options(*line));
+}
 
 void Tool::note(const std::string& text) const {
-  if (!quiet_) say(name_ + ": " + with_options(text));
+  const std::optional<std::string> line = subject_.empty() ? text : notes_.first(subject_, text);
+  if (line && !quiet_) say(name_ + ": " + with_options(*line));
+}
+
+void Tool::about(const std::string& surface) const {
+  subject_ = surface;
+  if (!surface.empty()) return;
+  for (const std::string& line : warnings_.rest()) warn(line);
+  for (const std::string& line : notes_.rest()) note(line);
 }
 
 void Tool::detail(const std::string& text) const {

@@ -34,6 +34,7 @@
 #include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
 #include "tools/cli/quantity.hpp"
+#include "tools/cli/repeated.hpp"
 
 namespace CLI {
 class App;
@@ -189,12 +190,17 @@ class Tool {
   // The parts of write(), for a tool that writes its dataset piece by piece.
   void sign(Dataset& dataset) const;                ///< Conventions, source and history
   void write_report(const Dataset& dataset) const;  ///< to --report, if given
+  /// An error in the data of the file that was read last, as a line: "rough.nc: heights: …".
+  std::string in_file(const DataError& error) const;
   bool output_is_terminal() const;
   void write_text(const std::string& text) const;  ///< to --output, every byte checked
   /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it.
   void warn(const std::string& text) const;
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
+  /// From here on, warnings and notes are about one of several surfaces, and like ones are told once; of "":
+  /// those that came again are told, and the others are about the run.
+  void about(const std::string& surface) const;
 
  private:
   using Read = std::function<void(const std::string& key, const std::string& given)>;
@@ -211,7 +217,6 @@ class Tool {
   std::string origin(const std::string& option) const;
   std::string typed(const std::string& option, const std::string& message) const;
   std::string config_file() const;
-  std::string in_file(const DataError& error) const;
   std::string unexpected() const;
   void check_environment() const;
   std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) const;
@@ -234,6 +239,8 @@ class Tool {
   int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;
   mutable std::string reading_;  ///< the last file that was
+  mutable std::string subject_;  ///< of warnings: one of several surfaces
+  mutable Repeated warnings_, notes_;
   bool result_is_dataset_ = false;
   bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,
        writes_table_ = false, reports_ = false, threaded_ = false, seeded_ = false;

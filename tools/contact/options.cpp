@@ -62,9 +62,7 @@ void ContactOptions::declare(Tool& tool) {
 
 void ContactOptions::declare_surface(Tool& tool) {
   const std::string surface = "Surfaces";
-  const Option from =
-      tool.argument("INPUT", input, "FILE", "Dataset or map with heights(x,y); - is standard input");
-  tool.input_format();
+  const Option from = surfaces.declare(tool);
   const Option named = tool.text("--variable", variable, "NAME", "Field on (x, y) to read", surface);
   const Option plain = tool.flag("--smooth", smooth, "Press a smooth first body, without an input", surface);
   plain.excludes(from).excludes(named);
@@ -126,8 +124,10 @@ void ContactOptions::declare_load(Tool& tool) {
             "the solution of the one before; with a limit pressure, a load below a former one presses the "
             "surface that the greatest has flattened",
             sweep);
-  tool.text("--each", each, "PATTERN", "Write a dataset for each load too; press-%03d.nc, numbered from 1",
-            sweep);
+  tool.text(
+      "--each", each, "PATTERN",
+      "Write a dataset for each load too, or for each of several surfaces; press-%03d.nc, numbered from 1",
+      sweep);
 }
 
 // ---- checks ----
@@ -170,25 +170,37 @@ void ContactOptions::check_added() const {
     throw UsageError("add", "contact_ratios needs a rough surface, not --smooth");
 }
 
-void ContactOptions::check_streams(Tool& tool) const {
-  if (!smooth && input == "-" && stdin_is_terminal())
+void ContactOptions::check_streams(Tool& tool) {
+  const bool piped = !smooth && surfaces.takes_standard_input();
+  if (piped && stdin_is_terminal())
     throw UsageError("smooth", "no input: pipe a dataset in, name a file, or add --smooth");
-  if (!smooth && input == "-" && counter == "-")
-    throw UsageError("counter", "standard input is the first body: name a file");
-  if (!sweeps()) refuse_terminal(tool.output_name());
-  if (!sweeps() && tool.json())
-    throw UsageError("json", "prints the table of --sweep: add it, or leave --json out");
-  if (!sweeps() && !each.empty()) throw UsageError("each", "needs --sweep");
-  tool.writes_dataset(!sweeps());
-  sweeps() ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
-  if (!each.empty()) check_dataset_name(numbered("each", each, 1), "each");
-  for (std::size_t k = 1; !each.empty() && k <= loads.size(); ++k)
-    tool.writes("each", numbered("each", each, static_cast<std::int64_t>(k)));
-  if (sweeps() && tool.given("--report"))
+  if (piped && counter == "-") throw UsageError("counter", "standard input is the first body: name a file");
+  if (!smooth) surfaces_ = surfaces.resolve(tool);
+  tool.writes_dataset(!tabulates());
+  if (tabulates()) return check_table(tool);
+  refuse_terminal(tool.output_name());
+  if (tool.json())
+    throw UsageError("json",
+                     "prints the table of --sweep, or of several surfaces: add it, or leave --json out");
+  if (!each.empty()) throw UsageError("each", "needs --sweep or several surfaces");
+  check_dataset_name(tool.output_name());
+}
+
+void ContactOptions::check_table(Tool& tool) const {
+  check_table_name(tool.output_name(), tool.json());
+  if (tool.given("--report"))
     throw UsageError("report",
-                     "belongs to one load; with --sweep, each dataset has its own attributes (--each)");
-  if (sweeps() && unloads() && each.empty())
-    throw UsageError("add", "heights_residual needs --each with --sweep: the table has no surfaces");
+                     "belongs to one contact; of a table, each dataset has its own attributes (--each)");
+  if (each.empty() && unloads())
+    throw UsageError("add",
+                     "heights_residual needs --each with --sweep or several surfaces: the table has no "
+                     "surfaces");
+  if (each.empty()) return;
+  if (sweeps() && several())
+    throw UsageError("each", "numbers the loads of one surface, or several surfaces under one load");
+  check_dataset_name(numbered("each", each, 1), "each");
+  for (std::size_t k = 1; k <= (sweeps() ? loads.size() : surfaces_); ++k)
+    tool.writes("each", numbered("each", each, static_cast<std::int64_t>(k)));
 }
 
 }  // namespace asperity::cli

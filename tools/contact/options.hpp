@@ -8,7 +8,7 @@
 
 #include "contact/bodies.hpp"
 #include "contact/solver.hpp"
-#include "tools/cli/tool.hpp"
+#include "tools/cli/ensemble_input.hpp"
 
 namespace asperity::cli {
 
@@ -16,7 +16,8 @@ struct ContactOptions {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   static constexpr double flat = std::numeric_limits<double>::infinity();
 
-  std::string input = "-", variable = "heights", counter, boundary;
+  EnsembleInput surfaces;  ///< first bodies
+  std::string variable = "heights", counter, boundary;
   bool smooth = false;
   Shape shape;
   std::array<double, 2> size{none, none};
@@ -26,14 +27,17 @@ struct ContactOptions {
 
   ContactParameters contact;     ///< of a sweep with its first load
   std::vector<double> loads;     ///< of a sweep; empty: one contact is solved and written
-  std::string each;              ///< pattern of a sweep's datasets
+  std::string each;              ///< pattern of the datasets of a sweep, or of several surfaces
   std::vector<std::string> add;  ///< further results
 
   bool sweeps() const { return !loads.empty(); }
+  bool several() const { return surfaces_ > 1; }
+  bool tabulates() const { return sweeps() || several(); }  ///< a table is printed, in place of a dataset
   bool adds(std::string_view result) const { return std::ranges::find(add, result) != add.end(); }
   bool unloads() const { return adds("heights_residual"); }
   void declare(Tool& tool);
-  /// After parsing: throws ParameterError when options do not go together or are out of bounds.
+  /// After parsing: throws ParameterError when options do not go together or are out of bounds. Reads
+  /// standard input, which may list the surfaces.
   void check(Tool& tool);
 
  private:
@@ -42,11 +46,13 @@ struct ContactOptions {
   void declare_load(Tool& tool);
   void check_load(const Tool& tool);
   void check_added() const;
-  void check_streams(Tool& tool) const;
+  void check_streams(Tool& tool);
+  void check_table(Tool& tool) const;
 
   std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};
   double load_ = none, approach_ = none, yield_ = none;
   std::string loads_;
+  std::size_t surfaces_ = 1;
 };
 
 }  // namespace asperity::cli

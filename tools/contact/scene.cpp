@@ -180,10 +180,10 @@ const LoadColumn load_columns[] = {
 
 }  // namespace
 
-ContactScene read_scene(const Tool& tool, const ContactOptions& o) {
+ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
   constexpr double bytes_a_cell = 120;
-  ContactScene scene;
-  scene.grid = o.smooth ? smooth_grid(o) : grid_of(scene.data = tool.read(o.input));
+  ContactScene scene{std::move(data), {}, {}};
+  scene.grid = o.smooth ? smooth_grid(o) : grid_of(scene.data);
   const Shape shape = scene.grid.shape;
   tool.require_memory(bytes_a_cell * static_cast<double>(shape.cells()), o.smooth ? "shape" : "memory",
                       fmt::format("a contact of {}x{} cells", shape.nx, shape.ny));

@@ -17,9 +17,9 @@ struct ContactScene {
   GapRoughness roughness = {};  ///< of the gap, for --add contact_ratios
 };
 
-/// Reads the surfaces, if there are any. Throws ParameterError when the requested boundary does not
-/// go with them, DataError when the counter body lies on another grid.
-ContactScene read_scene(const Tool& tool, const ContactOptions& options);
+/// Of a dataset with the first body, unless it is smooth. Throws ParameterError when the requested boundary
+/// does not go with it, DataError when the counter body, which is read here, lies on another grid.
+ContactScene scene_of(const Tool& tool, const ContactOptions& options, Dataset data);
 
 struct GridFigures;
 

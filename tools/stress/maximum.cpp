@@ -115,8 +115,7 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
   return top;
 }
 
-void print_maxima(const Tool& tool, const StressOptions& options) {
-  const StressScene scene = read_scene(tool, options);
+Table maxima_of(const Tool& tool, const StressOptions& options, const StressScene& scene) {
   const StressSearch search = search_of(options, scene.body.grid);
   const auto [of, attribute, what] = words_of(search.of);
   Progress progress(tool);
@@ -127,12 +126,12 @@ void print_maxima(const Tool& tool, const StressOptions& options) {
                                        });
   Table table{{{"depth", "m"}, {of, "Pa"}, {"x", "m"}, {"y", "m"}}, {}};
   for (const StressMaximum& m : maxima) table.rows.push_back({m.depth, m.value, m.x, m.y});
-  print(tool, table);
   warn_of_shallow_layers(tool, scene);
   const StressMaximum& top = *std::ranges::max_element(maxima, {}, &StressMaximum::value);
-  if (top.value == 0) return;
+  if (top.value == 0) return table;
   warn_if_at_edge(tool, scene.body.grid, top, what);
   if (search.of == Criterion::von_mises) warn_of_yield(tool, scene, top.value);
+  return table;
 }
 
 }  // namespace asperity::cli

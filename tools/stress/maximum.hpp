@@ -2,6 +2,7 @@
 #pragma once
 
 #include "stress/maximum.hpp"
+#include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/stress/options.hpp"
 #include "tools/stress/scene.hpp"
@@ -19,7 +20,7 @@ std::string attribute_of(Criterion of);
 StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
                            const StressSolver& solver);
 
-/// Prints the largest stress of each layer and its place, the table of --result maxima.
-void print_maxima(const Tool& tool, const StressOptions& options);
+/// The largest stress of each layer and its place, the table of --result maxima; warns as find_maximum does.
+Table maxima_of(const Tool& tool, const StressOptions& options, const StressScene& scene);
 
 }  // namespace asperity::cli

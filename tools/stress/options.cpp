@@ -9,7 +9,7 @@ namespace asperity::cli {
 
 void StressOptions::declare(Tool& tool) {
   const std::string where = "Where";
-  tool.input();
+  surfaces.declare(tool);
   tool.text("--depths", depths, "DEPTHS",
             "Depths of the layers; 0:1mm:32 (equal steps), 0.5px:1mm:32:geometric (equal ratios) or "
             "0,10um,50um. px is "
@@ -101,8 +101,17 @@ void refuse_if(bool wrong, const char* option, const std::string& why) {
 
 }  // namespace
 
-void StressOptions::check(Tool& tool) const {
-  const bool layers = !depths.empty(), maxima = result == "maxima", table = prints_table();
+void StressOptions::check(Tool& tool) {
+  check_content(tool);
+  if (!above.empty()) static_cast<void>(StressBound(above));
+  refuse_if(points == "-" && surfaces.takes_standard_input(), "points",
+            "standard input is the dataset: name a file");
+  surfaces_ = surfaces.resolve(tool);
+  check_output(tool);
+}
+
+void StressOptions::check_content(const Tool& tool) const {
+  const bool layers = !depths.empty(), maxima = result == "maxima", table = maxima || !points.empty();
   const bool searches = maximum || through_maximum(section);
   refuse_if(!layers && points.empty() && !maximum, "depths", "is required, or --maximum or --points");
   refuse_if(!points.empty() && (layers || maximum || maxima), "points",
@@ -116,12 +125,16 @@ void StressOptions::check(Tool& tool) const {
   refuse_if(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
   refuse_if(!searches && !maxima && tool.given("--of"), "of", "needs --maximum or --result maxima");
   refuse_if(!searches && tool.given("--below"), "below", "needs --maximum");
-  if (!above.empty()) static_cast<void>(StressBound(above));
+}
+
+void StressOptions::check_output(Tool& tool) const {
+  const bool table = prints_table();
+  refuse_if(several() && !points.empty(), "points", "are those of one surface, but INPUT names several");
+  refuse_if(several() && !depths.empty() && result != "maxima", "depths",
+            "writes the dataset of one surface, but INPUT names several: use --maximum or --result maxima");
   refuse_if(!table && tool.json(), "json",
             "prints a table: add --points or --result maxima, or leave --json out");
-  refuse_if(table && tool.given("--report"), "report", "belongs to a dataset; --points prints a table");
-  refuse_if(points == "-" && tool.input_name() == "-", "points",
-            "standard input is the dataset: name a file");
+  refuse_if(table && tool.given("--report"), "report", "belongs to a dataset, but a table is printed");
   tool.writes_dataset(!table);
   table ? check_table_name(tool.output_name(), tool.json()) : check_dataset_name(tool.output_name());
   if (!table) refuse_terminal(tool.output_name());

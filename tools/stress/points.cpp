@@ -148,7 +148,7 @@ void warn_if_shallow(const Tool& tool, const StressScene& scene, const StressPoi
 
 }  // namespace
 
-void print_points(const Tool& tool, const StressOptions& options, const StressSelection& selection) {
+void print_points(const Tool& tool, StressOptions& options, const StressSelection& selection) {
   tool.reads(options.points);
   const Bytes text = read_all(options.points, tool.memory_bound());
   const Places points = parse_points(text, tool.memory_bound(2 * text.size()));

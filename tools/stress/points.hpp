@@ -10,6 +10,6 @@ namespace asperity::cli {
 /// a header that has them, '# x [um] y [um] depth [um]'; # begins a comment. Throws DataError("points", …),
 /// also where the table needs more memory than is allowed. Warns of points above accurate_depth and of
 /// stresses above the yield stress.
-void print_points(const Tool& tool, const StressOptions& options, const StressSelection& selection);
+void print_points(const Tool& tool, StressOptions& options, const StressSelection& selection);
 
 }  // namespace asperity::cli

@@ -69,9 +69,13 @@ void cut(StressScene& scene, const std::string& section, std::array<double, 2> m
   scene.plane = Plane{row.along_x, row.index};
 }
 
-StressScene read_scene(const Tool& tool, const StressOptions& options) {
+StressScene read_scene(const Tool& tool, StressOptions& options) {
+  return scene_of(options, options.surfaces.only(tool));
+}
+
+StressScene scene_of(const StressOptions& options, Dataset data) {
   StressScene scene;
-  scene.data = tool.read();
+  scene.data = std::move(data);
   auto& [grid, pressure, poisson, friction] = scene.body;
   grid = grid_of(scene.data);
   scene.depths = depths_on(grid, options.depths);

@@ -28,7 +28,9 @@ double place_of(const Plane& plane, const Grid& grid);
 
 /// Throws ParameterError where the options contradict the dataset. A section through the maximum is not set
 /// yet.
-StressScene read_scene(const Tool& tool, const StressOptions& options);
+StressScene scene_of(const StressOptions& options, Dataset data);
+/// The same of the only surface.
+StressScene read_scene(const Tool& tool, StressOptions& options);
 
 /// Sets the plane of a section; `maximum` is x and y of the largest von Mises stress, where the section runs
 /// through it.

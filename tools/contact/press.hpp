@@ -1,0 +1,56 @@
+/// A contact from its scene, and what is said about it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/doubts.hpp"
+#include "contact/elastic_operator.hpp"
+#include "tools/contact/scene.hpp"
+
+namespace asperity::cli {
+
+/// Influence coefficients and plans, made once for all surfaces of one grid.
+class Influence {
+ public:
+  explicit Influence(const ContactOptions& options) : options_(options) {}
+  ElasticOperator& on(const Grid& grid);
+  /// Spent on them since the last call.
+  double further_seconds();
+
+ private:
+  const ContactOptions& options_;
+  Grid grid_ = {};
+  std::unique_ptr<ElasticOperator> made_ = {};
+  double told_ = 0;
+};
+
+struct Pressed {
+  Contact contact;
+  std::vector<Doubt> doubts;
+};
+
+/// Solves the scene and records the result in its dataset.
+Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence);
+
+/// Doubts of a sweep: each kind in full at its first load, then a count and the last load.
+class SweepDoubts {
+ public:
+  void add(const Tool& tool, const std::vector<Doubt>& doubts, const std::string& load);
+  void tell(const Tool& tool) const;
+
+ private:
+  struct Seen {
+    int loads = 0;
+    std::string last;
+  };
+  std::map<std::string_view, Seen> seen_ = {};
+};
+
+/// Warns where a contact, named by `of`, "20 N: ", has not converged; returns the exit code.
+int told_exit(const Tool& tool, const ContactOptions& options, const Contact& contact, const std::string& of);
+
+}  // namespace asperity::cli
