@@ -22,8 +22,8 @@ using stress::Traction;
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double on_a_side = 1e-9;        // of a side: coordinates have this much round-off
 constexpr double step_that_shows = 1e-3;  // of the largest pressure: times ln(1e9)/π, 0.7 % of it
-constexpr double uniform = 1e-14;         // of the mean of a row
 constexpr double faded = 40;              // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
+constexpr double uniform = 1e-14;         // of the mean of a row
 
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
 std::vector<Complex> waves(Index n, double share) {
@@ -85,8 +85,17 @@ double StressPoints::pressure_at(Index i, Index j) const {
   return i >= 0 && j >= 0 && i < nx && j < ny ? body_.pressure(i, j) : 0;
 }
 
+// The mean along the periodic axis of the cells with the k-th place across; 0 beyond the domain.
+double StressPoints::mean_at(Index k) const {
+  const bool in_x = body_.grid.periodic.x;
+  if (k < 0 || k >= (in_x ? body_.pressure.cols() : body_.pressure.rows())) return 0;
+  return in_x ? body_.pressure.col(k).mean() : body_.pressure.row(k).mean();
+}
+
 bool StressPoints::singular(double x, double y, double z) const {
   const Grid& grid = body_.grid;
+  if (grid.periodic.x) x = std::remainder(x, grid.size_x());
+  if (grid.periodic.y) y = std::remainder(y, grid.size_y());
   const double u = (x + 0.5 * grid.size_x()) / grid.dx, v = (y + 0.5 * grid.size_y()) / grid.dy;  // sides
   const auto [nx, ny] = grid.shape;
   const bool inside =
@@ -102,6 +111,10 @@ bool StressPoints::singular(double x, double y, double z) const {
   auto steps = [&](double difference) { return std::abs(difference) > step; };
   if (on_x && on_y && body_.poisson < 0.5 && steps(here - left - under + across)) return true;
   if (body_.friction.coefficient == 0) return false;
+  const Periodic along = grid.periodic;  // (2) has the steps of the means too
+  if (along.one() && (along.x ? on_y : on_x) &&
+      steps(mean_at(along.x ? j : i) - mean_at((along.x ? j : i) - 1)))
+    return true;
   return (on_x && steps(here - left)) || (on_y && steps(here - under)) ||
          (on_x && on_y && (steps(under - across) || steps(left - across)));
 }

@@ -50,6 +50,7 @@ class StressPoints {
   stress::Tensor of_images(double x, double y, double z) const;
   stress::Tensor below_waves(double x, double y, double z) const;
   double pressure_at(Index i, Index j) const;  ///< 0 beside the grid
+  double mean_at(Index k) const;               ///< likewise, across
 
   LoadedBody body_;
   LoadWeights weights_;

@@ -51,6 +51,11 @@ TEST_CASE("the ACF by FFT equals the direct sum over pairs at every lag", "[acf]
     CHECK(greatest_difference(z, open, {.max_lag = half, .biased = true}) <= bound);
     CHECK(greatest_difference(z, open, {.max_lag = half, .level = 0.1}) <= bound);
     CHECK(greatest_difference(z, periodic, {.max_lag = half}) <= bound);
+    Grid strip = open;  // along one axis alone: a piece
+    for (Periodic one : {Periodic{true, false}, Periodic{false, true}}) {
+      strip.periodic = one;
+      CHECK(greatest_difference(z, strip, {.max_lag = all}) <= bound);
+    }
   }
 }
 
