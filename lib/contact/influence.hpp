@@ -25,7 +25,7 @@
 ///           cells on Gauss's rule over the rectangle takes over, from 160 the multipoles to the sixteenth:
 ///           1e-15.
 /// Cost      set-up: one even transform and 10 ns a coefficient, of (3) 30 ns: together
-///           0.6…1.2 of (2). Apply: transform/convolution.hpp; (3) 0.5…0.8 of (2).
+///           0.6…1.2 of (2). Apply: transform/convolution.hpp; (3) 0.4…1 of (2).
 ///
 /// [1] A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary,
 ///     Phil. Trans. R. Soc. A 228 (1929) 377-420.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "transform/plan.hpp"
@@ -14,7 +15,9 @@ struct Axis {
   Index points, factor;
   bool periodic;
 
-  Index refined() const { return periodic ? points * factor : (points - 1) * factor + 1; }
+  Index refined() const { return points * factor; }
+  // Of the first refined point, in points from the first.
+  double first() const { return (1 / static_cast<double>(factor) - 1) / 2; }
 };
 
 std::array<Axis, 2> axes_of(const Grid& grid, Shape factor) {
@@ -58,10 +61,10 @@ class Form {
   }
 
   // Adds it `times` to a field of so many values a point.
-  void add(Field& z, Shape factor, double times) const {
+  void add(Field& z, const std::array<Axis, 2>& axes, double times) const {
     for (const auto& [a, b, c] : terms_) {
-      const Eigen::ArrayXd along_x = values(x_, a, z.rows(), factor.nx),
-                           along_y = values(y_, b, z.cols(), factor.ny);
+      const Eigen::ArrayXd along_x = values(x_, a, z.rows(), axes[0]),
+                           along_y = values(y_, b, z.cols(), axes[1]);
       for (Index i = 0; i < z.rows(); ++i) z.row(i) += (times * c * along_x(i)) * along_y.transpose();
     }
   }
@@ -72,12 +75,13 @@ class Form {
     double coefficient;
   };
 
-  static Eigen::ArrayXd values(const Polynomials& p, int degree, Index count, Index factor) {
-    return Eigen::ArrayXd::NullaryExpr(
-        count, [&](Index m) { return p.at(degree, static_cast<double>(m) / static_cast<double>(factor)); });
+  static Eigen::ArrayXd values(const Polynomials& p, int degree, Index count, const Axis& axis) {
+    return Eigen::ArrayXd::NullaryExpr(count, [&](Index m) {
+      return p.at(degree, axis.first() + static_cast<double>(m) / static_cast<double>(axis.factor));
+    });
   }
   double projection(const Field& z, int a, int b) const {
-    const Eigen::ArrayXd along_y = values(y_, b, z.cols(), 1);
+    const Eigen::ArrayXd along_y = values(y_, b, z.cols(), Axis{z.cols(), 1, false});
     double sum = 0;
     for (Index i = 0; i < z.rows(); ++i)
       sum += x_.at(a, static_cast<double>(i)) * (z.row(i).transpose() * along_y).sum();
@@ -112,7 +116,9 @@ class AxisRefinement {
     coarse_.forward(given_.data(), spectrum_.data());
     const double scale = 1 / static_cast<double>(period_);
     std::ranges::fill(padded_, 0);
-    std::ranges::transform(spectrum_, padded_.begin(), [scale](Complex s) { return scale * s; });
+    const double turn = 2 * std::numbers::pi * axis_.first() * scale;
+    for (std::size_t k = 0; k < spectrum_.size(); ++k)
+      padded_[k] = spectrum_[k] * std::polar(scale, turn * static_cast<double>(k));
     if (period_ % 2 == 0 && axis_.factor > 1) padded_[size(period_ / 2)] /= 2;  // it is there at -n/2 too
     fine_.inverse(padded_.data(), found_.data());
   }
@@ -186,9 +192,9 @@ Field refined(const Field& field, const Grid& grid, Shape factor) {
   const std::array<Axis, 2> axes = axes_of(grid, factor);
   const Form form(field, axes);
   Field out = field;
-  form.add(out, {1, 1}, -1);
+  form.add(out, {Axis{field.rows(), 1, false}, Axis{field.cols(), 1, false}}, -1);
   out = refined_columns(refined_rows(out, axes[1]), axes[0]);
-  form.add(out, factor, 1);
+  form.add(out, axes, 1);
   return out;
 }
 

@@ -4,20 +4,16 @@
 ///     z(x) = 1/n Σ_k z^(k) exp(2πi k x/n),   x in points,                                               (1)
 /// the highest of an even n as its cosine, so that z is real and no direction is preferred. Along another
 /// axis it is a form of degree 2 and the waves of what is left, mirrored at half a point before the first and
-/// behind the last: (1) of 2n points. A values a point are
-///     z(m/A),   m = 0 … nA - 1 of a period,   0 … (n-1) A of another axis:                              (2)
-/// every A-th is one of the field's own. What has waves of less than two points, or steps, rings as (1) does.
-///
-/// The fine grid has the spacing Δx/A. A period keeps its length, and its points, counted from the first, lie
-/// (A-1)/(2A) Δx behind those of a cell-centred grid (core/field.hpp) of this spacing: the origin moves with
-/// them. A free axis ends at the outer points: it has its own coordinates again, and loses (1 - 1/A) Δx of
-/// its length.
+/// behind the last: (1) of 2n points. A cells in place of each have their centres at
+///     x_m = (m + ½)/A - ½,   m = 0 … nA - 1,                                                          (2)
+/// so that the domain keeps its place and its size. Of an odd A every A-th from (A-1)/2 is one of the field's
+/// own points. What has waves of less than two points, or steps, rings as (1) does.
 ///
 /// Accuracy  ε log2(2 n A) max|z|; the waves of (1) exactly, and forms of degree 2 on a free axis. Waves of a
 ///           free axis have an error near its ends, where the mirror bends them: of one of amplitude a and
 ///           wave number q about a qΔx/10 within a point or two, and less as 1/distance² inside.
 /// Cost      a transform there and one back of each row and column, of 2n points on a free axis: 0.1 s for
-///           1024² from 256². Memory: the fine field and one of nx × nyB.
+///           1024² from 256² or so. Memory: the fine field and one of nx × nyB.
 ///
 /// J. P. Boyd, Chebyshev and Fourier spectral methods, 2nd ed., Dover (2001), chapters 4 and 11.
 #pragma once

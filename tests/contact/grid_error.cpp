@@ -61,7 +61,7 @@ TEST_CASE("under a prescribed approach the load has the error, and the datum of 
   CHECK(std::abs(c.load - load) <= e.load);
   // Without the datum the coarser spheres lie (2 Δx)²/(8R)·… further off: dQ = S dδ of that would be stated.
   const double stiffness = 1.5 * load / exact.approach, datum = 2 * grid.dx * grid.dx / 25e-3 / 8;
-  CHECK(e.load <= 0.5 * stiffness * datum);
+  CHECK(e.load <= 0.7 * stiffness * datum);
   CHECK(std::isnan(e.approach));
 }
 

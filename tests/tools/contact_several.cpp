@@ -19,7 +19,7 @@ const std::string press = "asperity-contact -q --young 208GPa --poisson 0.3 ";
 void draw() {
   static const bool drawn =
       shell(
-          "asperity-generate -q --periodic --shape 32x24 --size 1mm,0.5mm --rq 0.4um --length 100um "
+          "asperity-generate -q --periodic --shape 32x24 --size 1mm,0.5mm --rq 0.4um --model gaussian --length 250um "
           "--seed 1 --count 3 -o c_%d.nc")
           .exit == 0;
   REQUIRE(drawn);
@@ -133,7 +133,7 @@ TEST_CASE("a surface that fails is a row without a result, and not in the mean",
 TEST_CASE("what several surfaces do not allow is refused before the work", "[contact][several][contract]") {
   draw();
   require(
-      "asperity-generate -q --periodic --shape 32x32 --size 1mm --rq 0.4um --length 100um --seed 1 -o "
+      "asperity-generate -q --periodic --shape 32x32 --size 1mm --rq 0.4um --model gaussian --length 250um --seed 1 -o "
       "other.nc");
   for (const auto& [options, code, words] :
        {std::tuple{"--load 60N --report r.json", 2, "--report belongs to one contact"},

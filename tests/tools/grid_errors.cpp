@@ -110,3 +110,60 @@ TEST_CASE("the largest stress has errors when asked for, by the contact solved a
   CHECK_THAT(rough.error, ContainsSubstring("does not resolve the surface"));
   CHECK(read_dataset("stress.nc").attributes.find("stress_max_von_mises_error") == nullptr);
 }
+
+TEST_CASE("an accuracy is reached on a finer grid of the same surface, or said not to be",
+          "[contact][contract]") {
+  require(band_limited + " --seed 7 -o given.nc");
+  const std::string line =
+      "asperity-contact -q --radius 50mm --load 5000N --tolerance 1e-8" + elastic + "given.nc ";
+  require(line + "--add grid_errors -o coarse.nc; " + line + "--accuracy 0.5% -o fine.nc");
+  const Dataset coarse = read_dataset("coarse.nc"), fine = read_dataset("fine.nc");
+  auto of = [](const Dataset& data, const std::string& name) {
+    return data.attributes.number("contact_" + name, NAN);
+  };
+  for (const std::string name : {"max_pressure", "area_corrected", "approach"}) {
+    CAPTURE(name);
+    CHECK(of(fine, name + "_error") <= 0.005 * of(fine, name));
+    // What the coarse grid stated holds, up to what the fine one has left.
+    CHECK(std::abs(of(coarse, name) - of(fine, name)) <=
+          of(coarse, name + "_error") + of(fine, name + "_error"));
+  }
+  const Index times = static_cast<Index>(of(fine, "refinement"));
+  CHECK(times >= 2);
+  CHECK(grid_of(fine).shape == Shape{64 * times, 64 * times});
+  CHECK(grid_of(fine).size_x() == Approx(3e-3).epsilon(1e-12));
+  CHECK(of(fine, "accuracy") == 0.005);
+  CHECK(of(fine, "slope_growth") < of(coarse, "slope_growth"));
+  // A smooth body is not interpolated: the same as on that grid at once.
+  require(
+      "asperity-contact --smooth --shape 64x64 --size 3mm --radius 50mm --load 5kN --accuracy 1% -o "
+      "round.nc" +
+      elastic);
+  const Dataset round = read_dataset("round.nc");
+  const std::string cells = std::to_string(grid_of(round).shape.nx);
+  require("asperity-contact --smooth --shape " + cells + "x" + cells +
+          " --size 3mm --radius 50mm --load 5kN -o direct.nc" + elastic);
+  CHECK((field_of(round, "pressure") == field_of(read_dataset("direct.nc"), "pressure")).all());
+}
+
+TEST_CASE("an accuracy that cannot be reached is exit 3 and one line why", "[contact][contract]") {
+  const Outcome rough = shell(surface + press + "--accuracy 1% -o rough.nc");
+  CHECK(rough.exit == 3);
+  CHECK_THAT(rough.error, ContainsSubstring("the accuracy is not reached: the grid does not resolve"));
+  CHECK(grid_of(read_dataset("rough.nc")).shape == Shape{64, 64});
+  const Outcome odd = shell(
+      "asperity-contact --smooth --shape 50x50 --size 3mm --radius 50mm --load 5kN "
+      "--accuracy 1% -o odd.nc" +
+      elastic);
+  CHECK(odd.exit == 3);
+  CHECK_THAT(odd.error, ContainsSubstring("multiples of 4"));
+  for (const auto& [options, words] : {std::pair("-o no.nc --load 5kN --accuracy 0", "not between 0 and 1"),
+                                       {"-o no.nc --load 5kN --accuracy 100%", "not between 0 and 1"},
+                                       {"-o no.nc --load 5kN --accuracy 1mm", "--accuracy"},
+                                       {"--sweep 1kN,5kN --accuracy 1%", "one surface under one load"}}) {
+    const Outcome run = shell(smooth + "--radius 50mm " + options);
+    CAPTURE(options, run.error);
+    CHECK(run.exit == 2);
+    CHECK_THAT(run.error, ContainsSubstring(words));
+  }
+}

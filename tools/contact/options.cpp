@@ -42,6 +42,11 @@ std::vector<double> parse_loads(const std::string& text) {
   return out;
 }
 
+// "1%" or "0.01".
+double parse_share(const std::string& option, const std::string& word) {
+  return word.ends_with('%') ? parse_quantity(option, word, "1") : parse_quantities(option, word, "1")[0];
+}
+
 }  // namespace
 
 // ---- declaration ----
@@ -117,6 +122,12 @@ void ContactOptions::declare_load(Tool& tool) {
       "contact_…_error, by how much the grid may put each result off, from contacts on half and a quarter as "
       "many cells a side. A table of --sweep has the figures that vary with the load",
       load);
+  tool.text(
+      "--accuracy", accuracy_, "SHARE",
+      "Refine the surface by its own band limit, 2, 4, 8 or 16 times, until the errors of the grid are "
+      "no larger than this: those of the load or approach, the largest pressure, the corrected area and "
+      "an added stiffness; 1%, 0.005. Exit 3 if that is not reached. Implies --add grid_errors",
+      load);
 
   tool.text("--sweep", loads_, "LOADS",
             "Table of loads, with the stiffness at each; 10N:5kN:20 (equal ratios), 10N:5kN:20:uniform "
@@ -145,6 +156,7 @@ void ContactOptions::check(Tool& tool) {
   contact.threads = tool.thread_count();
   contact.check();
   check_streams(tool);
+  check_accuracy(tool);
 }
 
 void ContactOptions::check_load(const Tool& tool) {
@@ -160,6 +172,15 @@ void ContactOptions::check_load(const Tool& tool) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield_));
     contact.limit_pressure = hardness * yield_;
   }
+}
+
+void ContactOptions::check_accuracy(const Tool& tool) {
+  if (!tool.given("--accuracy")) return;
+  accuracy = parse_share("accuracy", accuracy_);
+  if (!(accuracy > 0 && accuracy < 1))
+    throw UsageError("accuracy", fmt::format("'{}' is not between 0 and 1, or 0% and 100%", accuracy_));
+  if (tabulates()) throw UsageError("accuracy", "belongs to one surface under one load: leave --sweep out");
+  if (!adds("grid_errors")) add.emplace_back("grid_errors");
 }
 
 void ContactOptions::check_added() const {

@@ -29,6 +29,7 @@ struct ContactOptions {
   std::vector<double> loads;     ///< of a sweep; empty: one contact is solved and written
   std::string each;              ///< pattern of the datasets of a sweep, or of several surfaces
   std::vector<std::string> add;  ///< further results
+  double accuracy = 0;           ///< largest relative error of the grid; 0: whatever it is
 
   bool sweeps() const { return !loads.empty(); }
   bool several() const { return surfaces_ > 1; }
@@ -46,12 +47,13 @@ struct ContactOptions {
   void declare_load(Tool& tool);
   void check_load(const Tool& tool);
   void check_added() const;
+  void check_accuracy(const Tool& tool);
   void check_streams(Tool& tool);
   void check_table(Tool& tool) const;
 
   std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};
   double load_ = none, approach_ = none, yield_ = none;
-  std::string loads_;
+  std::string loads_, accuracy_;
   std::size_t surfaces_ = 1;
 };
 

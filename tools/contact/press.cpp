@@ -28,12 +28,12 @@ double Influence::further_seconds() {
 
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence) {
   ElasticOperator& body = influence.on(scene.grid);
-  Pressed out{solve_contact(scene.grid, scene.gap, body, options.contact), {}};
+  Pressed out{solve_contact(scene.grid, scene.gap, body, options.contact), {}, {}};
   out.contact.setup_seconds = influence.further_seconds();
-  const GridFigures figures = grid_figures(options, scene, body, out.contact);
-  record(scene, options, out.contact, figures);
+  out.figures = grid_figures(options, scene, body, out.contact);
+  record(scene, options, out.contact, out.figures);
   out.doubts = doubts(scene.grid, options.bodies, out.contact);
-  for (Doubt& doubt : doubts(figures)) out.doubts.push_back(std::move(doubt));
+  for (Doubt& doubt : doubts(out.figures)) out.doubts.push_back(std::move(doubt));
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "contact/doubts.hpp"
 #include "contact/elastic_operator.hpp"
+#include "tools/contact/resolution.hpp"
 #include "tools/contact/scene.hpp"
 
 namespace asperity::cli {
@@ -30,6 +31,7 @@ class Influence {
 
 struct Pressed {
   Contact contact;
+  GridFigures figures;
   std::vector<Doubt> doubts;
 };
 

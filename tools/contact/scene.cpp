@@ -30,6 +30,8 @@ std::string boundary_of(Periodic periodic) {
   return periodic.both() ? "periodic" : periodic.x ? "periodic_x" : "periodic_y";
 }
 
+constexpr double bytes_a_cell = 120;
+
 Grid smooth_grid(const ContactOptions& o) {
   if (o.shape.cells() == 0) throw UsageError("shape", "is needed with --smooth");
   for (double side : o.size)
@@ -181,7 +183,6 @@ const LoadColumn load_columns[] = {
 }  // namespace
 
 ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
-  constexpr double bytes_a_cell = 120;
   ContactScene scene{std::move(data), {}, {}};
   scene.grid = o.smooth ? smooth_grid(o) : grid_of(scene.data);
   const Shape shape = scene.grid.shape;
@@ -190,12 +191,20 @@ ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
   if (o.smooth) set_grid(scene.data, scene.grid);
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
-  scene.data.find("x")->attributes.set("periodic", scene.grid.periodic.x ? 1 : 0);
-  scene.data.find("y")->attributes.set("periodic", scene.grid.periodic.y ? 1 : 0);
+  Field gap = undeformed_gap(scene.grid, o.bodies);
+  if (!o.smooth) gap -= field_of(scene.data, o.variable, "m");
+  if (!o.counter.empty()) gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
+  return scene_with(o, std::move(scene.data), scene.grid, std::move(gap));
+}
 
-  scene.gap = undeformed_gap(scene.grid, o.bodies);
-  if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m");
-  if (!o.counter.empty()) scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
+bool fits(const Tool& tool, Shape shape) {
+  return bytes_a_cell * static_cast<double>(shape.cells()) <= static_cast<double>(tool.memory_bound().bytes);
+}
+
+ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid, Field gap) {
+  ContactScene scene{std::move(data), grid, std::move(gap)};
+  scene.data.find("x")->attributes.set("periodic", grid.periodic.x ? 1 : 0);
+  scene.data.find("y")->attributes.set("periodic", grid.periodic.y ? 1 : 0);
   const bool rough = !o.smooth || !o.counter.empty();
   scene.growth =
       rough ? slope_growth(scene.gap, scene.grid, o.contact.threads) : SlopeGrowth{GridErrors::none};

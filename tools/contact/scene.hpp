@@ -21,6 +21,11 @@ struct ContactScene {
 /// does not go with it, DataError when the counter body, which is read here, lies on another grid.
 ContactScene scene_of(const Tool& tool, const ContactOptions& options, Dataset data);
 
+/// Of a gap on these cells, with what its roughness tells.
+ContactScene scene_with(const ContactOptions& options, Dataset data, const Grid& grid, Field gap);
+/// Whether a contact of so many cells fits into --memory.
+bool fits(const Tool& tool, Shape shape);
+
 struct GridFigures;
 
 /// The effective parameters, the result and its fields, in place of any former ones.

@@ -130,7 +130,7 @@ void MapOptions::declare(Tool& tool) {
       "--refine", refine_, "AxB",
       "Put A times as many points in x and B times in y, or A for both, between those of the map, by its own "
       "waves: trigonometric interpolation of a periodic map, mirrored cosines above a form of degree 2 of "
-      "any other. Every A-th point is one of the map's",
+      "any other. The domain stays; of an odd A every A-th point is one of the map's",
       "Map");
 }
 
