@@ -100,7 +100,7 @@ void ContactOptions::declare_bodies(Tool& tool) {
 }
 
 void ContactOptions::declare_load(Tool& tool) {
-  const std::string load = "Load and material", sweep = "Load sweep";
+  const std::string load = "Load and material";
   tool.quantity("--load", load_, "N", "Force that presses the bodies together", load);
   tool.quantity("--approach", approach_, "m",
                 "Prescribed approach instead of a load; 0 where the smooth forms touch", load);
@@ -128,7 +128,11 @@ void ContactOptions::declare_load(Tool& tool) {
       "no larger than this: those of the load or approach, the largest pressure, the corrected area and "
       "an added stiffness; 1%, 0.005. Exit 3 if that is not reached. Implies --add grid_errors",
       load);
+  declare_sweep(tool);
+}
 
+void ContactOptions::declare_sweep(Tool& tool) {
+  const std::string sweep = "Load sweep";
   tool.text("--sweep", loads_, "LOADS",
             "Table of loads, with the stiffness at each; 10N:5kN:20 (equal ratios), 10N:5kN:20:uniform "
             "(equal steps), 10N,20N,50N, or a way up and down, 10N:5kN:20,5kN:10N:20. Each load starts from "

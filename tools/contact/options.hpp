@@ -45,6 +45,7 @@ struct ContactOptions {
   void declare_surface(Tool& tool);
   void declare_bodies(Tool& tool);
   void declare_load(Tool& tool);
+  void declare_sweep(Tool& tool);
   void check_load(const Tool& tool);
   void check_added() const;
   void check_accuracy(const Tool& tool);
