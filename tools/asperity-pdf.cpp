@@ -1,9 +1,12 @@
 // The distribution of heights beside the Gaussian of the same mean and rms height.
 #include <cmath>
+#include <optional>
 
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
 #include "stats/height/material_ratio.hpp"
+#include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/part_tables.hpp"
@@ -149,8 +152,8 @@ cli::Table table_of(const cli::Tool& tool, const cli::CountedCells& part, const 
              : histogram_of(part, what.bins);
 }
 
-cli::Table distribution_of(const cli::Tool& tool, const cli::FieldOptions& options, const Options& what) {
-  const Dataset data = tool.read();
+cli::Table distribution_of(const cli::Tool& tool, const cli::FieldOptions& options, const Options& what,
+                           const Dataset& data) {
   if (const auto part = cli::counted_cells(data, options.variable)) return table_of(tool, *part, what);
   const Surface surface = options.read(tool, data);
   const Moments m = moments(surface.heights, options.variable);
@@ -158,6 +161,39 @@ cli::Table distribution_of(const cli::Tool& tool, const cli::FieldOptions& optio
   warn_of_few(tool, size);
   return table_of({surface, m, size}, what, tool.thread_count());
 }
+
+// Several surfaces: the mean of each quantile, with an error by the spread between them.
+class Surfaces {
+ public:
+  Surfaces(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
+      : tool_(tool), field_(field), what_(what) {}
+
+  void add(const cli::EnsembleMember& member) {
+    if (what_.estimate != "quantiles")
+      throw cli::UsageError("estimate", "'" + what_.estimate +
+                                            "' has a range of its own for each surface: over several, use "
+                                            "--estimate quantiles");
+    tool_.detail(member.name);
+    const cli::Table one = distribution_of(tool_, field_, what_, member.data);
+    if (!mean_) mean_.emplace(content_of(one));
+    mean_->add(one, member.name);
+  }
+  void finish() const {
+    if (mean_) cli::print(tool_, mean_->table());
+  }
+
+ private:
+  static cli::EnsembleTable::Content content_of(const cli::Table& one) {
+    const bool whole = one.columns[1].name == "normal_quantile";  // not a part of the cells
+    if (whole) return {.keys = {"share", "normal_quantile"}, .value = "height", .means = {"gaussian_height"}};
+    return {.keys = {"share"}, .value = one.columns[1].name};
+  }
+
+  cli::Tool& tool_;
+  const cli::FieldOptions& field_;
+  const Options& what_;
+  std::optional<cli::EnsembleTable> mean_ = {};
+};
 
 void document(cli::Tool& tool) {
   tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
@@ -186,19 +222,26 @@ int main(int argc, char** argv) {
       "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
       "those of the Gaussian, which lie on a straight line against the normal quantile. Of a contact, the "
       "pressure is counted on the cells in contact and the gap on the open ones, beside no Gaussian; share "
-      "is that of all cells.");
+      "is that of all cells. For several surfaces, quantiles are the means over them, with the standard "
+      "error by their spread and the spread expected from the errors of the single surfaces.");
+  cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;
   options.declare(tool);
   what.declare(tool);
-  tool.input();
+  inputs.declare(tool);
   tool.table();
   tool.threads();
   document(tool);
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    cli::print(tool, distribution_of(tool, options, what));
+    Surfaces surfaces(tool, options, what);
+    inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
+      member.alone() ? cli::print(tool, distribution_of(tool, options, what, member.data))
+                     : surfaces.add(member);
+    });
+    surfaces.finish();
     return cli::done;
   });
 }

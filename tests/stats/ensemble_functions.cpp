@@ -1,4 +1,4 @@
-// asperity-acf and asperity-psd on several surfaces.
+// asperity-acf, asperity-psd and asperity-pdf on several surfaces.
 #include <cmath>
 #include <vector>
 
@@ -199,4 +199,33 @@ TEST_CASE("more surfaces than files may be open are averaged", "[ensemble][contr
   CAPTURE(run.error);
   CHECK(run.exit == 0);
   CHECK_THAT(run.out, ContainsSubstring("\t60\n"));
+}
+
+TEST_CASE("of several surfaces asperity-pdf prints the mean of each quantile and its error",
+          "[ensemble][statistics]") {
+  draw();
+  const Json mean = json_of("asperity-pdf --estimate quantiles --rows 9 f_?.nc");
+  const std::vector<double> value = column(mean, "height"), error = column(mean, "standard_error");
+  REQUIRE(value.size() == 9);
+  std::vector<double> sum(9), squares(9);
+  for (unsigned k = 0; k < members; ++k) {
+    const std::vector<double> one = column(
+        json_of("asperity-pdf --estimate quantiles --rows 9 f_" + std::to_string(k) + ".nc"), "height");
+    for (std::size_t r = 0; r < 9; ++r) sum[r] += one[r], squares[r] += one[r] * one[r];
+  }
+  for (std::size_t r = 0; r < 9; ++r) {
+    const double of = sum[r] / members, variance = (squares[r] - members * of * of) / (members - 1);
+    CHECK(std::abs(value[r] - of) <= 1e-12 * 0.4e-6);
+    CHECK(error[r] == Approx(std::sqrt(variance / members)).epsilon(1e-6));
+  }
+  CHECK(column(mean, "surfaces")[4] == members);
+  // A part of the cells: those in contact.
+  require("asperity-contact -q --young 200GPa --poisson 0.3 --radius 20mm --load 5N --each p_%d.nc 'f_?.nc'");
+  const Json pressed = json_of("asperity-pdf --variable pressure --estimate quantiles --rows 3 p_*.nc");
+  CHECK(column(pressed, "pressure")[1] > 0);
+  CHECK(column(pressed, "standard_error")[1] > 0);
+  const Outcome counts = shell("asperity-pdf f_?.nc");
+  CHECK(counts.exit == 2);
+  CHECK(lines(counts.error) == 1);
+  CHECK_THAT(counts.error, ContainsSubstring("--estimate quantiles"));
 }
