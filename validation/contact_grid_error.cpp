@@ -132,7 +132,7 @@ class Page {
 };
 
 void judge(Page& page, const Scene& scene, const Solved& here) {
-  if (scene.waves && slope_growth(here.gap, here.grid).resolved() == Resolved::no)
+  if (scene.rms > 0 && slope_growth(here.gap, here.grid).resolved() == Resolved::no)
     return page.leave_out(scene);
   const Contact& c = here.contact;
   const CoarserContacts coarser =

@@ -1,9 +1,10 @@
 /// Random contacts whose surface is known between the samples: a sum of waves, or smooth.
 ///
-/// Scene k is of one of six kinds: smooth bodies off the grid's middle, rough spheres, the same at a limit
-/// pressure, periodic surfaces at 2 to 60 % contact, oblong cells and bodies, and rough spheres under a
-/// prescribed approach. Roughness is self-affine (H 0.3 to 0.8) or Gaussian, with a shortest wave of 3.5 to 32
-/// cells of n = 64, 96 or 128 a side. A surface is sampled at the cells' centres of any grid.
+/// Scene k is of one of seven kinds: smooth bodies off the grid's middle, rough spheres, the same at a limit
+/// pressure, periodic surfaces at 2 to 60 % contact, oblong cells and bodies, rough spheres under a prescribed
+/// approach, and spheres with the heights of two instruments (tests/data), short waves filtered out up to 4 to
+/// 10 cells and refined by their own band limit. Other roughness is self-affine (H 0.3 to 0.8) or Gaussian,
+/// with a shortest wave of 3.5 to 32 cells of n = 64, 96 or 128 a side, sampled at the cells' centres.
 #pragma once
 
 #include <array>
@@ -16,14 +17,21 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/filter/gaussian_filter.hpp"
 #include "transform/plan.hpp"
+#include "transform/refinement.hpp"
 
 namespace asperity::grid_scenes {
 
 inline constexpr double pi = std::numbers::pi, side = 1e-3, modulus = 1e11;
 inline constexpr double none = std::numeric_limits<double>::infinity();
 inline constexpr Index finer = 4;
-inline const char* const kinds[] = {"smooth", "rough", "capped", "periodic", "oblong", "approach"};
+inline const char* const kinds[] = {"smooth", "rough",    "capped",  "periodic",
+                                    "oblong", "approach", "measured"};
+
+/// The heights of a file in tests/data.
+Field measured_map(const std::string& name);
 
 // A surface as waves of the domain, which repeats.
 class Waves {
@@ -81,6 +89,7 @@ struct Scene {
   Bodies bodies;
   double rms = 0;
   std::optional<Waves> waves = {};
+  Field measured = {};  // of unit rms, on the coarse cells
   double load = 0, limit = none;
   double shift_x = 0, shift_y = 0;  // of the bodies from the middle
   double approach = 0;              // instead of the load, if above 0
@@ -93,6 +102,7 @@ struct Scene {
   }
   Field heights(Index times) const {
     const Shape cells = grid(times).shape;
+    if (measured.size() > 0) return rms * refined(measured, grid(1), {times, times});
     if (!waves) return Field::Zero(cells.nx, cells.ny);
     return rms * waves->on(cells);
   }
@@ -119,7 +129,10 @@ class Draw {
     s.bodies.poisson = {0, 0};
     const bool oblong = s.kind == 4;
     if (oblong) s.shape.ny = n / 4 * 3 / 4 * 4, s.size_y = side * between(0.5, 0.9);
-    if (s.kind != 0) roughness(s);
+    if (s.kind == 6)
+      instrument(s);
+    else if (s.kind != 0)
+      roughness(s);
     if (s.periodic()) {
       const double slope = slope_of(s);
       s.load = between(0.01, 0.3) * modulus * slope * s.size_x * s.size_y;
@@ -148,6 +161,16 @@ class Draw {
     const bool gaussian = between(0, 1) < 0.3;
     s.waves.emplace(random_, longest, shortest, between(0.3, 0.8), gaussian);
     s.rms = s.periodic() ? 1e-6 : std::exp(between(std::log(0.005), std::log(0.1)));
+  }
+
+  void instrument(Scene& s) {
+    const Field map = measured_map(between(0, 1) < 0.5 ? "afm-64x64.nc" : "profiler-96x96.x3p");
+    s.shape = shape_of(map);
+    const Grid cells = s.grid(1);
+    s.measured = remove_form(gaussian_mean_surface(map, cells, between(4, 10) * cells.dx), 2);
+    s.measured /= std::sqrt(s.measured.square().mean());
+    if (between(0, 1) < 0.5) s.measured = Field(-s.measured);
+    s.rms = std::exp(between(std::log(0.005), std::log(0.1)));
   }
 
   static double slope_of(const Scene& s) {

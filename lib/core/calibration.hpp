@@ -101,8 +101,8 @@ inline constexpr double plastic_area = 1.0 / 3;  ///< of m
 inline constexpr double missed_cells = 0.10;     ///< of a cell a side of the area at the limit pressure
 inline constexpr double maximum_stress = 0.28;   ///< of m
 inline constexpr double shallow_stress = 0.03;   ///< of the value, times min(1, (h/z)²)
-inline constexpr double depth = 0.4;            ///< of m
-inline constexpr double depth_of_cell = 0.035;    ///< of h
+inline constexpr double depth = 0.2;            ///< of m
+inline constexpr double depth_of_cell = 0.04;    ///< of h
 inline constexpr double near_plastic = 0.1;      ///< of the value above 2h below a limit pressure
 
 // The growth of a mean square slope from grid to grid.
