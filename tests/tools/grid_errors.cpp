@@ -104,6 +104,14 @@ TEST_CASE("the largest stress has errors when asked for, by the contact solved a
   const Outcome refused = shell("asperity-stress --maximum --add grid_errors bare.nc -o no.nc");
   CHECK(refused.exit == 2);
   CHECK_THAT(refused.error, ContainsSubstring("the dataset has no gap"));
+  // A pressure that was changed by another program since.
+  Dataset edited = read_dataset("pressed.nc");
+  const Field twice = 2 * field_of(edited, "pressure");
+  set_field(edited, "pressure", twice, {"Pa", "contact pressure"});
+  write_dataset(edited, "edited.nc");
+  const Outcome changed = shell("asperity-stress --maximum --add grid_errors edited.nc -o no.nc");
+  CHECK(changed.exit == 2);
+  CHECK_THAT(changed.error, ContainsSubstring("it was changed since"));
   require(surface + press + "-o rough.nc");
   const Outcome rough = shell("asperity-stress --maximum --add grid_errors rough.nc -o stress.nc");
   CHECK(rough.exit == 0);
@@ -114,6 +122,9 @@ TEST_CASE("the largest stress has errors when asked for, by the contact solved a
 TEST_CASE("an accuracy is reached on a finer grid of the same surface, or said not to be",
           "[contact][contract]") {
   require(band_limited + " --seed 7 -o given.nc");
+  Dataset given = read_dataset("given.nc");
+  given.put({"note", {}, std::vector<float>{2.5F}, {}});
+  write_dataset(given, "given.nc");
   const std::string line =
       "asperity-contact -q --radius 50mm --load 5000N --tolerance 1e-8" + elastic + "given.nc ";
   require(line + "--add grid_errors -o coarse.nc; " + line + "--accuracy 0.5% -o fine.nc");
@@ -133,6 +144,10 @@ TEST_CASE("an accuracy is reached on a finer grid of the same surface, or said n
   CHECK(grid_of(fine).shape == Shape{64 * times, 64 * times});
   CHECK(grid_of(fine).size_x() == Approx(3e-3).epsilon(1e-12));
   CHECK(of(fine, "accuracy") == 0.005);
+  // What belongs to the user stays; a kernel, whose lengths count in samples of the given grid, does not.
+  CHECK(fine.has("note"));
+  CHECK_FALSE(fine.has("kernel"));
+  CHECK(fine.attributes.find("kernel_length") == nullptr);
   CHECK(of(fine, "slope_growth") < of(coarse, "slope_growth"));
   // A smooth body is not interpolated: the same as on that grid at once.
   require(

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
+#include "tools/cli/lineage.hpp"
 #include "transform/refinement.hpp"
 
 namespace asperity::cli {
@@ -29,8 +30,8 @@ double largest_error(const Contact& c, const GridFigures& figures) {
 ContactScene finer(const ContactScene& given, const ContactOptions& o, Index factor) {
   const Shape times{factor, factor};
   const Field rough = undeformed_gap(given.grid, o.bodies) - given.gap;
-  Dataset data;
-  data.attributes = given.data.attributes;
+  Dataset data = given.data;
+  drop_surface(data, "kernel");  // whose lengths count in the given samples
   const Grid grid = refined_grid(given.grid, times);
   set_grid(data, grid);
   if (!o.smooth) {

@@ -42,6 +42,13 @@ LoadingContact loading_contact(const Dataset& data) {
     throw UsageError("add",
                      "grid_errors solves the contact again: contact_composite_modulus, contact_load and "
                      "contact_limit_pressure must be above 0, as asperity-contact writes them");
+  constexpr double edited = 1e-6;  // of the load: round-off leaves 1e-12
+  const double carried = field_of(data, "pressure", "Pa").sum() * grid_of(data).cell_area();
+  if (!(std::abs(carried / out.load - 1) <= edited))
+    throw UsageError("add",
+                     fmt::format("grid_errors solves the contact again: the pressure carries {:.6g} N, not "
+                                 "contact_load, {:.6g} N; it was changed since",
+                                 carried, out.load));
   out.gap = field_of(data, "gap", "m") - field_of(data, "displacement", "m");
   out.resolved = SlopeGrowth{a.number("contact_slope_growth", 0)}.resolved() != Resolved::no;
   return out;
