@@ -13,23 +13,33 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-// (3) at a wave number.
+// (4) at a wave number, by (3).
 class Density {
  public:
-  explicit Density(const EllipticTarget& model)
+  Density(const EllipticTarget& model, const Band& band)
       : model_(model),
+        band_(band),
         radius_(model.level_radius()),
         cosine_(std::cos(model.angle)),
         sine_(std::sin(model.angle)) {}
 
   double operator()(double qx, double qy) const {
     const double along = cosine_ * qx + sine_ * qy, across = cosine_ * qy - sine_ * qx;
+    const double e = band_.levels() ? std::min(1.0, ellipse(along, across)) : 1;
+    return unlevelled(along / e, across / e);
+  }
+
+ private:
+  double ellipse(double along, double across) const {
+    return std::hypot(along * band_.rolloff_x, across * band_.rolloff_y) / turn;
+  }
+
+  double unlevelled(double along, double across) const {
     if (model_.model != Model::exponential_cosine) return principal(along, across);
     const double shift = turn / model_.wavelength;
     return principal(along - shift, across) + principal(along + shift, across);
   }
 
- private:
   double principal(double along, double across) const {
     const double a = along * model_.length_x / radius_, b = across * model_.length_y / radius_;
     return radial(a * a + b * b);
@@ -49,6 +59,7 @@ class Density {
   }
 
   const EllipticTarget& model_;
+  const Band& band_;
   double radius_, cosine_, sine_;
 };
 
@@ -70,15 +81,25 @@ struct Sides {
         y(static_cast<double>(period.ny) * model.spacing_y) {}
 };
 
-void check(const EllipticTarget& model, double cutoff, const CutoffBounds& bounds) {
+void check_wave(const char* name, double wave, const WaveBounds& bounds) {
+  check_parameter(!bounds.below(wave) && !bounds.above(wave), name,
+                  number(wave) + " does not lie in " + number(bounds.least) + " ... " + number(bounds.most));
+}
+
+void check(const EllipticTarget& model, const Band& band, Shape period) {
   model.check();
   if (model.model == Model::stretched_exponential)
     throw ParameterError("model",
-                         "stretched-exponential: has no spectrum in closed form; omit `cutoff`, or choose "
-                         "another model, such as matern");
-  check_parameter(
-      !bounds.below(cutoff) && !bounds.above(cutoff), "cutoff",
-      number(cutoff) + " does not lie in " + number(bounds.least) + " ... " + number(bounds.most));
+                         "stretched-exponential: has no spectrum in closed form to limit; choose another "
+                         "model, such as matern");
+  if (band.levels())
+    for (const double wave : {band.rolloff_x, band.rolloff_y})
+      check_wave("rolloff", wave, rolloff_bounds(model, period));
+  if (band.levels() && model.model == Model::exponential_cosine)
+    check_parameter(band.rolloff_x >= model.wavelength * (1 - WaveBounds::rounded), "rolloff",
+                    number(band.rolloff_x) + ": below `wavelength`, " + number(model.wavelength) +
+                        ", the wave that it would level");
+  if (band.cuts()) check_wave("cutoff", band.cutoff, cutoff_bounds(model, band, period));
 }
 
 }  // namespace
@@ -88,21 +109,25 @@ double length_for_rolloff(const EllipticTarget& model, double rolloff) {
   return rolloff * model.level_radius() / turn;
 }
 
-CutoffBounds::CutoffBounds(const EllipticTarget& model, Shape period)
-    : least(2 * std::max(model.spacing_x, model.spacing_y)), most_is_rolloff(false) {
+WaveBounds rolloff_bounds(const EllipticTarget& model, Shape period) {
   const Sides side(model, period);
-  most = std::min(side.x, side.y);
-  if (model.model != Model::self_affine) return;
-  const double corner = rolloff_of(model, std::min(model.length_x, model.length_y));
-  if (corner < most) most = corner, most_is_rolloff = true;
+  return {2 * std::max(model.spacing_x, model.spacing_y), std::min(side.x, side.y)};
 }
 
-BandLimited::BandLimited(const EllipticTarget& model, double cutoff, Shape period)
-    : period_(period), cutoff_(cutoff), power_(size(period.nx * (period.ny / 2 + 1))) {
-  check(model, cutoff, CutoffBounds(model, period));
+WaveBounds cutoff_bounds(const EllipticTarget& model, const Band& band, Shape period) {
+  WaveBounds out = rolloff_bounds(model, period);
+  out.most = std::min({out.most, band.rolloff_x, band.rolloff_y});
+  if (model.model == Model::self_affine)
+    out.most = std::min(out.most, rolloff_of(model, std::min(model.length_x, model.length_y)));
+  return out;
+}
+
+BandLimited::BandLimited(const EllipticTarget& model, const Band& band, Shape period)
+    : period_(period), band_(band), power_(size(period.nx * (period.ny / 2 + 1))) {
+  check(model, band, period);
   const Sides side(model, period);
-  const Density density(model);
-  const double most = std::pow(turn / cutoff * (1 + CutoffBounds::rounded), 2);
+  const Density density(model, band);
+  const double most = band.cuts() ? std::pow(turn / band.cutoff * (1 + WaveBounds::rounded), 2) : Band::none;
   double sum = 0;
   for (Index a = 0; a < period.nx; ++a)
     for (Index b = 0; 2 * b <= period.ny; ++b) {

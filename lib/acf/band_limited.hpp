@@ -1,29 +1,40 @@
-/// Periodic surfaces without waves shorter than a cut-off.
+/// Periodic surfaces of which the spectrum is prescribed: no waves shorter than a cut-off, flat above a
+/// roll-off.
 ///
 /// A surface that continues itself after Lx × Ly is a sum of waves q = 2π (j/Lx, k/Ly). Here their powers are
 /// those of a model where the wave is not shorter than the cut-off λs, and nothing elsewhere,
-///     P(q) = C(q) / Σ C   for 0 < |q| ≤ 2π/λs,   0 else,                                                (1)
+///     P(q) = C(q̃) / Σ C   for 0 < |q| ≤ 2π/λs,   0 else,                                                (1)
 ///     R(r)/σ² = Σ P(q) cos(q·r),   kernel^ = √P:                                                        (2)
 /// P is set wave by wave and never negative, so that the kernel has R to round-off and the surface no wave
 /// beyond the band but that of rounding. The mean is no wave and has no power: the rms height about the mean
-/// is σ. Nothing in (1) depends on the grid, so that surfaces on a finer one have the same R.
+/// is σ. Nothing in (1) depends on the grid, so that surfaces on a finer one have the same R. Without a
+/// cut-off the band ends with the grid, at two samples along x and along y.
+///
+/// A roll-off λr leaves C as it is on and outside an ellipse, and within it flat along every direction, at
+/// what C is where that direction meets the ellipse:
+///     q̃ = q / min(1, e),   e = √((qx' λr1)² + (qy' λr2)²) / 2π.                                         (3)
+/// The self-affine model is one of these, of a power law: its own length tells its roll-off.
 ///
 /// With x', y' along the axes of the ellipses in units of the lengths over r* (acf/target.hpp), and s the
 /// length of q in their reciprocals, the models have in the plane
 ///     exponential         (1 + s²)^-3/2                    Matérn       (1 + s²)^-(1+ν)
 ///     gaussian            exp(-s²/4)                       self-affine  1 for s ≤ 1, s^-2(1+H) beyond
-///     exponential-cosine  half the exponential's at q ± 2π/wavelength along x'                          (3)
-/// and the stretched exponential no closed form.
+///     exponential-cosine  half the exponential's at q ± 2π/wavelength along x'                          (4)
+/// and the stretched exponential no closed form. A roll-off along x' below the wavelength of the cosine would
+/// level the very wave, and is refused.
 ///
-/// The mean square slope is known too, without differences of heights: Sdq²/σ² = Σ |q|² P(q).            (4)
+/// The mean square slope is known too, without differences of heights: Sdq²/σ² = Σ |q|² P(q).            (5)
 ///
 /// Symbols   ^  the discrete Fourier transform over the period    σ  rms height
+///           λs, λr1, λr2  cut-off; roll-off along x' and y', in the unit of the model's lengths
 /// Accuracy  ε log2(N M) of the variance.
-/// Cost      N M/2 values of (3), and a real transform for each of R and the kernel: 0.1 s at 1024².
+/// Cost      N M/2 values of (4), and a real transform for each of R and the kernel: 0.1 s at 1024².
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001; V. A. Yastrebov,
 /// G. Anciaux, J.-F. Molinari, Int. J. Solids Struct. 52 (2015) 83-102.
 #pragma once
+
+#include <limits>
 
 #include "acf/periodic.hpp"
 #include "acf/target.hpp"
@@ -34,36 +45,49 @@ namespace asperity {
 double rolloff_of(const EllipticTarget& model, double length);
 double length_for_rolloff(const EllipticTarget& model, double rolloff);
 
-/// The cut-offs that make sense, in the unit of the model's lengths: from two samples to the shorter side of
-/// the period, or to the shorter roll-off of a self-affine surface.
-struct CutoffBounds {
-  double least, most;
-  bool most_is_rolloff;
+/// Where the spectrum of a model is changed, in the unit of its lengths.
+struct Band {
+  static constexpr double none = std::numeric_limits<double>::infinity();
 
-  CutoffBounds(const EllipticTarget& model, Shape period);
-  bool below(double cutoff) const { return !(cutoff >= least * (1 - rounded)); }
-  bool above(double cutoff) const { return !(cutoff <= most * (1 + rounded)); }
+  double cutoff = 0;        ///< shortest wavelength; 0: the band ends with the grid
+  double rolloff_x = none;  ///< above it the spectrum is flat, along x'; `none` in both: nowhere
+  double rolloff_y = none;  ///< the same along y'
+
+  bool cuts() const { return cutoff != 0; }
+  bool levels() const { return rolloff_x != none || rolloff_y != none; }
+};
+
+/// The wavelengths that make sense.
+struct WaveBounds {
+  double least, most;
+  bool below(double wave) const { return !(wave >= least * (1 - rounded)); }
+  bool above(double wave) const { return !(wave <= most * (1 + rounded)); }
 
   static constexpr double rounded = 1e-9;  ///< so little beyond is on the bound
 };
+/// From two samples to the shorter side of the period.
+WaveBounds rolloff_bounds(const EllipticTarget& model, Shape period);
+/// The same, or to the shorter roll-off, the band's or that of a self-affine model, where it is less.
+WaveBounds cutoff_bounds(const EllipticTarget& model, const Band& band, Shape period);
 
 class BandLimited {
  public:
-  /// Throws ParameterError of the model's members; ("model") for a stretched exponential; ("cutoff") beyond
-  /// the bounds; ("length") for a model without power at any wave of the band.
-  BandLimited(const EllipticTarget& model, double cutoff, Shape period);
+  /// Throws ParameterError of the model's members; ("model") for a stretched exponential; ("rolloff") and
+  /// ("cutoff") beyond the bounds; ("length") for a model without power at any wave of the band.
+  BandLimited(const EllipticTarget& model, const Band& band, Shape period);
 
-  double cutoff() const { return cutoff_; }
+  const Band& band() const { return band_; }
   /// R/σ² at the lags p = 0 … N/2, q = -M/2 … M/2.
   Field correlation() const { return correlation_of_power(power_, period_); }
   /// Of the whole period, lag zero in its middle, of unit variance.
   Field kernel() const { return kernel_of_power(power_, period_); }
-  /// (4), over the square of the unit of the lengths.
+  /// (5), over the square of the unit of the lengths.
   double mean_square_slope() const { return slope_; }
 
  private:
   Shape period_;
-  double cutoff_, slope_ = 0;
+  Band band_;
+  double slope_ = 0;
   PowerSpectrum power_;  ///< the sum over the whole spectrum is 1
 };
 

@@ -38,6 +38,7 @@ constexpr KnownAttribute attributes[] = {
     {"kernel_hurst", parameter, "1", "Hurst exponent"},
     {"kernel_wavelength", parameter, "sample", "wavelength"},
     {"kernel_cutoff", parameter, "sample", "shortest wavelength"},
+    {"kernel_rolloff", parameter, "sample", "wavelength above which the spectrum is flat, along x, y"},
     {"kernel_rms", parameter, "height", "rms height"},
     {"kernel_heights", parameter, "", "distribution of heights"},
     {"kernel_skewness", parameter, "1", "target skewness"},

@@ -1,4 +1,5 @@
 // Surfaces with --cutoff and --rolloff, and --periodic kernels, as they are typed.
+#include <array>
 #include <complex>
 #include <numbers>
 
@@ -65,6 +66,41 @@ TEST_CASE("a drawn surface has no power beyond its cut-off, and within it that o
   CHECK(data.attributes.number("kernel_converged", 0) == 1);
 }
 
+// Means of power over law, of K pairs of waves, as above; of a turned exponential that is flat below 16 × 10 of
+// 64 samples. e < 1 is nearer to zero than the ellipse, where the law is that of the ellipse.
+TEST_CASE("a drawn surface of any model is flat below its roll-off", "[band][statistics]") {
+  const Index n = 64;
+  require(
+      "asperity-generate -q --periodic --shape 64x64 --size 64um --rq 1um --length 40px --length-level "
+      "0.3678794411714423 --rolloff 16um,10um --angle 0.5rad --cutoff 4px --seed 5 -o b.nc");
+  const Dataset data = read_dataset("b.nc");
+  const std::vector<double> power = powers(field_of(data, "heights"));
+  struct Sum {
+    double power = 0, count = 0;
+  };
+  std::array<Sum, 3> sums;
+  double total = 0;
+  for (Index j = 0; j < n; ++j)
+    for (Index k = 0; k <= n / 2; ++k) {
+      const double qx = turn / 64 * static_cast<double>(2 * j > n ? j - n : j),
+                   qy = turn / 64 * static_cast<double>(k);
+      const double q = std::hypot(qx, qy), along = std::cos(0.5) * qx + std::sin(0.5) * qy,
+                   across = std::cos(0.5) * qy - std::sin(0.5) * qx;
+      if (q == 0 || q > turn / 4 * (1 + 1e-9)) continue;
+      const double e = std::hypot(along * 16, across * 10) / turn;
+      const double law = std::pow(1 + std::pow(40 * q / std::min(1.0, e), 2), -1.5), pairs = k == 0 ? 0.5 : 1;
+      Sum& sum = sums[e < 1 ? 0 : e < 2 ? 1 : 2];
+      sum.power += pairs * power[size(j * (n / 2 + 1) + k)] / law, sum.count += pairs;
+      total += 2 * pairs * law;
+    }
+  for (const Sum& sum : sums)
+    CHECK(std::abs(sum.power * total / (sum.count * 1e-12) - 1) <= 4 / std::sqrt(sum.count));
+  CHECK(sums[0].count >= 19);
+  CHECK(numbers(*data.attributes.find("kernel_rolloff")) == std::vector<double>{16, 10});
+  CHECK(data.attributes.text("kernel_formulation") == "oriented");
+  CHECK(data.attributes.number("kernel_error", 1) <= 1e-14);
+}
+
 // The variance of one surface about its mean has the standard error σ²√(Σ P²·2): below 0.2 of σ² of these 44
 // pairs of waves, and a tenth of that of 100 surfaces.
 TEST_CASE("the rms height is what was asked for after the cut, about a mean that is zero",
@@ -101,7 +137,8 @@ TEST_CASE("a roll-off is a length of the self-affine model by its corner", "[ban
 // Heights of both ways differ by the rounding of kernel and transform, 1e-13 of the rms height.
 TEST_CASE("asperity-kernel --periodic solves what asperity-generate --periodic draws", "[band][contract]") {
   for (const std::string target :
-       {"--model self-affine --rolloff 12px --cutoff 4px", "--length 9px", "--length 3px",
+       {"--model self-affine --rolloff 12px --cutoff 4px", "--length 9px --rolloff 12px,7px --angle 20deg",
+        "--length 9px", "--length 3px",
         "--model exponential-cosine --length 8px,5px --wavelength 6px --angle 0.4rad --cutoff 3px"}) {
     CAPTURE(target);
     require("asperity-kernel -q --periodic --shape 24x20 " + target + " -o k.nc");
@@ -153,7 +190,17 @@ TEST_CASE("a cut-off or a roll-off that makes no sense is refused in one line th
   refused(periodic + "--cutoff nanpx", 2, "--cutoff");
   refused(periodic + "--cutoff=-4px", 2, "below two samples");
   refused(periodic + "--cutoff infpx", 2, "above the shorter side");
-  refused(periodic + "--rolloff 9px", 2, "--rolloff belongs to --model self-affine, not to exponential");
+  refused(draw + "--length 9px --rolloff 20px", 2, "--rolloff needs --periodic, or --model self-affine");
+  refused(draw + "--periodic --rolloff 20px", 2,
+          "--length is required: --rolloff is the length of self-affine");
+  refused(periodic + "--rolloff 65px", 2, "--rolloff: 65px: above the shorter side of the surface, 64px");
+  refused(periodic + "--rolloff 20px,1px", 2, "--rolloff 20px,1px: 1px: below two samples, 2px");
+  refused(periodic + "--rolloff 20px --cutoff 21px", 2, "--cutoff: 21px: above the roll-off, 20px");
+  refused(periodic + "--model exponential-cosine --wavelength 12px --rolloff 10px", 2,
+          "--rolloff: 10px: below --wavelength, 12px");
+  refused(periodic + "--rolloff 20px --lags 9x9", 2, "--lags cannot be combined with --rolloff");
+  refused(periodic + "--rolloff 20px --skewness 1", 2, "--skewness cannot be combined with --rolloff");
+  refused(periodic + "--model stretched-exponential --rolloff 20px", 2, "--model: stretched-exponential");
   refused(periodic + "--model self-affine --rolloff 9px", 2, "--length cannot be combined with --rolloff");
   refused(periodic + "--model stretched-exponential --cutoff 4px", 2, "--model: stretched-exponential");
   refused(periodic + "--cutoff 4px --lags 9x9", 2, "--lags cannot be combined with --cutoff");

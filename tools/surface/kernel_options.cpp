@@ -31,6 +31,31 @@ void refuse_aliased(const EllipticTarget& t, const std::string& wavelength) {
                                        " samples; at least 2 are needed, or it looks like a longer wave");
 }
 
+constexpr const char* side_of_surface = "shorter side of the surface";
+
+std::string shown(double length, bool in_samples, double spacing) {
+  return in_samples ? number(length / spacing) + "px" : format_quantity(length, "m");
+}
+
+// `above` says what the upper bound is.
+void refuse_beyond(const char* option, const SampledLength& wave, double spacing, const WaveBounds& bounds,
+                   const char* above) {
+  auto words = [&](double length) { return shown(length, wave.samples, spacing); };
+  const double length = wave.metres(spacing);
+  if (bounds.below(length))
+    throw UsageError(option, words(length) + ": below two samples, " + words(bounds.least));
+  if (bounds.above(length))
+    throw UsageError(option, words(length) + ": above the " + above + ", " + words(bounds.most));
+}
+
+void refuse_levelled(const EllipticTarget& model, const SampledLength& rolloff,
+                     const std::string& wavelength) {
+  const double length = rolloff.metres(model.spacing_x);
+  if (model.model == Model::exponential_cosine && length < model.wavelength * (1 - WaveBounds::rounded))
+    throw UsageError("rolloff", shown(length, rolloff.samples, model.spacing_x) + ": below --wavelength, " +
+                                    wavelength + ", the wave that it would level");
+}
+
 }  // namespace
 
 void KernelOptions::declare(Tool& tool, bool draws) {
@@ -60,8 +85,8 @@ void KernelOptions::declare_target(Tool& tool) {
   tool.number("--hurst", shape.hurst,
               "Hurst exponent of self-affine, up to 1. Its spectrum is flat below the roll-off", group);
   tool.lengths("--rolloff", rolloff,
-               "Wavelength above which the spectrum of self-affine is flat, in place of --length: 0.25mm or "
-               "256px; two values along its axes",
+               "Wavelength above which the spectrum is flat: 0.25mm or 256px; two values along the axes of "
+               "--angle. Of self-affine it replaces --length; of other models it needs --periodic",
                group);
   tool.text(
       "--cutoff", cutoff, "LENGTH",
@@ -122,7 +147,7 @@ EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) co
   out.model = enum_named<Model>(target, "model");
   out.spacing_x = spacing ? (*spacing)[0] : 1;
   out.spacing_y = spacing ? (*spacing)[1] : 1;
-  const bool corner = given(tool, "rolloff");
+  const bool corner = rolloff_is_length(tool);
   auto length_along = [&](std::size_t axis) {
     if (!corner) return metres("length", length[axis], spacing, axis);
     const double wave = metres("rolloff", rolloff[axis], spacing, axis);
@@ -141,13 +166,15 @@ EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) co
 }
 
 void KernelOptions::refuse_unused(const Tool& tool) const {
-  if (!tool.given("--length") && !tool.given("--rolloff"))
-    throw UsageError("length", target == "self-affine" ? "is required, or --rolloff" : "is required");
-  if (tool.given("--rolloff") && target != "self-affine")
-    throw UsageError("rolloff", "belongs to --model self-affine, not to " + target);
+  const bool corner = rolloff_is_length(tool);
+  if (!tool.given("--length") && !corner)
+    throw UsageError("length", target == "self-affine" ? "is required, or --rolloff"
+                               : tool.given("--rolloff")
+                                   ? "is required: --rolloff is the length of self-affine only"
+                                   : "is required");
   for (const char* option : {"length", "length-level"})
-    if (tool.given("--rolloff") && given(tool, option))
-      throw UsageError(option, "cannot be combined with --rolloff, which is the length");
+    if (corner && given(tool, option))
+      throw UsageError(option, "cannot be combined with --rolloff, which is the length of self-affine");
   for (const ShapeParameter& parameter : shape_parameters)
     if (const std::string owner(name_of(parameter.model)); given(tool, parameter.name) && target != owner)
       throw UsageError(parameter.name, "belongs to --model " + owner + ", not to " + target);
@@ -155,43 +182,54 @@ void KernelOptions::refuse_unused(const Tool& tool) const {
     throw UsageError("wavelength", "is required by --model exponential-cosine");
 }
 
-std::optional<BandLimited> KernelOptions::band(const Tool& tool, const EllipticTarget& model,
-                                               Shape period) const {
-  if (cutoff.empty()) return std::nullopt;
-  if (period == Shape{})
-    throw UsageError("cutoff", cutoff +
-                                   ": needs --periodic; without its short waves an autocorrelation does "
-                                   "not end, and a kernel must");
-  refuse_beside_cutoff(tool);
-  const SampledLength shortest_wave = parse_length("cutoff", cutoff);
-  const double wave = shortest_wave.metres(model.spacing_x);
-  if (model.model != Model::stretched_exponential) {
-    const CutoffBounds bounds(model, period);
-    auto shown = [&](double bound) {
-      return shortest_wave.samples ? number(bound / model.spacing_x) + "px" : format_quantity(bound, "m");
-    };
-    if (bounds.below(wave))
-      throw UsageError("cutoff", cutoff + ": below two samples, " + shown(bounds.least));
-    if (bounds.above(wave))
-      throw UsageError("cutoff", cutoff + ": above the " +
-                                     (bounds.most_is_rolloff ? "roll-off" : "shorter side of the surface") +
-                                     ", " + shown(bounds.most));
-  }
-  check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
-  return BandLimited(model, wave, period);
+bool KernelOptions::rolloff_is_length(const Tool& tool) const {
+  return tool.given("--rolloff") && target == "self-affine";
 }
 
-void KernelOptions::refuse_beside_cutoff(const Tool& tool) const {
+std::optional<BandLimited> KernelOptions::band(const Tool& tool, const EllipticTarget& model,
+                                               Shape period) const {
+  const bool levels = tool.given("--rolloff") && !rolloff_is_length(tool);
+  if (cutoff.empty() && !levels) return std::nullopt;
+  const std::string limit = cutoff.empty() ? "rolloff" : "cutoff";
+  if (period == Shape{})
+    throw UsageError(
+        limit, (cutoff.empty() ? "needs --periodic, or --model self-affine" : cutoff + ": needs --periodic") +
+                   "; otherwise the autocorrelation does not end, and a kernel must");
+  refuse_beside(tool, limit);
+  const Band band = model.model == Model::stretched_exponential ? Band{} : band_of(tool, model, period);
+  check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
+  return BandLimited(model, band, period);
+}
+
+Band KernelOptions::band_of(const Tool& tool, const EllipticTarget& model, Shape period) const {
+  Band out;
+  if (tool.given("--rolloff") && !rolloff_is_length(tool)) {
+    out.rolloff_x = rolloff[0].metres(model.spacing_x), out.rolloff_y = rolloff[1].metres(model.spacing_y);
+    const WaveBounds bounds = rolloff_bounds(model, period);
+    refuse_beyond("rolloff", rolloff[0], model.spacing_x, bounds, side_of_surface);
+    refuse_beyond("rolloff", rolloff[1], model.spacing_y, bounds, side_of_surface);
+    refuse_levelled(model, rolloff[0], wavelength);
+  }
+  if (cutoff.empty()) return out;
+  const SampledLength shortest_wave = parse_length("cutoff", cutoff);
+  const WaveBounds bounds = cutoff_bounds(model, out, period);
+  refuse_beyond("cutoff", shortest_wave, model.spacing_x, bounds,
+                bounds.most < rolloff_bounds(model, period).most ? "roll-off" : side_of_surface);
+  out.cutoff = shortest_wave.metres(model.spacing_x);
+  return out;
+}
+
+void KernelOptions::refuse_beside(const Tool& tool, const std::string& limit) const {
   for (const char* option : {"lags", "formulation", "infeasible"})
     if (given(tool, option))
-      throw UsageError(option, "cannot be combined with --cutoff, which leaves no equations to solve");
+      throw UsageError(option, "cannot be combined with --" + limit + ", which leaves no equations to solve");
   if (given(tool, "method") && !filters())
-    throw UsageError("method",
-                     method + ": cannot be combined with --cutoff, which leaves no equations to solve");
+    throw UsageError(
+        "method", method + ": cannot be combined with --" + limit + ", which leaves no equations to solve");
   if (const std::string option = MarginalOptions::given(tool); !option.empty() && !filters())
-    throw UsageError(option,
-                     "cannot be combined with --cutoff: the translation of heights makes shorter waves; "
-                     "asperity-generate --method filter makes none");
+    throw UsageError(option, "cannot be combined with --" + limit +
+                                 ": the translation of heights makes waves beyond the band; "
+                                 "asperity-generate --method filter makes none");
 }
 
 void KernelOptions::refuse_model(const Tool& tool) const {

@@ -33,8 +33,9 @@ struct KernelOptions {
   /// The model of --model, its lengths in metres, or in samples where no spacing is known. Throws UsageError
   /// for options that it does not use.
   EllipticTarget model(const Tool& tool, const Spacing& spacing) const;
-  /// The surfaces of a period without waves shorter than --cutoff, of this model; nothing without --cutoff.
-  /// `period` is 0x0 of surfaces that are not periodic, which are refused; so are options without use.
+  /// The surfaces of a period with the spectrum of this model, but for --cutoff and --rolloff; nothing
+  /// without either, or where --rolloff is the length of the model. `period` is 0x0 of surfaces that are not
+  /// periodic, which are refused; so are options without use.
   std::optional<BandLimited> band(const Tool& tool, const EllipticTarget& model, Shape period) const;
   /// Throws UsageError for an option that a table has no use for.
   void refuse_model(const Tool& tool) const;
@@ -43,7 +44,9 @@ struct KernelOptions {
   void declare_target(Tool& tool);
   void declare_solution(Tool& tool, bool draws);
   void refuse_unused(const Tool& tool) const;
-  void refuse_beside_cutoff(const Tool& tool) const;
+  bool rolloff_is_length(const Tool& tool) const;
+  Band band_of(const Tool& tool, const EllipticTarget& model, Shape period) const;
+  void refuse_beside(const Tool& tool, const std::string& limit) const;
 };
 
 }  // namespace asperity::cli

@@ -16,6 +16,7 @@ namespace asperity::cli {
 namespace {
 
 constexpr double negligible_change = 1e-6;
+constexpr double rounding = 1e-12;  // of a correlation
 constexpr double silent_error =
     1e-2;  // beyond lags that were given, as of a model cut where it has fallen so far
 
@@ -28,7 +29,12 @@ void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& optio
   out.band = options.band(tool, model, periodic);
   if (!out.band) return;
   out.period = periodic;
-  out.data.attributes.set("kernel_cutoff", out.band->cutoff() / model.spacing_x);
+  const Band& band = out.band->band();
+  Attributes& a = out.data.attributes;
+  if (band.cuts()) a.set("kernel_cutoff", band.cutoff / model.spacing_x);
+  if (band.levels())
+    a.set_values("kernel_rolloff", Values(std::vector<double>{band.rolloff_x / model.spacing_x,
+                                                              band.rolloff_y / model.spacing_y}));
 }
 
 void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& options) {
@@ -91,10 +97,12 @@ Kernel periodic(KernelProblem& problem) {
 Kernel band_limited(const KernelProblem& problem) {
   Kernel out;
   const double rms = problem.request.rms;
-  out.formulation = problem.request.target.oriented ? Formulation::oriented : Formulation::symmetric;
   out.lags = {problem.period->nx / 2 + 1, problem.period->ny / 2 + 1};
   out.values = problem.band->kernel() * rms;
-  out.acf_target = problem.band->correlation() * (rms * rms);
+  const Field correlation = problem.band->correlation();
+  const bool mirrored = (correlation - correlation.rowwise().reverse()).abs().maxCoeff() <= rounding;
+  out.formulation = mirrored ? Formulation::symmetric : Formulation::oriented;
+  out.acf_target = correlation * (rms * rms);
   out.acf_achieved = periodic_autocorrelation(out.values);
   out.report.residual = out.report.change = out.report.error =
       (out.acf_achieved - out.acf_target).abs().maxCoeff() / (rms * rms);
