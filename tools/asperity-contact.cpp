@@ -74,7 +74,7 @@ int press(cli::Tool& tool, cli::ContactOptions& options) {
   const cli::Pressed& pressed = accurate.pressed;
   before.tell(tool, scene.data, "pressure");
   tool.write(scene.data);
-  warn(tool, cli::doubts(scene.growth));
+  warn(tool, cli::doubts(scene));
   warn(tool, doubts(scene.grid, options.bodies));
   warn(tool, pressed.doubts);
   const int code = cli::told_exit(tool, options, pressed.contact, "");
@@ -135,7 +135,7 @@ int sweep(cli::Tool& tool, cli::ContactOptions& options, ProgressCounter& counte
   } else {
     const cli::ContactScene scene = only_scene(tool, options);
     cli::Influence influence(options);
-    warn(tool, cli::doubts(scene.growth));
+    warn(tool, cli::doubts(scene));
     warn(tool, doubts(scene.grid, options.bodies));
     cli::print(tool, sweeps.table(scene, influence.on(scene.grid), "", code));
   }

@@ -109,6 +109,24 @@ TEST_CASE("the boundary is that of the grid unless it is freed", "[contact][cont
   CHECK(alone.minCoeff() > 0);
 }
 
+// 64 cells of slope 1e-3: 63 steps of one cell at the seam.
+TEST_CASE("a surface that jumps where it is said to continue is warned of", "[contact][contract]") {
+  require(surface + " --seed 1 --periodic -o level.nc");
+  const std::string press = "asperity-contact -q --load 50N" + elastic;
+  CHECK_THAT(shell(press + "level.nc -o out.nc").error, !ContainsSubstring("seam"));
+  Dataset tilted = read_dataset("level.nc");
+  const Field plane =
+      Field::NullaryExpr(64, 64, [](Index, Index j) { return 3e-6 / 64 * static_cast<double>(j); });
+  set_field(tilted, "heights", plane, {"m", "heights"});
+  write_dataset(tilted, "tilted.nc");
+  CHECK_THAT(shell(press + "tilted.nc -o out.nc").error,
+             ContainsSubstring("periodic along y but jumps at the seam") && ContainsSubstring("2.95e-06 m") &&
+                 ContainsSubstring("63 times") && ContainsSubstring("--boundary periodic_x") &&
+                 !ContainsSubstring("along x"));
+  CHECK_THAT(shell(press + "tilted.nc --boundary free -o out.nc").error, !ContainsSubstring("seam"));
+  CHECK_THAT(shell(press + "tilted.nc level.nc").error, ContainsSubstring("jumps at the seam"));
+}
+
 // The truncation of 54 cells across, tests/contact/line.cpp.
 TEST_CASE("a cylinder that repeats along one axis is pressed as Hertz's line contact", "[contact][exact]") {
   const std::string press =

@@ -44,6 +44,8 @@ void record(Attributes& a, const SlopeGrowth& growth, const GridFigures& figures
   if (figures.seconds > 0) a.set("contact_grid_errors_seconds", on_record(figures.seconds));
 }
 
+namespace {
+
 std::vector<Doubt> doubts(const SlopeGrowth& growth) {
   if (growth.resolved() == Resolved::yes) return {};
   const bool not_at_all = growth.resolved() == Resolved::no;
@@ -55,6 +57,26 @@ std::vector<Doubt> doubts(const SlopeGrowth& growth) {
                not_at_all ? "does not resolve" : "barely resolves", growth.gamma,
                not_at_all ? "so areas and pressures depend on the grid and have no errors"
                           : "so errors of the grid are in doubt")}};
+}
+
+Doubt doubt(const Seam& seam, Periodic periodic, bool in_x) {
+  const std::string axis = in_x ? "x" : "y", other = in_x ? "y" : "x";
+  return {
+      in_x ? "jumps at its seam along x" : "jumps at its seam along y",
+      fmt::format("the surface is marked as periodic along {} but jumps at the seam: the rms step from its "
+                  "last line to its first, {:.3g} m, is {:.2g} times the largest between neighbouring lines; "
+                  "press it with --boundary {}, or remove its trend and taper its edges",
+                  axis, seam.step, seam.step / seam.largest, periodic.both() ? "periodic_" + other : "free")};
+}
+
+}  // namespace
+
+std::vector<Doubt> doubts(const ContactScene& scene) {
+  std::vector<Doubt> out = doubts(scene.growth);
+  for (const bool in_x : {true, false})
+    if (const Seam& seam = scene.seams[in_x ? 0 : 1]; seam.jumps())
+      out.push_back(doubt(seam, scene.grid.periodic, in_x));
+  return out;
 }
 
 std::vector<Doubt> doubts(const GridFigures& figures) {

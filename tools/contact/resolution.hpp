@@ -23,8 +23,9 @@ GridFigures grid_figures(const ContactOptions& options, const ContactScene& scen
 
 void record(Attributes& attributes, const SlopeGrowth& growth, const GridFigures& figures);
 
-/// Whether the grid resolves the surfaces, and why a contact has no errors.
-std::vector<Doubt> doubts(const SlopeGrowth& growth);
+/// Whether the grid resolves the surfaces, and whether periodic ones continue at their edges.
+std::vector<Doubt> doubts(const ContactScene& scene);
+/// Why a contact has no errors.
 std::vector<Doubt> doubts(const GridFigures& figures);
 
 }  // namespace asperity::cli

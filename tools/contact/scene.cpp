@@ -208,6 +208,7 @@ ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid,
   const bool rough = !o.smooth || !o.counter.empty();
   scene.growth =
       rough ? slope_growth(scene.gap, scene.grid, o.contact.threads) : SlopeGrowth{GridErrors::none};
+  if (rough) scene.seams = seams(scene.gap, scene.grid.periodic);
   if (o.adds("contact_ratios"))
     scene.roughness =
         roughness_of(undeformed_gap(scene.grid, o.bodies) - scene.gap, scene.grid, o.contact.threads);

@@ -3,6 +3,7 @@
 
 #include "contact/ratios.hpp"
 #include "dataset/dataset.hpp"
+#include "stats/hybrid/seam.hpp"
 #include "stats/hybrid/slope_growth.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/contact/options.hpp"
@@ -12,9 +13,10 @@ namespace asperity::cli {
 struct ContactScene {
   Dataset data;  ///< to be amended; its grid is the contact's
   Grid grid;
-  Field gap;                    ///< undeformed [m]
-  SlopeGrowth growth = {};      ///< of the gap; γ is NaN where it is that of smooth bodies
-  GapRoughness roughness = {};  ///< of the gap, for --add contact_ratios
+  Field gap;                       ///< undeformed [m]
+  SlopeGrowth growth = {};         ///< of the gap; γ is NaN where it is that of smooth bodies
+  std::array<Seam, 2> seams = {};  ///< of the gap, along the axes where it is periodic
+  GapRoughness roughness = {};     ///< of the gap, for --add contact_ratios
 };
 
 /// Of a dataset with the first body, unless it is smooth. Throws ParameterError when the requested boundary

@@ -38,7 +38,7 @@ class Scenes {
           grids_.add(tool_, grid_of(member.data), member.name);
           try {
             ContactScene scene = scene_of(tool_, options_, std::move(member.data));
-            warn(doubts(scene.growth));
+            warn(doubts(scene));
             warn(doubts(scene.grid, options_.bodies));
             solve(scene, member.name);
           } catch (const DataError& error) {
