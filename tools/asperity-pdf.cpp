@@ -1,14 +1,16 @@
 // The distribution of heights beside the Gaussian of the same mean and rms height.
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
-#include "stats/height/material_ratio.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/measure/height_tables.hpp"
 #include "tools/measure/part_tables.hpp"
 
 using namespace asperity;
@@ -48,97 +50,51 @@ struct Options {
   }
 };
 
-// A field, and the errors of its distribution.
-struct Heights {
-  const Surface& surface;
-  const Moments& m;
-  const EffectiveSampleSize& size;
+// The values to count: a whole field, or a part of its cells, whose values are bounded and not Gaussian.
+using Counted = std::variant<Surface, cli::CountedCells>;
 
-  // NaN where errors cannot be given.
-  double known(double error) const { return size.gives_errors() ? error : NAN; }
-  double misfit(double deviation, double error) const {
-    const double scale = known(error);
-    return scale > 0 || std::isnan(scale) ? deviation / scale : deviation;
+// What bins and bandwidths follow from: the values of one surface or of several.
+struct Values {
+  HeightRange range = {INFINITY, -INFINITY};
+  double points = 0, squares = 0;  // the sum of N Sq²
+
+  void add(const Counted& counted) {
+    const auto* part = std::get_if<cli::CountedCells>(&counted);
+    const Field& field = part ? part->values : std::get<Surface>(counted).heights;
+    const HeightRange own = height_range(field);
+    range = {part ? 0 : std::min(range.lowest, own.lowest), std::max(range.highest, own.highest)};
+    const double n = static_cast<double>((!field.isNaN()).count()),
+                 mean = field.isNaN().select(0, field).sum() / n;
+    points += n;
+    squares += field.isNaN().select(0, field - mean).square().sum();
   }
+  double sq() const { return std::sqrt(squares / points); }
+  Moments moments() const { return {.sq = sq(), .sp = range.width()}; }
 };
 
-cli::Table table_of_bins(const Heights& of, int bins) {
-  const std::string density = cli::unit_to(of.surface.units, -1);
-  cli::Table out{{{"height", of.surface.units},
-                  {"count", "1"},
-                  {"standard_error", "1", cli::Holds::unknown},
-                  {"gaussian", "1"},
-                  {"misfit", "1", cli::Holds::unknown},
-                  {"density", density},
-                  {"density_error", density, cli::Holds::unknown},
-                  {"gaussian_density", density}},
-                 {}};
-  for (const Bin& bin : histogram(of.surface.heights, of.m, of.size, bins)) {
-    const double per_height = 1 / (of.size.points() * bin.width()), error = of.known(bin.count_error);
-    out.rows.push_back({bin.centre(), bin.count, error, bin.expected,
-                        of.misfit(bin.count - bin.expected, bin.misfit_error), bin.count * per_height,
-                        error * per_height, bin.expected * per_height});
-  }
-  return out;
-}
-
-cli::Table table_of_density(const Heights& of, double bandwidth, int points) {
-  const std::string density = cli::unit_to(of.surface.units, -1);
-  cli::Table out{{{"height", of.surface.units},
-                  {"density", density},
-                  {"standard_error", density, cli::Holds::unknown},
-                  {"gaussian_density", density},
-                  {"misfit", "1", cli::Holds::unknown}},
-                 {}};
-  for (const DensityPoint& p : kernel_density(of.surface.heights, of.m, of.size, bandwidth, points))
-    out.rows.push_back({p.height, p.density, of.known(p.density_error), p.gaussian,
-                        of.misfit(p.density - p.gaussian, p.misfit_error)});
-  return out;
-}
-
-cli::Table table_of_quantiles(const Heights& of, const MaterialRatioCurve& curve, int points) {
-  const std::string& unit = of.surface.units;
-  cli::Table out{{{"share", "1"},
-                  {"normal_quantile", "1"},
-                  {"height", unit},
-                  {"standard_error", unit, cli::Holds::unknown},
-                  {"gaussian_height", unit},
-                  {"misfit", "1", cli::Holds::unknown}},
-                 {}};
-  for (const QuantilePoint& p : quantile_plot(curve, of.m, of.size, points))
-    out.rows.push_back({p.share, p.normal, p.height, of.known(p.height_error), p.gaussian,
-                        of.misfit(p.height - p.gaussian, p.misfit_error)});
-  return out;
-}
-
-double bandwidth_for(const Options& what, const Moments& m, const EffectiveSampleSize& size) {
-  if (std::isnan(what.bandwidth)) return silverman_bandwidth(m, size.points());
-  const double least = least_bandwidth * m.sz() / m.sq;
+// In metres.
+double bandwidth_for(const Options& what, const Values& of) {
+  if (std::isnan(what.bandwidth)) return silverman_bandwidth(of.moments(), of.points);
+  const double range = of.range.width() / of.sq(), least = least_bandwidth * range;
+  const std::string given = "'" + cli::shortest(what.bandwidth) + "' is ";
   if (!(what.bandwidth >= least && std::isfinite(what.bandwidth)))
-    throw cli::UsageError("bandwidth", "'" + cli::shortest(what.bandwidth) + "' is not finite or is below " +
-                                           cli::shortest(least) + " Sq, 1e-5 of the range of heights");
-  if (what.bandwidth * m.sq > m.sz())
-    throw cli::UsageError("bandwidth", "'" + cli::shortest(what.bandwidth) + "' is above " +
-                                           cli::shortest(m.sz() / m.sq) +
+    throw cli::UsageError("bandwidth", given + "not finite or is below " + cli::shortest(least) +
+                                           " Sq, 1e-5 of the range of heights");
+  if (what.bandwidth > range)
+    throw cli::UsageError("bandwidth", given + "above " + cli::shortest(range) +
                                            " Sq, the range of heights: only the kernel would show");
-  return what.bandwidth * m.sq;
+  return what.bandwidth * of.sq();
 }
 
-cli::Table table_of(const Heights& of, const Options& what, int threads) {
-  if (what.estimate == "kernel")
-    return table_of_density(of, bandwidth_for(what, of.m, of.size), what.points ? what.points : 256);
-  if (what.estimate == "quantiles")
-    return table_of_quantiles(of, MaterialRatioCurve(of.surface.heights, threads),
-                              what.points ? what.points : 99);
-  const double points = of.size.points();
-  if (what.bins > points)
+int bins_for(const Options& what, const Values& of) {
+  if (what.bins > of.points)
     throw cli::UsageError("bins", "'" + std::to_string(what.bins) + "' is above the number of points, " +
-                                      cli::shortest(points));
-  return table_of_bins(of, what.bins ? what.bins : scott_bins(of.m, points));
+                                      cli::shortest(of.points));
+  if (what.bins) return what.bins;
+  return of.squares > 0 ? scott_bins(of.moments(), of.points) : 1;
 }
 
-// Of a part of the cells, whose values are bounded and not Gaussian.
-cli::Table table_of(const cli::Tool& tool, const cli::CountedCells& part, const Options& what) {
+void check(const cli::Tool& tool, const cli::CountedCells& part, const Options& what) {
   for (const char* option : {"remove-form", "lambda-s", "lambda-c", "correlation"})
     if (tool.given(std::string("--") + option))
       throw cli::UsageError(option, "is for whole fields: leave it out, " + part.variable +
@@ -146,52 +102,70 @@ cli::Table table_of(const cli::Tool& tool, const cli::CountedCells& part, const 
   if (what.estimate == "kernel")
     throw cli::UsageError("estimate", "'kernel' smooths " + part.variable +
                                           " beyond its bound at 0: use histogram or quantiles");
-  tool.note(part.told());
-  return what.estimate == "quantiles"
-             ? quantiles_of(part, what.points ? what.points : 99, tool.thread_count())
-             : histogram_of(part, what.bins);
 }
 
-cli::Table distribution_of(const cli::Tool& tool, const cli::FieldOptions& options, const Options& what,
-                           const Dataset& data) {
-  if (const auto part = cli::counted_cells(data, options.variable)) return table_of(tool, *part, what);
-  const Surface surface = options.read(tool, data);
-  const Moments m = moments(surface.heights, options.variable);
-  const EffectiveSampleSize size = error_basis(surface, tool.thread_count()).size();
-  warn_of_few(tool, size);
-  return table_of({surface, m, size}, what, tool.thread_count());
-}
-
-// Several surfaces: the mean of each quantile, with an error by the spread between them.
-class Surfaces {
+// Of one surface on its own range; of several on the range of all, which is added up first, the mean of each
+// row with an error by the spread between them.
+class Distribution {
  public:
-  Surfaces(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
+  Distribution(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
       : tool_(tool), field_(field), what_(what) {}
 
+  bool needs_range() const { return what_.estimate != "quantiles"; }
+  void add_range(const Dataset& data) { values_.add(read(data)); }
+
+  cli::Table table(const Dataset& data) {
+    const Counted counted = read(data);
+    if (needs_range()) values_.add(counted);
+    return std::visit([&](const auto& of) { return table_of(of); }, counted);
+  }
   void add(const cli::EnsembleMember& member) {
-    if (what_.estimate != "quantiles")
-      throw cli::UsageError("estimate", "'" + what_.estimate +
-                                            "' has a range of its own for each surface: over several, use "
-                                            "--estimate quantiles");
-    tool_.detail(member.name);
-    const cli::Table one = distribution_of(tool_, field_, what_, member.data);
+    const cli::Table one = std::visit([&](const auto& of) { return table_of(of); }, read(member.data));
     if (!mean_) mean_.emplace(content_of(one));
     mean_->add(one, member.name);
   }
-  void finish() const {
-    if (mean_) cli::print(tool_, mean_->table());
-  }
+  cli::Table mean() const { return mean_->table(); }
 
  private:
+  Counted read(const Dataset& data) const {
+    if (const auto part = cli::counted_cells(data, field_.variable)) {
+      check(tool_, *part, what_);
+      tool_.note(part->told());
+      return *part;
+    }
+    return field_.read(tool_, data);
+  }
+
+  cli::Table table_of(const cli::CountedCells& part) const {
+    if (needs_range()) return histogram_of(part, bins_for(what_, values_), values_.range.highest);
+    return quantiles_of(part, what_.points ? what_.points : 99, tool_.thread_count());
+  }
+  cli::Table table_of(const Surface& surface) const {
+    const Moments m = moments(surface.heights, field_.variable);
+    const EffectiveSampleSize size = error_basis(surface, tool_.thread_count()).size();
+    warn_of_few(tool_, size);
+    const cli::Heights of{surface, m, size};
+    if (what_.estimate == "kernel")
+      return density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256, values_.range);
+    if (what_.estimate == "histogram") return histogram_of(of, bins_for(what_, values_), values_.range);
+    return quantiles_of(of, what_.points ? what_.points : 99, tool_.thread_count());
+  }
+
   static cli::EnsembleTable::Content content_of(const cli::Table& one) {
-    const bool whole = one.columns[1].name == "normal_quantile";  // not a part of the cells
-    if (whole) return {.keys = {"share", "normal_quantile"}, .value = "height", .means = {"gaussian_height"}};
-    return {.keys = {"share"}, .value = one.columns[1].name};
+    const std::string &first = one.columns[0].name, &second = one.columns[1].name;
+    if (first != "share")  // a histogram, or a curve
+      return {.keys = {first},
+              .value = "density",
+              .error = second == "count" ? "density_error" : "standard_error",
+              .means = {"gaussian_density", "count", "gaussian", "share"}};
+    if (second != "normal_quantile") return {.keys = {first}, .value = second};  // of a part of the cells
+    return {.keys = {first, second}, .value = "height", .means = {"gaussian_height"}};
   }
 
   cli::Tool& tool_;
   const cli::FieldOptions& field_;
   const Options& what_;
+  Values values_ = {};
   std::optional<cli::EnsembleTable> mean_ = {};
 };
 
@@ -222,8 +196,9 @@ int main(int argc, char** argv) {
       "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
       "those of the Gaussian, which lie on a straight line against the normal quantile. Of a contact, the "
       "pressure is counted on the cells in contact and the gap on the open ones, beside no Gaussian; share "
-      "is that of all cells. For several surfaces, quantiles are the means over them, with the standard "
-      "error by their spread and the spread expected from the errors of the single surfaces.");
+      "is that of all cells. For several surfaces, quantiles and densities are means over them, on bins or "
+      "heights that all have in common, with the standard error by their spread and the spread expected from "
+      "the errors of the single surfaces.");
   cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;
@@ -236,12 +211,16 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    Surfaces surfaces(tool, options, what);
-    inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
-      member.alone() ? cli::print(tool, distribution_of(tool, options, what, member.data))
-                     : surfaces.add(member);
-    });
-    surfaces.finish();
+    Distribution distribution(tool, options, what);
+    if (inputs.resolve(tool) == 1) {
+      cli::print(tool, distribution.table(inputs.only(tool)));
+      return cli::done;
+    }
+    using Member = cli::EnsembleMember;
+    if (distribution.needs_range())
+      inputs.for_each(tool, [&](Member&& member) { distribution.add_range(member.data); });
+    inputs.for_each(tool, [&](Member&& member) { distribution.add(member); });
+    cli::print(tool, distribution.mean());
     return cli::done;
   });
 }

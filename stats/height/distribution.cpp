@@ -51,16 +51,20 @@ HermiteVariance variance_of(const std::function<double(int)>& weight, double tot
   return {std::max(from(1), 0.0), std::max(from(3) - dropped, 0.0)};
 }
 
+HeightRange height_range(const Field& z) {
+  return {z.minCoeff<Eigen::PropagateNumbers>(), z.maxCoeff<Eigen::PropagateNumbers>()};
+}
+
 int scott_bins(const Moments& moments, double points) {
   const double width = std::cbrt(24 / std::numbers::inv_sqrtpi / points) * moments.sq;
   return static_cast<int>(std::clamp(std::ceil(moments.sz() / width), 1.0, std::min(points, 1e6)));
 }
 
-std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size,
-                           int bins) {
+std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins,
+                           std::optional<HeightRange> range) {
   if (bins < 1) throw ParameterError("bins", "'" + std::to_string(bins) + "' is below 1");
-  const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
-               width = (z.maxCoeff<Eigen::PropagateNumbers>() - lowest) / bins;
+  if (!range) range = height_range(z);
+  const double lowest = range->lowest, width = range->width() / bins;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   if (!(width >= epsilon * z.isNaN().select(0, z).abs().maxCoeff()))
     throw DataError("heights", "their range is too narrow for " + std::to_string(bins) +

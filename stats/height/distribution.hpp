@@ -1,6 +1,7 @@
 /// A histogram of the heights, its standard errors, and the Gaussian of the same mean and Sq.
 ///
-/// Bins of equal width from the lowest to the highest height; their number follows Scott's rule,
+/// Bins of equal width from the lowest to the highest height, or over a given range; their number follows
+/// Scott's rule,
 ///     width ≤ (24 √π / N)^{1/3} Sq = 3.49 Sq N^{-1/3},                                             (1)
 /// the optimum for N Gaussian heights. N is not reduced for correlation, whose error does not depend on the
 /// width. Each bin holds lower ≤ z < upper; the last one includes its upper edge.
@@ -20,6 +21,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/field.hpp"
@@ -27,6 +29,15 @@
 #include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {
+
+/// In the unit of the field.
+struct HeightRange {
+  double lowest = 0, highest = 0;
+
+  double width() const { return highest - lowest; }
+};
+/// From the lowest to the highest value that is not missing.
+HeightRange height_range(const Field& z);
 
 /// In the unit of the field.
 struct Bin {
@@ -43,8 +54,10 @@ struct Bin {
 /// (1), at least 1, at most a million or the number of points.
 int scott_bins(const Moments& moments, double points);
 
-/// Throws ParameterError("bins", …) below 1, DataError("heights", …) if bin edges coincide as doubles.
-std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins);
+/// Over the range of the heights, or a given one that includes it. Throws ParameterError("bins", …) below 1,
+/// DataError("heights", …) if bin edges coincide as doubles.
+std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins,
+                           std::optional<HeightRange> range = {});
 
 /// Σ w(k) S_k/N over k ≥ 1, and over k ≥ 3, for Hermite weights that add up to `total`.
 struct HermiteVariance {

@@ -10,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "math/hermite.hpp"
-#include "stats/height/distribution.hpp"
 
 namespace asperity {
 namespace {
@@ -93,9 +92,10 @@ double silverman_bandwidth(const Moments& moments, double points) {
 }
 
 std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
-                                         const EffectiveSampleSize& size, double bandwidth, int rows) {
-  const double lowest = z.minCoeff<Eigen::PropagateNumbers>(),
-               highest = z.maxCoeff<Eigen::PropagateNumbers>();
+                                         const EffectiveSampleSize& size, double bandwidth, int rows,
+                                         std::optional<HeightRange> range) {
+  if (!range) range = height_range(z);
+  const double lowest = range->lowest, highest = range->highest;
   if (rows < 2) throw ParameterError("rows", "'" + std::to_string(rows) + "' is below 2");
   if (!(bandwidth > 0 && bandwidth >= least_bandwidth * (highest - lowest) && std::isfinite(bandwidth)))
     throw ParameterError("bandwidth", "is not finite or is below 1e-5 of the range of heights");

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "stats/height/distribution.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
@@ -47,9 +48,11 @@ constexpr double least_bandwidth = 1e-5;  ///< of the range of heights
 /// (2), in the unit of the field.
 double silverman_bandwidth(const Moments& moments, double points);
 
-/// At `rows` equidistant heights, from three bandwidths below the lowest to three above the highest. Throws
-/// ParameterError("rows", …) below 2, ("bandwidth", …) unless it is finite and at least the least one.
+/// At `rows` equidistant heights, from three bandwidths below the lowest to three above the highest, or those
+/// of a given range that includes them. Throws ParameterError("rows", …) below 2, ("bandwidth", …) unless it
+/// is finite and at least the least one.
 std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
-                                         const EffectiveSampleSize& size, double bandwidth, int rows);
+                                         const EffectiveSampleSize& size, double bandwidth, int rows,
+                                         std::optional<HeightRange> range = {});
 
 }  // namespace asperity

@@ -29,9 +29,13 @@ std::vector<PartBin> part_histogram(const Field& z, int bins) {
   const double points = static_cast<double>((!z.isNaN()).count());
   if (bins > points)
     throw ParameterError("bins", fmt::format("'{}' is above the number of counted cells, {}", bins, points));
-  const double largest = points > 0 ? z.maxCoeff<Eigen::PropagateNumbers>() : 0;
+  if (points == 0) throw DataError("values", "there are none");
+  return part_histogram(z, bins == 0 ? bins_of(z, points) : bins, z.maxCoeff<Eigen::PropagateNumbers>());
+}
+
+std::vector<PartBin> part_histogram(const Field& z, int bins, double largest) {
   if (!(largest > 0)) throw DataError("values", "none is above 0");
-  if (bins == 0) bins = bins_of(z, points);
+  const double points = static_cast<double>((!z.isNaN()).count());
   std::vector<double> edges;
   for (int k = 1; k < bins; ++k) edges.push_back(largest * k / bins);
   const ShareErrors errors = share_errors(z, edges);

@@ -30,6 +30,8 @@ struct PartBin {
 /// Of the values of z that are not NaN, all ≥ 0; `bins` = 0: by Scott's rule. Throws
 /// ParameterError("bins", …) for more bins than values, DataError("values", …) without a value above 0.
 std::vector<PartBin> part_histogram(const Field& z, int bins = 0);
+/// So many bins from 0 to `largest`, no less than the largest value.
+std::vector<PartBin> part_histogram(const Field& z, int bins, double largest);
 
 struct PartQuantile {
   double share = 0;  ///< of the values that lie below

@@ -1,52 +1,10 @@
-// asperity-acf, asperity-psd and asperity-pdf on several surfaces.
-#include <cmath>
-#include <vector>
-
-#include <nlohmann/json.hpp>
-
+// asperity-acf and asperity-psd on several surfaces.
 #include "dataset/layout.hpp"
-#include "tools/files.hpp"
+#include "ensemble_files.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
-using Json = nlohmann::json;
-
-namespace {
-
-constexpr unsigned members = 8;
-
-// f_0.nc … f_7.nc, oblong, with dx ≠ dy.
-void draw() {
-  static const bool drawn = shell(
-                                "asperity-generate -q --shape 64x48 --size 1mm,0.5mm --rq 0.4um --length "
-                                "60um,40um --seed 1 --count 8 -o f_%d.nc")
-                                .exit == 0;
-  REQUIRE(drawn);
-}
-
-Json json_of(const std::string& command) { return Json::parse(require(command + " --json -q").out); }
-
-std::vector<double> column(const Json& table, const std::string& name) {
-  std::vector<double> out;
-  for (const Json& value : table[name]["values"]) out.push_back(value.is_null() ? NAN : value.get<double>());
-  return out;
-}
-
-// The single tables' mean, spread and rms error of a row, by plain sums.
-struct Sums {
-  double sum = 0, squares = 0, errors = 0;
-  void add(double value, double error) {
-    sum += value;
-    squares += value * value;
-    errors += error * error;
-  }
-  double mean() const { return sum / members; }
-  double rms() const { return std::sqrt(squares / members); }
-  double spread() const { return std::sqrt(std::max(squares - sum * sum / members, 0.0) / (members - 1)); }
-  double expected() const { return std::sqrt(errors / members); }
-};
-
-}  // namespace
+using namespace asperity::test::eight;
 
 // Means of eight values by two sums. A spread by differences of sums has lost ε (rms/spread)² of its digits:
 // 1e-16 × 1e4 at the most here, where each spread is above a hundredth of its mean; at lag 0 both are exactly 0.
@@ -183,7 +141,7 @@ TEST_CASE("fields of different units are not averaged", "[ensemble][contract]") 
   write_dataset(data, "metres.nc");
   set_field(data, "found", 1e12 * field_of(data, "heights"), {"Pa", "pressure"});
   write_dataset(data, "pascals.nc");
-  for (const char* tool : {"asperity-acf", "asperity-psd", "asperity-stats"}) {
+  for (const char* tool : {"asperity-acf", "asperity-psd", "asperity-pdf", "asperity-stats"}) {
     const Outcome run = shell(tool + std::string(" --variable found metres.nc pascals.nc"));
     CAPTURE(run.error);
     CHECK((run.exit == 4 && lines(run.error) == 1));
@@ -199,33 +157,4 @@ TEST_CASE("more surfaces than files may be open are averaged", "[ensemble][contr
   CAPTURE(run.error);
   CHECK(run.exit == 0);
   CHECK_THAT(run.out, ContainsSubstring("\t60\n"));
-}
-
-TEST_CASE("of several surfaces asperity-pdf prints the mean of each quantile and its error",
-          "[ensemble][statistics]") {
-  draw();
-  const Json mean = json_of("asperity-pdf --estimate quantiles --rows 9 f_?.nc");
-  const std::vector<double> value = column(mean, "height"), error = column(mean, "standard_error");
-  REQUIRE(value.size() == 9);
-  std::vector<double> sum(9), squares(9);
-  for (unsigned k = 0; k < members; ++k) {
-    const std::vector<double> one = column(
-        json_of("asperity-pdf --estimate quantiles --rows 9 f_" + std::to_string(k) + ".nc"), "height");
-    for (std::size_t r = 0; r < 9; ++r) sum[r] += one[r], squares[r] += one[r] * one[r];
-  }
-  for (std::size_t r = 0; r < 9; ++r) {
-    const double of = sum[r] / members, variance = (squares[r] - members * of * of) / (members - 1);
-    CHECK(std::abs(value[r] - of) <= 1e-12 * 0.4e-6);
-    CHECK(error[r] == Approx(std::sqrt(variance / members)).epsilon(1e-6));
-  }
-  CHECK(column(mean, "surfaces")[4] == members);
-  // A part of the cells: those in contact.
-  require("asperity-contact -q --young 200GPa --poisson 0.3 --radius 20mm --load 5N --each p_%d.nc 'f_?.nc'");
-  const Json pressed = json_of("asperity-pdf --variable pressure --estimate quantiles --rows 3 p_*.nc");
-  CHECK(column(pressed, "pressure")[1] > 0);
-  CHECK(column(pressed, "standard_error")[1] > 0);
-  const Outcome counts = shell("asperity-pdf f_?.nc");
-  CHECK(counts.exit == 2);
-  CHECK(lines(counts.error) == 1);
-  CHECK_THAT(counts.error, ContainsSubstring("--estimate quantiles"));
 }

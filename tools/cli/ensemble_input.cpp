@@ -157,10 +157,11 @@ Names EnsembleInput::from_standard_input(const Run& run, std::size_t of) {
   const Names names = listed(run.tool, *piped_);
   if (names.empty())
     visit_one(run, "-", of, [&] {
+      if (of > 1) return run.tool.read(*piped_, "-");  // kept for another visit
       const std::optional<Bytes> bytes = std::exchange(piped_, {});
       return run.tool.read(*bytes, "-");
     });
-  piped_.reset();
+  if (of == 1) piped_.reset();
   return names;
 }
 

@@ -43,7 +43,8 @@ struct EnsembleInput {
   using Failed = std::function<void(const std::string& name, const std::string& why)>;
 
   /// Calls visit(member) for each surface, except files for which taken(path) returns true: it has read them
-  /// itself. Of a surface that is alone, --output may take the place, as of Tool::read().
+  /// itself. Of a surface that is alone, --output may take the place, as of Tool::read(). After resolve(),
+  /// several surfaces can be visited again.
   void for_each(
       const Tool& tool, const Visit& visit,
       const VisitPath& taken = [](const std::string&) { return false; });
@@ -62,7 +63,7 @@ struct EnsembleInput {
                         const std::function<Dataset()>& read);
   std::vector<std::string> from_standard_input(const Run& run, std::size_t of);
 
-  std::optional<Bytes> piped_ = {};  ///< a dataset that resolve() has read
+  std::optional<Bytes> piped_ = {};  ///< the dataset on standard input
 };
 
 /// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths

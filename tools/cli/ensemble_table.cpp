@@ -49,11 +49,22 @@ void EnsembleTable::check_keys(const Table& table, const std::string& file) cons
     throw DataError(file, "its rows differ from those of the first surface: they cannot be averaged");
   };
   if (table.rows.size() != first_.rows.size()) refuse();
+  const auto column_like_first = [&](const std::string& name) {
+    const Column* own = column_of(table, name);
+    if (own == nullptr) refuse();
+    const std::string& unit = column_of(first_, name)->unit;
+    if (own->unit != unit)
+      throw DataError(file, "its unit, " + own->unit + ", differs from that of " + file_ + ", " + unit +
+                                ": quantities of different kinds cannot be averaged");
+    return own;
+  };
   for (const std::string& key : content_.keys) {
-    if (column_of(table, key)->unit.empty()) continue;
+    const Column* column = column_like_first(key);
+    if (column->unit.empty()) continue;
     const Eigen::ArrayXd own = numbers_in(table, key), first = numbers_in(first_, key);
     if (!((own - first).abs() <= printed * first.abs()).all()) refuse();
   }
+  column_like_first(content_.value);
 }
 
 void EnsembleTable::add_further(const Table& table, const std::string& name, bool with_error) {
@@ -66,7 +77,7 @@ void EnsembleTable::add_further(const Table& table, const std::string& name, boo
 }
 
 void EnsembleTable::add(const Table& table, const std::string& file) {
-  if (surfaces_++ == 0) first_ = table;
+  if (surfaces_++ == 0) first_ = table, file_ = file;
   check_keys(table, file);
   values_.add(numbers_in(table, content_.value));
   if (column_of(table, content_.error)) square_errors_.add(numbers_in(table, content_.error).square());

@@ -32,7 +32,7 @@ class EnsembleTable {
   };
   explicit EnsembleTable(Content content) : content_(std::move(content)) {}
 
-  /// Throws DataError(file, …) unless its keys are those of the first table.
+  /// Throws DataError(file, …) unless its keys and its unit are those of the first table.
   void add(const Table& table, const std::string& file);
   int surfaces() const { return surfaces_; }
   /// Keys, value, error, others, means, and spread, expected_spread, surfaces of the value.
@@ -44,6 +44,7 @@ class EnsembleTable {
 
   Content content_;
   Table first_ = {};
+  std::string file_ = {};  ///< of the first
   Ensemble values_ = {}, square_errors_ = {};
   struct Further {
     Column column;

@@ -27,6 +27,7 @@ std::string without_numbers(const std::string& text) {
 std::optional<std::string> Repeated::first(const std::string& surface, const std::string& text) {
   const bool named = text.starts_with(surface + ": ");
   const std::string own = named ? text.substr(surface.size() + 2) : text, words = without_numbers(own);
+  if (!told_.insert(surface + ": " + own).second) return std::nullopt;
   const auto known = std::ranges::find(kinds_, words, &Kind::words);
   if (known == kinds_.end()) {
     kinds_.push_back({words});

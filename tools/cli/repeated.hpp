@@ -1,7 +1,9 @@
-/// Warnings that come again for one surface after another: in full for the first, counted for the others.
+/// Warnings that come again for one surface after another: in full for the first, counted for the others. The
+/// same warning about the same surface, which is read twice, counts once.
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ class Repeated {
     std::string surface = {}, text = {};  ///< of the last
   };
   std::vector<Kind> kinds_;
+  std::set<std::string> told_ = {};
 };
 
 }  // namespace asperity::cli

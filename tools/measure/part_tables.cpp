@@ -5,7 +5,7 @@
 
 namespace asperity::cli {
 
-Table histogram_of(const CountedCells& part, int bins) {
+Table histogram_of(const CountedCells& part, int bins, double largest) {
   const std::string density = unit_to(part.units, -1);
   Table out{{{part.variable, part.units},
              {"count", "1"},
@@ -14,7 +14,7 @@ Table histogram_of(const CountedCells& part, int bins) {
              {"density", density},
              {"density_error", density, Holds::unknown}},
             {}};
-  for (const PartBin& bin : part_histogram(part.values, bins)) {
+  for (const PartBin& bin : part_histogram(part.values, bins, largest)) {
     const double per = 1 / (part.counted * bin.width());
     out.rows.push_back({bin.centre(), bin.count, bin.count_error, bin.count / part.cells, bin.count * per,
                         bin.count_error * per});

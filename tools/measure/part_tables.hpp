@@ -6,8 +6,9 @@
 
 namespace asperity::cli {
 
-/// Columns: the variable, count, standard_error, share of all cells, density and density_error.
-Table histogram_of(const CountedCells& part, int bins);
+/// So many bins from 0 to `largest`. Columns: the variable, count, standard_error, share of all cells,
+/// density and density_error.
+Table histogram_of(const CountedCells& part, int bins, double largest);
 /// Columns: share, the variable, standard_error.
 Table quantiles_of(const CountedCells& part, int rows, int threads);
 
