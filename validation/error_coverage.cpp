@@ -1,0 +1,181 @@
+/// Whether the errors that are printed beside parameters are those that simulation finds, whatever the texture.
+///
+///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE]]]]]
+///
+/// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
+/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field.
+///
+/// One row a parameter:
+///
+/// texture       of the fields
+/// N_eff         of their true correlation
+/// parameter     all of asperity-stats with an error, correlation lengths, and some points of spectra
+/// known         share of the fields that have an error, per cent
+/// covered       share of these whose 95 % interval holds the truth, per cent; of the intervals
+/// open          share without an upper end, per cent
+/// ratio         rms of the stated errors over the true one, the standard deviation of the values
+/// bias          mean of the values less the truth, in true errors
+///
+/// The truth is the mean over eight fields of four times the sides. Extremes, counts and means over profiles
+/// depend on the size: there it is the mean of the values, and the bias is NaN.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "stats/measure.hpp"
+#include "stats/measure/acf_estimate.hpp"
+#include "stats/spectrum/spectrum.hpp"
+#include "textures.hpp"
+#include "timing.hpp"
+
+using namespace asperity;
+
+namespace {
+
+constexpr double micrometre = 1e-6;
+constexpr int large = 4, large_fields = 8;
+
+struct Setting {
+  int fields = 400;
+  Shape shape{128, 128};
+  double length = 4;
+  int degree = 0;
+
+  // Beyond which no texture is correlated.
+  Index reach() const { return static_cast<Index>(40 * length); }
+};
+
+Grid grid_of(Shape shape) { return {shape, micrometre, micrometre, false}; }
+
+void add(Parameters& out, const std::string& name, const std::vector<SpectrumPoint>& spectrum, Index times) {
+  for (const Index k : {3, 12})
+    if (const auto at = static_cast<std::size_t>(k * times); at < spectrum.size())
+      out.push_back(
+          {fmt::format("{}_{}", name, k), spectrum[at].density, "", spectrum[at].standard_error, ""});
+}
+
+// All that has an error, of a field `times` as large.
+Parameters measured(const Field& heights, int degree, Index times) {
+  const Grid grid = grid_of(shape_of(heights));
+  MeasureOptions options;
+  options.groups = {Group::height, Group::quantiles, Group::material,
+                    Group::hybrid, Group::spatial,   Group::profiles};
+  options.quantiles = {0.02, 0.5, 0.9};
+  const Surface surface = prepared({grid, micrometre * heights}, {.degree = degree});
+  const Sample sample(surface, true);
+  Parameters out;
+  for (const Group group : options.groups)
+    std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
+  const AcfEstimate acf = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
+  std::ranges::copy(acf_lengths(acf, {{1 / std::exp(1.0), "e", ""}, {0.1, "10", ""}}, {}, {}),
+                    std::back_inserter(out));
+  for (const Index lag : {1, 4})
+    out.push_back(
+        {fmt::format("acf_x_{}", lag), acf.rho(lag, 0), "1", acf.standard_error(lag, 0, false), ""});
+  const DataWindows windows = default_windows(grid);
+  add(out, "psd_x", profile_spectrum(surface.heights, grid, Axis1D::x, windows.x), times);
+  add(out, "psd_y", profile_spectrum(surface.heights, grid, Axis1D::y, windows.y), times);
+  if (times == 1)
+    add(out, "psd_ring",
+        radial_spectrum(power_spectrum(surface.heights, grid, windows), grid,
+                        spectrum_inflation(surface.heights, windows)),
+        times);
+  return out;
+}
+
+bool depends_on_size(const std::string& name) {
+  for (const char* start : {"S", "N", "P", "p"})
+    if (name.starts_with(start))
+      return *start == 'S' ? name == "Sp" || name == "Sv" || name == "Sz"
+                           : !name.starts_with("psd_x") && !name.starts_with("psd_y");
+  return false;
+}
+
+// Of one parameter in all fields.
+struct Column {
+  std::vector<Parameter> all;
+  double truth = NAN;
+
+  double mean() const {
+    return mean_of([](const Parameter& p) { return p.value; });
+  }
+  double spread() const {
+    const double m = mean();
+    return std::sqrt(mean_of([m](const Parameter& p) { return std::pow(p.value - m, 2); }));
+  }
+  template <class Of>
+  double mean_of(Of of) const {
+    double sum = 0, count = 0;
+    for (const Parameter& p : all)
+      if (const double value = of(p); std::isfinite(value)) sum += value, ++count;
+    return sum / count;
+  }
+
+  void print(const std::string& texture, double n_eff, const std::string& name) const {
+    const bool biased = std::isfinite(truth);
+    const double aim = biased ? truth : mean();
+    double known = 0, covered = 0, open = 0;
+    for (const Parameter& p : all) {
+      if (!std::isfinite(p.standard_error)) continue;
+      const Interval i = p.interval_95();
+      ++known;
+      covered += i.low <= aim && aim <= i.high;
+      open += std::isinf(i.high);
+    }
+    const double stated =
+        std::sqrt(mean_of([](const Parameter& p) { return p.standard_error * p.standard_error; }));
+    fmt::print("{}\t{:.0f}\t{}\t{:.0f}\t{:.1f}\t{:.1f}\t{:.2f}\t{:.2f}\n", texture, n_eff, name,
+               100 * known / static_cast<double>(all.size()), 100 * covered / known, 100 * open / known,
+               stated / spread(), biased ? (mean() - aim) / spread() : NAN);
+  }
+};
+
+void judge(const textures::Texture& texture, const Setting& setting) {
+  const auto [nx, ny] = setting.shape;
+  std::mt19937_64 random(2026);
+  std::map<std::string, Column> columns;
+  std::vector<std::string> names;
+  const textures::Draw draw(texture, setting.shape, setting.reach());
+  for (int f = 0; f < setting.fields; ++f)
+    for (const Parameter& p : measured(draw(random), setting.degree, 1)) {
+      if (!columns.contains(p.name)) names.push_back(p.name);
+      columns[p.name].all.push_back(p);
+    }
+  const textures::Draw wide(texture, {large * nx, large * ny}, setting.reach());
+  std::map<std::string, Column> truths;
+  for (int f = 0; f < large_fields; ++f)
+    for (const Parameter& p : measured(wide(random), 0, large)) truths[p.name].all.push_back(p);
+  const double n_eff =
+      static_cast<double>(setting.shape.cells()) / textures::correlated_points(texture, setting.reach());
+  for (const std::string& name : names) {
+    Column& column = columns[name];
+    if (!depends_on_size(name) && truths.contains(name)) column.truth = truths[name].mean();
+    column.print(texture.name, n_eff, name);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  print_conditions();
+  Setting setting;
+  if (argc > 1) setting.fields = std::max(2, std::atoi(argv[1]));
+  const std::string only = argc > 2 ? argv[2] : "all";
+  if (argc > 3) {
+    char* end = nullptr;
+    setting.shape.nx = std::strtol(argv[3], &end, 10);
+    setting.shape.ny = std::strtol(end + 1, nullptr, 10);
+  }
+  if (argc > 4) setting.length = std::atof(argv[4]);
+  if (argc > 5) setting.degree = std::atoi(argv[5]);
+  fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
+  for (const textures::Texture& texture : textures::all(setting.length))
+    if (only == "all" || only == texture.name) judge(texture, setting);
+}

@@ -1,0 +1,127 @@
+#include "textures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity::textures {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double exponential(double x, double y, double l) { return std::exp(-std::hypot(x / (2 * l), y / l)); }
+
+// Lengths 2:1, turned by 30°.
+double oriented_gaussian(double x, double y, double l) {
+  const double u = std::cos(pi / 6) * x + std::sin(pi / 6) * y,
+               v = std::cos(pi / 6) * y - std::sin(pi / 6) * x;
+  return std::exp(-std::pow(u / (2 * l), 2) - std::pow(v / l, 2));
+}
+
+// Of the spectrum 1 for q l ≤ 1, (q l)^-2(1+H) up to the grid's: a Hankel transform, tabulated.
+class SelfAffine {
+ public:
+  SelfAffine(double hurst, double length) {
+    const double most = pi;
+    double sum = 0;
+    table_.assign(4096, 0);
+    for (int k = 0; k < steps; ++k) {
+      const double q = most * (k + 0.5) / steps,
+                   power = q * std::pow(std::max(q * length, 1.0), -2 - 2 * hurst);
+      sum += power;
+      for (std::size_t i = 0; i < table_.size(); ++i)
+        table_[i] += power * std::cyl_bessel_j(0, q * static_cast<double>(i) * step);
+    }
+    for (double& value : table_) value /= sum;
+  }
+  double operator()(double x, double y) const {
+    const double place = std::hypot(x, y) / step;
+    const auto i = static_cast<std::size_t>(place);
+    if (i + 1 >= table_.size()) return 0;
+    return table_[i] + (place - static_cast<double>(i)) * (table_[i + 1] - table_[i]);
+  }
+
+ private:
+  static constexpr int steps = 1000;
+  static constexpr double step = 0.25;
+  std::vector<double> table_ = {};
+};
+
+double lay(double along, double across, double l) {
+  return std::exp(-std::hypot(along / (4 * l), across / l)) * std::cos(2 * pi * across / (3 * l));
+}
+
+double share(double y) { return 0.5 * std::erfc(-y / std::numbers::sqrt2); }
+
+// A plateau of a tenth of the valleys' roughness, above 70 % of the surface.
+double plateau(double y) {
+  const double edge = 0.5244005127080407;  // the normal quantile of 0.7
+  return y > -edge ? 0.1 * (y + edge) : y + edge;
+}
+
+// Two normal populations, 3 standard deviations apart, smoothed into one increasing map.
+double bimodal(double y) { return 0.4 * y + std::tanh(4 * y); }
+
+}  // namespace
+
+std::vector<Texture> all(double l) {
+  auto iso = [l](double x, double y) { return exponential(x, y, l); };
+  const SelfAffine rough(0.3, l), smooth(0.8, l);
+  return {{"exponential", iso},
+          {"gaussian", [l](double x, double y) { return oriented_gaussian(x, y, l); }},
+          {"self_affine_0.3", rough},
+          {"self_affine_0.8", smooth},
+          {"lay_along_x", [l](double x, double y) { return lay(x, y, l); }},
+          {"lay_along_y", [l](double x, double y) { return lay(y, x, l); }},
+          {"two_scales",
+           [l](double x, double y) { return 0.5 * (x == 0 && y == 0) + 0.5 * exponential(x, y, l); }},
+          {"lognormal", iso, [](double y) { return std::exp(0.3 * y); }},
+          {"Weibull", iso, [](double y) { return std::pow(-std::log(share(-y)), 1 / 1.5); }},
+          {"plateau", iso, plateau},
+          {"bimodal", iso, bimodal}};
+}
+
+double correlated_points(const Texture& texture, Index reach) {
+  double sum = 0;
+  for (Index p = -reach; p <= reach; ++p)
+    for (Index q = -reach; q <= reach; ++q)
+      sum += std::pow(texture.correlation(static_cast<double>(p), static_cast<double>(q)), 2);
+  return sum;
+}
+
+Draw::Draw(const Texture& texture, Shape shape, Index reach)
+    : shape_(shape),
+      torus_{fast_length(std::max(2 * shape.nx, shape.nx + 2 * reach), 2),
+             fast_length(std::max(2 * shape.ny, shape.ny + 2 * reach), 2)},
+      heights_(texture.heights),
+      transform_(torus_),
+      root_(static_cast<std::size_t>(transform_.spectrum_size())) {
+  AlignedVector<double> rho(static_cast<std::size_t>(torus_.cells()));
+  auto lag = [](Index i, Index n) { return static_cast<double>(2 * i <= n ? i : i - n); };
+  for (Index i = 0; i < torus_.nx; ++i)
+    for (Index j = 0; j < torus_.ny; ++j)
+      rho[static_cast<std::size_t>(i * torus_.ny + j)] =
+          texture.correlation(lag(i, torus_.nx), lag(j, torus_.ny));
+  AlignedVector<Complex> power(root_.size());
+  transform_.forward(rho.data(), power.data());
+  // Of the noise's spectrum to that of the field, and the inverse transform's factor.
+  const double cells = static_cast<double>(torus_.cells());
+  for (std::size_t k = 0; k < root_.size(); ++k) root_[k] = std::sqrt(std::max(power[k].real(), 0.0)) / cells;
+}
+
+Field Draw::operator()(std::mt19937_64& random) const {
+  std::normal_distribution<double> normal;
+  AlignedVector<double> noise(static_cast<std::size_t>(torus_.cells()));
+  for (double& value : noise) value = normal(random);
+  AlignedVector<Complex> spectrum(root_.size());
+  transform_.forward(noise.data(), spectrum.data());
+  for (std::size_t k = 0; k < root_.size(); ++k) spectrum[k] *= root_[k];
+  transform_.inverse(spectrum.data(), noise.data());
+  const Eigen::Map<const Field> whole(noise.data(), torus_.nx, torus_.ny);
+  Field out = whole.topLeftCorner(shape_.nx, shape_.ny);
+  if (heights_)
+    for (double& z : out.reshaped()) z = heights_(z);
+  return out;
+}
+
+}  // namespace asperity::textures
