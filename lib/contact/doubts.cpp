@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-constexpr Index cells_to_be_trusted = 50;
+constexpr Index cells_to_be_trusted = 50, cells_across = 8;
 constexpr double sides = 3;       // of a domain that holds a contact, in semi-axes
 constexpr double enlarged = 1.5;  // what has them already and is too small
 
@@ -68,6 +68,14 @@ std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& c
                                            : lengthen(grid, bodies, contact, touched));
 }
 
+// A strip of `cells_across` through few cells that repeat is as well resolved as a circle of as many.
+Index enough_cells(const Grid& grid) {
+  const auto [nx, ny] = grid.shape;
+  const Index repeated =
+      std::min(grid.periodic.x ? nx : cells_to_be_trusted, grid.periodic.y ? ny : cells_to_be_trusted);
+  return std::min(cells_to_be_trusted, cells_across * repeated);
+}
+
 }  // namespace
 
 std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies) {
@@ -88,10 +96,10 @@ std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies) {
 
 std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {
   std::vector<Doubt> out;
-  const Index cells = (contact.pressure > 0).count();
-  if (cells < cells_to_be_trusted)
+  const Index cells = (contact.pressure > 0).count(), enough = enough_cells(grid);
+  if (cells < enough)
     out.push_back({"has few cells", fmt::format("the contact has {}, fewer than {}: refine the grid",
-                                                counted(cells, "cell"), cells_to_be_trusted)});
+                                                counted(cells, "cell"), enough)});
   const Touched touched(contact.pressure, grid.periodic);
   if (touched.along_x || touched.along_y)
     out.push_back({"touches the edge of the domain", at_the_edge(grid, bodies, contact, touched)});

@@ -5,6 +5,7 @@
 ///     p > 0 at the domain's free edge  what would be pressed beyond it is missing,                       (2)
 ///     max p > E*                       strains and slopes are of order one,                              (3)
 ///     L/2 > |R|                        the body has ended where its paraboloid goes on.                  (4)
+/// (1): 50 cells are a circle 8 across; where the domain repeats every n < 7 cells, 8n are a strip as wide.
 /// (2) tells the sides that are needed: 3a × 3b of Hertz's semi-axes, or of a like ellipse that carries the
 /// load at max p where that is larger, and half as much again where the domain has them already; 3b across
 /// a line contact. (3): under p a square cell sinks by K₀₀ p = 1.12 Δx p/E*; solids yield long before: give a

@@ -30,6 +30,21 @@ TEST_CASE("a contact of few cells is told how many they are", "[doubts][contract
   CHECK_THAT(told(square(32), spheres, {.load = 1}), ContainsSubstring("cells, fewer than 50"));
 }
 
+// 20 kN/m on R = 50 mm: b = √(4 q R/πE*) = 105.6 um, 54 cells across of 256, 10 of 48, 4 or 6 of 24.
+TEST_CASE("of a line contact on cells that repeat, 8 across are not few", "[doubts][contract]") {
+  const Bodies cylinder{.radius = {Radii(50e-3, infinity), Radii()}};
+  auto strip = [&](Index nx, Index ny) {
+    Grid line{{nx, ny}, 1e-3 / static_cast<double>(nx), 1e-5};
+    line.periodic = {false, true};
+    return told(line, cylinder, {.load = 20e3 * line.size_y()});
+  };
+  CHECK(strip(256, 1).empty());
+  CHECK(strip(48, 1).empty());
+  CHECK_THAT(strip(24, 1), ContainsSubstring("cells, fewer than 8: refine the grid"));
+  CHECK_THAT(strip(24, 4), ContainsSubstring("cells, fewer than 32: refine the grid"));
+  CHECK_THAT(strip(24, 7), ContainsSubstring("cells, fewer than 50: refine the grid"));
+}
+
 // 50 kN: a = 2.017 mm, so that 4.03 mm are touched and 6.05 mm wanted.
 TEST_CASE("a contact at the domain's edge is told the size that Hertz's needs", "[doubts][contract]") {
   CHECK_THAT(told(square(32), spheres, {.load = 50000}),
