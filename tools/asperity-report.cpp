@@ -69,7 +69,7 @@ std::string title_of(const cli::Tool& tool, const std::string& title) {
 int report_on(cli::Tool& tool, const Options& o) {
   cli::check_page_name(o.output);
   tool.writes("output", o.output);
-  const plot::Cases dataset{{tool.read(), ""}};
+  plot::Cases dataset{{tool.read(), ""}};
   const Dataset& data = dataset[0].data;
   std::string untold;
   const std::vector<report::Group> groups = groups_of(tool, data, o, untold);
@@ -80,8 +80,9 @@ int report_on(cli::Tool& tool, const Options& o) {
     throw DataError("heights",
                     "the dataset has no such variable, nor pressure, von_mises or a kernel: "
                     "give a dataset with one of them, or --variable NAME");
+  const report::NoGridErrors no_grid_errors = report::add_grid_errors(tool, dataset[0].data);
   cli::write_all(o.output, report::page({dataset, title_of(tool, o.title), o.measured.variable,
-                                         reference_of(tool, o.measured), groups, untold}));
+                                         reference_of(tool, o.measured), groups, untold, no_grid_errors}));
   return cli::done;
 }
 
@@ -103,7 +104,10 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "The numbers and errors are those of asperity-stats (height, spatial, hybrid), rounded to two digits "
       "of the standard error, or to four digits without one; the page's data elements hold the exact SI "
-      "values. Pictures are those of asperity-plot and show the dataset unfiltered. The page loads nothing "
+      "values. Errors of the grid that the dataset of a contact lacks are computed, as --add grid_errors of "
+      "asperity-contact and asperity-stress does, from the contact on coarser cells; where that cannot be "
+      "done the page says why. Pictures are those of asperity-plot and show the dataset unfiltered. The page "
+      "loads nothing "
       "and runs no script. With SOURCE_DATE_EPOCH, the same dataset gives the same bytes.");
   tool.essential({"INPUT", "-o", "--title", "--variable", "--remove-form", "--lambda-s", "--lambda-c",
                   "--correlation", "--threads", "--from", "--quiet"});

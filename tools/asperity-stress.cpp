@@ -19,8 +19,8 @@ namespace {
 void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSelection& selection) {
   cli::StressScene scene = cli::read_scene(tool, options);
   const StressSearch search = cli::search_of(options, scene.body.grid);
-  std::optional<cli::LoadingContact> loading;
-  if (options.adds("grid_errors")) loading = cli::loading_contact(scene.data);
+  std::optional<cli::RecordedContact> loading;
+  if (options.adds("grid_errors")) loading = cli::loading_contact(scene.data, tool.thread_count());
   const Stopwatch clock;
   const cli::Inventory before(scene.data);
   cli::drop_results(scene.data, "stress");

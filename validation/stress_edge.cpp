@@ -75,7 +75,7 @@ void edge(Index largest) {
                    value = exact(figures[mu == 0.4 ? 2 : 3]);
       fmt::print("{}\t{}\t{:.0f}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.2f}\n", mu, n,
                  static_cast<double>(n) / 3, fine / value - 1, coarse / value - 1, root / value - 1,
-                 edge_error(top, Criterion::von_mises, body) / value, seconds);
+                 edge_error(top, Criterion::von_mises, body, false) / value, seconds);
     }
 }
 
@@ -86,7 +86,7 @@ void tensions(Index largest) {
       const LoadedBody body = contact(n, mu);
       const StressMaximum top = found(body, Criterion::principal);
       fmt::print("{}\t{}\t{:.1e}\t{:.1e}\n", mu, n, top.value / tension(mu) - 1,
-                 edge_error(top, Criterion::principal, body) / tension(mu));
+                 edge_error(top, Criterion::principal, body, false) / tension(mu));
     }
 }
 

@@ -128,6 +128,7 @@ constexpr KnownAttribute attributes[] = {
     {"contact_composite_modulus", parameter, "Pa", "composite modulus"},
     {"contact_boundary", parameter, "", "boundary"},
     {"contact_approach_datum", parameter, "m", "distance from a line load that the approach counts from"},
+    {"contact_prescribed", parameter, "", "prescribed"},
     {"contact_variable", parameter, "", "rough surface"},
     {"contact_counter", parameter, "", "second body"},
     {"contact_limit_pressure", parameter, "Pa", "limit pressure", true},

@@ -1,6 +1,7 @@
 #include "stress/edge.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "core/calibration.hpp"
@@ -31,11 +32,15 @@ double edge_stress(Criterion of, double poisson, double friction) {
                   value_of(of, 2 * friction, 2 * poisson * friction));
 }
 
-double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body) {
+double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body,
+                  bool at_limit_pressure) {
   const bool has_edge = !body.grid.periodic.both() || (body.pressure == 0).any();
+  if (!has_edge) return 0;
+  const bool bears = body.friction.coefficient > 0 || of == Criterion::principal;
+  if (at_limit_pressure) return bears ? std::numeric_limits<double>::quiet_NaN() : 0;
   const double largest = body.pressure.maxCoeff(),
                missing = edge_stress(of, body.poisson, body.friction.coefficient) * largest - maximum.value;
-  return has_edge && missing > 0 ? missing + calibration::stress::edge_stairs * largest : 0;
+  return missing > 0 ? missing + calibration::stress::edge_stairs * largest : 0;
 }
 
 }  // namespace asperity

@@ -16,8 +16,10 @@
 /// 5 %. What (1) and (2) make of the largest pressure does tell, without another grid: the cells have that
 /// pressure within order 2.
 ///
-/// Scope     contacts whose pressure falls to 0 as a root, as without a limit pressure. On a rough surface
-///           each contact has a largest pressure of its own, and (1) of the largest of all is a bound.
+/// Scope     contacts whose pressure falls to 0 as a root: not at a limit pressure, where it falls from its
+///           largest value within a narrow rim, and the stress of a sliding edge grows as the logarithm of
+///           that. On a rough surface each contact has a largest pressure of its own, and (1) of the largest
+///           of all is a bound.
 /// Accuracy  on 20 to 170 cells to a sphere's radius 1.2 to 1.6 times what is missing of von Mises stress,
 ///           1.1 to 2.4 times of a tension (validation/stress_edge).
 ///
@@ -36,7 +38,8 @@ double edge_stress(Criterion of, double poisson, double friction);
 
 /// How much larger the maximum may be because of an edge [Pa]: what is missing to edge_stress of the largest
 /// pressure, and 1.5 % of that pressure, for the edge of cells is a stair. 0 where nothing is missing, and
-/// under a periodic load that acts on every cell. The search is one from the surface on.
-double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body);
+/// under a periodic load that acts on every cell. At the limit pressure NaN, not known, where friction acts
+/// or tension is asked for; otherwise 0. The search is one from the surface on.
+double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body, bool at_limit_pressure);
 
 }  // namespace asperity

@@ -15,8 +15,12 @@ StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaxim
   const auto& [fine, half, quarter] = maxima;
   const double h = std::min(body.grid.dx, body.grid.dy);
   const double shallow = fine.depth > h ? std::pow(h / fine.depth, 2) : 1;
-  const double edge = search.below > 0 ? 0 : edge_error(fine, search.of, body);
+  const double edge = search.below > 0 ? 0 : edge_error(fine, search.of, body, at_limit_pressure);
   StressMaximum out;
+  if (std::isnan(edge)) {
+    out.value = out.depth = edge;
+    return out;
+  }
   out.value = std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
                         share::shallow_stress * shallow * fine.value, edge});
   out.depth =

@@ -6,7 +6,7 @@
 ///     error of its depth   max(0.2 m, 0.04 h).                                                     (2)
 /// Where the limit pressure is reached and z < 2h the stress is that of single cells' edges: a tenth of the
 /// value is added to (1), z to (2). What cells hide of an edge, as of sliding, coarser cells hide too: unless
-/// the search begins below it, (1) is no less than that (stress/edge.hpp).
+/// the search begins below it, (1) is no less than that (stress/edge.hpp), and both are NaN where that is.
 ///
 /// Symbols   z depth of the largest stress [m]   n cells along a side
 /// Accuracy  validation/contact_grid_error without friction; tests/stress/maximum_error.cpp with it.

@@ -195,3 +195,87 @@ TEST_CASE("a report on what is no dataset, or holds nothing to tell, gets one li
     CHECK_FALSE(std::filesystem::exists(scratch("w.html")));
   }
 }
+
+// The contact solved again starts from round-off of the first one's gap, 1e-16 of 4 um, and ends alike.
+TEST_CASE("a page has the errors of the grid that its dataset lacks, equal to those of --add grid_errors",
+          "[report][exact]") {
+  REQUIRE(shell("asperity-generate --shape 64x64 --size 3mm --rq 0.4um --model gaussian --length 12px --seed "
+                "7 -o s.nc")
+              .exit == 0);
+  // The number of an element, or that of the attribute's line.
+  auto told = [](const std::string& page, double value) {
+    const std::string begin = " ± <data value=\"";
+    double nearest = 0;
+    for (auto at = page.find(begin); at != page.npos; at = page.find(begin, at + 1)) {
+      const double found = std::stod(page.substr(at + begin.size()));
+      if (std::abs(found - value) < std::abs(nearest - value)) nearest = found;
+    }
+    return nearest;
+  };
+  for (const std::string given : {"--load 5000N", "--load 5000N --yield 800MPa", "--approach 25um"}) {
+    CAPTURE(given);
+    const std::string press = "asperity-contact s.nc -q --radius 50mm --young 208GPa --poisson 0.3 " + given,
+                      below = " | asperity-stress --maximum -q ";
+    REQUIRE(shell(press + " --add contact_stiffness" + below + "-o plain.nc").exit == 0);
+    REQUIRE(shell(press + " --add contact_stiffness,grid_errors" + below + "--add grid_errors -o asked.nc")
+                .exit == 0);
+    const Attributes asked = read_dataset("asked.nc").attributes;
+    const std::string page = report_on("plain.nc"), same = report_on("asked.nc");
+    CHECK_THAT(page, ContainsSubstring("value ± error of the grid") && !ContainsSubstring("Not all errors"));
+    for (const char* name : {"load", "approach", "max_pressure", "area", "area_corrected", "plastic_area",
+                             "mean_gap", "stiffness"}) {
+      CAPTURE(name);
+      const double error = asked.number(std::string("contact_") + name + "_error", 0);
+      if (error > 0) CHECK(told(page, error) == Approx(error).epsilon(1e-6));
+    }
+    // Of the stress both pages show the same digits.
+    auto line = [](const std::string& of, const std::string& name) {
+      const auto at = of.find("title=\"" + name + "\"");
+      REQUIRE(at != of.npos);
+      return of.substr(at, of.find("</dd>", at) - at);
+    };
+    for (const char* name : {"stress_max_von_mises", "stress_max_depth"}) {
+      CHECK_THAT(line(page, name), ContainsSubstring(" ± "));
+      CHECK(line(page, name) == line(same, name));
+    }
+  }
+}
+
+TEST_CASE("where errors of the grid cannot be computed the page says why in one sentence",
+          "[report][contract]") {
+  REQUIRE(shell("asperity-contact --smooth --shape 64x64 --size 3mm --radius 50mm --young 208GPa --poisson "
+                "0.3 --load 5kN | asperity-stress --maximum -q -o whole.nc")
+              .exit == 0);
+  const Dataset whole = read_dataset("whole.nc");
+  auto page_without = [&](auto change) {
+    Dataset data = whole;
+    change(data);
+    write_dataset(data, "changed.nc");
+    return report_on("changed.nc");
+  };
+  const std::string words = "Not all errors of the grid are known: ";
+  CHECK_THAT(report_on("whole.nc"), !ContainsSubstring(words));
+  CHECK_THAT(page_without([](Dataset& data) { data.erase("gap"); }),
+             ContainsSubstring(words + "the dataset has no gap, which asperity-contact writes."));
+  CHECK_THAT(page_without([](Dataset& data) {
+               const Field twice = 2 * field_of(data, "pressure");
+               set_field(data, "pressure", twice, {"Pa", "contact pressure"});
+             }),
+             ContainsSubstring(words + "by its fields contact_load is 10000 N, not 5000 N; it was cropped or "
+                                       "changed since."));
+  // The middle, which carries the whole load: its mean gap is another.
+  CHECK_THAT(
+      page_without([](Dataset& data) {
+        const Dataset all = data;
+        Grid grid = grid_of(all);
+        grid.shape = {48, 48};
+        set_grid(data, grid);
+        for (const auto& [name, unit] : {std::pair{"pressure", "Pa"}, {"gap", "m"}, {"displacement", "m"}})
+          set_field(data, name, field_of(all, name).block(8, 8, 48, 48), {unit, name});
+      }),
+      ContainsSubstring("by its fields contact_mean_gap is "));
+  CHECK_THAT(page_without([](Dataset& data) { data.attributes.set("contact_converged", 0); }),
+             ContainsSubstring(words + "the contact did not converge."));
+  press_surface("");
+  CHECK_THAT(report_on("c.nc"), ContainsSubstring(words + "the grid does not resolve the surface"));
+}

@@ -108,7 +108,7 @@ TEST_CASE(
           const double edge = of == Criterion::von_mises   ? von_mises_at(-1, 0, nu, mu)
                               : of == Criterion::max_shear ? 0.5 * (p.value[0] - p.value[2])
                                                            : p.value[0];
-          const double missing = edge - top.value, stated = edge_error(top, of, body);
+          const double missing = edge - top.value, stated = edge_error(top, of, body, false);
           CAPTURE(static_cast<int>(of), nu, mu, n, top.value, edge, stated);
           CHECK(missing <= stated);
           CHECK(stated <= std::max(missing, 0.0) + 0.03 + calibration::stress::edge_stairs);
@@ -120,12 +120,24 @@ TEST_CASE("a periodic load on every cell has no edge, one with an open cell or o
           "[edge][contract]") {
   Field p = Field::Ones(4, 3);
   auto error = [&](bool periodic) {
-    return edge_error({}, Criterion::von_mises, {{{4, 3}, 1, 1, periodic}, p, 0.3, {0.5, 0}});
+    return edge_error({}, Criterion::von_mises, {{{4, 3}, 1, 1, periodic}, p, 0.3, {0.5, 0}}, false);
   };
   CHECK(error(true) == 0);
   CHECK(error(false) > 0.5);
   p(1, 1) = 0;
   CHECK(error(true) > 0.5);
+}
+
+TEST_CASE("at a limit pressure the error of an edge is not known with friction, nor that of a tension",
+          "[edge][contract]") {
+  const LoadedBody rests{{{4, 3}, 1, 1}, Field::Ones(4, 3), 0.3, {}},
+      slides{rests.grid, rests.pressure, 0.3, {0.1, 0}},
+      everywhere{{{4, 3}, 1, 1, true}, rests.pressure, 0.3, {0.1, 0}};
+  CHECK(edge_error({}, Criterion::von_mises, rests, true) == 0);
+  CHECK(std::isnan(edge_error({}, Criterion::von_mises, slides, true)));
+  CHECK(std::isnan(edge_error({}, Criterion::max_shear, slides, true)));
+  CHECK(std::isnan(edge_error({}, Criterion::principal, rests, true)));
+  CHECK(edge_error({}, Criterion::von_mises, everywhere, true) == 0);
 }
 
 // 3 × 3 cells of a unit side, and the corner (½, ½) of the middle one: twist 1 of the pressures about it.

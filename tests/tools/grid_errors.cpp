@@ -111,12 +111,46 @@ TEST_CASE("the largest stress has errors when asked for, by the contact solved a
   write_dataset(edited, "edited.nc");
   const Outcome changed = shell("asperity-stress --maximum --add grid_errors edited.nc -o no.nc");
   CHECK(changed.exit == 2);
-  CHECK_THAT(changed.error, ContainsSubstring("it was changed since"));
+  CHECK_THAT(changed.error,
+             ContainsSubstring(
+                 "by its fields contact_load is 10000 N, not 5000 N; it was cropped or changed since"));
   require(surface + press + "-o rough.nc");
   const Outcome rough = shell("asperity-stress --maximum --add grid_errors rough.nc -o stress.nc");
   CHECK(rough.exit == 0);
   CHECK_THAT(rough.error, ContainsSubstring("does not resolve the surface"));
   CHECK(read_dataset("stress.nc").attributes.find("stress_max_von_mises_error") == nullptr);
+}
+
+// The pressure of a contact at its limit does not fall to 0 as a root, and no bound of its edge is known.
+TEST_CASE("at a limit pressure a sliding edge has no error, and one line says so", "[stress][contract]") {
+  const std::string at = smooth + "--radius 50mm --load 5000N --yield 800MPa -o capped.nc",
+                    run = "asperity-stress capped.nc -q -o stress.nc --maximum --friction 0.4 ";
+  require(at);
+  for (const std::string more : {"", "--add grid_errors"}) {
+    CAPTURE(more);
+    const Outcome sliding = shell(run + more);
+    CHECK(sliding.exit == 0);
+    CHECK_THAT(
+        sliding.error,
+        ContainsSubstring("at an edge of a contact at its limit pressure it may be larger, by how much "
+                          "is not known"));
+    CHECK(sliding.error.find("limit pressure it") == sliding.error.rfind("limit pressure it"));
+    const Attributes a = read_dataset("stress.nc").attributes;
+    CHECK(a.find("stress_max_von_mises_error") == nullptr);
+    CHECK(a.find("stress_max_depth_error") == nullptr);
+  }
+  // Below the edge it has one, and so has an elastic contact whose limit is not reached.
+  CHECK_THAT(shell(run + "--below 2px --add grid_errors").error, !ContainsSubstring("not known"));
+  CHECK(read_dataset("stress.nc").attributes.number("stress_max_von_mises_error", 0) > 0);
+  require(smooth + "--radius 50mm --load 5000N --yield 2GPa -o capped.nc");
+  CHECK_THAT(shell(run).error, ContainsSubstring("at an edge of a smooth contact"));
+  CHECK(read_dataset("stress.nc").attributes.number("stress_max_von_mises_error", 0) > 0);
+}
+
+// Under an approach the contact on coarser cells has the approach, and another load.
+TEST_CASE("a contact tells whether its load or its approach was prescribed", "[contact][contract]") {
+  CHECK(attributes(smooth + "--radius 50mm --load 5kN").text("contact_prescribed") == "load");
+  CHECK(attributes(smooth + "--radius 50mm --approach 30um").text("contact_prescribed") == "approach");
 }
 
 TEST_CASE("an accuracy is reached on a finer grid of the same surface, or said not to be",

@@ -25,14 +25,10 @@ GridFigures grid_figures(const ContactOptions& options, const ContactScene& scen
   return out;
 }
 
-void record(Attributes& a, const SlopeGrowth& growth, const GridFigures& figures) {
+void record(Attributes& a, const GridErrors& e) {
   auto set = [&a](const char* name, double value) {
     if (!std::isnan(value)) a.set(name, value);
   };
-  const GridErrors& e = figures.errors;
-  set("contact_slope_growth", growth.gamma);
-  set("contact_perimeter", figures.perimeter);
-  set("contact_area_corrected", figures.area_corrected);
   set("contact_area_error", e.area);
   set("contact_area_corrected_error", e.area_corrected);
   set("contact_load_error", e.load);
@@ -41,6 +37,13 @@ void record(Attributes& a, const SlopeGrowth& growth, const GridFigures& figures
   set("contact_plastic_area_error", e.plastic_area);
   set("contact_mean_gap_error", e.mean_gap);
   set("contact_stiffness_error", e.stiffness);
+}
+
+void record(Attributes& a, const SlopeGrowth& growth, const GridFigures& figures) {
+  if (!std::isnan(growth.gamma)) a.set("contact_slope_growth", growth.gamma);
+  a.set("contact_perimeter", figures.perimeter);
+  a.set("contact_area_corrected", figures.area_corrected);
+  record(a, figures.errors);
   if (figures.seconds > 0) a.set("contact_grid_errors_seconds", on_record(figures.seconds));
 }
 

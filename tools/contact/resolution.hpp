@@ -21,6 +21,7 @@ struct GridFigures {
 GridFigures grid_figures(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
                          const Contact& contact);
 
+void record(Attributes& attributes, const GridErrors& errors);
 void record(Attributes& attributes, const SlopeGrowth& growth, const GridFigures& figures);
 
 /// Whether the grid resolves the surfaces, and whether periodic ones continue at their edges.

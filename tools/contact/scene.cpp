@@ -89,6 +89,7 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
   set_pair("contact_young", b.young[0], b.young[1]);
   set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
   a.set("contact_composite_modulus", b.composite_modulus());
+  a.set("contact_prescribed", o.contact.approach ? "approach" : "load");
   a.set("contact_boundary", boundary_of(grid.periodic));
   if (grid.periodic.one()) a.set("contact_approach_datum", displacement_datum(grid));
   if (!o.counter.empty()) a.set("contact_counter", o.counter);

@@ -133,12 +133,16 @@ std::string foot(const Dataset& data) {
                              source.empty() ? "." : ". The dataset was written by " + escaped(source) + "."));
 }
 
+std::string missing(const std::string& why) { return element("p", escaped(why), "soft"); }
+
 std::string body(const Content& c) {
   const Dataset& data = c.dataset[0].data;
   return element("header", element("h1", escaped(c.title)) + element("p", escaped(what_it_is(c)), "soft")) +
          warnings(data) + tiles(c) + section("Pictures", pictures(c.dataset, c.variable)) +
-         section("Contact", contact_results(data) + contact_figures(data)) +
-         section("Stress below the surface", facts(data, Role::result, "stress")) +
+         section("Contact",
+                 contact_results(data) + missing(c.no_grid_errors.contact) + contact_figures(data)) +
+         section("Stress below the surface",
+                 facts(data, Role::result, "stress") + missing(c.no_grid_errors.stress)) +
          section(c.variable == "heights" ? "Surface" : "Field " + c.variable, parameters_of_surface(c)) +
          section("Accuracy of the solvers", by_stage(data, Role::achieved)) +
          section("Parameters", by_stage(data, Role::parameter)) +

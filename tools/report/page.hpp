@@ -7,6 +7,7 @@
 #include "stats/measure/parameter.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/plot/figure.hpp"
+#include "tools/report/grid_errors.hpp"
 
 namespace asperity::report {
 
@@ -23,6 +24,7 @@ struct Content {
   std::string reference;      ///< of heights, in words
   std::vector<Group> groups;  ///< none: the dataset has no such field
   std::string untold;         ///< why standard errors are missing; "" if they are given
+  NoGridErrors no_grid_errors = {};
 };
 
 std::string page(const Content& content);

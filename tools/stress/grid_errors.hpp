@@ -2,23 +2,24 @@
 #pragma once
 
 #include "stress/maximum.hpp"
+#include "tools/contact/recorded.hpp"
 #include "tools/stress/scene.hpp"
 
 namespace asperity::cli {
 
-/// What the dataset tells of the contact whose pressure it holds; throws ParameterError("add", …) where that
-/// is not enough to solve it again.
-struct LoadingContact {
-  Field gap;             ///< undeformed, counted from the approach [m]
-  double modulus = 0;    ///< E* [Pa]
-  double limit = 0;      ///< limit pressure [Pa]
-  double load = 0;       ///< [N]
-  bool resolved = true;  ///< the surface by its grid
-};
-LoadingContact loading_contact(const Dataset& data);
+/// The contact whose pressure the dataset holds; throws ParameterError("add", …) where it does not tell
+/// enough to solve it again.
+RecordedContact loading_contact(const Dataset& data, int threads);
+
+/// NaN where not known, because of an edge at the limit pressure.
+StressMaximum maximum_error(const LoadedBody& body, DepthResolution resolution,
+                            const CoarserContacts& coarser, const StressSearch& search,
+                            const StressMaximum& maximum, bool at_limit_pressure, int threads);
+
+void record(Attributes& attributes, Criterion of, const StressMaximum& error);
 
 /// Sets stress_max_…_error and stress_max_depth_error, or warns why there are none.
-void record_grid_errors(const Tool& tool, StressScene& scene, const LoadingContact& contact,
+void record_grid_errors(const Tool& tool, StressScene& scene, const RecordedContact& contact,
                         const StressSearch& search, const StressMaximum& maximum);
 
 }  // namespace asperity::cli

@@ -1,6 +1,7 @@
 #include "tools/stress/maximum.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -41,7 +42,7 @@ StressMaximum search_layers(const Tool& tool, const StressSolver& volume, const 
   });
 }
 
-// `missing`: edge_error, 0 where no edge counts.
+// `missing`: edge_error, 0 where no edge counts, NaN where it is not known.
 void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressSearch& search,
                      const StressMaximum& top, double missing) {
   const bool shallow = is_shallow(body, top.depth);
@@ -51,7 +52,11 @@ void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressSearc
   if (shallow)
     line +=
         fmt::format(", less than the {:.4g} um of stress_accurate_depth", accurate_depth(body.grid) * 1e6);
-  if (missing > 0)
+  if (std::isnan(missing))
+    line +=
+        ": at an edge of a contact at its limit pressure it may be larger, by how much is not known; refine "
+        "the grid, or search below the edge, --below 2px";
+  else if (missing > 0)
     line += fmt::format(
         ": at an edge of a smooth contact with this largest pressure it is up to {:.4g} MPa "
         "more, of which a finer grid shows more only as the root of its cell; refine the grid, "
@@ -108,7 +113,8 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
   if (top.value == 0) return top;
   if (search.below > 0 && top.depth == search.below)
     tool.note(fmt::format("the largest {} lies at the depth of --below; above it, it is larger", what));
-  const double missing = search.below > 0 ? 0 : edge_error(top, search.of, scene.body);
+  const double missing =
+      search.below > 0 ? 0 : edge_error(top, search.of, scene.body, at_limit_pressure(scene));
   if (missing > 0) a.set(std::string(attribute) + "_error", missing);
   warn_if_shallow(tool, scene.body, search, top, missing);
   warn_if_at_edge(tool, scene.body.grid, top, what);

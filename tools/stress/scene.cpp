@@ -103,6 +103,11 @@ void record_parameters(StressScene& scene) {
     a.set(scene.plane->along_x ? "stress_section_y" : "stress_section_x", place_of(*scene.plane, grid));
 }
 
+bool at_limit_pressure(const StressScene& scene) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  return scene.body.pressure.maxCoeff() >= scene.data.attributes.number("contact_limit_pressure", none);
+}
+
 bool is_shallow(const LoadedBody& body, double depth) {
   const Field& p = body.pressure;
   const bool uniform = body.grid.periodic.both() && p.maxCoeff() - p.minCoeff() <= round_off * p.maxCoeff();

@@ -39,6 +39,9 @@ void cut(StressScene& scene, const std::string& section, std::array<double, 2> m
 /// The effective parameters, as attributes.
 void record_parameters(StressScene& scene);
 
+/// Whether a cell of the contact is at its limit pressure.
+bool at_limit_pressure(const StressScene& scene);
+
 /// Whether stresses at this depth rest on single cells: it is less than the accurate depth, and the pressure
 /// not uniform.
 bool is_shallow(const LoadedBody& body, double depth);
