@@ -2,10 +2,10 @@
 ///
 ///     contact_grid_error [SCENES [LARGEST_N [SEED]]]
 ///
-/// SCENES (150) of contact_grid_scenes.hpp, in turn on n = 64, 96 and 128 cells; 4n is no more than LARGEST_N
-/// (1024). Scenes whose contact touches the edge of a free domain are drawn again.
+/// SCENES (126) of contact_grid_scenes.hpp, in turn on n = 64 to 512 cells; 4n is no more than LARGEST_N
+/// (2048). Scenes whose contact touches the edge of a free domain are drawn again.
 ///
-/// First table, by kind and figure:
+/// First table, by kind and figure; `all` scenes, and `fine` ones, on more than 128 cells a side:
 ///
 /// scenes        those that the grid resolves (stats/hybrid/slope_growth.hpp), and whose figure has an error
 /// unresolved    those it does not: they get none
@@ -13,7 +13,7 @@
 /// ratio         median of stated over true
 /// true, stated  medians, relative to the figure
 ///
-/// Second table: what the errors cost. seconds of the contact, of the coarser ones, and their ratio.
+/// Second table, by n: what the errors cost. seconds of the contact, of the coarser ones, and their ratio.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -93,14 +93,14 @@ class Page {
  public:
   void add(const Scene& scene, const std::string& figure, double value, double truth, double stated) {
     if (std::isnan(stated)) return;
-    for (const char* kind : {kinds[scene.kind], "all"})
+    for (const char* kind : groups(scene))
       tallies_[{kind, figure}].all.push_back({std::abs(truth), std::abs(value - truth), stated});
   }
   void leave_out(const Scene& scene) {
-    for (const char* kind : {kinds[scene.kind], "all"}) ++unresolved_[kind];
+    for (const char* kind : groups(scene)) ++unresolved_[kind];
   }
   void cost(const Scene& scene, double contact, double coarser) {
-    seconds_[kinds[scene.kind]].push_back({contact, coarser});
+    seconds_[scene.shape.nx].push_back({contact, coarser});
   }
   void print() {
     fmt::print("# kind\tfigure\tscenes\tunresolved\twithin\tratio\ttrue\tstated\n");
@@ -117,18 +117,24 @@ class Page {
                  unresolved_[key.first], within / static_cast<double>(tally.all.size()), median(ratio),
                  median(error), median(stated));
     }
-    fmt::print("# kind\tseconds\tcoarser_seconds\tshare\n");
-    for (auto& [kind, list] : seconds_) {
+    fmt::print("# n\tscenes\tseconds\tcoarser_seconds\tshare\n");
+    for (auto& [n, list] : seconds_) {
       double contact = 0, coarser = 0;
       for (const auto& [one, other] : list) contact += one, coarser += other;
-      fmt::print("{}\t{:.3f}\t{:.3f}\t{:.2f}\n", kind, contact, coarser, coarser / contact);
+      fmt::print("{}\t{}\t{:.3f}\t{:.3f}\t{:.2f}\n", n, list.size(), contact, coarser, coarser / contact);
     }
   }
 
  private:
+  static std::vector<const char*> groups(const Scene& scene) {
+    std::vector<const char*> out{kinds[scene.kind], "all"};
+    if (scene.shape.nx > 128) out.push_back("fine");
+    return out;
+  }
+
   std::map<std::pair<std::string, std::string>, Tally> tallies_;
   std::map<std::string, Index> unresolved_;
-  std::map<std::string, std::vector<std::pair<double, double>>> seconds_;
+  std::map<Index, std::vector<std::pair<double, double>>> seconds_;
 };
 
 void judge(Page& page, const Scene& scene, const Solved& here) {
@@ -163,8 +169,8 @@ void judge(Page& page, const Scene& scene, const Solved& here) {
 
 int main(int argc, char** argv) {
   print_conditions();
-  const int scenes = argc > 1 ? std::atoi(argv[1]) : 150;
-  const Index largest = argc > 2 ? std::atol(argv[2]) : 1024;
+  const int scenes = argc > 1 ? std::atoi(argv[1]) : 126;
+  const Index largest = argc > 2 ? std::atol(argv[2]) : 2048;
   Draw draw(argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1);
   Page page;
   for (int k = 0; k < scenes; ++k)

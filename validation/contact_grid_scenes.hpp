@@ -4,7 +4,7 @@
 /// pressure, periodic surfaces at 2 to 60 % contact, oblong cells and bodies, rough spheres under a prescribed
 /// approach, and spheres with the heights of two instruments (tests/data), short waves filtered out up to 4 to
 /// 10 cells and refined by their own band limit. Other roughness is self-affine (H 0.3 to 0.8) or Gaussian,
-/// with a shortest wave of 3.5 to 32 cells of n = 64, 96 or 128 a side, sampled at the cells' centres.
+/// with a shortest wave of 3.5 to 32 cells, sampled at the cells' centres. The cells are 64 to 512 a side.
 #pragma once
 
 #include <array>
@@ -29,6 +29,17 @@ inline constexpr double none = std::numeric_limits<double>::infinity();
 inline constexpr Index finer = 4;
 inline const char* const kinds[] = {"smooth", "rough",    "capped",  "periodic",
                                     "oblong", "approach", "measured"};
+
+/// Cells along a side, round by round of the kinds.
+inline constexpr Index sides[] = {256, 64, 512, 96, 256, 128, 256, 64, 256};
+
+/// Those of scene k, with which `finer` times as many do not exceed `largest`.
+inline Index cells_of(std::size_t k, Index largest) {
+  std::vector<Index> some;
+  for (Index n : sides)
+    if (finer * n <= largest) some.push_back(n);
+  return some.empty() ? largest / finer : some[k / std::size(kinds) % some.size()];
+}
 
 /// The heights of a file in tests/data.
 Field measured_map(const std::string& name);
@@ -122,15 +133,14 @@ class Draw {
   Scene scene(std::size_t number, Index largest) {
     Scene s;
     s.kind = number % std::size(kinds);
-    const Index n =
-        std::min<Index>(std::array<Index, 3>{64, 96, 128}[number / std::size(kinds) % 3], largest / finer);
+    const Index n = cells_of(number, largest);
     s.shape = {n, n};
     s.bodies.young = {2 * modulus, 2 * modulus};
     s.bodies.poisson = {0, 0};
     const bool oblong = s.kind == 4;
     if (oblong) s.shape.ny = n / 4 * 3 / 4 * 4, s.size_y = side * between(0.5, 0.9);
     if (s.kind == 6)
-      instrument(s);
+      instrument(s, n);
     else if (s.kind != 0)
       roughness(s);
     if (s.periodic()) {
@@ -163,11 +173,15 @@ class Draw {
     s.rms = s.periodic() ? 1e-6 : std::exp(between(std::log(0.005), std::log(0.1)));
   }
 
-  void instrument(Scene& s) {
+  // On its own cells, or refined to 128 of n or more.
+  void instrument(Scene& s, Index n) {
     const Field map = measured_map(between(0, 1) < 0.5 ? "afm-64x64.nc" : "profiler-96x96.x3p");
     s.shape = shape_of(map);
     const Grid cells = s.grid(1);
+    const Index times = std::max<Index>(1, n / s.shape.nx);
     s.measured = remove_form(gaussian_mean_surface(map, cells, between(4, 10) * cells.dx), 2);
+    s.measured = refined(s.measured, cells, {times, times});
+    s.shape = shape_of(s.measured);
     s.measured /= std::sqrt(s.measured.square().mean());
     if (between(0, 1) < 0.5) s.measured = Field(-s.measured);
     s.rms = std::exp(between(std::log(0.005), std::log(0.1)));

@@ -6,6 +6,7 @@ acf_error_time-1 seconds ratio
 acf_error_time-2 seconds ratio
 acf_error_time-3 seconds
 chain_error_time-1 setup seconds draw contact stress
+contact_grid_error-2 seconds coarser_seconds share
 contact_error_time-1 setup_seconds seconds over_operators convolution_over_r2c
 contact_error_time-2 setup_seconds seconds over_operators
 heights_error_time-1 fit solve surface whole
@@ -15,6 +16,7 @@ scaling-1 seconds transforms MB doubles
 scaling-2 exponent
 scene_time-1 kernel draw contact stress sum share
 statistics_coverage-4 transform moments ACF N_eff
+stress_edge-2 seconds
 stress_error_time-1 setup_seconds seconds ratio_to_padded_r2c
 stress_error_time-2 seconds_full seconds_adapted
 stress_request_time-1 first cpu wall MB r2c

@@ -9,7 +9,7 @@
 /// symmetries repeat each piece of the outline m times.
 ///
 /// Symbols   A area of the cells [m²]   A* corrected area [m²]   N sides   Δx, Δy cell [m]   S perimeter [m]
-/// Accuracy  |A* - true| ≤ (0.5 √(N m) + 0.02 N) ΔxΔy, and A lies no further off than that and its bias: how
+/// Accuracy  |A* - true| ≤ (0.5 √(N m) + 0.03 N) ΔxΔy, and A lies no further off than that and its bias: how
 ///           often, validation/contact_grid_error tells.
 /// Cost      one pass over the cells.
 ///

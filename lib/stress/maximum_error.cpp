@@ -22,9 +22,9 @@ StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaxim
     return out;
   }
   out.value = std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
-                        share::shallow_stress * shallow * fine.value, edge});
-  out.depth =
-      std::max(share::depth * grid_change(fine.depth, half.depth, quarter.depth), share::depth_of_cell * h);
+                        share::shallow_stress * shallow * fine.value, share::search * fine.value, edge});
+  out.depth = std::max({share::depth * grid_change(fine.depth, half.depth, quarter.depth),
+                        share::depth_of_cell * h, share::depth_of_search * fine.depth});
   if (at_limit_pressure && fine.depth < 2 * h) {
     out.value += share::near_plastic * fine.value;
     out.depth += fine.depth;
