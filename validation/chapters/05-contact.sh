@@ -67,8 +67,12 @@ stress may change places from grid to grid. From some 200 cells a side on the se
 cells do. The cost, by cells a side; on few of them it is mostly that of the set-up:
 END
 table contact_grid_error-2
-claim "Of all scenes, and of fine ones, nine in ten have true errors within the stated ones, for every figure." contact_grid_error-1 \
+text <<'END'
+The load under a prescribed approach, a figure of a seventh of the scenes, is less certain than the others.
+END
+claim "Of all scenes, and of fine ones, nine in ten have true errors within the stated ones, for every figure \
+of 20 scenes or more." contact_grid_error-1 \
   '($c["kind"] == "all" || $c["kind"] == "fine") && $c["scenes"] >= 20' '$c["within"] >= 0.9'
-claim "The stated error is at most six times the true one in the median of all scenes and of fine ones; of the stiffness and of the \
-depth of the largest stress, eight times." contact_grid_error-1 '($c["kind"] == "all" || $c["kind"] == "fine") && $c["scenes"] >= 20' \
-  '$c["ratio"] <= ($c["figure"] == "depth" || $c["figure"] == "stiffness" ? 8 : 6)'
+claim "The stated error is at most six times the true one in the median of all scenes and of fine ones; of the stiffness \
+eight times, of the depth of the largest stress ten times." contact_grid_error-1 '($c["kind"] == "all" || $c["kind"] == "fine") && $c["scenes"] >= 20' \
+  '$c["ratio"] <= ($c["figure"] == "depth" ? 10 : $c["figure"] == "stiffness" ? 8 : 6)'
