@@ -35,15 +35,20 @@ std::string density_units(const Surface& surface, int lengths) {
 constexpr const char* per_length = "rad m-1";
 
 cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows& windows) {
-  const double inflation = spectrum_inflation(surface.heights, windows);
   const std::string unit = density_units(surface, 2);
   cli::Table out{{{"wave_number", per_length},
                   {"psd", unit},
                   {"standard_error", unit, cli::Holds::unknown},
+                  {"low_95", unit, cli::Holds::unknown},
+                  {"high_95", unit, cli::Holds::unknown},
                   {"count", "1"}},
                  {}};
-  for (const SpectrumPoint& ring : radial_spectrum(psd, surface.grid, inflation))
-    out.rows.push_back({ring.wave_number, ring.density, ring.standard_error, ring.count});
+  for (const SpectrumPoint& ring :
+       radial_spectrum(psd, surface.grid, shared_power(surface.heights, windows))) {
+    const Interval ends = ring.interval();
+    out.rows.push_back(
+        {ring.wave_number, ring.density, ring.standard_error, ends.low, ends.high, ring.count});
+  }
   if (out.rows.empty())
     throw DataError("heights",
                     "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
@@ -57,11 +62,17 @@ cli::Table profiles(const Surface& surface, const DataWindows& windows, int thre
   cli::Table out{{{"direction", ""},
                   {"wave_number", per_length},
                   {"psd", unit},
-                  {"standard_error", unit, cli::Holds::unknown}},
+                  {"standard_error", unit, cli::Holds::unknown},
+                  {"low_95", unit, cli::Holds::unknown},
+                  {"high_95", unit, cli::Holds::unknown}},
                  {}};
   auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
-    for (const SpectrumPoint& point : profile_spectrum(surface.heights, surface.grid, axis, window, threads))
-      out.rows.push_back({direction, point.wave_number, point.density, point.standard_error});
+    for (const SpectrumPoint& point :
+         profile_spectrum(surface.heights, surface.grid, axis, window, threads)) {
+      const Interval ends = point.interval();
+      out.rows.push_back(
+          {direction, point.wave_number, point.density, point.standard_error, ends.low, ends.high});
+    }
   };
   add("x", Axis1D::x, windows.x);
   add("y", Axis1D::y, windows.y);
@@ -172,8 +183,13 @@ void declare(cli::Tool& tool, Options& what) {
       "radial");
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
-      "both signs, or sum / L for a profile. Standard errors hold for a Gaussian field and allow for the "
-      "correlation that a window causes between neighbouring wave numbers. Wave numbers are 2 pi / "
+      "both signs, or sum / L for a profile. Standard errors and 95 % intervals hold for a Gaussian field "
+      "and "
+      "allow for the power that neighbouring wave numbers share under a window; intervals are those of "
+      "chi-squared. Seen on 400 fields with Gaussian and exponential correlations: rings covered 92 to 98 %, "
+      "profiles 90 to 96 %; not where only leakage of the window is left. A single wave number of the "
+      "dataset "
+      "is uncertain by its own value: 95 % from 0.271 to 39.5 times psd. Wave numbers are 2 pi / "
       "wavelength. Missing points are set to the mean, and the sum is divided by the squared window over "
       "the other points: a share g of scattered holes adds about g Sq^2 dx dy at every wave number. Over "
       "several surfaces the "

@@ -57,8 +57,12 @@ Grid grid_of(Shape shape) { return {shape, micrometre, micrometre, false}; }
 void add(Parameters& out, const std::string& name, const std::vector<SpectrumPoint>& spectrum, Index times) {
   for (const Index k : {3, 12})
     if (const auto at = static_cast<std::size_t>(k * times); at < spectrum.size())
-      out.push_back(
-          {fmt::format("{}_{}", name, k), spectrum[at].density, "", spectrum[at].standard_error, ""});
+      out.push_back({.name = fmt::format("{}_{}", name, k),
+                     .value = spectrum[at].density,
+                     .unit = "",
+                     .standard_error = spectrum[at].standard_error,
+                     .meaning = "",
+                     .interval = spectrum[at].interval()});
 }
 
 // All that has an error, of a field `times` as large.
@@ -85,7 +89,7 @@ Parameters measured(const Field& heights, int degree, Index times) {
   if (times == 1)
     add(out, "psd_ring",
         radial_spectrum(power_spectrum(surface.heights, grid, windows), grid,
-                        spectrum_inflation(surface.heights, windows)),
+                        shared_power(surface.heights, windows)),
         times);
   return out;
 }

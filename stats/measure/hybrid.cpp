@@ -1,4 +1,5 @@
 // Slopes, spectral moments and summits.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -59,6 +60,16 @@ constexpr Definition<Summits> summit_table[] = {
     {"{}_radius", "m", "1 / mean curvature of summits, {}",
      [](const Summits& s) { return Estimate{s.radius()}; }}};
 
+// m0 = Sq², with the error and the interval of Sq.
+Estimate square_of_sq(const Sample& sample, const MeasureOptions& options) {
+  const Parameters heights = height_parameters(sample, options);
+  const Parameter& sq = *std::ranges::find(heights, "Sq", &Parameter::name);
+  const Interval ends = sq.interval_95();
+  const double value = sq.value * sq.value;
+  return {value, 2 * sq.value * sq.standard_error,
+          Interval::of(value, ends.low * ends.low, ends.high * ends.high)};
+}
+
 }  // namespace
 
 Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options) {
@@ -75,7 +86,7 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
   ParameterList out(sample.surface().units);
   out.add(slope_table, {slopes.value, known(e.square_slope)}, {.why = slopes.why});
   out.add("m0", "m2", "spectral moment of order 0, Sq squared",
-          {m.m00, m.m00 * known(std::sqrt(2 / sample.size().effective(2)))}, {.why = no_slope});
+          moments.why.empty() ? square_of_sq(sample, options) : Estimate{unknown}, {.why = no_slope});
   out.add(moment_table, {m.along(0), known(e.m20), known(e.m40)}, {"x", "along x", no_slope});
   out.add(moment_table, {m.along(std::numbers::pi / 2), known(e.m02), known(e.m04)},
           {"y", "along y", no_slope});

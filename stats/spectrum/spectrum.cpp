@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "stats/filter/missing.hpp"
+#include "stats/sample/quantiles.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "transform/pruned.hpp"
 
@@ -20,9 +21,6 @@ Eigen::ArrayXd window_of(DataWindow window, Index n) {
       w(i) -= std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
   return w / std::sqrt(w.square().mean());
 }
-
-// I of the variance.
-double inflation(DataWindow window) { return window == DataWindow::hann ? 35.0 / 18 : 1; }
 
 // Σ x_i y_j over the points that are there.
 double sum_over(const Field& valid, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
@@ -40,10 +38,6 @@ void store(const PrunedTransform& transform, Index b, const Complex* block, doub
       out(p, middle + first + c) = scale * std::norm(column[p]);
     }
 }
-
-// How often a wave number of index k ≤ n/2 stands for itself in a sum over all n: its mirror image, at half
-// the period its own, is another entry.
-double times_met(Index k, Index n) { return 2 * std::abs(k) == n ? 0.5 : 1; }
 
 // Wave numbers lie on the bounds of rings and sectors, whatever the unit of length.
 constexpr double round_off = 1e-12;
@@ -86,13 +80,14 @@ DataWindows default_windows(const Grid& grid) {
   return {both, both};
 }
 
-double spectrum_inflation(const Field& d, DataWindows windows) {
-  if (!has_missing(d)) return inflation(windows.x) * inflation(windows.y);
-  const Field valid = validity(d);
-  const Eigen::ArrayXd x = window_of(windows.x, d.rows()).square(),
-                       y = window_of(windows.y, d.cols()).square();
-  const double squares = sum_over(valid, x, y);
-  return static_cast<double>(d.size()) * sum_over(valid, x.square(), y.square()) / (squares * squares);
+SharedPower shared_power(const Field& d, DataWindows windows) {
+  return {d, window_of(windows.x, d.rows()).square(), window_of(windows.y, d.cols()).square()};
+}
+
+Interval SpectrumPoint::interval(double level) const {
+  const double tail = (1 - level) / 2;
+  return Interval::of(density, density / chi_squared_share(tail, degrees),
+                      density / chi_squared_share(1 - tail, degrees));
 }
 
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads) {
@@ -123,44 +118,39 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
   }
   const DataWindows windows{window, DataWindow::none};
   const LagField psd = power_spectrum(d, grid, windows, threads);
-  const double shared = spectrum_inflation(d, windows);
   std::vector<SpectrumPoint> out;
-  for (Index p = 0; p <= psd.max_p(); ++p) {
-    double sum = 0, squares = 0;
-    for (Index q = -psd.max_q(); q <= psd.max_q(); ++q) {
-      const double weight = times_met(q, grid.shape.ny), value = psd(p, q);
-      sum += weight * value;
-      squares += weight * value * value;
-    }
-    // Without a partner (-p, -q) of its own, as at p = 0 and n/2, a row is one half of it over again.
-    const double repeated = p == 0 || 2 * p == grid.shape.nx ? 2 : 1;
-    out.push_back({.wave_number = 2 * std::numbers::pi * static_cast<double>(p) / grid.size_x(),
-                   .density = sum / grid.size_y(),
-                   .standard_error = std::sqrt(0.5 * repeated * shared * squares) / grid.size_y(),
+  for (const MeanPower& row :
+       shared_power(d, windows).means(psd, psd.max_p() + 1, [](Index p, Index) { return p; }))
+    out.push_back({.wave_number = 2 * std::numbers::pi * static_cast<double>(out.size()) / grid.size_x(),
+                   .density = row.mean / grid.dy,
+                   .standard_error = std::sqrt(row.variance) / grid.dy,
+                   .degrees = row.degrees,
                    .count = static_cast<double>(grid.shape.ny)});
-  }
   return out;
 }
 
-std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation) {
+std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared) {
   const WaveNumbers q(grid);
-  std::vector<SpectrumPoint> rings(static_cast<std::size_t>(q.last / q.step() * (1 + round_off)));
-  q.for_each(psd, [&](double qx, double qy, double weight, double value) {
+  const auto rings = static_cast<Index>(q.last / q.step() * (1 + round_off));
+  const auto ring_of = [&](double length) {
+    const auto ring = static_cast<Index>(length / q.step() * (1 + round_off) + 0.5);
+    return ring <= rings ? ring - 1 : -1;
+  };
+  std::vector<SpectrumPoint> out;
+  for (const MeanPower& ring : shared.means(psd, rings, [&](Index k, Index l) {
+         return ring_of(std::hypot(static_cast<double>(k) * q.step_x, static_cast<double>(l) * q.step_y));
+       }))
+    out.push_back({.density = ring.mean,
+                   .standard_error = std::sqrt(ring.variance),
+                   .degrees = ring.degrees,
+                   .count = ring.count});
+  q.for_each(psd, [&](double qx, double qy, double weight, double) {
     const double length = std::hypot(qx, qy);
-    const auto ring = static_cast<std::size_t>(std::lround(length / q.step()));
-    if (ring < 1 || ring > rings.size()) return;
-    SpectrumPoint& sum = rings[ring - 1];
-    sum.count += weight;
-    sum.wave_number += weight * length;
-    sum.density += weight * value;
-    sum.standard_error += weight * value * value;
+    if (const Index ring = ring_of(length); ring >= 0)
+      out[static_cast<std::size_t>(ring)].wave_number +=
+          weight * length / out[static_cast<std::size_t>(ring)].count;
   });
-  for (SpectrumPoint& ring : rings)
-    ring = {.wave_number = ring.wave_number / ring.count,
-            .density = ring.density / ring.count,
-            .standard_error = std::sqrt(inflation * ring.standard_error) / ring.count,
-            .count = ring.count};
-  return rings;
+  return out;
 }
 
 // The vertex of the parabola through the largest F and its neighbours.

@@ -10,6 +10,10 @@
 ///     1/Lx Σ C1 = Sq² over all nx wave numbers, of both signs.
 /// The radial PSD is the mean of C over rings of a width of 2π/min(Lx,Ly) up to the smaller of π/Δx, π/Δy.
 ///
+/// A wave number midway between two rings belongs to the outer one, whatever the rounding of the spacing.
+/// With ν degrees of freedom, the interval of a mean C is
+///     C/χ²(ν; a) … C/χ²(ν; 1-a),     χ² divided by ν, a = (1 - level)/2 the chance to exceed it.       (6)
+///
 /// A field that is not periodic leaks: its joined edges form a step, with C ~ 1/q². Hann's window
 /// 1 - cos(2πx/Lx), and the same in y, prevents this; resolution falls to 1.5 wave numbers.
 ///
@@ -30,11 +34,13 @@
 /// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
 ///           qx, qy  wave numbers [rad/m]      θ  angle from +x towards +y, in (-π/2, π/2] [rad]
 /// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
-///           C. The mean over a ring of n wave numbers, of which half repeat the other half, has the variance
-///           I/n² Σ C², and the mean over a row half of that; it is estimated without bias. I is 1, or 35/18
-///           for each axis with Hann's window, which correlates neighbours; with missing points it is
-///           N Σ w⁴/(Σ w²)² over the measured ones. Std within 0.5° for a wave that covers a few wave
-///           numbers; for an isotropic surface it is random.
+///           C, its interval of 95 % runs from 0.271 C to 39.5 C (two degrees of freedom; one, 0.199 C to
+///           1018 C, at its own mirror image, p and q 0 or half of an even nx, ny). Errors and degrees of
+///           freedom of means: shared_power.hpp. Of 400 fields of 128 × 128 points with Gaussian and
+///           exponential correlations, intervals of rings cover 92 to 98 %, those of profiles 90 to 96 %,
+///           stated over true error 0.92 to 1.05; not where nothing but leakage is left, 10⁸ times below the
+///           top: 82 %, 0.74. Std within 0.5° for a wave that covers a few wave numbers; for an isotropic
+///           surface it is random.
 /// Cost      one real transform; of (5) one pass over C.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
@@ -45,6 +51,8 @@
 
 #include "core/field.hpp"
 #include "stats/spatial/lag_field.hpp"
+#include "stats/spectrum/shared_power.hpp"
+#include "stats/uncertainty/interval.hpp"
 
 namespace asperity {
 
@@ -58,8 +66,8 @@ struct DataWindows {
 /// None on a periodic grid, Hann's on others.
 DataWindows default_windows(const Grid& grid);
 
-/// The factor I of the variance of means over wave numbers.
-double spectrum_inflation(const Field& d, DataWindows windows);
+/// What the wave numbers of power_spectrum share.
+SharedPower shared_power(const Field& d, DataWindows windows);
 
 /// (1) over the half-plane of wave numbers p ≥ 0. For sums over all wave numbers use for_each_lag on the
 /// periodic grid.
@@ -70,7 +78,11 @@ struct SpectrumPoint {
   double wave_number = 0;  ///< [rad/m]; for a ring the mean
   double density = 0;      ///< [m³] for profiles, [m⁴] for rings
   double standard_error = 0;
-  double count = 0;  ///< number of wave numbers (qx,qy), of both signs
+  double degrees = 0;  ///< ν of the χ² that density is distributed as
+  double count = 0;    ///< number of wave numbers (qx,qy), of both signs
+
+  /// (6)
+  Interval interval(double level = 0.95) const;
 };
 
 enum class Axis1D { x, y };
@@ -78,8 +90,8 @@ enum class Axis1D { x, y };
 /// (3) for wave numbers ≥ 0.
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads = 1);
-/// The means of (1) over rings from the first on; `inflation` is I.
-std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, double inflation);
+/// The means of (1) over rings from the first on.
+std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared);
 
 struct TextureDirection {
   double angle = 0;     ///< Std [rad]

@@ -168,6 +168,12 @@ TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or 
   const Json profiles = json_of("asperity-psd drawn.nc --result profiles --json");
   CHECK(profiles["psd"]["unit"] == "m3");
   CHECK(profiles["psd"]["values"].size() == 49 + 41);
+  for (const Json& table : {rings, profiles})
+    for (std::size_t i = 0; i < table["psd"]["values"].size(); ++i) {
+      const double value = table["psd"]["values"][i];
+      CHECK(table["low_95"]["values"][i].get<double>() < value);
+      CHECK(value < table["high_95"]["values"][i].get<double>());
+    }
   for (const char* wrong : {"--window wide", "--correlation drawn"})
     CHECK(run_on_surface(std::string("asperity-psd drawn.nc ") + wrong).exit == 2);
 }

@@ -71,3 +71,22 @@ TEST_CASE("a surface in strips has no spatial parameters, and one without roughn
   CHECK_THROWS_AS(measure(strips, Group::spatial, {}), DataError);
   CHECK_THROWS_AS(measure(surface_of(Field::Ones(9, 9))), DataError);
 }
+
+// m0 = Sq²: one is within its interval where the other is. The products round to 2 ε.
+TEST_CASE("m0 has the error and the interval of Sq", "[measure][law]") {
+  const Surface surface{grid(64, 48), 1e-6 * moving_average({64, 48}, {4, 3}, 31)};
+  MeasureOptions options;
+  options.groups = {Group::height, Group::hybrid};
+  Parameter sq, m0;
+  for (const Parameter& p : measure(surface, options))
+    if (p.name == "Sq")
+      sq = p;
+    else if (p.name == "m0")
+      m0 = p;
+  const Interval of_sq = sq.interval_95(), of_m0 = m0.interval_95();
+  REQUIRE(of_sq.known());
+  CHECK(relative_error(m0.value, sq.value * sq.value) <= 100 * epsilon);
+  CHECK(relative_error(m0.standard_error, 2 * sq.value * sq.standard_error) <= 4 * epsilon);
+  CHECK(relative_error(of_m0.low, of_sq.low * of_sq.low) <= 4 * epsilon);
+  CHECK(relative_error(of_m0.high, of_sq.high * of_sq.high) <= 4 * epsilon);
+}

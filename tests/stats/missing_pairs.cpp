@@ -168,7 +168,7 @@ TEST_CASE("rings of the PSD of white noise with holes stray by one standard erro
   const Field d = remove_form(with_holes(white_noise(g.shape, 226), 0.1, 227));
   double squares = 0, rings = 0;
   const LagField psd = power_spectrum(d, g, windows);
-  for (const SpectrumPoint& ring : radial_spectrum(psd, g, spectrum_inflation(d, windows))) {
+  for (const SpectrumPoint& ring : radial_spectrum(psd, g, shared_power(d, windows))) {
     if (ring.count < 30) continue;
     squares += std::pow((ring.density - 1) / ring.standard_error, 2);
     ++rings;

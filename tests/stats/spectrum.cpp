@@ -123,7 +123,8 @@ TEST_CASE("radial and profile PSD of a Gaussian field are those of its autocorre
   double rings = 0, squares = 0, rows = 0, row_squares = 0;
   for (unsigned seed = 0; seed < 8; ++seed) {
     const Field z = gaussian_acf_field(g.shape, l / g.dx, seed);
-    for (const SpectrumPoint& ring : radial_spectrum(power_spectrum(z, g, plain), g, 1)) {
+    for (const SpectrumPoint& ring :
+         radial_spectrum(power_spectrum(z, g, plain), g, shared_power(z, plain))) {
       const double q = ring.wave_number * l;
       if (ring.count < 12 || q > 6) continue;
       // Over the ring's width of 2π/L the curve bends by less than its error.
@@ -155,8 +156,7 @@ TEST_CASE("white noise has the PSD dx dy with either window, and rings stray fro
     const LagField psd = power_spectrum(white_noise(g.shape, 95), g, windows);
     CHECK(sum_over_plane(psd, g) / static_cast<double>(g.shape.cells()) == Approx(flat).epsilon(0.1));
     double squares = 0, rings = 0;
-    for (const SpectrumPoint& ring :
-         radial_spectrum(psd, g, spectrum_inflation(Field::Zero(128, 100), windows))) {
+    for (const SpectrumPoint& ring : radial_spectrum(psd, g, shared_power(Field::Zero(128, 100), windows))) {
       if (ring.count < 30) continue;
       squares += std::pow((ring.density - flat) / ring.standard_error, 2);
       ++rings;
