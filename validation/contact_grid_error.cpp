@@ -1,9 +1,10 @@
 /// Stated against true errors of the grid: random contacts on n cells a side, and the same surface on 4n.
 ///
-///     contact_grid_error [SCENES [LARGEST_N [SEED]]]
+///     contact_grid_error [SCENES [LARGEST_N [SEED [N]]]]
 ///
 /// SCENES (126) of contact_grid_scenes.hpp, in turn on n = 64 to 512 cells; 4n is no more than LARGEST_N
-/// (2048). Scenes whose contact touches the edge of a free domain are drawn again.
+/// (2048). With N all scenes are on N cells a side. Scenes whose contact touches the edge of a free domain
+/// are drawn again.
 ///
 /// First table, by kind and figure; `all` scenes, and `fine` ones, on more than 128 cells a side:
 ///
@@ -14,6 +15,7 @@
 /// true, stated  medians, relative to the figure
 ///
 /// Second table, by n: what the errors cost. seconds of the contact, of the coarser ones, and their ratio.
+/// Third table, by scene: the figure, its true and its stated error, in SI units.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -78,6 +80,13 @@ struct Judgement {
   double value = 0, error = 0, stated = 0;
 };
 
+struct Row {
+  const char* kind;
+  Index n;
+  std::string figure;
+  double value, error, stated;
+};
+
 struct Tally {
   std::vector<Judgement> all;
   Index unresolved = 0;
@@ -93,6 +102,7 @@ class Page {
  public:
   void add(const Scene& scene, const std::string& figure, double value, double truth, double stated) {
     if (std::isnan(stated)) return;
+    rows_.push_back({kinds[scene.kind], scene.shape.nx, figure, value, std::abs(value - truth), stated});
     for (const char* kind : groups(scene))
       tallies_[{kind, figure}].all.push_back({std::abs(truth), std::abs(value - truth), stated});
   }
@@ -123,6 +133,9 @@ class Page {
       for (const auto& [one, other] : list) contact += one, coarser += other;
       fmt::print("{}\t{}\t{:.3f}\t{:.3f}\t{:.2f}\n", n, list.size(), contact, coarser, coarser / contact);
     }
+    fmt::print("# kind\tn\tfigure\tvalue\terror\tstated\n");
+    for (const Row& r : rows_)
+      fmt::print("{}\t{}\t{}\t{:.4g}\t{:.1e}\t{:.1e}\n", r.kind, r.n, r.figure, r.value, r.error, r.stated);
   }
 
  private:
@@ -135,6 +148,7 @@ class Page {
   std::map<std::pair<std::string, std::string>, Tally> tallies_;
   std::map<std::string, Index> unresolved_;
   std::map<Index, std::vector<std::pair<double, double>>> seconds_;
+  std::vector<Row> rows_;
 };
 
 void judge(Page& page, const Scene& scene, const Solved& here) {
@@ -171,7 +185,7 @@ int main(int argc, char** argv) {
   print_conditions();
   const int scenes = argc > 1 ? std::atoi(argv[1]) : 126;
   const Index largest = argc > 2 ? std::atol(argv[2]) : 2048;
-  Draw draw(argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1);
+  Draw draw(argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1, argc > 4 ? std::atol(argv[4]) : 0);
   Page page;
   for (int k = 0; k < scenes; ++k)
     for (int tries = 0; tries < 20; ++tries) {

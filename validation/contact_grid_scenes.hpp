@@ -5,6 +5,7 @@
 /// approach, and spheres with the heights of two instruments (tests/data), short waves filtered out up to 4 to
 /// 10 cells and refined by their own band limit. Other roughness is self-affine (H 0.3 to 0.8) or Gaussian,
 /// with a shortest wave of 3.5 to 32 cells, sampled at the cells' centres. The cells are 64 to 512 a side.
+/// Every other smooth and oblong scene is under a prescribed approach as well.
 #pragma once
 
 #include <array>
@@ -128,12 +129,13 @@ struct Scene {
 
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
+  /// Scenes on n cells a side, if above 0.
+  explicit Draw(std::uint64_t seed, Index n = 0) : cells_(n), random_(seed) {}
 
   Scene scene(std::size_t number, Index largest) {
     Scene s;
     s.kind = number % std::size(kinds);
-    const Index n = cells_of(number, largest);
+    const Index n = cells_ > 0 ? cells_ : cells_of(number, largest);
     s.shape = {n, n};
     s.bodies.young = {2 * modulus, 2 * modulus};
     s.bodies.poisson = {0, 0};
@@ -156,7 +158,9 @@ class Draw {
     const double p0 = 1.5 * s.load / (pi * a * a);
     if (s.rms > 0) s.rms *= a * a / radius;  // of the depth of the cap
     if (s.kind == 2) s.limit = p0 * between(0.7, 1.5);
-    if (s.kind == 5) s.approach = a * a / radius * between(0.7, 1.3);
+    const bool every_other = number / std::size(kinds) % 2 == 1;
+    if (s.kind == 5 || (every_other && (s.kind == 0 || oblong)))
+      s.approach = a * a / radius * between(0.7, 1.3);
     return s;
   }
 
@@ -194,6 +198,7 @@ class Draw {
     return std::sqrt(2 * ((z.bottomRows(n) - z.topRows(n)) / grid.dx).square().mean());
   }
 
+  Index cells_;
   std::mt19937_64 random_;
 };
 

@@ -46,10 +46,16 @@ double plastic_area_error(const Grid& grid, const Contact& contact, double m) {
   return missed + std::max(area_scatter(grid, around), share::plastic_area * m);
 }
 
-// That of cells in place of an outline is a share of the sides over the cells.
+// That of cells in place of an outline scatters as the area does, whose root it follows.
 double stiffness_error(const Grid& grid, const Contact& contact, const Outline& around, double m) {
-  const double rough = share::ragged * around.sides() * grid.cell_area() / contact.area;
+  const double rough = share::ragged * around.scatter() * grid.cell_area() / contact.area;
   return std::max(share::stiffness * m, rough * contact.stiffness);
+}
+
+// What the approach would be off by, times the stiffness: gap and load seldom are near zero together.
+double load_error(const CoarserContacts& coarser, double m, double gaps) {
+  const double stiffness = coarser.contact[0].stiffness;
+  return std::max(share::load * m, std::isfinite(stiffness) ? share::approach * gaps * stiffness : 0);
 }
 
 }  // namespace
@@ -73,6 +79,7 @@ CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, 
   coarse.tolerance = share::tolerance;
   coarse.progress = {};
   if (!coarse.approach) coarse.load = contact.load;
+  coarse.stiffness = coarse.stiffness || coarse.approach;
   std::unique_ptr<ElasticOperator> body;
   Field gap = undeformed_gap;
   if (contact.flattening.size() > 0) gap += contact.flattening;
@@ -118,7 +125,7 @@ GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserCo
     out.approach = share::approach * std::max(m(&Contact::approach), gaps);
     out.mean_gap = out.approach;
   } else {
-    out.load = share::load * m(&Contact::load);
+    out.load = load_error(coarser, m(&Contact::load), gaps);
     out.mean_gap = share::approach * gaps;
   }
   return out;

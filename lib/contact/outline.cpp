@@ -82,8 +82,7 @@ double corrected_area(const Grid& grid, double area, const Outline& outline) {
 }
 
 double area_scatter(const Grid& grid, const Outline& outline) {
-  const double n = outline.sides();
-  return (lattice * std::sqrt(n * outline.images) + lattice_bias * n) * grid.cell_area();
+  return (lattice * outline.scatter() + lattice_bias * outline.sides()) * grid.cell_area();
 }
 
 double area_excess(const Grid& grid, const Outline& outline) {

@@ -17,6 +17,8 @@
 ///     mechanical contact of random rough surfaces, Tribol. Int. 114 (2017) 161-171, eq. (20).
 #pragma once
 
+#include <cmath>
+
 #include "contact/solver.hpp"
 
 namespace asperity {
@@ -26,6 +28,8 @@ struct Outline {
   int images = 1;  ///< mirrorings and turns, the identity included, that carry the cells into themselves
 
   double sides() const { return static_cast<double>(sides_x + sides_y); }
+  /// √(N m).
+  double scatter() const { return std::sqrt(sides() * images); }
   double perimeter(const Grid& grid) const {
     return static_cast<double>(sides_x) * grid.dy + static_cast<double>(sides_y) * grid.dx;
   }

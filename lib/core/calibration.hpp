@@ -91,20 +91,20 @@ inline constexpr double floor_of_first = 0.25;  ///< of the second difference
 inline constexpr double tolerance = 1e-6;       ///< ε of the coarser contacts; 1e-3 is too loose
 inline constexpr Index least_side = 12;         ///< cells of the coarsest grid
 inline constexpr double lattice = 0.5, lattice_bias = 0.03;
-inline constexpr double pressure = 1.0 / 3;  ///< of m
-inline constexpr double peak = 1.5;          ///< of the rise of a parabola above the largest pressure
-inline constexpr double approach = 0.4;      ///< of the larger m, of approach and mean gap
-inline constexpr double load = 1.0;          ///< of m, under a prescribed approach
-inline constexpr double stiffness = 1.0;     ///< of m
-inline constexpr double ragged = 0.012;  ///< of the stiffness, times the sides of the outline over its cells
+inline constexpr double pressure = 1.0 / 3;       ///< of m
+inline constexpr double peak = 1.5;               ///< of the rise of a parabola above the largest pressure
+inline constexpr double approach = 0.4;           ///< of the larger m, of approach and mean gap
+inline constexpr double load = 0.8;               ///< of m, under a prescribed approach
+inline constexpr double stiffness = 1.0 / 3;      ///< of m
+inline constexpr double ragged = 1.0 / 3;         ///< of the stiffness, times Outline::scatter over its cells
 inline constexpr double plastic_area = 1.0 / 3;   ///< of m
 inline constexpr double missed_cells = 0.10;      ///< of a cell a side of the area at the limit pressure
 inline constexpr double maximum_stress = 0.28;    ///< of m
 inline constexpr double shallow_stress = 0.03;    ///< of the value, times min(1, (h/z)²)
 inline constexpr double search = 1e-4;            ///< of the value: that of the search on fine grids
-inline constexpr double depth = 0.2;              ///< of m
-inline constexpr double depth_of_cell = 0.04;     ///< of h
-inline constexpr double depth_of_search = 0.007;  ///< of the depth: the maximum is flat
+inline constexpr double depth = 0.3;              ///< of m
+inline constexpr double depth_of_cell = 0.02;     ///< of h
+inline constexpr double depth_of_search = 0.005;  ///< of the depth: the maximum is flat
 inline constexpr double near_plastic = 0.1;       ///< of the value above 2h below a limit pressure
 
 // The growth of a mean square slope from grid to grid.

@@ -3,7 +3,7 @@
 /// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and h the
 /// shorter side of a cell,
 ///     error of the value   max(0.28 m, 0.03 min(1, (h/z)²) of it, 1e-4 of it),                   (1)
-///     error of its depth   max(0.2 m, 0.04 h, 0.007 z).                                          (2)
+///     error of its depth   max(0.3 m, 0.02 h, 0.005 z).                                          (2)
 /// The last of each is what the search leaves, which on grids of some 200 cells a side is all there is.
 /// Where the limit pressure is reached and z < 2h the stress is that of single cells' edges: a tenth of the
 /// value is added to (1), z to (2). What cells hide of an edge, as of sliding, coarser cells hide too: unless

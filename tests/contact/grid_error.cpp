@@ -65,6 +65,25 @@ TEST_CASE("under a prescribed approach the load has the error, and the datum of 
   CHECK(std::isnan(e.approach));
 }
 
+// One cell of four sides is carried into itself by eight symmetries: √(N m) = √32.
+TEST_CASE("where all grids tell the same load and stiffness, gap and outline still make errors",
+          "[contact][exact]") {
+  const Grid grid{{4, 4}, 1, 1};
+  Contact fine;
+  fine.pressure = Field::Zero(4, 4);
+  fine.state.assign(16, Contact::open);
+  fine.pressure(1, 1) = 1, fine.state[5] = Contact::elastic;
+  fine.load = 50, fine.area = 1, fine.stiffness = 3, fine.mean_gap = 2;
+  CoarserContacts coarser;
+  coarser.contact = {fine, fine};
+  coarser.under_approach = true;
+  coarser.contact[0].mean_gap = coarser.contact[1].mean_gap = 2.5;
+  CHECK(grid_errors(grid, fine, coarser).load == Approx(0.4 * 0.5 * 3));
+  CHECK(grid_errors(grid, fine, coarser).stiffness == Approx(std::sqrt(32) / 3 * 3));
+  coarser.contact[0].stiffness = infinity;
+  CHECK(grid_errors(grid, fine, coarser).load == 0);
+}
+
 TEST_CASE("a wavy periodic surface keeps within its stated errors on a grid four times finer",
           "[contact][law]") {
   auto pressed = [](Index n) {
