@@ -10,6 +10,7 @@
 #include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/measure/twin_rows.hpp"
 #include "tools/report/page.hpp"
 
 using namespace asperity;
@@ -21,10 +22,11 @@ struct Options {
   std::string title, output = "-";
 };
 
-report::Group group_of(const cli::Tool& tool, const Sample& sample, Group group,
-                       const std::string& title) try {
-  const MeasureOptions options;
-  const Parameters rows = measure(sample, group, options);
+report::Group group_of(const cli::Tool& tool, const Sample& sample, const Preparation& preparation,
+                       Group group, const std::string& title) try {
+  const MeasureOptions options{.groups = {group}, .preparation = preparation};
+  Parameters rows = measure(sample, group, options);
+  cli::errors_by_twins(tool, sample, options, cli::TwinUse::where_quick, rows);
   if (group == Group::spatial) warn_of_decays(tool, rows, options.sal_level, sample.grid());
   return {title, rows, missing(rows)};
 } catch (const DataError& error) {
@@ -45,9 +47,10 @@ std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data,
   }
   warn_of_few(tool, sample->size());
   why_untold = too_few(sample->size());
-  return {group_of(tool, *sample, Group::height, "Height parameters"),
-          group_of(tool, *sample, Group::spatial, "Spatial parameters"),
-          group_of(tool, *sample, Group::hybrid, "Hybrid parameters")};
+  const Preparation preparation = o.measured.preparation();
+  return {group_of(tool, *sample, preparation, Group::height, "Height parameters"),
+          group_of(tool, *sample, preparation, Group::spatial, "Spatial parameters"),
+          group_of(tool, *sample, preparation, Group::hybrid, "Hybrid parameters")};
 }
 
 std::string reference_of(const cli::Tool& tool, const cli::FieldOptions& o) {

@@ -15,6 +15,7 @@
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/measure/stats_options.hpp"
+#include "tools/measure/twin_rows.hpp"
 
 using namespace asperity;
 
@@ -31,7 +32,8 @@ bool larger_than_memory(const std::string& path, std::size_t memory) {
 }
 
 // The option that needs the whole field in memory; "" if none does.
-std::string needs_whole_field(const MeasureOptions& asked) {
+std::string needs_whole_field(const MeasureOptions& asked, const std::string& errors) {
+  if (errors == "twins") return "--errors twins";
   if (asked.groups.contains(Group::spatial)) return "--parameters spatial";
   if (!std::isnan(asked.preparation.short_cutoff)) return "--lambda-s";
   return std::isnan(asked.preparation.long_cutoff) ? "" : "--lambda-c";
@@ -40,10 +42,11 @@ std::string needs_whole_field(const MeasureOptions& asked) {
 // The surfaces of the command line, measured one by one.
 class Surfaces {
  public:
-  Surfaces(const cli::Tool& tool, const cli::FieldOptions& field, const MeasureOptions& asked)
-      : tool_(tool), field_(field), asked_(asked) {}
+  Surfaces(const cli::Tool& tool, const cli::StatsOptions& options)
+      : tool_(tool), field_(options.field), errors_(options.errors), asked_(options.checked(tool)) {}
 
-  void add(const Dataset& data, const std::string& name) {
+  void add(const Dataset& data, const std::string& name, bool alone) {
+    alone_ = alone;
     tool_.detail(name);
     if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
     grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
@@ -51,7 +54,7 @@ class Surfaces {
   }
   /// Reads a file that is too large for memory in strips; false if it is not.
   bool add_in_strips(const std::string& path) {
-    const std::string whole = needs_whole_field(asked_);
+    const std::string whole = needs_whole_field(asked_, errors_);
     if ((!tool_.given("--memory") && !whole.empty()) || !larger_than_memory(path, tool_.memory()))
       return false;
     if (!whole.empty())
@@ -100,11 +103,24 @@ class Surfaces {
       if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.sal_level, sample.grid());
       last_.insert(last_.end(), rows.begin(), rows.end());
     }
+    settle_errors(sample);
     ensemble_.add(last_);
+  }
+
+  // As asked for by --errors.
+  void settle_errors(const Sample& sample) {
+    if (errors_ == "none")
+      for (Parameter& p : last_) p.standard_error = NAN, p.interval.reset(), p.why.clear();
+    const bool asked = errors_ == "twins";
+    if (asked || (errors_ == "auto" && alone_ && sample.whole()))
+      cli::errors_by_twins(tool_, sample, asked_,
+                           asked ? cli::TwinUse::everywhere : cli::TwinUse::where_quick, last_);
   }
 
   const cli::Tool& tool_;
   const cli::FieldOptions& field_;
+  bool alone_ = true;
+  const std::string errors_;
   const MeasureOptions asked_;
   cli::EnsembleGrid grids_;
   EnsembleParameters ensemble_;
@@ -127,8 +143,11 @@ void document(cli::Tool& tool) {
       "intervals of the height parameters, of Sal and of lengths cover 93 to 97 % of 2000 simulated "
       "fields down to N_eff = 41, with a known or an estimated correlation (97.7 % for the length at "
       "1/e with an estimated one at N_eff = 41). Errors are rough below N_eff = 10, or 20 with an "
-      "estimated correlation; no errors are given below half of that. Peak and valley have no standard "
-      "errors; a dash, nan in a pipe, marks a quantity without an interval. Slopes and curvatures use "
+      "estimated correlation; no errors are given below half of that. Errors "
+      "from twins were 0.8 to 1.3 times the true ones, of 60 to 100 simulated Gaussian fields of a kind "
+      "(exponential, lay, two scales, Gaussian correlation; N_eff 80 to 900), and 0.6 to 1 times those of "
+      "lognormal and plateau heights. A dash, nan in a pipe, marks a quantity without an interval. Slopes "
+      "and curvatures use "
       "differences of "
       "neighbouring points: for a wave of n points per period they are low by a fraction of 1.6/n^2 "
       "(Sdq) to 6.6/n^2 (m4). The standard error of a mean over profiles allows for their correlation.");
@@ -154,9 +173,10 @@ int main(int argc, char** argv) {
   document(tool);
 
   return tool.run(argc, argv, [&] {
-    Surfaces measured(tool, options.field, options.checked(tool));
+    Surfaces measured(tool, options);
     surfaces.for_each(
-        tool, [&](const cli::EnsembleMember& member) { measured.add(member.data, member.name); },
+        tool,
+        [&](const cli::EnsembleMember& member) { measured.add(member.data, member.name, member.alone()); },
         [&](const std::string& path) { return measured.add_in_strips(path); });
     measured.print();
     return cli::done;

@@ -1,9 +1,10 @@
 /// Whether the errors that are printed beside parameters are those that simulation finds, whatever the texture.
 ///
-///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE]]]]]
+///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
-/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field.
+/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors by theory, or
+/// by so many TWINS (stats/twins/twin_errors.hpp).
 ///
 /// One row a parameter:
 ///
@@ -23,6 +24,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,7 @@
 #include "stats/measure.hpp"
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/spectrum/spectrum.hpp"
+#include "stats/twins/twin_errors.hpp"
 #include "textures.hpp"
 #include "timing.hpp"
 
@@ -47,6 +50,7 @@ struct Setting {
   Shape shape{128, 128};
   double length = 4;
   int degree = 0;
+  Index twins = 0;
 
   // Beyond which no texture is correlated.
   Index reach() const { return static_cast<Index>(40 * length); }
@@ -66,7 +70,7 @@ void add(Parameters& out, const std::string& name, const std::vector<SpectrumPoi
 }
 
 // All that has an error, of a field `times` as large.
-Parameters measured(const Field& heights, int degree, Index times) {
+Parameters measured(const Field& heights, int degree, Index times, Index twins = 0) {
   const Grid grid = grid_of(shape_of(heights));
   MeasureOptions options;
   options.groups = {Group::height, Group::quantiles, Group::material,
@@ -77,6 +81,12 @@ Parameters measured(const Field& heights, int degree, Index times) {
   Parameters out;
   for (const Group group : options.groups)
     std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
+  if (twins > 0) {
+    options.preparation.degree = degree;
+    for (Parameter& p : out) p.standard_error = NAN, p.interval.reset();
+    TwinErrors(sample, options, {.twins = twins}).apply(out, [](const Parameter&) { return true; });
+    return out;
+  }
   const AcfEstimate acf = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
   std::ranges::copy(acf_lengths(acf, {{1 / std::exp(1.0), "e", ""}, {0.1, "10", ""}}, {}, {}),
                     std::back_inserter(out));
@@ -107,12 +117,19 @@ struct Column {
   std::vector<Parameter> all;
   double truth = NAN;
 
+  bool axial() const { return all[0].unit == "rad"; }
   double mean() const {
-    return mean_of([](const Parameter& p) { return p.value; });
+    if (!axial()) return mean_of([](const Parameter& p) { return p.value; });
+    return 0.5 * std::atan2(mean_of([](const Parameter& p) { return std::sin(2 * p.value); }),
+                            mean_of([](const Parameter& p) { return std::cos(2 * p.value); }));
+  }
+  // From b to a; axes have the period π.
+  double difference(double a, double b) const {
+    return axial() ? std::remainder(a - b, std::numbers::pi) : a - b;
   }
   double spread() const {
     const double m = mean();
-    return std::sqrt(mean_of([m](const Parameter& p) { return std::pow(p.value - m, 2); }));
+    return std::sqrt(mean_of([&](const Parameter& p) { return std::pow(difference(p.value, m), 2); }));
   }
   template <class Of>
   double mean_of(Of of) const {
@@ -130,14 +147,15 @@ struct Column {
       if (!std::isfinite(p.standard_error)) continue;
       const Interval i = p.interval_95();
       ++known;
-      covered += i.low <= aim && aim <= i.high;
+      const double at = p.value + difference(aim, p.value);
+      covered += i.low <= at && at <= i.high;
       open += std::isinf(i.high);
     }
     const double stated =
         std::sqrt(mean_of([](const Parameter& p) { return p.standard_error * p.standard_error; }));
     fmt::print("{}\t{:.0f}\t{}\t{:.0f}\t{:.1f}\t{:.1f}\t{:.2f}\t{:.2f}\n", texture, n_eff, name,
                100 * known / static_cast<double>(all.size()), 100 * covered / known, 100 * open / known,
-               stated / spread(), biased ? (mean() - aim) / spread() : NAN);
+               stated / spread(), biased ? difference(mean(), aim) / spread() : NAN);
   }
 };
 
@@ -148,7 +166,7 @@ void judge(const textures::Texture& texture, const Setting& setting) {
   std::vector<std::string> names;
   const textures::Draw draw(texture, setting.shape, setting.reach());
   for (int f = 0; f < setting.fields; ++f)
-    for (const Parameter& p : measured(draw(random), setting.degree, 1)) {
+    for (const Parameter& p : measured(draw(random), setting.degree, 1, setting.twins)) {
       if (!columns.contains(p.name)) names.push_back(p.name);
       columns[p.name].all.push_back(p);
     }
@@ -179,6 +197,7 @@ int main(int argc, char** argv) {
   }
   if (argc > 4) setting.length = std::atof(argv[4]);
   if (argc > 5) setting.degree = std::atoi(argv[5]);
+  if (argc > 6) setting.twins = std::atol(argv[6]);
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
   for (const textures::Texture& texture : textures::all(setting.length))
     if (only == "all" || only == texture.name) judge(texture, setting);

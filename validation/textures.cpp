@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace asperity::textures {
 namespace {
@@ -66,11 +67,16 @@ double bimodal(double y) { return 0.4 * y + std::tanh(4 * y); }
 
 std::vector<Texture> all(double l) {
   auto iso = [l](double x, double y) { return exponential(x, y, l); };
-  const SelfAffine rough(0.3, l), smooth(0.8, l);
+  auto self_affine = [l](double hurst) {
+    return [hurst, l, table = std::optional<SelfAffine>()](double x, double y) mutable {
+      if (!table) table.emplace(hurst, l);
+      return (*table)(x, y);
+    };
+  };
   return {{"exponential", iso},
           {"gaussian", [l](double x, double y) { return oriented_gaussian(x, y, l); }},
-          {"self_affine_0.3", rough},
-          {"self_affine_0.8", smooth},
+          {"self_affine_0.3", self_affine(0.3)},
+          {"self_affine_0.8", self_affine(0.8)},
           {"lay_along_x", [l](double x, double y) { return lay(x, y, l); }},
           {"lay_along_y", [l](double x, double y) { return lay(y, x, l); }},
           {"two_scales",

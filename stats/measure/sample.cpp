@@ -9,10 +9,10 @@
 namespace asperity {
 namespace {
 
-SurfaceSums summed(const Surface& surface, bool derivatives, int threads) {
+SurfaceSums summed(const Surface& surface, ErrorBasis basis, bool derivatives, int threads) {
   DerivativeSums sums;
   if (derivatives) sums.add(Strip::whole(surface.heights, surface.grid), mean(surface.heights), threads);
-  return {moments(surface.heights, surface.variable), sums, error_basis(surface, threads)};
+  return {moments(surface.heights, surface.variable), sums, std::move(basis)};
 }
 
 SurfaceSums summed(const StripReader& reader, const Surface& surface, bool derivatives, int threads) {
@@ -43,9 +43,15 @@ void DerivativeSums::add(const Strip& strip, double level, int threads) {
 
 Sample::Sample(Surface surface, bool derivatives, int threads)
     : surface_(std::move(surface)),
-      sums_(summed(surface_, derivatives, threads)),
+      sums_(summed(surface_, error_basis(surface_, threads), derivatives, threads)),
       size_(basis().size()),
       threads_(threads) {}
+
+Sample::Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives)
+    : surface_(std::move(surface)),
+      sums_(summed(surface_, std::move(basis), derivatives, 1)),
+      size_(size),
+      threads_(1) {}
 
 Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int threads)
     : surface_(std::move(surface)),

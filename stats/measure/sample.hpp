@@ -42,11 +42,14 @@ class Sample {
  public:
   /// Of a prepared surface; `derivatives` are slopes, spectral moments and summits.
   explicit Sample(Surface surface, bool derivatives = true, int threads = 1);
+  /// Of a prepared surface whose errors rest on a known basis, of this size.
+  Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives = true);
   /// In strips; `surface` holds everything but the heights and their level.
   Sample(const StripReader& reader, Surface surface, bool derivatives = true, int threads = 1);
 
   const Surface& surface() const { return surface_; }
   const Grid& grid() const { return surface_.grid; }
+  bool whole() const { return !reader_; }  ///< not in strips
   int threads() const { return threads_; }
   const Moments& moments() const { return sums_.moments; }
   const ErrorBasis& basis() const { return sums_.basis; }

@@ -213,7 +213,8 @@ TEST_CASE("a cylinder that ends has spikes there, one that repeats has none", "[
   const Contact ended = press(grid, undeformed_gap(grid, bodies), {.load = load});
   CHECK(ended.max_pressure > 1.3 * p0);
   CHECK(ended.pressure(32, 32) < 1.05 * p0);
-  CHECK(ended.max_pressure == ended.pressure.row(0).maxCoeff());
+  CHECK(ended.max_pressure ==
+        std::max(ended.pressure.row(0).maxCoeff(), ended.pressure.row(63).maxCoeff()));  // alike to rounding
 }
 
 // Every other along x, half with a limit pressure, half sunk by the approach that a load had before.

@@ -227,7 +227,8 @@ TEST_CASE(
     "asperity-stats in strips answers as on the whole field, from a file and from redirected standard input",
     "[stats-tool][law][slow]") {
   const std::string asked =
-      "asperity-stats --json --parameters height,gaussianity,material,hybrid --quantiles 0,0.1,0.5,1 ";
+      "asperity-stats --json --errors theory --parameters height,gaussianity,material,hybrid --quantiles "
+      "0,0.1,0.5,1 ";
   for (const std::string level : {"", "--remove-form 3 "}) {
     const Json whole = json_of(asked + level + "drawn.nc");
     for (const char* input : {"--memory 200kB drawn.nc", "--memory 200kB < drawn.nc"}) {

@@ -87,7 +87,7 @@ TEST_CASE("a part of the cells has quantiles, and no form, filter, kernel or cor
     CHECK((run.exit == 2 && lines(run.error) == 1));
   }
   CHECK_THAT(shell("asperity-pdf pressed.nc --variable pressure --bins 100000").error,
-             ContainsSubstring("--bins: '100000' is above the number of counted cells"));
+             ContainsSubstring("--bins: '100000' is above the number of points, 393"));
 }
 
 // Over ever so many surfaces 89 to 98 % of the pressures and 79 to 92 % of the gaps (the header of

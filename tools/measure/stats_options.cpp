@@ -53,6 +53,12 @@ void StatsOptions::declare(Tool& tool) {
                   "Parameters");
   tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) that defines Sal and Str",
               "Parameters");
+  tool.choice(
+      "--errors", errors, {"auto", "theory", "twins", "none"},
+      "Source of standard errors and intervals. theory: formulas; twins: simulation, 60 random fields "
+      "of the same correlation, heights and missing points; auto: theory where simulations confirm it, "
+      "else twins, for one surface where they take about two seconds",
+      "Parameters");
   tool.memory(
       "Memory limit for the field. A NetCDF file larger than an eighth of it is read in strips. Spatial "
       "parameters and filters need the whole field and are then refused if --memory is given. Ordering the "

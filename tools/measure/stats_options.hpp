@@ -14,6 +14,7 @@ struct StatsOptions {
   std::vector<std::string> groups{"height"};
   std::string quantiles = {}, direction = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
+  std::string errors = "auto";
   std::string profile = {};      ///< x or y: profile parameters instead of areal ones
 
   void declare(Tool& tool);

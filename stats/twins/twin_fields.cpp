@@ -1,0 +1,212 @@
+#include "stats/twins/twin_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "marginal/correlation_map.hpp"
+#include "marginal/measured.hpp"
+#include "math/noise.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/translation_error.hpp"
+
+namespace asperity {
+namespace {
+
+// The lags |p| and |q| that hold three quarters of Σ ρ² each. Lag zero counts a twentieth: it needs no width,
+// and the lags that noise alone makes significant weigh less.
+std::array<double, 2> widths(const LagField& significant, const Pairs& pairs) {
+  std::vector<double> along_x(static_cast<std::size_t>(significant.max_p()) + 1),
+      along_y(static_cast<std::size_t>(significant.max_q()) + 1);
+  for_each_lag(significant, pairs, [&](Index p, Index q, double weight) {
+    const double value = std::pow(significant(p, q), 2) * (p == 0 && q == 0 ? 0.05 : weight);
+    along_x[static_cast<std::size_t>(p)] += value;
+    along_y[static_cast<std::size_t>(std::abs(q))] += value;
+  });
+  auto quantile = [](const std::vector<double>& of) {
+    double sum = 0, total = 0;
+    for (const double value : of) total += value;
+    for (std::size_t p = 0; p < of.size(); ++p) {
+      if (sum + of[p] >= 0.75 * total) return static_cast<double>(p) + (0.75 * total - sum) / of[p];
+      sum += of[p];
+    }
+    return static_cast<double>(of.size());
+  };
+  return {quantile(along_x), quantile(along_y)};
+}
+
+struct Window {
+  double hx, hy;
+  int power = 2;  // of r² in the exponent: 1 is positive definite, 2 keeps more of what is within h
+
+  double operator()(Index p, Index q) const {
+    const double u = static_cast<double>(p) / hx, v = static_cast<double>(q) / hy;
+    return std::exp(-0.5 * std::pow(u * u + v * v, power));
+  }
+  Window wider(double factor) const { return {factor * hx, factor * hy, power}; }
+};
+
+// The estimate with the mean's share put back; 0 where there is no pair of points.
+LagField without_mean(const Sample& sample) {
+  const LagField estimate = sample.basis().correlation.normalised();
+  const double b = sample.size().bias_of_lags();
+  return LagField(
+      estimate.half_plane().unaryExpr([b](double r) { return std::isnan(r) ? 0 : (r + b) / (1 + b); }));
+}
+
+// (2), (3).
+Window window_for(const LagField& rho, const Sample& sample) {
+  const Pairs& pairs = sample.basis().pairs;
+  const auto [wx, wy] = widths(significant_lags(sample.basis().correlation, pairs), pairs);
+  const double c = std::clamp(4 * std::pow(sample.size().effective(2) / 218, 0.25), 2.0, 12.0);
+  const Window widest{2 * c * wx, 2 * c * wy};
+  auto sum_of_squares = [&](const Window& window) {
+    double sum = 0, lags = 0;
+    for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
+      const double g = std::pow(window(p, q), 2);
+      sum += weight * g * std::pow(rho(p, q), 2);
+      lags += weight * g / pairs.pair_fraction(p, q);
+    });
+    return std::pair{sum, sum / (1 + lags / pairs.points())};
+  };
+  const double aim = sum_of_squares(widest).second;
+  double least = 1.0 / 8, most = 1;
+  for (int step = 0; step < 12; ++step) {
+    const double middle = std::sqrt(least * most);
+    (sum_of_squares(widest.wider(middle)).first > aim ? most : least) = middle;
+  }
+  return widest.wider(most);
+}
+
+// Hann's, of a side of n points, and what it makes of a correlation: 1 - 6.6 (p/n)², as exp(-13.2 (p/n)²/2).
+Eigen::ArrayXd hann(Index n, bool periodic) {
+  if (periodic) return Eigen::ArrayXd::Ones(n);
+  return 1 - (Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
+              (2 * std::numbers::pi / static_cast<double>(n)))
+                 .cos();
+}
+double without_hann(double h, Index n, bool periodic) {
+  const double taken = periodic ? 0 : 13.2 / static_cast<double>(n * n);
+  return 1 / std::sqrt(std::max(1 / (h * h) - taken, 1e-12));
+}
+
+bool evidently_not_gaussian(const Sample& sample) {
+  if (sample.surface().distribution) return true;
+  const Moments& m = sample.moments();
+  return evident_translation(m, standard_errors(m, sample.size())).has_value();
+}
+
+// What slopes vary with where heights are not Gaussian, those about them, has long waves too.
+Window window_for_short_waves(const Sample& sample) {
+  if (evidently_not_gaussian(sample)) return window_for(without_mean(sample), sample);
+  const Pairs& pairs = sample.basis().pairs;
+  const auto [wx, wy] = widths(significant_lags(sample.basis().correlation, pairs), pairs);
+  return {std::max(1.5 * wx, 2.0), std::max(1.5 * wy, 2.0), 1};
+}
+
+LagField short_wave_correlation(const Sample& sample) {
+  const Grid& grid = sample.grid();
+  const auto [nx, ny] = grid.shape;
+  const Window own = window_for_short_waves(sample);
+  const Window window{without_hann(own.hx, nx, grid.periodic.x), without_hann(own.hy, ny, grid.periodic.y),
+                      1};
+  Field tapered = sample.surface().heights;
+  tapered.colwise() *= hann(nx, grid.periodic.x);
+  tapered.rowwise() *= hann(ny, grid.periodic.y).transpose();
+  const LagField rho =
+      estimate_autocorrelation(tapered, grid, {.max_lag = longest_lags(grid), .biased = true}).normalised();
+  return LagField::of(rho.max_lag(), [&](Index p, Index q) { return rho(p, q) * window(p, q); });
+}
+
+LagField correlation_of(const Sample& sample, TwinWaves waves) {
+  if (!sample.basis().estimated) return sample.basis().correlation.normalised();
+  if (waves == TwinWaves::short_ones) return short_wave_correlation(sample);
+  const LagField rho = without_mean(sample);
+  const Window window = window_for(rho, sample);
+  return LagField::of(rho.max_lag(), [&](Index p, Index q) { return rho(p, q) * window(p, q); });
+}
+
+std::optional<Translation> translation_of(const Sample& sample) {
+  if (sample.surface().distribution) return sample.surface().distribution;
+  if (!evidently_not_gaussian(sample)) return std::nullopt;
+  std::vector<double> heights;
+  for (const double z : sample.surface().heights.reshaped<Eigen::RowMajor>())
+    if (std::isfinite(z)) heights.push_back(z);
+  return MeasuredHeights::of(std::move(heights)).translation();
+}
+
+// Along one axis: the field, and the lags beyond which ρ is negligible.
+Index torus_length(Index n, bool periodic, Index reach) {
+  return periodic ? n : fast_length(std::min(2 * n, n + reach));
+}
+Shape torus_of(const Grid& grid, const LagField& rho, double negligible) {
+  Shape reach{0, 0};
+  for (Index p = 0; p <= rho.max_p(); ++p)
+    for (Index q = -rho.max_q(); q <= rho.max_q(); ++q)
+      if (std::abs(rho(p, q)) > negligible) reach = {std::max(reach.nx, p), std::max(reach.ny, std::abs(q))};
+  return {torus_length(grid.shape.nx, grid.periodic.x, reach.nx + 1),
+          torus_length(grid.shape.ny, grid.periodic.y, reach.ny + 1)};
+}
+
+AlignedVector<double> root_of_power(const RealTransform2D& transform, Shape torus, const LagField& rho) {
+  AlignedVector<double> lags(static_cast<std::size_t>(torus.cells()));
+  auto lag = [](Index i, Index n) { return 2 * i <= n ? i : i - n; };
+  for (Index i = 0; i < torus.nx; ++i)
+    for (Index j = 0; j < torus.ny; ++j)
+      lags[static_cast<std::size_t>(i * torus.ny + j)] = rho(lag(i, torus.nx), lag(j, torus.ny));
+  AlignedVector<Complex> power(static_cast<std::size_t>(transform.spectrum_size()));
+  transform.forward(lags.data(), power.data());
+  AlignedVector<double> out(power.size());
+  const Index columns = transform.spectrum_columns();
+  double sum = 0;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const Index column = static_cast<Index>(k) % columns;
+    const bool own = column == 0 || 2 * column == torus.ny;  // its mirror image is in the same column
+    const double p = std::max(power[k].real(), 0.0);
+    sum += own ? p : 2 * p;
+    // Of the real and imaginary part; of a column that is its own mirror image the transform keeps one.
+    out[k] = std::sqrt(own ? p : p / 2);
+  }
+  for (double& value : out) value /= std::sqrt(sum);
+  return out;
+}
+
+Field missing_of(const Field& heights) {
+  if (!heights.isNaN().any()) return {};
+  return heights.isNaN().select(Field::Constant(heights.rows(), heights.cols(), NAN), 0);
+}
+
+}  // namespace
+
+TwinFields::TwinFields(const Sample& sample, TwinWaves waves, std::uint64_t seed)
+    : missing_(missing_of(sample.surface().heights)),
+      shape_(sample.grid().shape),
+      seed_(seed),
+      correlation_(correlation_of(sample, waves)),
+      translation_(translation_of(sample)),
+      torus_(torus_of(sample.grid(), correlation_, waves == TwinWaves::all ? 1e-3 : 1e-12)),
+      transform_(torus_) {
+  root_ = root_of_power(
+      transform_, torus_,
+      translation_ ? underlying_correlation(correlation_, CorrelationMap(*translation_)) : correlation_);
+}
+
+Field TwinFields::heights(Index k) const {
+  WhiteNoise noise(seed_, static_cast<std::uint64_t>(k));
+  const Index columns = transform_.spectrum_columns();
+  AlignedVector<Complex> spectrum(root_.size());
+  for (Index i = 0; i < torus_.nx; ++i) {
+    Complex* row = spectrum.data() + i * columns;
+    noise.row(i, {reinterpret_cast<double*>(row), static_cast<std::size_t>(2 * columns)});
+    for (Index j = 0; j < columns; ++j) row[j] *= root_[static_cast<std::size_t>(i * columns + j)];
+  }
+  AlignedVector<double> whole(static_cast<std::size_t>(torus_.cells()));
+  transform_.inverse(spectrum.data(), whole.data());
+  if (translation_) translation_->apply(whole);
+  Field out = Eigen::Map<const Field>(whole.data(), torus_.nx, torus_.ny).topLeftCorner(shape_.nx, shape_.ny);
+  if (missing_.size() > 0) out += missing_;
+  return out;
+}
+
+}  // namespace asperity

@@ -1,0 +1,134 @@
+// Errors from twins of a field.
+#include "fields.hpp"
+#include "holes.hpp"
+#include "stats/spatial/acf.hpp"
+#include "stats/twins/twin_errors.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const Parameter& of(const Parameters& parameters, const std::string& name) {
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  REQUIRE(found != parameters.end());
+  return *found;
+}
+
+LagField exponential(double length, Index reach) {
+  return LagField::of({reach, reach}, [&](Index p, Index q) {
+    return std::exp(-std::hypot(static_cast<double>(p), static_cast<double>(q)) / length);
+  });
+}
+
+Sample sample_of(Field z, std::optional<LagField> rho = {}, int degree = 0) {
+  const Grid grid{shape_of(z), 1e-6, 1e-6, false};
+  return Sample(
+      prepared({.grid = grid, .heights = 1e-6 * z, .correlation = std::move(rho)}, {.degree = degree}));
+}
+
+Parameters with_twins(const Sample& sample, const MeasureOptions& asked, const TwinOptions& options) {
+  Parameters out;
+  for (const Group group : asked.groups)
+    for (const Parameter& p : measure(sample, group, asked)) out.push_back(p);
+  TwinErrors(sample, asked, options).apply(out, [](const Parameter&) { return true; });
+  return out;
+}
+
+}  // namespace
+
+// The mean over K twins of z(i,j) z(i+p,j+q) errs by √((1+ρ²) S_2/(N K)) at most: of 64 twins of N = 48 × 40 with
+// S_2 = 2π (l/2)² = 14, 1.5 %. Five of these, for the twelve lags. The torus' clamped powers change ρ by less.
+TEST_CASE("twins have the known correlation, unit variance and the missing points of the field",
+          "[twins][statistics]") {
+  const Shape shape{48, 40};
+  const LagField rho = exponential(3, 40);
+  for (const bool holes : {false, true}) {
+    Field z = random_field(shape, 3);
+    if (holes) z = with_holes(z, 0.2, 4);
+    const TwinFields twins(sample_of(z, rho));
+    for (const Index p : {0, 1, 3})
+      for (const Index q : {-4, 0, 2, 5}) {
+        double sum = 0, pairs = 0;
+        for (Index k = 0; k < 64; ++k)
+          for_each_pair(twins.heights(k), false, p, q, [&](double a, double b) { sum += a * b, ++pairs; });
+        CAPTURE(holes, p, q);
+        CHECK(std::abs(sum / pairs - rho(p, q)) <= 5 * std::sqrt(2 * 14 / pairs));
+      }
+    CHECK((twins.heights(1).isNaN() == z.isNaN()).all());
+    CHECK(bool((twins.heights(5) == twins.heights(5) || z.isNaN()).all()));
+    CHECK(bool((twins.heights(5) != twins.heights(6) || z.isNaN()).all()));
+  }
+}
+
+// Independent heights: Sq has the error Sq/√(2N), the mean Sq/√N. 200 twins know a standard deviation to 1/√398.
+// A form of degree 2 takes 6 of N degrees of freedom, and Sq is low by √(1 - 6/N).
+TEST_CASE("twins of white noise have the errors of independent heights, and the bias of a form",
+          "[twins][statistics]") {
+  const LagField white = LagField::of({1, 1}, [](Index p, Index q) { return p == 0 && q == 0 ? 1 : 0; });
+  const Shape shape{12, 10};
+  const double n = 120;
+  for (const int degree : {0, 2}) {
+    const Sample sample = sample_of(white_noise(shape, 7), white, degree);
+    const MeasureOptions asked{.groups = {Group::height}, .preparation = {.degree = degree}};
+    const Parameters parameters = with_twins(sample, asked, {.twins = 200});
+    const double free = degree == 0 ? n - 1 : n - 6, known = 4 / std::sqrt(398.0);
+    CAPTURE(degree);
+    const Parameter& sq = of(parameters, "Sq");
+    CHECK(sq.standard_error == Approx(sq.value / std::sqrt(2 * free)).epsilon(known));
+    // The scale is that of 20 twins, known to 1/√(2 · 20 n); the interval is even in the logarithm.
+    const double centre = std::sqrt(sq.interval->low * sq.interval->high) / sq.value;
+    CHECK(std::abs(centre - std::sqrt(n / free)) <= 4 / std::sqrt(40 * n));
+    CHECK(of(parameters, "Sz").standard_error > 0);
+    CHECK(of(parameters, "Sp").source == "200 twins");
+    CHECK(std::isnan(of(parameters, "N").standard_error));
+    if (degree == 0)
+      CHECK(of(parameters, "mean").standard_error == Approx(sq.value / std::sqrt(n)).epsilon(known));
+  }
+}
+
+TEST_CASE("errors from twins are the same on any number of threads, and hold for every group",
+          "[twins][contract]") {
+  const Sample sample = sample_of(moving_average({40, 50}, {4, 4}, 5));
+  MeasureOptions asked{
+      .groups = {Group::height, Group::material, Group::hybrid, Group::spatial, Group::profiles}};
+  const Parameters one = with_twins(sample, asked, {.twins = 12, .threads = 1}),
+                   three = with_twins(sample, asked, {.twins = 12, .threads = 3});
+  REQUIRE(one.size() == three.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    CAPTURE(one[k].name);
+    const bool same = one[k].standard_error == three[k].standard_error ||
+                      (std::isnan(one[k].standard_error) && std::isnan(three[k].standard_error));
+    CHECK(same);
+    const bool exact = one[k].name.starts_with("N") || one[k].name.starts_with("profiles");
+    CHECK(one[k].source.empty() == exact);
+  }
+  CHECK(of(one, "Str").interval_95().high <= 1);
+}
+
+TEST_CASE("theory is not trusted for a lay, a removed plane, and heights that are not Gaussian",
+          "[twins][contract]") {
+  const MeasureOptions asked{.groups = {Group::height}};
+  const Shape shape{96, 96};
+  const Field plain = moving_average(shape, {5, 5}, 11);
+  auto holds = [&](const Field& z, const MeasureOptions& options, const char* name) {
+    return TwinScope(sample_of(z, {}, options.preparation.degree), options)
+        .theory_holds({.name = name, .value = 1, .unit = "m", .standard_error = 0.1, .meaning = ""});
+  };
+  CHECK(holds(plain, asked, "Sq"));
+  CHECK(holds(plain, asked, "Smc_p"));
+  CHECK(!holds(plain, asked, "Str"));
+  CHECK(!holds(plain, {.groups = {Group::height}, .preparation = {.degree = 1}}, "Sq"));
+  Field lay = plain;
+  for (Index j = 0; j < shape.ny; ++j)
+    lay.col(j) += 2 * plain.maxCoeff() * std::sin(0.4 * static_cast<double>(j));
+  CHECK(!holds(lay, asked, "Sq"));
+  CHECK(holds(lay, asked, "Sdq"));
+  const Field skewed = (2 * plain / plain.maxCoeff()).exp();
+  CHECK(holds(skewed, asked, "Sq"));
+  CHECK(!holds(skewed, asked, "quantile_0.9"));
+  CHECK(!holds(skewed, asked, "Sdq"));
+  const Parameter sz{.name = "Sz", .value = 1, .unit = "m", .standard_error = NAN, .meaning = ""};
+  CHECK(TwinScope(sample_of(plain), asked).holds(sz));
+  CHECK(!TwinScope(sample_of(skewed), asked).holds(sz));
+}

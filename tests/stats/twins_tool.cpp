@@ -1,0 +1,69 @@
+// asperity-stats --errors.
+#include <nlohmann/json.hpp>
+
+#include "tools/files.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+using Json = nlohmann::json;
+
+namespace {
+
+void draw() {
+  static const bool drawn = shell(
+                                "asperity-generate -q --shape 64x48 --size 1mm,0.5mm --rq 0.4um --length "
+                                "40um,30um --seed 1 -o t.nc")
+                                .exit == 0;
+  REQUIRE(drawn);
+}
+
+Json stats(const std::string& options) {
+  return Json::parse(require("asperity-stats -q --json " + options).out);
+}
+
+}  // namespace
+
+TEST_CASE("errors are those of theory, of twins, of whichever holds, or none",
+          "[stats-tool][twins][contract]") {
+  draw();
+  const Json theory = stats("--errors theory t.nc"), twins = stats("--errors twins t.nc"),
+             own = stats("t.nc"), none = stats("--errors none t.nc");
+  for (const char* name : {"Sa", "Sq", "Ssk"}) {
+    CAPTURE(name);
+    CHECK(own[name] == theory[name]);
+    CHECK(twins[name]["value"] == theory[name]["value"]);
+    CHECK(twins[name]["note"] == "error from 60 twins");
+    CHECK_FALSE(none[name].contains("standard_error"));
+  }
+  for (const char* name : {"Sp", "Sv", "Sz"}) {
+    CAPTURE(name);
+    CHECK_FALSE(theory[name].contains("standard_error"));
+    CHECK(own[name] == twins[name]);
+    CHECK(own[name]["interval_95"].size() == 2);
+  }
+  CHECK_FALSE(twins["N"].contains("standard_error"));
+  CHECK(stats("--errors twins --threads 1 t.nc") == stats("--errors twins --threads 3 t.nc"));
+  CHECK(stats("t.nc --remove-form plane")["Sq"]["note"] == "error from 60 twins");
+}
+
+TEST_CASE("several surfaces have the errors of their spread, and no twins unless asked for",
+          "[stats-tool][twins][contract]") {
+  draw();
+  require("asperity-generate -q --seed 2 < t.nc > u.nc");
+  const Json plain = stats("t.nc u.nc"), asked = stats("t.nc u.nc --errors twins");
+  CHECK(plain == stats("t.nc u.nc --errors theory"));
+  const std::string text = asked.dump();
+  CHECK(text != plain.dump());
+}
+
+TEST_CASE("what is too large for quick twins says which option has them", "[stats-tool][twins][contract]") {
+  require("asperity-generate -q --shape 400x400 --size 1mm --rq 0.4um --length 20um --seed 1 -o large.nc");
+  const Outcome all = shell("asperity-stats large.nc --parameters all");
+  CHECK(all.exit == 0);
+  CHECK_THAT(all.error, ContainsSubstring("--errors twins"));
+  CHECK_FALSE(Json::parse(require("asperity-stats -q --json --parameters all large.nc").out)["Sz"].contains(
+      "standard_error"));
+  const Outcome strips = shell("asperity-stats large.nc --memory 1MB --errors twins");
+  CHECK((strips.exit == 2 && lines(strips.error) == 1));
+  CHECK_THAT(strips.error, ContainsSubstring("--errors twins needs the whole field"));
+}
