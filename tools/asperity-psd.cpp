@@ -187,7 +187,7 @@ void declare(cli::Tool& tool, Options& what) {
       "and "
       "allow for the power that neighbouring wave numbers share under a window; intervals are those of "
       "chi-squared. Seen on 400 fields with Gaussian and exponential correlations: rings covered 92 to 98 %, "
-      "profiles 90 to 96 %; not where only leakage of the window is left. A single wave number of the "
+      "profiles 88 to 96 %; not where only leakage of the window is left. A single wave number of the "
       "dataset "
       "is uncertain by its own value: 95 % from 0.271 to 39.5 times psd. Wave numbers are 2 pi / "
       "wavelength. Missing points are set to the mean, and the sum is divided by the squared window over "
