@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <numbers>
 
 #include <gsl/gsl_cdf.h>
 
@@ -199,6 +201,8 @@ std::optional<TwinErrors::Law> TwinErrors::law_of(const Parameter& p) const {
   if (is_angle(p)) {
     const double spread = axial_spread(values);
     if (!(spread > 0)) return std::nullopt;
+    if (quantile_ * spread >= std::numbers::pi / 2)
+      return Law{std::numeric_limits<double>::quiet_NaN(), {}, "no direction is preferred"};
     return Law{spread, Interval::about(p.value, quantile_ * spread)};
   }
   if (p.value == 0) return std::nullopt;  // as a slope along ridges, which no twin has
@@ -210,7 +214,9 @@ std::optional<TwinErrors::Law> TwinErrors::law_of(const Parameter& p) const {
   if (!positive) {
     const double bias = truth == truths_.end() ? 0 : spread_of(values).mean - truth->second;
     const double centre = p.value - bias, half = quantile_ * error;
-    return Law{error, Interval::of(p.value, centre - half, centre + half)};
+    const bool signless = p.value > 0 && std::ranges::all_of(values, [](double t) { return t >= 0; });
+    return Law{error,
+               Interval::of(p.value, signless ? std::max(centre - half, 0.0) : centre - half, centre + half)};
   }
   for (double& t : values) t = std::log(t);
   const auto [mean, deviation] = spread_of(values);
@@ -219,7 +225,7 @@ std::optional<TwinErrors::Law> TwinErrors::law_of(const Parameter& p) const {
                                                   : 0,
                centre = std::log(p.value) - bias;
   double low = std::exp(centre - quantile_ * deviation), high = std::exp(centre + quantile_ * deviation);
-  if (p.name == "Str") high = std::min(high, 1.0);
+  if (p.name == "Str" || p.name.starts_with("Smr")) high = std::min(high, 1.0);
   if (p.name == "gamma") low = std::max(low, 1.0);
   return Law{error, Interval::of(p.value, low, high)};
 }
@@ -230,8 +236,8 @@ void TwinErrors::apply(Parameters& parameters, const std::function<bool(const Pa
       if (const auto law = law_of(p)) {
         p.standard_error = law->error;
         p.interval = law->interval;
-        p.why = "";
-        p.source = std::to_string(twins_) + " twins";
+        p.why = law->why;
+        if (law->why.empty()) p.source = std::to_string(twins_) + " twins";
       }
 }
 

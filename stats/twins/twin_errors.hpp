@@ -70,6 +70,7 @@ class TwinErrors {
   struct Law {
     double error;
     Interval interval;
+    std::string why = {};  ///< why there is none
   };
   void set_truths(const CentralLobe& lobe);  ///< of the twins' correlation
   std::optional<Law> law_of(const Parameter& parameter) const;
