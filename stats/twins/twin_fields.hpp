@@ -2,18 +2,19 @@
 ///
 /// A twin is white noise on a torus, filtered to the correlation ρ of the field and cropped. A known ρ is
 /// taken as it is. An estimate r(p,q) has the mean's share put back and its noise at long lags suppressed,
-///     ρ = (r + b)/(1 + b) · exp(-(p/hx)²/2 - (q/hy)²/2),   b as in stats/uncertainty/effective_size.hpp. (1)
-/// The noise that passes a wide window raises S_2 = Σ v ρ² by the factor 1 + Σ g²/N, g the window; a narrow
-/// one loses what it cuts off. The ratio of hx to hy is that of the lags |p| and |q| that hold three quarters
-/// of Σ ρ² over the significant lags, p_75 and q_75; their size is such that both changes cancel,
-///     S_2(h) = S_2(w)/(1 + Σ g_w²/N),   w = 2c p_75,   c = 4 (N_eff/218)^{1/4},                      (2)
-/// c being the one for which they do of an exponential ρ. Waves of negative power, which no field has, get
-/// none.
+///     ρ = (r + b)/(1 + b) · exp(-u²/2),   u = (p/hx)² + (q/hy)²,                                        (1)
+/// b as in stats/uncertainty/effective_size.hpp. The noise that passes a wide window g raises S_2 = Σ v ρ² by
+/// the factor 1 + Σ g²/N; a narrow one loses what it cuts off. The ratio of hx to hy is that of the lags |p|
+/// and |q| that hold three quarters of Σ ρ² over the significant lags, p_75 and q_75; their size is such that
+/// both changes cancel,
+///     S_2(h) = S_2(w)/(1 + Σ g_w²/N),   w = 2c p_75,   c = 4 (N_eff/218)^{1/4},                         (2)
+/// by an estimate with the wide window w, whose loss is small. Waves of negative power, which no field has,
+/// get none. S_1 of an estimate stays low, by a tenth to a half on exponential fields.
 ///
 /// The noise of an estimate hides the shortest waves of a smooth surface, and with them its slopes and
 /// curvatures. Short-wave twins have the correlation of the field times Hann's window, which leaks no long
-/// waves into short ones, times a window (1) of 1.5 p_75 and 1.5 q_75, or as in (2) if heights are not
-/// Gaussian (less the part that Hann's takes): a smoothed spectrum, which is never negative.
+/// waves into short ones, times exp(-u/2) with 1.5 p_75 and 1.5 q_75, or hx and hy of (2) if heights are not
+/// Gaussian, less the part that Hann's takes: a smoothed spectrum, which is never negative.
 ///
 /// If heights are not Gaussian, known or evident from Ssk and Sku, those of a twin are translated
 /// (marginal/translation.hpp): by the known distribution, else by that of the measured heights.

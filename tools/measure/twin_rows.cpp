@@ -37,8 +37,8 @@ void errors_by_twins(const Tool& tool, const Sample& sample, const MeasureOption
   if (constexpr double quick = 2.5; use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) {
     for (Parameter& p : parameters)
       if (wanted(p) && std::isfinite(p.standard_error))
-        p.why = "theory does not hold for this texture, see --errors twins";
-    return tool.note("parameters without a standard error get one with --errors twins");
+        p.why = "theory does not hold for this texture, see asperity-stats --errors twins";
+    return tool.note("what lacks a standard error has one by asperity-stats --errors twins");
   }
   const Stopwatch watch;
   Progress progress(tool);
