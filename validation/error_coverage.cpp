@@ -6,7 +6,7 @@
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors by theory, or
 /// by so many TWINS (stats/twins/twin_errors.hpp).
 ///
-/// One row a parameter:
+/// First table, one row a parameter and texture:
 ///
 /// texture       of the fields
 /// N_eff         of their true correlation
@@ -16,6 +16,11 @@
 /// open          share without an upper end, per cent
 /// ratio         rms of the stated errors over the true one, the standard deviation of the values
 /// bias          mean of the values less the truth, in true errors
+///
+/// Second table, one row a parameter, over the textures:
+///
+/// textures      that have an error in more than half of the fields, and of how many
+/// covered, ratio    least and greatest of these
 ///
 /// The truth is the mean over eight fields of four times the sides. Extremes, counts and means over profiles
 /// depend on the size: there it is the mean of the values, and the bias is NaN.
@@ -112,6 +117,11 @@ bool depends_on_size(const std::string& name) {
   return false;
 }
 
+// Of the first table.
+struct Row {
+  double known = 0, covered = 0, open = 0, ratio = NAN, bias = NAN;
+};
+
 // Of one parameter in all fields.
 struct Column {
   std::vector<Parameter> all;
@@ -139,27 +149,67 @@ struct Column {
     return sum / count;
   }
 
-  void print(const std::string& texture, double n_eff, const std::string& name) const {
+  Row row() const {
     const bool biased = std::isfinite(truth);
     const double aim = biased ? truth : mean();
-    double known = 0, covered = 0, open = 0;
+    Row out;
     for (const Parameter& p : all) {
       if (!std::isfinite(p.standard_error)) continue;
       const Interval i = p.interval_95();
-      ++known;
       const double at = p.value + difference(aim, p.value);
-      covered += i.low <= at && at <= i.high;
-      open += std::isinf(i.high);
+      ++out.known;
+      out.covered += i.low <= at && at <= i.high;
+      out.open += std::isinf(i.high);
     }
     const double stated =
         std::sqrt(mean_of([](const Parameter& p) { return p.standard_error * p.standard_error; }));
-    fmt::print("{}\t{:.0f}\t{}\t{:.0f}\t{:.1f}\t{:.1f}\t{:.2f}\t{:.2f}\n", texture, n_eff, name,
-               100 * known / static_cast<double>(all.size()), 100 * covered / known, 100 * open / known,
-               stated / spread(), biased ? difference(mean(), aim) / spread() : NAN);
+    return {100 * out.known / static_cast<double>(all.size()), 100 * out.covered / out.known,
+            100 * out.open / out.known, stated / spread(), biased ? difference(mean(), aim) / spread() : NAN};
   }
 };
 
-void judge(const textures::Texture& texture, const Setting& setting) {
+struct Extremes {
+  double least = INFINITY, most = -INFINITY;
+
+  void add(double value) { least = std::min(least, value), most = std::max(most, value); }
+};
+
+// Of one parameter over the textures.
+struct Range {
+  int textures = 0, known = 0;
+  Extremes covered = {}, ratio = {};
+
+  void add(const Row& row) {
+    ++textures;
+    if (!(row.known > 50)) return;
+    ++known;
+    covered.add(row.covered), ratio.add(row.ratio);
+  }
+  void print(const std::string& name) const {
+    fmt::print("{}\t{}\t{}", name, known, textures);
+    if (known > 0)
+      fmt::print("\t{:.0f}\t{:.0f}\t{:.2f}\t{:.2f}\n", covered.least, covered.most, ratio.least, ratio.most);
+    else
+      fmt::print("\t-\t-\t-\t-\n");
+  }
+};
+
+// Ranges in the order of their first appearance.
+struct Ranges {
+  std::vector<std::string> names = {};
+  std::map<std::string, Range> of = {};
+
+  void add(const std::string& name, const Row& row) {
+    if (!of.contains(name)) names.push_back(name);
+    of[name].add(row);
+  }
+  void print() const {
+    fmt::print("# parameter\ttextures\tof\tleast_covered\tmost_covered\tleast_ratio\tmost_ratio\n");
+    for (const std::string& name : names) of.at(name).print(name);
+  }
+};
+
+void judge(const textures::Texture& texture, const Setting& setting, Ranges& ranges) {
   const auto [nx, ny] = setting.shape;
   std::mt19937_64 random(2026);
   std::map<std::string, Column> columns;
@@ -179,7 +229,10 @@ void judge(const textures::Texture& texture, const Setting& setting) {
   for (const std::string& name : names) {
     Column& column = columns[name];
     if (!depends_on_size(name) && truths.contains(name)) column.truth = truths[name].mean();
-    column.print(texture.name, n_eff, name);
+    const Row row = column.row();
+    fmt::print("{}\t{:.0f}\t{}\t{:.0f}\t{:.1f}\t{:.1f}\t{:.2f}\t{:.2f}\n", texture.name, n_eff, name,
+               row.known, row.covered, row.open, row.ratio, row.bias);
+    ranges.add(name, row);
   }
 }
 
@@ -199,6 +252,8 @@ int main(int argc, char** argv) {
   if (argc > 5) setting.degree = std::atoi(argv[5]);
   if (argc > 6) setting.twins = std::atol(argv[6]);
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
+  Ranges ranges;
   for (const textures::Texture& texture : textures::all(setting.length))
-    if (only == "all" || only == texture.name) judge(texture, setting);
+    if (only == "all" || only == texture.name) judge(texture, setting, ranges);
+  ranges.print();
 }

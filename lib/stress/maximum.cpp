@@ -20,37 +20,26 @@ namespace {
 
 using namespace calibration::stress;
 
-struct Parabola {
-  double vertex = 0, value = 0;
-};
-
-// Through (a, fa), (b, fb), (c, fc), where fb is the largest; a point at b when they are level.
-Parabola parabola(double a, double fa, double b, double fb, double c, double fc) {
-  const double left = (fb - fa) / (b - a), right = (fc - fb) / (c - b), bend = (right - left) / (c - a);
-  if (!(bend < 0)) return {b, fb};
-  const double slope = left + bend * (b - a), step = -0.5 * slope / bend;
-  return {b + step, fb + 0.5 * slope * step};
-}
-
 // The largest value of a layer, in x and y between the cell centres.
 struct Peak {
   double value = 0, x = 0, y = 0;
 };
 
-// About the k-th value, the largest of `line`. Beyond an end are those of the next period, if there is one.
-template <class Line>
-Parabola peak_along(const Line& line, Index k, bool periodic) {
-  const Index n = line.size();
-  if (!periodic && (k == 0 || k + 1 == n)) return {0, line(k)};
-  return parabola(-1, line((k + n - 1) % n), 0, line(k), 1, line((k + 1) % n));
-}
-
+// The vertex of the quadratic through the nine values about the largest, with the mixed difference of the
+// corners; without it, where the nine have no such vertex. Across a free edge nothing changes.
 Peak peak_of(const Field& f, const Grid& grid) {
   Index i, j;
   const double top = f.maxCoeff(&i, &j);
-  const Parabola x = peak_along(f.col(j), i, grid.periodic.x), y = peak_along(f.row(i), j, grid.periodic.y);
-  return {top + (x.value - top) + (y.value - top), grid.x(i) + x.vertex * grid.dx,
-          grid.y(j) + y.vertex * grid.dy};
+  const auto [nx, ny] = grid.shape;
+  const Index dx = grid.periodic.x || (i > 0 && i + 1 < nx), dy = grid.periodic.y || (j > 0 && j + 1 < ny);
+  auto at = [&](Index p, Index q) { return f((i + p * dx + nx) % nx, (j + q * dy + ny) % ny); };
+  const double fx = 0.5 * (at(1, 0) - at(-1, 0)), fy = 0.5 * (at(0, 1) - at(0, -1)),
+               fxx = at(1, 0) - 2 * top + at(-1, 0), fyy = at(0, 1) - 2 * top + at(0, -1),
+               fxy = 0.25 * (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)), det = fxx * fyy - fxy * fxy;
+  double u = (fxy * fy - fyy * fx) / det, v = (fxy * fx - fxx * fy) / det;
+  if (!(det > 0 && std::abs(u) <= 1 && std::abs(v) <= 1))
+    u = fxx < 0 ? -fx / fxx : 0, v = fyy < 0 ? -fy / fyy : 0;
+  return {top + 0.5 * (fx * u + fy * v), grid.x(i) + u * grid.dx, grid.y(j) + v * grid.dy};
 }
 
 // A layer looked at: its depth as ln z, -∞ at the surface, and its peak.
@@ -76,14 +65,53 @@ std::vector<double> scan_depths(const LoadedBody& body, double below) {
   return log_depths;
 }
 
-Parabola through(const Sample& a, const Sample& b, const Sample& c) {
-  return parabola(a.log_depth, a.peak.value, b.log_depth, b.peak.value, c.log_depth, c.peak.value);
+struct Top {
+  double vertex = 0, value = 0;
+};
+
+// A maximum of the scan: a < b < c in ln z whose middle is the highest, and a sample beside them, if any.
+struct Bracket {
+  Sample a, b, c;
+  std::optional<Sample> d = {};
+
+  double before() const { return b.log_depth - a.log_depth; }
+  double behind() const { return c.log_depth - b.log_depth; }
+  void narrow(const Sample& next);
+  Top top() const;
+};
+
+void Bracket::narrow(const Sample& next) {
+  const bool deeper = next.log_depth > b.log_depth, higher = next.peak.value > b.peak.value;
+  Sample& end = deeper == higher ? a : c;
+  d = end;
+  end = higher ? b : next;
+  if (higher) b = next;
 }
 
-// Where to look next in a bracket about b: at the vertex, or where that is b, beside b on the longer side.
-double next_depth(const Sample& a, const Sample& b, const Sample& c, double vertex) {
-  if (std::abs(vertex - b.log_depth) >= close) return vertex;
-  return c.log_depth - b.log_depth > b.log_depth - a.log_depth ? b.log_depth + beside : b.log_depth - beside;
+// The maximum of f(u) = f(b) + s u + t u² + k u (u+l)(u-r) through the samples, u = ln z from b on; with k = 0
+// without a fourth one, or if the cubic has no maximum in the bracket.
+Top Bracket::top() const {
+  const double l = before(), r = behind(), fb = b.peak.value, left = (fb - a.peak.value) / l,
+               right = (c.peak.value - fb) / r, t = (right - left) / (l + r), s = left + t * l;
+  auto of = [&](double u, double k) { return u * (s + u * t + k * (u + l) * (u - r)); };
+  auto vertex = [&](double k) {  // where s - k l r + 2 (t + k (l-r)) u + 3k u² falls through 0
+    const double slope = s - k * l * r, bend = t + k * (l - r);
+    return slope / (std::sqrt(bend * bend - 3 * k * slope) - bend);
+  };
+  if (d) {
+    const double u = d->log_depth - b.log_depth,
+                 k = (d->peak.value - fb - of(u, 0)) / (u * (u + l) * (u - r)), v = vertex(k);
+    if (v > -l && v < r) return {b.log_depth + v, fb + of(v, k)};
+  }
+  if (!(t < 0)) return {b.log_depth, fb};
+  return {b.log_depth + vertex(0), fb + of(vertex(0), 0)};
+}
+
+// Where to look next: at the vertex, or where that is b, beside b on the longer side.
+double next_depth(const Bracket& in, double vertex) {
+  const double b = in.b.log_depth;
+  if (std::abs(vertex - b) >= close) return vertex;
+  return in.behind() > in.before() ? b + beside : b - beside;
 }
 
 bool lower(const Sample& a, const Sample& b) { return a.peak.value < b.peak.value; }
@@ -125,20 +153,16 @@ class Search {
     });
   }
 
-  // The maximum within a bracket a < b < c whose middle is the highest: successive parabolas, the last one
-  // unprobed. A vertex is off by the product of the sides times m'''/6m'': hence the test.
-  Sample refine(Sample a, Sample b, Sample c, Buffers& buffers) {
-    Parabola top = through(a, b, c);
+  // The maximum within a bracket by successive cubics, the last one unprobed. A vertex is off by the product of
+  // the sides times m'''/6m'', of a parabola, or less: hence the test.
+  Sample refine(Bracket in, Buffers& buffers) {
+    Top top = in.top();
     for (int step = 0; step < most_steps; ++step) {
-      const double sides = (b.log_depth - a.log_depth) * (c.log_depth - b.log_depth);
-      if (sides < narrow && std::abs(top.vertex - b.log_depth) < beside) break;
-      const Sample next = at(next_depth(a, b, c, top.vertex), buffers);
-      const bool deeper = next.log_depth > b.log_depth, higher = lower(b, next);
-      (deeper == higher ? a : c) = higher ? b : next;
-      if (higher) b = next;
-      top = through(a, b, c);
+      if (in.before() * in.behind() < narrow && std::abs(top.vertex - in.b.log_depth) < beside) break;
+      in.narrow(at(next_depth(in, top.vertex), buffers));
+      top = in.top();
     }
-    return {top.vertex, {top.value, b.peak.x, b.peak.y}};
+    return {top.vertex, {top.value, in.b.peak.x, in.b.peak.y}};
   }
 
   Index layers() const { return layers_; }
@@ -159,9 +183,10 @@ Sample highest(Search& search, const std::vector<Sample>& s, const std::optional
   if (start) best = std::max(best, *start, lower);
   for (std::size_t k = 1; k + 1 < s.size(); ++k) {
     if (lower(s[k], s[k - 1]) || lower(s[k], s[k + 1])) continue;
-    const double rise = through(s[k - 1], s[k], s[k + 1]).value - s[k].peak.value;
+    const Bracket in{s[k - 1], s[k], s[k + 1]};
+    const double rise = in.top().value - s[k].peak.value;
     if (s[k].peak.value + 2 * rise < best.peak.value) continue;
-    best = std::max(best, search.refine(s[k - 1], s[k], s[k + 1], buffers), lower);
+    best = std::max(best, search.refine(in, buffers), lower);
   }
   return best;
 }

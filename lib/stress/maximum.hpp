@@ -4,15 +4,16 @@
 /// and the layers of a volume may miss both. The search looks at the depth z_0 from which on it is asked, the
 /// surface unless told otherwise, and at geometric depths,
 ///     z_k = max(¼ h, z_0) 1.5^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,  (1)
-/// and refines each maximum of the layers' maxima m(z) that may be the largest by parabolas through three
-/// points in ln z, inside their bracket. Within a layer the peak between the cell centres comes from a
-/// parabola in x and one in y; neighbours of a periodic grid's edge are those of the next period, and beyond
-/// the edge of a free one nothing is looked at. The surface bears most at the trailing edge of a sliding
+/// and refines each maximum of the layers' maxima m(z) that may be the largest by cubics through four points in
+/// ln z, inside their bracket. Within a layer the peak between the cell centres is that of the quadratic
+/// through nine values; neighbours of a periodic grid's edge are those of the next period, and beyond the edge
+/// of a free one nothing is looked at. The surface bears most at the trailing edge of a sliding
 /// contact (von Mises, Hertz, ν = 0.3, from μ = 0.305 on), at a long cylinder's or a wave's middle where ν is
 /// small (below 0.19 and 0.15), and at the edge of a Hertz contact where ν < -0.34; the largest tension lies
 /// there, too, with friction or without.
 ///
-/// Accuracy  of the search: 8e-5 of the value for a smooth contact, 4e-3 for rough ones.
+/// Accuracy  of the search: 2e-5 of the value, and of its depth 1e-3 in nine of ten, 1.2 % at most, of 56
+///           contacts of validation/contact_grid_scenes.hpp on 128 cells a side.
 /// Cost      about 16 layers of all components at 128 cells, one more each time the side grows by half, and a
 ///           few.
 #pragma once
