@@ -88,8 +88,8 @@ void Bracket::narrow(const Sample& next) {
   if (higher) b = next;
 }
 
-// The maximum of f(u) = f(b) + s u + t u² + k u (u+l)(u-r) through the samples, u = ln z from b on; with k = 0
-// without a fourth one, or if the cubic has no maximum in the bracket.
+// The maximum of f(u) = f(b) + s u + t u² + k u (u+l)(u-r) through the samples, u = ln z from b on; with
+// k = 0 without a fourth one, or if the cubic has no maximum in the bracket.
 Top Bracket::top() const {
   const double l = before(), r = behind(), fb = b.peak.value, left = (fb - a.peak.value) / l,
                right = (c.peak.value - fb) / r, t = (right - left) / (l + r), s = left + t * l;
@@ -153,8 +153,8 @@ class Search {
     });
   }
 
-  // The maximum within a bracket by successive cubics, the last one unprobed. A vertex is off by the product of
-  // the sides times m'''/6m'', of a parabola, or less: hence the test.
+  // The maximum within a bracket by successive cubics, the last one unprobed. A vertex is off by the product
+  // of the sides times m'''/6m'', of a parabola, or less: hence the test.
   Sample refine(Bracket in, Buffers& buffers) {
     Top top = in.top();
     for (int step = 0; step < most_steps; ++step) {

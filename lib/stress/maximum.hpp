@@ -4,10 +4,10 @@
 /// and the layers of a volume may miss both. The search looks at the depth z_0 from which on it is asked, the
 /// surface unless told otherwise, and at geometric depths,
 ///     z_k = max(¼ h, z_0) 1.5^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,  (1)
-/// and refines each maximum of the layers' maxima m(z) that may be the largest by cubics through four points in
-/// ln z, inside their bracket. Within a layer the peak between the cell centres is that of the quadratic
-/// through nine values; neighbours of a periodic grid's edge are those of the next period, and beyond the edge
-/// of a free one nothing is looked at. The surface bears most at the trailing edge of a sliding
+/// and refines each maximum of the layers' maxima m(z) that may be the largest by cubics through four points
+/// in ln z, inside their bracket. Within a layer the peak between the cell centres is that of the quadratic
+/// through nine values; neighbours of a periodic grid's edge are those of the next period, and beyond the
+/// edge of a free one nothing is looked at. The surface bears most at the trailing edge of a sliding
 /// contact (von Mises, Hertz, ν = 0.3, from μ = 0.305 on), at a long cylinder's or a wave's middle where ν is
 /// small (below 0.19 and 0.15), and at the edge of a Hertz contact where ν < -0.34; the largest tension lies
 /// there, too, with friction or without.
