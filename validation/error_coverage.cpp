@@ -1,10 +1,10 @@
-/// Whether the errors that are printed beside parameters are those that simulation finds, whatever the texture.
+/// Whether the errors printed beside parameters are those that simulation finds, whatever the texture.
 ///
 ///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
-/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors by theory, or
-/// by so many TWINS (stats/twins/twin_errors.hpp).
+/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors by
+/// theory, or by so many TWINS (stats/twins/twin_errors.hpp).
 ///
 /// First table, one row a parameter and texture:
 ///

@@ -101,10 +101,10 @@ inline constexpr double plastic_area = 1.0 / 3;   ///< of m
 inline constexpr double missed_cells = 0.10;      ///< of a cell a side of the area at the limit pressure
 inline constexpr double maximum_stress = 0.28;    ///< of m
 inline constexpr double shallow_stress = 0.03;    ///< of the value, times min(1, (h/z)²)
-inline constexpr double search = 1e-4;            ///< of the value: that of the search on fine grids
-inline constexpr double depth = 0.3;              ///< of m
-inline constexpr double depth_of_cell = 0.02;     ///< of h
-inline constexpr double depth_of_search = 0.005;  ///< of the depth: the maximum is flat
+inline constexpr double search = 2e-5;            ///< of the value: that of the search on fine grids
+inline constexpr double depth = 0.24;             ///< of m, times the root of the depth in cells
+inline constexpr double depth_at_limit = 0.4;     ///< likewise, at a limit pressure
+inline constexpr double depth_of_search = 3e-4;   ///< of the depth, in place of a smaller m
 inline constexpr double near_plastic = 0.1;       ///< of the value above 2h below a limit pressure
 
 // The growth of a mean square slope from grid to grid.

@@ -63,6 +63,18 @@ TEST_CASE("below Hertz the largest von Mises stress and its depth lie within the
   }
 }
 
+// Below the surface; depths of the closed field (Hamilton 1983) to four digits, as in maximum.cpp.
+TEST_CASE("the depth of a sliding contact's largest stress lies within its error", "[stress][law]") {
+  const Hertz exact = hertz(spheres, load);
+  for (const auto& [friction, depth] : {std::pair{0.1, 0.4749}, std::pair{0.2, 0.4571}})
+    for (Index n : {64, 96, 128}) {
+      CAPTURE(friction, n);
+      const auto [value, error] = judged(n, friction);
+      CHECK(std::abs(value.depth - depth * exact.radius) <= error.depth);
+      CHECK(error.depth <= 0.02 * value.depth);
+    }
+}
+
 // Hamilton (1983), √J2 = 0.4646 p0 and 0.5523 p0 at the trailing edge for μ = 0.4 and 0.5, ν = 0.3; von Mises is
 // √3 of it.
 // Coarse cells find a maximum in the depth instead (stress/edge.hpp).
@@ -84,13 +96,17 @@ TEST_CASE("near the surface of a contact at its limit pressure the error says so
   const StressMaximum plain = maximum_error(body, {fine, half, half}, {}, false),
                       capped = maximum_error(body, {fine, half, half}, {}, true);
   CHECK(plain.value == Approx(0.28 * 0.1e9));
-  CHECK(plain.depth == Approx(0.3 * 0.5e-6));
+  CHECK(plain.depth == Approx(0.24 * std::sqrt(1.5) * 0.5e-6));
   CHECK(capped.value == Approx(plain.value + 0.1e9));
-  CHECK(capped.depth == Approx(plain.depth + 1.5e-6));
+  CHECK(capped.depth == Approx(0.4 * std::sqrt(1.5) * 0.5e-6 + 1.5e-6));
   // A maximum in the depth that all grids tell alike has the error of the search.
   const StressMaximum deep{1e9, 0, 0, 1e-3, 0};
-  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).value == Approx(1e-4 * 1e9));
-  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).depth == Approx(0.005 * 1e-3));
+  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).value == Approx(2e-5 * 1e9));
+  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).depth ==
+        Approx(0.24 * std::sqrt(1000.0) * 3e-4 * 1e-3));
+  // Between the surface and the first layer, a quarter of a cell deep, nothing is looked at.
+  const StressMaximum top{1e9, 0, 0, 0, 0};
+  CHECK(maximum_error(body, {top, top, top}, {.below = 1e-9}, false).depth == Approx(0.25e-6));
   // Level maxima still have the error of single cells.
   CHECK(maximum_error(body, {fine, fine, fine}, {}, false).value == Approx(0.03 * 1e9 / (1.5 * 1.5)));
 }
