@@ -15,8 +15,8 @@
 /// Accuracy  of the search, against sums over the cells at points about the place (stress/points.hpp), in
 ///           196 contacts of validation/contact_grid_scenes.hpp on 96 and 128 cells a side: 7e-5 of the value
 ///           at depths of 6 h and more, 5e-4 from 3 h on, 1.1e-3 from 1.5 h on, 2.3 % above. At 6 h and more
-///           nine of ten depths are right to 1.2e-3; the worst, where m(z) is flat, is off by 4 %, above 1.5 h
-///           by 9 %.
+///           nine of ten depths are right to 1.2e-3; the worst, where m(z) is flat, is off by 4 %, and by 9 %
+///           above 1.5 h.
 /// Cost      about 16 layers of all components at 128 cells, one more each time the side grows by half, and a
 ///           few.
 #pragma once

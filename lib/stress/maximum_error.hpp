@@ -7,8 +7,8 @@
 /// √c: the deeper the maximum, the flatter, and the less its place settles from grid to grid. What the search
 /// leaves: 2e-5, 3e-4, and above the first layer ¼ h. Where the limit pressure is reached and z < 2h the
 /// stress is that of single cells' edges: a tenth of the value is added to (1), z to (2). What cells hide of
-/// an edge, as of sliding, coarser cells hide too: unless the search begins below it, (1) is no less than that
-/// (stress/edge.hpp), and both are NaN where that is.
+/// an edge, as of sliding, coarser cells hide too: unless the search begins below it, (1) is no less than
+/// that (stress/edge.hpp), and both are NaN where that is.
 ///
 /// Symbols   z depth of the largest stress [m]   n cells along a side   h shorter side of a cell [m]
 /// Accuracy  validation/contact_grid_error without friction; tests/stress/maximum_error.cpp with it.
