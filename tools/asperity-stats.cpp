@@ -114,7 +114,7 @@ class Surfaces {
     const bool asked = errors_ == "twins";
     if (asked || (errors_ == "auto" && alone_ && sample.whole()))
       cli::errors_by_twins(tool_, sample, asked_,
-                           asked ? cli::TwinUse::everywhere : cli::TwinUse::where_quick, last_);
+                           asked ? TwinUse::everywhere : TwinUse::where_quick, last_);
   }
 
   const cli::Tool& tool_;

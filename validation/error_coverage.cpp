@@ -3,8 +3,9 @@
 ///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
-/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors by
-/// theory, or by so many TWINS (stats/twins/twin_errors.hpp).
+/// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
+/// parameters are those of asperity-stats --errors theory, or of auto and so many TWINS
+/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone.
 ///
 /// First table, one row a parameter and texture:
 ///
@@ -86,11 +87,10 @@ Parameters measured(const Field& heights, int degree, Index times, Index twins =
   Parameters out;
   for (const Group group : options.groups)
     std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
-  if (twins > 0) {
+  if (twins != 0) {
     options.preparation.degree = degree;
-    for (Parameter& p : out) p.standard_error = NAN, p.interval.reset();
-    TwinErrors(sample, options, {.twins = twins}).apply(out, [](const Parameter&) { return true; });
-    return out;
+    errors_by_twins(sample, options, twins > 0 ? TwinUse::where_needed : TwinUse::everywhere,
+                    {.twins = std::abs(twins)}, out);
   }
   const AcfEstimate acf = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
   std::ranges::copy(acf_lengths(acf, {{1 / std::exp(1.0), "e", ""}, {0.1, "10", ""}}, {}, {}),

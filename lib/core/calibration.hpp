@@ -102,9 +102,10 @@ inline constexpr double missed_cells = 0.10;      ///< of a cell a side of the a
 inline constexpr double maximum_stress = 0.28;    ///< of m
 inline constexpr double shallow_stress = 0.03;    ///< of the value, times min(1, (h/z)²)
 inline constexpr double search = 2e-5;            ///< of the value: that of the search on fine grids
-inline constexpr double depth = 0.24;             ///< of m, times the root of the depth in cells
-inline constexpr double depth_at_limit = 0.4;     ///< likewise, at a limit pressure
-inline constexpr double depth_of_search = 3e-4;   ///< of the depth, in place of a smaller m
+inline constexpr double depth = 0.22;             ///< of m, times the root of the depth in cells
+inline constexpr double depth_at_limit = 0.33;    ///< likewise, at a limit pressure
+inline constexpr double floor_of_depth = 0.1;     ///< of the second difference, in m of the depth
+inline constexpr double depth_of_search = 5e-4;   ///< of the depth
 inline constexpr double near_plastic = 0.1;       ///< of the value above 2h below a limit pressure
 
 // The growth of a mean square slope from grid to grid.

@@ -25,9 +25,9 @@ StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaxim
       std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
                 share::shallow_stress / (cells * cells) * fine.value, share::search * fine.value, edge});
   const double of_change = (at_limit_pressure ? share::depth_at_limit : share::depth) * std::sqrt(cells);
-  out.depth = std::max(of_change * std::max(grid_change(fine.depth, half.depth, quarter.depth),
-                                            share::depth_of_search * fine.depth),
-                       calibration::stress::scan_shallowest * h - fine.depth);
+  out.depth =
+      std::max({of_change * grid_change(fine.depth, half.depth, quarter.depth, share::floor_of_depth),
+                share::depth_of_search * fine.depth, calibration::stress::scan_shallowest * h - fine.depth});
   if (at_limit_pressure && fine.depth < 2 * h) {
     out.value += share::near_plastic * fine.value;
     out.depth += fine.depth;

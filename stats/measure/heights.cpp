@@ -1,10 +1,12 @@
 // Moments, quantiles, tests of Gaussianity, the material ratio.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/words.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/measure/groups.hpp"
+#include "stats/sample/quantiles.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 
@@ -56,15 +58,40 @@ constexpr Definition<Heights> height_table[] = {
     {"N_eff_Ssk", "1", "effective sample size for Ssk", worth<3>},
     {"N_eff_Sku", "1", "effective sample size for Sku", worth<4>}};
 
+// From the field's own long waves, whatever its heights.
+Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
+  const Moments& m = sample.moments();
+  const double t = student_quantile(0.025, static_cast<double>(errors.degrees()));
+  Heights out{sample.surface().level, m, sample.size(), {}, {}};
+  out.error = {.mean = errors([](const Moments& of) { return of.mean; }),
+               .sa = errors([](const Moments& of) { return of.sa; }),
+               .sq = errors([](const Moments& of) { return of.sq; }),
+               .ssk = errors([](const Moments& of) { return of.ssk; }),
+               .sku = errors([](const Moments& of) { return of.sku; })};
+  // Of heights that the field's own mean has lowered.
+  const double left = std::sqrt(std::max(0.5, 1 - std::pow(out.error.mean / m.sq, 2)));
+  auto of_scale = [&](double value, double error) {
+    const double width = t * error / value;
+    return Interval::of(value, std::min(value, value / left * std::exp(-width)),
+                        value / left * std::exp(width));
+  };
+  out.interval = {.mean = Interval::about(m.mean, t * out.error.mean),
+                  .sa = of_scale(m.sa, out.error.sa),
+                  .sq = of_scale(m.sq, out.error.sq),
+                  .ssk = Interval::about(m.ssk, t * out.error.ssk),
+                  .sku = Interval::of_ratio(m.sku, t * out.error.sku / m.sku)};
+  return out;
+}
+
 // For Gaussian heights, or for the distribution that the field was drawn with or evidently has.
 Heights heights_of(const Sample& sample) {
   const Moments& m = sample.moments();
   const EffectiveSampleSize& size = sample.size();
+  if (!sample.correlation_gives_errors())
+    if (const auto errors = sample.height_errors()) return by_long_waves(sample, *errors);
   const double level = sample.surface().level;
-  const MomentErrors gaussian = standard_errors(m, size);
-  std::optional<Translation> heights = sample.surface().distribution;
-  if (!heights) heights = evident_translation(m, gaussian);
-  if (!heights) return {level, m, size, gaussian, confidence_intervals(m, size)};
+  const auto heights = sample.distribution();
+  if (!heights) return {level, m, size, standard_errors(m, size), confidence_intervals(m, size)};
   const LagField rho = underlying_correlation(sample.basis().correlation, CorrelationMap(*heights));
   const TranslationErrors errors(*heights, sample.basis().size(rho));
   return {level, m, size, errors.standard_errors(m.sq), confidence_intervals(m, errors, size)};
@@ -104,13 +131,55 @@ Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
   return std::move(out).with_known_errors(sample.size());
 }
 
+namespace {
+
+// Of the heights below which these shares of the surface lie: by the correlation of Gaussian heights, else from
+// the field's own long waves (stats/height/height_error.hpp).
+std::vector<Estimate> with_errors(const Sample& sample, const std::vector<double>& shares,
+                                  const std::vector<double>& heights) {
+  std::vector<Estimate> out;
+  if (sample.correlation_gives_errors() && !sample.distribution()) {
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      out.push_back({heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())});
+    return out;
+  }
+  const auto errors = shares.empty() ? std::nullopt : sample.quantile_errors(heights);
+  auto quantiles_beside = [&](const std::vector<double>& widths) {
+    std::vector<double> at;
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      for (const double sign : {-1, 1}) at.push_back(std::clamp(shares[k] + sign * widths[k], 0.0, 1.0));
+    return sample.quantiles(at);
+  };
+  if (!errors) {
+    for (const double height : heights) out.push_back({height});
+    return out;
+  }
+  std::vector<double> density, error, width;
+  for (std::size_t k = 0; k < shares.size(); ++k) width.push_back((*errors)(k));
+  const std::vector<double> near = quantiles_beside(width);
+  const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    density.push_back(2 * width[k] / (near[2 * k + 1] - near[2 * k]));
+    error.push_back(errors->with_mean(k, density[k]));
+    width[k] = t * error[k];
+  }
+  const std::vector<double> ends = quantiles_beside(width);
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    out.push_back({heights[k], error[k] / density[k],
+                   Interval::of(heights[k], std::min(ends[2 * k], heights[k]),
+                                std::max(ends[2 * k + 1], heights[k]))});
+  return out;
+}
+
+}  // namespace
+
 Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
   const std::vector<double>& shares = options.quantiles;
   const std::vector<double> heights = sample.quantiles(shares);
+  const std::vector<Estimate> estimates = with_errors(sample, shares, heights);
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < shares.size(); ++i)
-    out.add("quantile_{}", of_field, "height below which this share of the surface lies",
-            {heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())},
+    out.add("quantile_{}", of_field, "height below which this share of the surface lies", estimates[i],
             {.symbol = shortest(shares[i])});
   return std::move(out).with_known_errors(sample.size());
 }
@@ -132,10 +201,10 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
   const auto [p, q] = options.material_ratios;
   ParameterList out(sample.surface().units);
   out.add(core_table, curve.core());
-  for (const auto& [name, ratio] : {std::pair{"p", p}, {"q", q}})
-    out.add("Smc_{}", of_field, "inverse material ratio at {}",
-            {curve.height(ratio), material_height_error(ratio, sample.moments(), sample.size())},
-            {name, shortest(ratio), ""});
+  const std::vector<Estimate> inverse =
+      with_errors(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
+  out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0], {.meaning = shortest(p)});
+  out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1], {.meaning = shortest(q)});
   out.add(volume_table, curve.volumes(p, q));
   return std::move(out).with_known_errors(sample.size());
 }

@@ -1,10 +1,12 @@
 // Slopes, spectral moments and summits.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "stats/measure/groups.hpp"
+#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -28,37 +30,71 @@ Had<Value> had(const Sample& sample, Value (Sample::*compute)() const) try {
   return {.why = error.what()};
 }
 
-// With the relative standard errors of the mean squares.
-struct Slopes : SlopeParameters {
-  double square_error;
-};
-struct ProfileMoments : ProfileSpectralMoments {
-  double m2_error, m4_error;
+// A function of derivatives: its value, and its error by what it is a function of.
+struct Differentiated {
+  const Derivatives& values;
+  const std::optional<DerivativeErrors>& errors;
+  double angle = 0;  // of profiles
+
+  // `least` bounds the parameter.
+  Estimate operator()(const DerivativeErrors::Function& parameter, double least = 0) const {
+    const double value = parameter(values), error = errors ? (*errors)(parameter) : unknown;
+    constexpr double round_off = 1e-12;
+    if (!(error > round_off * value && value > 0)) return {value};
+    const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
+    const Interval ends = Interval::of_ratio(value, t * error / value);
+    return {value, error, Interval::of(value, std::max(std::min(least, value), ends.low), ends.high)};
+  }
 };
 
-Estimate with_relative_error(double value, double error) { return {value, value * error}; }
-
-constexpr Definition<Slopes> slope_table[] = {
+constexpr Definition<Differentiated> slope_table[] = {
     {"Sdq", "1", "root mean square gradient",
-     [](const Slopes& s) { return with_relative_error(s.sdq, 0.5 * s.square_error); }},
+     [](const Differentiated& of) { return of([](const Derivatives& d) { return d.slopes.sdq; }); }},
     {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell",
-     [](const Slopes& s) { return with_relative_error(s.sdr, s.square_error); }}};
+     [](const Differentiated& of) { return of([](const Derivatives& d) { return d.slopes.sdr; }); }}};
 
-constexpr Definition<ProfileMoments> moment_table[] = {
+constexpr Definition<Differentiated> moment_table[] = {
     {"m2_{}", "1", "mean square slope {}",
-     [](const ProfileMoments& m) { return with_relative_error(m.m2, m.m2_error); }},
+     [](const Differentiated& of) {
+       return of([a = of.angle](const Derivatives& d) { return d.moments.along(a).m2; });
+     }},
     {"m4_{}", "m-2", "mean square second derivative {}",
-     [](const ProfileMoments& m) { return with_relative_error(m.m4, m.m4_error); }},
-    {"alpha_{}", "1", "bandwidth parameter m0 m4 / m2^2 {}",
-     [](const ProfileMoments& m) { return Estimate{m.bandwidth()}; }}};
+     [](const Differentiated& of) {
+       return of([a = of.angle](const Derivatives& d) { return d.moments.along(a).m4; });
+     }},
+    {"alpha_{}", "1", "bandwidth parameter m0 m4 / m2^2 {}", [](const Differentiated& of) {
+       return of([a = of.angle](const Derivatives& d) { return d.moments.along(a).bandwidth(); }, 1);
+     }}};
 
-constexpr Definition<Summits> summit_table[] = {
-    {"{}_density", "m-2", "summits per area, {}", value_of<&Summits::density>},
-    {"{}_height", "m", "mean height of summits above the mean height, {}", value_of<&Summits::mean_height>},
-    {"{}_deviation", "m", "standard deviation of summit heights, {}", value_of<&Summits::height_deviation>},
-    {"{}_curvature", "m-1", "mean curvature of summits, {}", value_of<&Summits::mean_curvature>},
-    {"{}_radius", "m", "1 / mean curvature of summits, {}",
-     [](const Summits& s) { return Estimate{s.radius()}; }}};
+// Of counted summits, or of those expected.
+template <auto figure>
+Estimate counted(const Differentiated& of) {
+  return of([](const Derivatives& d) { return std::invoke(figure, d.summits); });
+}
+template <auto figure>
+Estimate expected(const Differentiated& of) {
+  return of([](const Derivatives& d) { return std::invoke(figure, expected_summits(d.moments.isotropic())); });
+}
+
+constexpr Definition<Differentiated> summit_table[] = {
+    {"summit_density", "m-2", "summits per area, counted", counted<&Summits::density>},
+    {"summit_height", "m", "mean height of summits above the mean height, counted",
+     counted<&Summits::mean_height>},
+    {"summit_deviation", "m", "standard deviation of summit heights, counted",
+     counted<&Summits::height_deviation>},
+    {"summit_curvature", "m-1", "mean curvature of summits, counted", counted<&Summits::mean_curvature>},
+    {"summit_radius", "m", "1 / mean curvature of summits, counted", counted<&Summits::radius>}};
+
+constexpr Definition<Differentiated> nayak_table[] = {
+    {"nayak_density", "m-2", "summits per area, expected of a Gaussian surface", expected<&Summits::density>},
+    {"nayak_height", "m", "mean height of summits above the mean height, expected of a Gaussian surface",
+     expected<&Summits::mean_height>},
+    {"nayak_deviation", "m", "standard deviation of summit heights, expected of a Gaussian surface",
+     expected<&Summits::height_deviation>},
+    {"nayak_curvature", "m-1", "mean curvature of summits, expected of a Gaussian surface",
+     expected<&Summits::mean_curvature>},
+    {"nayak_radius", "m", "1 / mean curvature of summits, expected of a Gaussian surface",
+     expected<&Summits::radius>}};
 
 // m0 = Sq², with the error and the interval of Sq.
 Estimate square_of_sq(const Sample& sample, const MeasureOptions& options) {
@@ -75,30 +111,24 @@ Estimate square_of_sq(const Sample& sample, const MeasureOptions& options) {
 Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options) {
   const auto slopes = had(sample, &Sample::slopes);
   const auto moments = had(sample, &Sample::spectral_moments);
-  const SpectralMoments& m = moments.value;
   const auto summits = had(sample, &Sample::summits);
-  const DerivativeErrors e = had(sample, &Sample::derivative_errors).value;
-  // √(2/ν) of ν independent ones.
-  auto known = [least = sample.size().least_effective()](double relative) {
-    return 2 >= least * relative * relative ? relative : unknown;
-  };
+  const Derivatives values{slopes.value, moments.value, summits.value};
+  const auto errors = had(sample, &Sample::derivative_errors).value;
   const std::string no_slope = moments.why_or("no value: the slope in this direction is zero");
   ParameterList out(sample.surface().units);
-  out.add(slope_table, {slopes.value, known(e.square_slope)}, {.why = slopes.why});
+  out.add(slope_table, {values, errors}, {.why = slopes.why});
   out.add("m0", "m2", "spectral moment of order 0, Sq squared",
           moments.why.empty() ? square_of_sq(sample, options) : Estimate{unknown}, {.why = no_slope});
-  out.add(moment_table, {m.along(0), known(e.m20), known(e.m40)}, {"x", "along x", no_slope});
-  out.add(moment_table, {m.along(std::numbers::pi / 2), known(e.m02), known(e.m04)},
-          {"y", "along y", no_slope});
-  if (options.direction)
-    out.add(moment_table, {m.along(options.direction->angle), unknown, unknown},
-            {"direction", "at " + options.direction->text, no_slope});
-  out.add<Summits>(summit_table, summits.value,
-                   {"summit", "counted", summits.why_or("no value: the field has no summit")});
-  out.add(summit_table, expected_summits(m.isotropic()),
-          {"nayak", "expected of a Gaussian surface",
-           moments.why_or("no value: no Gaussian surface has these spectral moments")});
-  return std::move(out).all();
+  auto add_profiles = [&](double angle, const std::string& name, const std::string& words) {
+    out.add(moment_table, {values, errors, angle}, {name, words, no_slope});
+  };
+  add_profiles(0, "x", "along x");
+  add_profiles(std::numbers::pi / 2, "y", "along y");
+  if (options.direction) add_profiles(options.direction->angle, "direction", "at " + options.direction->text);
+  out.add(summit_table, {values, errors}, {.why = summits.why_or("no value: the field has no summit")});
+  out.add(nayak_table, {values, errors},
+          {.why = moments.why_or("no value: no Gaussian surface has these spectral moments")});
+  return std::move(out).with_known_errors(sample.size());
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "stats/spatial/strip_acf.hpp"
+#include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
 namespace {
@@ -51,7 +52,8 @@ Sample::Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& siz
     : surface_(std::move(surface)),
       sums_(summed(surface_, std::move(basis), derivatives, 1)),
       size_(size),
-      threads_(1) {}
+      threads_(1),
+      errors_(false) {}
 
 Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int threads)
     : surface_(std::move(surface)),
@@ -62,11 +64,57 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
   surface_.level = reader.level();
 }
 
-DerivativeErrors Sample::derivative_errors() const {
-  const auto& [correlation, estimated, pairs] = basis();
-  return asperity::derivative_errors(
-      correlation, reader_ ? DifferencePairs(pairs) : DifferencePairs(pairs, surface_.heights, threads_),
-      estimated);
+std::optional<Translation> Sample::distribution() const {
+  return surface_.distribution ? surface_.distribution
+                               : evident_translation(moments(), standard_errors(moments(), size_));
+}
+
+bool Sample::correlation_gives_errors() const {
+  if (!basis().estimated) return true;
+  double negative = 0, all = 0;
+  const LagField rho = basis().known_lags();
+  for_each_lag(rho, basis().pairs, [&](Index p, Index q, double weight) {
+    const double square = weight * rho(p, q) * rho(p, q);
+    all += square;
+    if (rho(p, q) < 0) negative += square;
+  });
+  return negative < 0.1 * all;
+}
+
+template <class Sums>
+void Sample::add_all(Sums& sums) const {
+  if (reader_)
+    reader_->for_each_strip(0, [&](const Field& strip, Index, Index) { sums.add(strip, threads_); });
+  else
+    sums.add(surface_.heights, threads_);
+}
+
+std::optional<HeightErrors> Sample::height_errors() const {
+  if (!needs_errors()) return std::nullopt;
+  HeightErrors out(grid(), moments().mean, moments().sq);
+  add_all(out);
+  out.finish(size_.effective(2));
+  return out;
+}
+
+std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
+  if (!needs_errors()) return std::nullopt;
+  QuantileErrors out(grid(), heights);
+  add_all(out);
+  out.finish(size_.effective(2));
+  return out;
+}
+
+std::optional<DerivativeErrors> Sample::derivative_errors() const {
+  if (!needs_errors()) return std::nullopt;
+  DerivativeErrors out(grid());
+  if (reader_)
+    reader_->for_each_strip(
+        2, [&](const Field& strip, Index core, Index) { out.add({strip, grid(), core}, 0, threads_); });
+  else
+    out.add(Strip::whole(surface_.heights, grid()), moments().mean, threads_);
+  out.finish(size_.effective(2));
+  return out;
 }
 
 MaterialRatioCurve Sample::material_ratio() const {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "stats/height/height_error.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/height/order.hpp"
 #include "stats/hybrid/derivative_error.hpp"
@@ -42,7 +43,7 @@ class Sample {
  public:
   /// Of a prepared surface; `derivatives` are slopes, spectral moments and summits.
   explicit Sample(Surface surface, bool derivatives = true, int threads = 1);
-  /// Of a prepared surface whose errors rest on a known basis, of this size.
+  /// Of a prepared surface of this basis and size, whose parameters need no errors.
   Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives = true);
   /// In strips; `surface` holds everything but the heights and their level.
   Sample(const StripReader& reader, Surface surface, bool derivatives = true, int threads = 1);
@@ -60,8 +61,16 @@ class Sample {
   SlopeParameters slopes() const { return sums_.derivatives.slopes.parameters(grid()); }
   SpectralMoments spectral_moments() const { return sums_.derivatives.spectral.moments(grid()); }
   CountedSummits summits() const { return sums_.derivatives.summits.summits(grid()); }
-  /// For strips, as many differences of each kind as heights are assumed.
-  DerivativeErrors derivative_errors() const;
+  /// The distribution that the field was drawn with or evidently has; none if that is a Gaussian's.
+  std::optional<Translation> distribution() const;
+  /// Whether the errors of moments follow from the correlation: where it is known, or where the estimate has
+  /// less than a tenth of Σ ρ² at negative lags. A lay has more, and Σ ρ vanishes in the noise.
+  bool correlation_gives_errors() const;
+
+  /// Errors from the field's own long waves; none if parameters need no errors.
+  std::optional<HeightErrors> height_errors() const;
+  std::optional<DerivativeErrors> derivative_errors() const;
+  std::optional<QuantileErrors> quantile_errors(const std::vector<double>& heights) const;
   /// Heights below which these shares of the surface lie.
   std::vector<double> quantiles(const std::vector<double>& shares) const;
   MaterialRatioCurve material_ratio() const;
@@ -70,6 +79,9 @@ class Sample {
 
  private:
   const std::vector<HeightBin>& bins() const;
+  bool needs_errors() const { return errors_ && size_.gives_errors(); }
+  template <class Sums>
+  void add_all(Sums& sums) const;
   std::vector<double> selected(const std::vector<double>& shares) const;
 
   Surface surface_;
@@ -77,6 +89,7 @@ class Sample {
   SurfaceSums sums_;
   EffectiveSampleSize size_;
   int threads_;
+  bool errors_ = true;
   mutable std::optional<std::vector<HeightBin>> bins_ = {};
 };
 

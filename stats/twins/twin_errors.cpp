@@ -10,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
 namespace {
@@ -56,18 +55,6 @@ Spread spread_of(const std::vector<double>& values) {
   return {mean, std::sqrt(squares / (n - 1))};
 }
 
-// Σ ρ² of the negative lags over that of all, of those that exceed their noise.
-double negative_share(const ErrorBasis& basis) {
-  double negative = 0, all = 0;
-  const LagField rho = significant_lags(basis.correlation, basis.pairs);
-  for_each_lag(rho, basis.pairs, [&](Index p, Index q, double weight) {
-    const double value = rho(p, q);
-    all += weight * value * value;
-    if (value < 0) negative += weight * value * value;
-  });
-  return negative / all;
-}
-
 bool differs(const Parameter& p) {
   constexpr const char* names[] = {"Sd", "m2_", "m4_", "alpha_", "summit_", "nayak_", "Pdq", "Rdq"};
   return std::ranges::any_of(names, [&](const char* name) { return p.name.starts_with(name); });
@@ -79,10 +66,9 @@ TwinScope::TwinScope(const Sample& sample, const MeasureOptions& asked)
     : known_(!sample.basis().estimated),
       complete_(sample.basis().pairs.complete()),
       given_(sample.surface().distribution),
-      gaussian_(!given_ &&
-                !evident_translation(sample.moments(), standard_errors(sample.moments(), sample.size()))),
-      long_waves_(repeated(asked.preparation).degree == 0 &&
-                  (known_ || negative_share(sample.basis()) < 0.1)) {}
+      gaussian_(!sample.distribution()),
+      level_(repeated(asked.preparation).degree == 0),
+      lay_(!sample.correlation_gives_errors()) {}
 
 bool TwinScope::holds(const Parameter& p) const {
   if (differs(p)) return known_ || (complete_ && gaussian_);
@@ -90,12 +76,12 @@ bool TwinScope::holds(const Parameter& p) const {
   return gaussian_ || given_ || !extreme;
 }
 
-bool TwinScope::theory_holds(const Parameter& p) const {
+bool TwinScope::needs_none(const Parameter& p) const {
   if (!std::isfinite(p.standard_error)) return false;
-  if (differs(p)) return gaussian_;
-  const bool of_heights = p.name.starts_with("quantile_") || p.name.starts_with("Smc_");
-  const bool simulated = p.name == "Str" || p.name.starts_with("P") || p.name.starts_with("R");
-  return long_waves_ && !simulated && (gaussian_ || !of_heights);
+  if (differs(p)) return true;
+  const bool length = p.name == "Sal" || p.name == "slowest_decay",
+             simulated = p.name == "Str" || p.name.starts_with("P") || p.name.starts_with("R");
+  return level_ && !simulated && !(length && lay_);
 }
 
 namespace {
@@ -239,6 +225,37 @@ void TwinErrors::apply(Parameters& parameters, const std::function<bool(const Pa
         p.why = law->why;
         if (law->why.empty()) p.source = std::to_string(twins_) + " twins";
       }
+}
+
+namespace {
+
+// In seconds of one core, about, so that the answer does not depend on the machine.
+double seconds_of_twins(const Sample& sample, const MeasureOptions& asked) {
+  double seconds = 0;  // for 512x512 points
+  for (const Group group : asked.groups)
+    seconds += group == Group::gaussianity                           ? 0
+               : group == Group::height || group == Group::quantiles ? 0.8
+                                                                     : 2.4;
+  return seconds * static_cast<double>(sample.grid().shape.cells()) / (512 * 512);
+}
+
+}  // namespace
+
+bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use, const TwinOptions& options,
+                     Parameters& parameters) {
+  const TwinScope scope(sample, asked);
+  auto wanted = [&](const Parameter& p) {
+    return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));
+  };
+  if (!sample.size().gives_errors() || std::ranges::none_of(parameters, wanted)) return true;
+  if (constexpr double quick = 2.5; use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) {
+    for (Parameter& p : parameters)
+      if (wanted(p) && std::isfinite(p.standard_error))
+        p.why = "theory does not hold for this texture, see asperity-stats --errors twins";
+    return false;
+  }
+  TwinErrors(sample, asked, options).apply(parameters, wanted);
+  return true;
 }
 
 }  // namespace asperity

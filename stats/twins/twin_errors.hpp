@@ -37,7 +37,7 @@ struct TwinOptions {
   std::function<void(Index done)> each = {};  ///< called after each round of threads
 };
 
-/// Which parameters of a sample have errors by twins, and which have them by theory.
+/// Which parameters of a sample have errors by twins, and which have right ones without.
 class TwinScope {
  public:
   TwinScope(const Sample& sample, const MeasureOptions& asked);
@@ -45,16 +45,12 @@ class TwinScope {
   /// False for slopes, curvatures and summits if the correlation is estimated and points are missing or
   /// heights are not Gaussian, and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// Why neither theory nor twins hold, for such a parameter.
-  static constexpr const char* why =
-      "no standard error is known for heights that are not Gaussian, or with missing points";
-  /// False without an error by theory; for ratios of lengths and means over profiles; for slopes, quantiles
-  /// and material ratios of heights that are not Gaussian; for all but slopes after a plane or a polynomial
-  /// was removed, or if negative lags hold a tenth of Σ ρ² of an estimated correlation, as for a lay.
-  bool theory_holds(const Parameter& parameter) const;
+  /// False without an error; for ratios of lengths and means over profiles; for all but slopes after a plane or
+  /// a polynomial was removed; for lengths of a lay (Sample::correlation_gives_errors).
+  bool needs_none(const Parameter& parameter) const;
 
  private:
-  bool known_, complete_, given_, gaussian_, long_waves_;  ///< given_: the distribution of the heights
+  bool known_, complete_, given_, gaussian_, level_, lay_;  ///< given_: the distribution of the heights
 };
 
 class TwinErrors {
@@ -82,5 +78,13 @@ class TwinErrors {
   std::set<std::string> heights_ = {};  ///< parameters that the form has lowered
   std::map<std::string, double> truths_ = {};
 };
+
+/// All parameters that twins have, or those that need them.
+enum class TwinUse { everywhere, where_needed, where_quick };
+
+/// Sets errors and intervals by twins; `where_quick` only if they take about two seconds on one core (512x512
+/// points for one group of parameters, 256x256 for all), whatever the machine. False if they would take longer.
+bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use, const TwinOptions& options,
+                     Parameters& parameters);
 
 }  // namespace asperity

@@ -91,15 +91,9 @@ double without_hann(double h, Index n, bool periodic) {
   return 1 / std::sqrt(std::max(1 / (h * h) - taken, 1e-12));
 }
 
-bool evidently_not_gaussian(const Sample& sample) {
-  if (sample.surface().distribution) return true;
-  const Moments& m = sample.moments();
-  return evident_translation(m, standard_errors(m, sample.size())).has_value();
-}
-
 // What slopes vary with where heights are not Gaussian, those about them, has long waves too.
 Window window_for_short_waves(const Sample& sample) {
-  if (evidently_not_gaussian(sample)) return window_for(without_mean(sample), sample);
+  if (sample.distribution()) return window_for(without_mean(sample), sample);
   const Pairs& pairs = sample.basis().pairs;
   const auto [wx, wy] = widths(significant_lags(sample.basis().correlation, pairs), pairs);
   return {std::max(1.5 * wx, 2.0), std::max(1.5 * wy, 2.0), 1};
@@ -129,7 +123,7 @@ LagField correlation_of(const Sample& sample, TwinWaves waves) {
 
 std::optional<Translation> translation_of(const Sample& sample) {
   if (sample.surface().distribution) return sample.surface().distribution;
-  if (!evidently_not_gaussian(sample)) return std::nullopt;
+  if (!sample.distribution()) return std::nullopt;
   std::vector<double> heights;
   for (const double z : sample.surface().heights.reshaped<Eigen::RowMajor>())
     if (std::isfinite(z)) heights.push_back(z);

@@ -2,7 +2,6 @@
 #include "stats/uncertainty/interval.hpp"
 
 #include "fields.hpp"
-#include "stats/hybrid/derivative_error.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/length_interval.hpp"
@@ -158,18 +157,6 @@ TEST_CASE("intervals of every surface hold what was measured, or there is none",
     const CentralLobe lobe = central_lobe(rho, s.grid);
     if (lobe.r_min) CHECK(holds(lengths.r_min(0.2), lobe.r_min->length));
     if (lobe.r_max) CHECK(holds(lengths.r_max(0.2), lobe.r_max->length));
-  }
-}
-
-// R(0,0) of their differences along the grooves is zero, or what rounding leaves of it, and was refused.
-TEST_CASE("grooves have errors of slopes across them and none along them", "[derivative-error][law]") {
-  for (const bool periodic : {false, true}) {
-    const Field z = moving_average({40, 1}, {3, 1}, 4).replicate(1, 30) + 1e-3;
-    const Grid g = grid(40, 30, periodic);
-    const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
-    const DerivativeErrors e = derivative_errors(acf, DifferencePairs(g), true);
-    CHECK((e.m20 > 0 && e.m40 > 0 && e.square_slope > 0));
-    CHECK((std::isnan(e.m02) && std::isnan(e.m04)));
   }
 }
 

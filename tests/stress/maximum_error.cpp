@@ -92,18 +92,19 @@ TEST_CASE("a sliding contact's largest stress at the edge lies within its error"
 
 TEST_CASE("near the surface of a contact at its limit pressure the error says so", "[stress][exact]") {
   const LoadedBody body{{{64, 64}, 1e-6, 2e-6, true}, Field::Ones(64, 64), 0.3, {}};
-  const StressMaximum fine{1e9, 0, 0, 1.5e-6, 0}, half{1.1e9, 0, 0, 2e-6, 0};
+  const StressMaximum fine{1e9, 0, 0, 1.5e-6, 0}, half{1.1e9, 0, 0, 2e-6, 0}, far{1e9, 0, 0, 9e-6, 0};
   const StressMaximum plain = maximum_error(body, {fine, half, half}, {}, false),
                       capped = maximum_error(body, {fine, half, half}, {}, true);
   CHECK(plain.value == Approx(0.28 * 0.1e9));
-  CHECK(plain.depth == Approx(0.24 * std::sqrt(1.5) * 0.5e-6));
+  CHECK(plain.depth == Approx(0.22 * std::sqrt(1.5) * 0.5e-6));
+  CHECK(maximum_error(body, {fine, half, far}, {}, false).depth ==
+        Approx(0.22 * std::sqrt(1.5) * 0.1 * 7e-6));
   CHECK(capped.value == Approx(plain.value + 0.1e9));
-  CHECK(capped.depth == Approx(0.4 * std::sqrt(1.5) * 0.5e-6 + 1.5e-6));
+  CHECK(capped.depth == Approx(0.33 * std::sqrt(1.5) * 0.5e-6 + 1.5e-6));
   // A maximum in the depth that all grids tell alike has the error of the search.
   const StressMaximum deep{1e9, 0, 0, 1e-3, 0};
   CHECK(maximum_error(body, {deep, deep, deep}, {}, false).value == Approx(2e-5 * 1e9));
-  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).depth ==
-        Approx(0.24 * std::sqrt(1000.0) * 3e-4 * 1e-3));
+  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).depth == Approx(5e-4 * 1e-3));
   // Between the surface and the first layer, a quarter of a cell deep, nothing is looked at.
   const StressMaximum top{1e9, 0, 0, 0, 0};
   CHECK(maximum_error(body, {top, top, top}, {.below = 1e-9}, false).depth == Approx(0.25e-6));

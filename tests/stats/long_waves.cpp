@@ -1,0 +1,138 @@
+// Errors of means from the field's own long waves, and of the parameters that depend on such means.
+#include "stats/uncertainty/long_waves.hpp"
+
+#include "fields.hpp"
+#include "stats/height/height_error.hpp"
+#include "stats/hybrid/derivative_error.hpp"
+#include "stats/sample/moments.hpp"
+#include "whole.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// Of a field itself, given in strips of so many rows.
+LocalSums sums_of(const Field& z, const Grid& g, Index rows, int threads = 1) {
+  LocalSums sums(g, 1);
+  for (Index first = 0; first < z.rows(); first += rows)
+    sums.add_rows(std::min(rows, z.rows() - first), threads, [&](Index i, LocalSums::Values& values) {
+      values.col(1) = z.row(first + i).transpose().matrix();
+    });
+  return sums;
+}
+
+double itself(const Eigen::VectorXd& means) { return means(0); }
+
+double error_of_mean(const Field& z, const Grid& g, double n_eff) {
+  return sums_of(z, g, z.rows()).means(n_eff).error(itself);
+}
+
+// Half waves along x, of mean square 1.
+Field half_waves(Shape shape, double count, double phase = 0) {
+  return Field::NullaryExpr(shape.nx, shape.ny, [=](Index i, Index) {
+    return std::sqrt(2.0) *
+           std::cos(std::numbers::pi * count * (static_cast<double>(i) + 0.5) / static_cast<double>(shape.nx) -
+                    phase);
+  });
+}
+
+}  // namespace
+
+// One of K waves has all the power A²: Var = A²/K, ν = K, and (3) is at its bound of 0.4.
+TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exact]") {
+  const Shape shape{40, 30};
+  const Grid free = grid(40, 30), periodic = grid(40, 30, true), along_y{shape, 1, 1, {false, true}};
+  const double amplitude = 0.7;
+  auto one_of = [&](double K) { return Approx(amplitude / std::sqrt(K) / 0.6).epsilon(1e-12); };
+  CHECK(error_of_mean(5 + amplitude * half_waves(shape, 1), free, 100) == one_of(3));
+  CHECK(error_of_mean(5 + amplitude * half_waves(shape, 1), free, 300) == one_of(7));
+  CHECK(error_of_mean(5 + amplitude * half_waves(shape, 3), free, 1000) == one_of(12));
+  CHECK(error_of_mean(5 + amplitude * half_waves(shape, 4), free, 4000) == one_of(21));
+  CHECK(error_of_mean(5 + amplitude * half_waves(shape, 5), free, 4000) < 1e-12);
+  CHECK(error_of_mean(amplitude * half_waves(shape, 2, 0.4), periodic, 100) == one_of(4));
+  CHECK(error_of_mean(amplitude * half_waves(shape, 2, 0.4), periodic, 1000) == one_of(8));
+  CHECK(error_of_mean(amplitude * half_waves(shape, 1), periodic, 100) > 0);
+  // One and two half waves along x, a sine and a cosine along y.
+  CHECK(error_of_mean(amplitude * half_waves(shape, 2), along_y, 100) == one_of(4));
+  CHECK(error_of_mean(Field::Constant(40, 30, 3.0), free, 100) == 0);
+}
+
+TEST_CASE("the error of a mean does not depend on strips, threads, or an offset", "[long-waves][contract]") {
+  const Grid g = grid(150, 70);
+  Field z = moving_average({150, 70}, {4, 3}, 3);
+  for (const bool holes : {false, true}) {
+    if (holes) z.block(20, 10, 9, 30).setConstant(NAN);
+    const LocalSums whole = sums_of(z, g, 150);
+    const double error = whole.means(1000).error(itself);
+    CHECK(whole.count() == static_cast<double>((!z.isNaN()).count()));
+    CHECK(whole.means(1000)(itself) == Approx(z.isNaN().select(0, z).sum() / whole.count()).epsilon(1e-12));
+    CHECK(sums_of(z, g, 150, 3).means(1000).error(itself) == error);
+    CHECK(sums_of(z, g, 37).means(1000).error(itself) == Approx(error).epsilon(1e-10));
+    CHECK(sums_of(1e3 + z, g, 150).means(1000).error(itself) == Approx(error).epsilon(1e-6));
+    CHECK(sums_of(1e-9 * z, g, 150).means(1000).error(itself) == Approx(1e-9 * error).epsilon(1e-10));
+  }
+}
+
+// Of n fields the mean square of the error has the relative deviation √(2/(K n)), that of the true one √(2/n).
+// What (3) takes too little or too much off is within a tenth (validation/error_coverage).
+TEST_CASE("errors by long waves are the spread over an ensemble, whatever the heights",
+          "[long-waves][statistics]") {
+  const Shape shape{80, 64}, window{3, 4};
+  const Grid g{shape, 1.0, 0.5, false};
+  constexpr int fields = 500;
+  struct Judged {
+    Spread value, square;
+    void add(double of, double error) { value.add(of), square.add(error * error); }
+  };
+  for (const bool skewed : {false, true}) {
+    CAPTURE(skewed);
+    Judged mean, sa, sq, ssk, share, sdq, sdr, m2, m4, alpha, density, curvature, height;
+    for (unsigned seed = 0; seed < fields; ++seed) {
+      Field z = 0.1 * moving_average(shape, window, seed);
+      if (skewed) z = (5 * z).exp();
+      const Moments m = moments(z);
+      HeightErrors of_heights(g, m.mean, m.sq);
+      of_heights.add(z), of_heights.finish(300);
+      mean.add(m.mean, of_heights([](const Moments& of) { return of.mean; }));
+      sa.add(m.sa, of_heights([](const Moments& of) { return of.sa; }));
+      sq.add(m.sq, of_heights([](const Moments& of) { return of.sq; }));
+      if (!skewed) ssk.add(m.ssk, of_heights([](const Moments& of) { return of.ssk; }));
+      QuantileErrors of_shares(g, {skewed ? 1.2 : 0.05});
+      of_shares.add(z), of_shares.finish(300);
+      share.add(static_cast<double>((z <= (skewed ? 1.2 : 0.05)).count()) / static_cast<double>(z.size()),
+                of_shares(0));
+      DerivativeErrors of(g);
+      of.add(Strip::whole(z, g), m.mean), of.finish(300);
+      const Derivatives d{slope_parameters(z, g), spectral_moments(z, g), counted_summits(z, g)};
+      auto add = [&](Judged& to, const DerivativeErrors::Function& f) { to.add(f(d), of(f)); };
+      add(sdq, [](const Derivatives& x) { return x.slopes.sdq; });
+      add(sdr, [](const Derivatives& x) { return x.slopes.sdr; });
+      add(m2, [](const Derivatives& x) { return x.moments.along(0.3).m2; });
+      add(m4, [](const Derivatives& x) { return x.moments.m04; });
+      add(alpha, [](const Derivatives& x) { return x.moments.along(0).bandwidth(); });
+      add(density, [](const Derivatives& x) { return x.summits.density; });
+      add(curvature, [](const Derivatives& x) { return x.summits.mean_curvature; });
+      add(height, [](const Derivatives& x) { return x.summits.mean_height; });
+    }
+    for (const Judged* j : {&mean, &sa, &sq, &ssk, &share, &sdq, &sdr, &m2, &m4, &alpha, &density,
+                            &curvature, &height})
+      if (j->value.count > 0)
+        CHECK(std::sqrt(j->square.mean()) / j->value.deviation() ==
+              Approx(1).margin(0.1 + 4 * std::sqrt(0.5 / fields)));
+  }
+}
+
+// Their sums vanish along the grooves but for rounding.
+TEST_CASE("grooves have errors of slopes across them and none along them", "[derivative-error][law]") {
+  for (const bool periodic : {false, true}) {
+    const Field z = moving_average({40, 1}, {3, 1}, 4).replicate(1, 30) + 1e-3;
+    const Grid g = grid(40, 30, periodic);
+    DerivativeErrors e(g);
+    e.add(Strip::whole(z, g), mean(z)), e.finish(100);
+    CHECK(e([](const Derivatives& d) { return d.moments.m20; }) > 0);
+    CHECK(e([](const Derivatives& d) { return d.moments.m40; }) > 0);
+    CHECK(e([](const Derivatives& d) { return d.moments.m02; }) == 0);
+    CHECK(e([](const Derivatives& d) { return d.moments.m04; }) == 0);
+  }
+}
