@@ -1,4 +1,4 @@
-// Tests whether surfaces have the prescribed rms height, skewness, kurtosis and autocorrelation.
+// Tests whether surfaces have the prescribed rms height, skewness, kurtosis, autocorrelation and lengths.
 #include <cmath>
 #include <optional>
 
@@ -142,11 +142,16 @@ void document(cli::Tool& tool) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-validate",
-      "Tests whether one or more surfaces have the prescribed rms height, skewness, kurtosis and "
-      "autocorrelation. Each row shows a quantity: its prescribed value, the mean over the surfaces with its "
+      "Tests whether one or more surfaces have the prescribed rms height, skewness, kurtosis, "
+      "autocorrelation and lengths. Each row shows a quantity: its prescribed value, the mean over the "
+      "surfaces with its "
       "standard error, their difference z in standard errors, the p-value, and the verdict at --significance "
       "shared among the rows. The ACF is tested over all its lags in one row, which shows the lag (x, y in "
-      "samples) of the largest deviation. The row 'all' gives the overall result.");
+      "samples) of the largest deviation. The lengths of the ACF are tested together in the next row, as "
+      "factors of the prescribed ones: it shows that along x (length_x), along y (length_y), the mean of "
+      "both "
+      "(length), or their ratio (length_x/length_y), whichever deviates most. Without a length, as for white "
+      "noise, the row is left out. The row 'all' gives the overall result.");
   Options options;
   options.declare(tool);
   tool.table();
