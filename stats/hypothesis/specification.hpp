@@ -10,21 +10,22 @@
 ///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (2), over √M          (4)
 ///     stretches of lengths                   stats/uncertainty/length_stretch.hpp, (3), over √M     (5)
 /// (4) and (5) are the shape of the ACF, independent of its height: over the mean of Sq²/(1 - w). If all
-/// lengths are wrong, each e(h) is by little; (5) collects it. Each quantity is a mean of quadratic or quartic
-/// forms of a Gaussian, hence skewed. The deviation z in standard errors is corrected for skewness by the
-/// gamma law of the same three cumulants (Imhof; Wilson and Hilferty), and for heavier far tails by Student's
-/// t of M N/(10 S_2) degrees, for (5) of M N/S_2, empirical values. The third cumulants of Sq² and, to first
-/// order, Sku are 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, with C the correlation matrix of the N points and D the
-/// matrix of its squares; for those of e(h), and the covariances of e(h) with e(g), see
-/// stats/uncertainty/correlation_algebra.hpp. The p-value of the largest |score| of the lags is that of the
-/// largest of Gaussians with these correlations, simulated, or Šidák's bound 1 - (1 - p)^L if that is
-/// smaller; the same for the stretches along x, along y, of their mean and of their ratio. By Bonferroni over the K
-/// quantities, the surfaces differ if the least p is below significance/K.
+/// lengths are wrong, each e(h) is by little; (5) collects it. Each quantity is a mean of quadratic or
+/// quartic forms of a Gaussian, hence skewed. The deviation z in standard errors is corrected for skewness by
+/// the gamma law of the same three cumulants (Imhof; Wilson and Hilferty), and for heavier far tails by
+/// Student's t of M N/(10 S_2) degrees, for (5) of M N/(4 S_2), empirical values; for Sku instead by the
+/// longer-tailed law of Anscombe and Glynn. The third cumulants of Sq² and, to first order, Sku are
+/// 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, C the correlation matrix of the N points, D that of its squares; for
+/// those of e(h), and the covariances of e(h) with e(g), see stats/uncertainty/correlation_algebra.hpp. The
+/// p-value of the largest |score| of the lags is that of the largest of Gaussians with these correlations,
+/// simulated, or Šidák's bound 1 - (1 - p)^L if that is smaller; the same for the stretches along x, along y,
+/// of their mean and of their ratio. By Bonferroni over the K quantities, the surfaces differ if the least p
+/// is below significance/K.
 ///
 /// For surfaces that are not to be Gaussian theory gives no errors. They come from the spread of the
 /// ensemble, by Student's t of ¾(M - 1) degrees, an empirical value, and for lags and stretches by
-/// Šidák's bound alone. The bias of Ssk and Sku is then that of Johnson's translation with the prescribed values
-/// (stats/uncertainty/translation_error.hpp).
+/// Šidák's bound alone. The bias of Ssk and Sku is then that of Johnson's translation with the prescribed
+/// values (stats/uncertainty/translation_error.hpp).
 ///
 /// Missing points are left out. S_k, w and Bartlett's errors are summed over the pairs that a surface has,
 /// and surfaces may miss different points. The variance of a mean is the mean variance over M; third
@@ -35,15 +36,16 @@
 ///           translation hold for a known mean.
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the
 ///           half-plane.
-/// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a
-///           stated 1 %, 3.4, 4.3 and 4.3 % at 5 %; with a third of the points missing 0.75 and 0.65 %, 2.9
-///           and 3.2 % (validation/statistics_coverage). With 26 and 64 patches less than the stated 5 %.
-///           Errors from the spread, 1000 ensembles of twelve surfaces: 0.3 and 0.6 %, 2.9 and 4.2 %, with
-///           holes 1.0 and 4.3 %; of thirty surfaces 0.9 and 3.2 %.
+/// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.25, 0.7 and 0.7 % at a
+///           stated 1 %, 3.2, 3.9 and 3.7 % at 5 %; with a third of the points missing 0.65 and 0.6 %, 2.6
+///           and 2.9 % (validation/statistics_coverage). Errors from the spread, 2000 ensembles of twelve
+///           surfaces: 0.65 and 0.4 %, 3.2 and 3.4 %, with holes 0.8 and 3.6 %; of thirty surfaces 0.8 and
+///           3.7 %. For the faults that are seen see validation/prescription_power.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
 /// J. P. Imhof, Biometrika 48 (1961) 419-426; E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688;
-/// Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633.
+/// Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633; F. J. Anscombe, W. J. Glynn, Biometrika 70 (1983)
+/// 227-234.
 #pragma once
 
 #include <optional>

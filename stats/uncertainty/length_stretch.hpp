@@ -21,9 +21,9 @@
 /// Symbols   ρ  correlation    R  estimate [m²]    σ  rms height [m]    p, q  lags [samples]
 /// Scope     Gaussian heights for (3). An axis along which ρ is constant or has no lags, or along which one
 ///           field tells no length from its double, is left out: white noise has none.
-/// Accuracy  The spread of 2000 fields of 128 × 128 was 0.91 to 1.05 of the standard error from N_eff = 160 on
-///           (exponential, Gaussian, exponential-cosine; periodic or not), and 0.76 to 1.06 at 53, the least
-///           for x, y and their mean (a prototype of this header in another language).
+/// Accuracy  The spread of 2000 fields of 128 × 128 was 0.91 to 1.05 of the standard error from N_eff = 160
+///           on (exponential, Gaussian, exponential-cosine; periodic or not), and 0.76 to 1.06 at 53, the
+///           least for x, y and their mean (a prototype of this header in another language).
 /// Cost      a few transforms of twice the lags.
 ///
 /// P. Whittle, Biometrika 41 (1954) 434-449; M. S. Bartlett, J. Roy. Statist. Soc. Suppl. 8 (1946) 27-41.
