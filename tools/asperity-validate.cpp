@@ -130,7 +130,11 @@ void document(cli::Tool& tool) {
       "s_%02d.nc && asperity-validate s_*.nc");
   tool.accuracy(
       "The rate of false alarms stays below --significance: of 2000 single Gaussian surfaces of N_eff = 300 "
-      "and more, 0.25 to 0.7 % differed at 1 % and 3.2 to 3.9 % at 5 %. @POWER@ The means are corrected for the bias "
+      "and more, 0.25 to 0.7 % differed at 1 % and 3.2 to 3.9 % at 5 %. "
+      "Of surfaces of N_eff = 660 that are 10 % too high, it sees 58 % singly, of lengths 20 % too long "
+      "along "
+      "both axes 56 %, along one 50 %, of a skewness of 0.3 93 %; of ensembles of 12 all. The means are "
+      "corrected for the bias "
       "that subtracting each field's own mean and dividing by its own Sq causes. Theory needs at least 5 "
       "independent points per surface. --errors spread uses Student's t: with a dozen surfaces 0.4 to 0.8 % "
       "and 3.2 to 3.6 %. Surfaces drawn with --exact-rq have no spread of Sq, which then always agrees. Lags "

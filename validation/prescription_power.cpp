@@ -1,6 +1,6 @@
 /// How often the test of a prescription (stats/hypothesis/specification.hpp) sees a fault.
 ///
-///     prescription_power [FIELDS]     single surfaces a figure, 400 unless given; a quarter as many ensembles
+///     prescription_power [FIELDS]     single surfaces a figure, 2000 unless given; a quarter as many ensembles
 ///
 /// The share, in per cent, of surfaces and of ensembles of 12 that differ at 1 %. Surfaces of 128 × 128 points
 /// are tested for σ = 1 and the exponential correlation exp(-(|p|+|q|)/length). Columns: N_eff of that
@@ -101,7 +101,7 @@ void row(double length, int surfaces, int tests) {
 
 int main(int argc, char** argv) {
   print_conditions();
-  const int fields = argc > 1 ? std::max(4, std::atoi(argv[1])) : 400;
+  const int fields = argc > 1 ? std::max(4, std::atoi(argv[1])) : 2000;
   fmt::print("# N_eff\tsurfaces\ttests\tnone\tSq\tlengths\tlength_x\tskewness\tGaussian\n");
   for (const double length : {10.0, 5.0, 2.5}) row(length, 1, fields);
   for (const double length : {10.0, 5.0, 2.5}) row(length, 12, fields / 4);
