@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <gsl/gsl_cdf.h>
 
@@ -20,6 +21,7 @@ constexpr Index most_rows = 9, most_columns = 17;
 constexpr double least_density = 0.1, most_score = 37;
 constexpr double most_of_mean = 0.1;        // of the variance: a translation's biases are about a known mean
 constexpr double patches_per_degree = 10;   // of the t law whose tails the figures have
+constexpr double patches_of_stretch = 4;    // the same: a stretch rests on more waves than S_2 counts
 constexpr double degrees_of_spread = 0.75;  // a surface, less one: figures are skewed
 // Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at most.
 constexpr double most_skewed = 1.6;
@@ -38,6 +40,18 @@ double gamma_score(double z, double skewness) {
   if (skewness < 0) return -gamma_score(-z, -skewness);
   const double degrees = std::max(1.0, 8 / (skewness * skewness)), variance = 2 / (9 * degrees);
   return (std::cbrt(std::max(0.0, 1 + z * std::sqrt(2 / degrees))) - 1 + variance) / std::sqrt(variance);
+}
+
+// Of Sku, whose upper tail is longer than a gamma law's: Anscombe and Glynn's inverse gamma law.
+double kurtosis_score(double z, double skewness) {
+  if (!(skewness > 1e-6)) return z;
+  const double a = 6 + 8 / skewness * (2 / skewness + std::sqrt(1 + 4 / (skewness * skewness)));
+  const double ratio = (1 - 2 / a) / std::max(1e-300, 1 + z * std::sqrt(2 / (a - 4)));
+  return std::clamp((1 - 2 / (9 * a) - std::cbrt(ratio)) / std::sqrt(2 / (9 * a)), -most_score, most_score);
+}
+
+double largest_deviation(const Eigen::VectorXd& g, std::span<const double>) {
+  return g.cwiseAbs().maxCoeff();
 }
 
 double two_sided(double score) { return 2 * gsl_cdf_ugaussian_Q(std::abs(score)); }
@@ -77,8 +91,10 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
     const Translation g = heights.translation();
     translated_ = Translated{g, underlying_correlation(asked_.correlation, CorrelationMap(g))};
   }
+  stretch_.emplace(asked_.correlation, grid, longest_lag(asked_.correlation, grid));
   complete_ = theory_of(grid);
-  total_.lag_variances = Eigen::ArrayXd::Zero(complete_.lag_variances.size());
+  choose_stretches();
+  total_.shape_variances = total_.shape_biases = Eigen::ArrayXd::Zero(complete_.shape_variances.size());
   const LagField& rho = asked_.correlation;
   const double cells = static_cast<double>(grid_.shape.cells());
   const double w = complete_.mean_powers(1), v = 1 - w;
@@ -105,11 +121,23 @@ void SpecificationTest::choose_lags() {
       const double variance = bartlett_covariance(c, h, h);
       if (!(variance > 1e-12 * c(0, 0))) continue;
       lags_.push_back(h);
+      acf_.each.push_back({.quantity = "ACF", .prescribed = h.rho, .lag_x = p, .lag_y = q});
       scales.push_back(std::sqrt(cells) * std::pow(variance, 1.5));
     }
-  lag_skewness_ = 8 * algebra.third_cumulants(lags_) / Eigen::Map<Eigen::ArrayXd>(scales.data(), lags());
-  auto largest = [](const Eigen::VectorXd& g, auto) { return g.cwiseAbs().maxCoeff(); };
-  if (!lags_.empty()) largest_ = {bartlett_correlation(c, lags_), largest};
+  acf_.skewness = 8 * algebra.third_cumulants(lags_) / Eigen::Map<Eigen::ArrayXd>(scales.data(), lags());
+  acf_.patches_per_degree = patches_per_degree;
+  if (!lags_.empty()) acf_.largest = {bartlett_correlation(c, lags_), largest_deviation};
+}
+
+void SpecificationTest::choose_stretches() {
+  for (const std::string& name : stretch_->names())
+    lengths_.each.push_back({.quantity = name, .prescribed = 1});
+  if (lengths_.each.empty()) return;
+  const Eigen::MatrixXd& covariance = complete_.stretch.covariance;
+  const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
+  lengths_.skewness = complete_.stretch.skewness();
+  lengths_.patches_per_degree = patches_of_stretch;
+  lengths_.largest = {scale.asDiagonal() * covariance * scale.asDiagonal(), largest_deviation};
 }
 
 void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
@@ -131,7 +159,11 @@ void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
 SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
   const EffectiveSampleSize size(asked_.correlation, pairs);
   check_reach(size);
-  Theory out{.mean_powers = about_mean(size), .lag_variances = Eigen::ArrayXd::Zero(lags())};
+  Theory out{.mean_powers = about_mean(size), .stretch = stretch_->law(pairs, size.mean_power(1))};
+  const auto stretches = static_cast<Index>(stretch_->names().size());
+  out.shape_variances = out.shape_biases = Eigen::ArrayXd::Zero(lags() + stretches);
+  out.shape_variances.tail(stretches) = out.stretch.covariance.diagonal();
+  out.shape_biases.tail(stretches) = -out.stretch.with_variance;
   out.sku_bias = -6 * out.mean_powers(2);
   if (translated_) {
     const TranslationErrors errors(translated_->heights, EffectiveSampleSize(translated_->below, pairs));
@@ -141,7 +173,7 @@ SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const
   const AcfError errors(asked_.correlation, pairs);
   for (Index i = 0; const auto& [lag, rho] : lags_) {
     if (pairs.density(lag.nx, lag.ny) > least_density)
-      out.lag_variances(i) = std::pow(errors.normalised(lag.nx, lag.ny), 2);
+      out.shape_variances(i) = std::pow(errors.normalised(lag.nx, lag.ny), 2);
     ++i;
   }
   return out;
@@ -158,23 +190,25 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
   const LagField acf = estimate_autocorrelation(
       z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = asked_.threads});
   const double w = theory.mean_powers(1), variance = acf(0, 0) / (1 - w);
-  Eigen::ArrayXd values(3 + lags());
+  const Index shapes = theory.shape_variances.size();
+  Eigen::ArrayXd values(3 + shapes);
   values.head<3>() << variance, m.ssk, m.sku;
   for (Index i = 3; const auto& [lag, rho] : lags_) values(i++) = acf(lag.nx, lag.ny) - (rho - w) * variance;
-  values.tail(lags()) = (theory.lag_variances > 0).select(values.tail(lags()), NAN);
+  values.tail(shapes - lags()) = theory.stretch(acf);
+  values.tail(shapes) = (theory.shape_variances > 0).select(values.tail(shapes), NAN);
   ensemble_.add(values);
   total_.mean_powers += theory.mean_powers;
   total_.ssk_bias += theory.ssk_bias;
   total_.sku_bias += theory.sku_bias;
-  total_.lag_variances += theory.lag_variances;
+  total_.shape_variances += theory.shape_variances;
+  total_.shape_biases += theory.shape_biases;
   ++surfaces_;
 }
 
-double SpecificationTest::score(double z, double skewness) const {
+double SpecificationTest::score(double z, double skewness, double per_degree) const {
   if (asked_.spread) return normal_score(student_tails(z, degrees_of_spread * (surfaces_ - 1)));
   const double patches = surfaces_ / mean_power(2);
-  return normal_score(
-      student_tails(gamma_score(z, skewness / std::sqrt(surfaces_)), patches / patches_per_degree));
+  return normal_score(student_tails(gamma_score(z, skewness / std::sqrt(surfaces_)), patches / per_degree));
 }
 
 TestResult SpecificationTest::result(const std::string& name, Index quantity, double prescribed, double mean,
@@ -182,26 +216,34 @@ TestResult SpecificationTest::result(const std::string& name, Index quantity, do
   TestResult out{.quantity = name, .prescribed = prescribed, .mean = mean};
   out.standard_error = asked_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
   out.z = (mean - prescribed) / out.standard_error;
-  out.p = two_sided(score(out.z, skewness));
+  out.p = two_sided(score(out.z, skewness, patches_per_degree));
   return out;
 }
 
-TestResult SpecificationTest::correlation_result() const {
+TestResult SpecificationTest::largest_result(const Together& of, Index first) const {
   const double variance = ensemble_.mean()(0);
-  const Eigen::ArrayXd mean = ensemble_.mean().tail(lags()) / variance;
-  Eigen::ArrayXd error = ensemble_.standard_error().tail(lags()) / variance;
-  if (!asked_.spread) error = total_.lag_variances.sqrt() / ensemble_.count().tail(lags());
-  TestResult out{.quantity = "ACF", .p = 1};
+  const auto n = static_cast<Index>(of.each.size());
+  auto part = [&](const Eigen::ArrayXd& all) -> Eigen::ArrayXd {
+    return all.segment(first + all.size() - total_.shape_variances.size(), n);
+  };
+  const Eigen::ArrayXd biases = part(total_.shape_biases) / (1.0 * surfaces_ * surfaces_),
+                       mean = part(ensemble_.mean()) / variance - biases;
+  Eigen::ArrayXd error = part(ensemble_.standard_error()) / variance;
+  if (!asked_.spread) error = part(total_.shape_variances).sqrt() / part(ensemble_.count());
+  TestResult out = of.each.front();
+  out.prescribed = 0, out.p = 1;
   double largest = -1;
-  for (Index i = 0; i < lags(); ++i) {
+  for (Index i = 0; i < n; ++i) {
     if (!(error(i) > 0)) continue;
-    const auto& [lag, rho] = lags_[static_cast<std::size_t>(i)];
-    const double z = mean(i) / error(i), strays = std::abs(score(z, lag_skewness_(i)));
-    if (strays > largest) out = {"ACF", rho, rho + mean(i), error(i), z, 1, lag.nx, lag.ny}, largest = strays;
+    const double z = mean(i) / error(i), strays = std::abs(score(z, of.skewness(i), of.patches_per_degree));
+    if (!(strays > largest)) continue;
+    largest = strays;
+    out = of.each[static_cast<std::size_t>(i)];
+    out.mean = out.prescribed + mean(i), out.standard_error = error(i), out.z = z;
   }
   if (largest < 0) return out;
-  out.p = -std::expm1(static_cast<double>(lags_.size()) * std::log1p(-two_sided(largest)));  // Šidák's
-  if (!asked_.spread) out.p = std::min(out.p, largest_.exceedance(largest));
+  out.p = -std::expm1(static_cast<double>(n) * std::log1p(-two_sided(largest)));  // Šidák's
+  if (!asked_.spread) out.p = std::min(out.p, of.largest.exceedance(largest));
   return out;
 }
 
@@ -222,8 +264,11 @@ std::vector<TestResult> SpecificationTest::results() const {
   }
   const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
   out.push_back(result("Ssk", 1, asked_.ssk, ssk, std::sqrt(6 * mean_power(3)), 0));
-  out.push_back(result("Sku", 2, asked_.sku, sku, std::sqrt(24 * mean_power(4)), sku_skewness_));
-  if (!lags_.empty()) out.push_back(correlation_result());
+  out.push_back(result("Sku", 2, asked_.sku, sku, std::sqrt(24 * mean_power(4)), 0));
+  if (!asked_.spread)
+    out.back().p = two_sided(kurtosis_score(out.back().z, sku_skewness_ / std::sqrt(surfaces_)));
+  if (!lags_.empty()) out.push_back(largest_result(acf_, 0));
+  if (!lengths_.each.empty()) out.push_back(largest_result(lengths_, lags()));
   return out;
 }
 

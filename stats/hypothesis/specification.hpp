@@ -1,6 +1,6 @@
-/// Tests whether surfaces have the prescribed rms height, skewness, kurtosis and autocorrelation.
+/// Tests whether surfaces have the prescribed rms height, skewness, kurtosis, autocorrelation and lengths.
 ///
-/// The means of four quantities over M surfaces of N points each are compared with those of Gaussian surfaces
+/// The means of five quantities over M surfaces of N points each are compared with those of Gaussian surfaces
 /// of the prescribed correlation ρ. With w = S_1/N, heights about their own mean have the correlation
 /// (ρ - w)/(1 - w), exactly if the surface is periodic; S_k are the sums of that correlation
 /// (stats/uncertainty/effective_size.hpp):
@@ -8,20 +8,24 @@
 ///     Ssk                                    √(6 S_3/(N M))                                         (2)
 ///     Sku + 6 S_2/N - 3                      √(24 S_4/(N M))                                        (3)
 ///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (2), over √M          (4)
-/// (4) is the shape of the ACF, independent of its height. Each is a mean of quadratic or quartic forms of a
-/// Gaussian, hence skewed. The deviation z in standard errors is corrected for skewness by the gamma law of
-/// the same three cumulants (Imhof; Wilson and Hilferty), and for heavier far tails by Student's t of M N/(10
-/// S_2) degrees, an empirical value. The third cumulants of Sq² and, to first order, Sku are 8 σ⁶ tr C³/N³
-/// and 1728 tr D³/N³, with C the correlation matrix of the N points and D the matrix of its squares; for
+///     stretches of lengths                   stats/uncertainty/length_stretch.hpp, (3), over √M     (5)
+/// (4) and (5) are the shape of the ACF, independent of its height: over the mean of Sq²/(1 - w). If all
+/// lengths are wrong, each e(h) is by little; (5) collects it. Each quantity is a mean of quadratic or
+/// quartic forms of a Gaussian, hence skewed. The deviation z in standard errors is corrected for skewness by
+/// the gamma law of the same three cumulants (Imhof; Wilson and Hilferty), and for heavier far tails by
+/// Student's t of M N/(10 S_2) degrees, for (5) of M N/(4 S_2), empirical values; for Sku instead by the
+/// longer-tailed law of Anscombe and Glynn. The third cumulants of Sq² and, to first order, Sku are
+/// 8 σ⁶ tr C³/N³ and 1728 tr D³/N³, C the correlation matrix of the N points, D that of its squares; for
 /// those of e(h), and the covariances of e(h) with e(g), see stats/uncertainty/correlation_algebra.hpp. The
 /// p-value of the largest |score| of the lags is that of the largest of Gaussians with these correlations,
-/// simulated, or Šidák's bound 1 - (1 - p)^L if that is smaller. By Bonferroni over the K quantities, the
-/// surfaces differ if the least p is below significance/K.
+/// simulated, or Šidák's bound 1 - (1 - p)^L if that is smaller; the same for the stretches along x, along y,
+/// of their mean and of their ratio. By Bonferroni over the K quantities, the surfaces differ if the least p
+/// is below significance/K.
 ///
 /// For surfaces that are not to be Gaussian theory gives no errors. They come from the spread of the
-/// ensemble, by Student's t of ¾(M - 1) degrees, an empirical value, and for the lags together by Šidák's
-/// bound alone. The bias of Ssk and Sku is then that of Johnson's translation with the prescribed values
-/// (stats/uncertainty/translation_error.hpp).
+/// ensemble, by Student's t of ¾(M - 1) degrees, an empirical value, and for lags and stretches by
+/// Šidák's bound alone. The bias of Ssk and Sku is then that of Johnson's translation with the prescribed
+/// values (stats/uncertainty/translation_error.hpp).
 ///
 /// Missing points are left out. S_k, w and Bartlett's errors are summed over the pairs that a surface has,
 /// and surfaces may miss different points. The variance of a mean is the mean variance over M; third
@@ -32,15 +36,16 @@
 ///           translation hold for a known mean.
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the
 ///           half-plane.
-/// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.6, 0.75 and 0.7 % at a
-///           stated 1 %, 3.4, 4.3 and 4.3 % at 5 %; with a third of the points missing 0.75 and 0.65 %, 2.9
-///           and 3.2 % (validation/statistics_coverage). With 26 and 64 patches less than the stated 5 %.
-///           Errors from the spread, 1000 ensembles of twelve surfaces: 0.3 and 0.6 %, 2.9 and 4.2 %, with
-///           holes 1.0 and 4.3 %; of thirty surfaces 0.9 and 3.2 %.
+/// Accuracy  False alarms of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.25, 0.7 and 0.7 % at a
+///           stated 1 %, 3.2, 3.9 and 3.7 % at 5 %; with a third of the points missing 0.65 and 0.6 %, 2.6
+///           and 2.9 % (validation/statistics_coverage). Errors from the spread, 2000 ensembles of twelve
+///           surfaces: 0.65 and 0.4 %, 3.2 and 3.4 %, with holes 0.8 and 3.6 %; of thirty surfaces 0.8 and
+///           3.7 %. For the faults that are seen see validation/prescription_power.
 /// Memory    one surface, its transform, and three tables over the lags.
 ///
 /// J. P. Imhof, Biometrika 48 (1961) 419-426; E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688;
-/// Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633.
+/// Z. Šidák, J. Am. Stat. Assoc. 62 (1967) 626-633; F. J. Anscombe, W. J. Glynn, Biometrika 70 (1983)
+/// 227-234.
 #pragma once
 
 #include <optional>
@@ -54,6 +59,7 @@
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
+#include "stats/uncertainty/length_stretch.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
 
 namespace asperity {
@@ -71,10 +77,10 @@ struct Specification {
 struct TestResult {
   std::string quantity;
   double prescribed = 0;
-  double mean = 0;             ///< of the ensemble, corrected for bias
-  double standard_error = 0;   ///< of the mean
-  double z = 0;                ///< (mean - prescribed)/standard_error
-  double p = 0;                ///< of this quantity alone; for the ACF of all its lags
+  double mean = 0;            ///< of the ensemble, corrected for bias
+  double standard_error = 0;  ///< of the mean
+  double z = 0;               ///< (mean - prescribed)/standard_error
+  double p = 0;               ///< of this quantity alone; of all lags of the ACF, of all stretches of lengths
   Index lag_x = 0, lag_y = 0;  ///< for the ACF: lag of the largest deviation [samples]
 };
 
@@ -88,8 +94,9 @@ class SpecificationTest {
   void add(const Field& z, const Grid& grid);
   int surfaces() const { return surfaces_; }
   int lags() const { return static_cast<int>(lags_.size()); }
-  /// Sq (where prescribed), Ssk, Sku, ACF. Throws ParameterError("errors", …) if the spread of one surface is
-  /// needed.
+  /// Sq (where prescribed), Ssk, Sku, ACF, and the length, or ratio of lengths, that deviates most, where
+  /// one surface tells a length from its double. Throws ParameterError("errors", …) if the spread of one
+  /// surface is needed.
   std::vector<TestResult> results() const;
 
  private:
@@ -97,7 +104,16 @@ class SpecificationTest {
   struct Theory {
     Eigen::Array<double, 5, 1> mean_powers = Eigen::Array<double, 5, 1>::Zero();  ///< S_k/N
     double ssk_bias = 0, sku_bias = 0;
-    Eigen::ArrayXd lag_variances;  ///< of e per σ⁴; 0 if a surface has too few pairs
+    LengthStretch::Law stretch;
+    /// Of e and of the stretches: variances per σ⁴, 0 if a surface has too few pairs, and biases.
+    Eigen::ArrayXd shape_variances{}, shape_biases{};
+  };
+  /// Quantities of which the largest deviation is tested: a part of e and the stretches.
+  struct Together {
+    std::vector<TestResult> each;  ///< name, prescribed value and lag
+    Eigen::ArrayXd skewness;       ///< of one surface
+    NullDistribution largest;      ///< of their errors
+    double patches_per_degree = 1; ///< of the t law whose tails they have
   };
   /// For heights that are not Gaussian: Johnson's translation, and the correlation of the Gaussian field.
   struct Translated {
@@ -105,25 +121,27 @@ class SpecificationTest {
     LagField below;
   };
   void choose_lags();
+  void choose_stretches();
   void check_reach(const EffectiveSampleSize& size) const;
   Theory theory_of(const Pairs& pairs) const;
   /// The mean S_k/N over the surfaces.
   double mean_power(Index k) const { return total_.mean_powers(k) / surfaces_; }
   /// The normal score of a deviation of z standard errors.
-  double score(double z, double skewness) const;
+  double score(double z, double skewness, double patches_per_degree) const;
   TestResult result(const std::string& name, Index quantity, double prescribed, double mean, double theory,
                     double skewness) const;
-  TestResult correlation_result() const;
+  /// `first` is the place of the first in e and the stretches.
+  TestResult largest_result(const Together& of, Index first) const;
 
   Specification asked_;
   Grid grid_;
   std::optional<Translated> translated_;
   std::vector<CorrelatedLag> lags_;
-  Eigen::ArrayXd lag_skewness_;                      ///< of e of one surface
+  std::optional<LengthStretch> stretch_;
+  Together acf_, lengths_;
   double variance_skewness_ = 0, sku_skewness_ = 0;  ///< of one surface's
-  NullDistribution largest_;                         ///< of the errors of the lags
   Theory complete_, total_;                          ///< of a surface that misses nothing; over all added
-  Ensemble ensemble_;                                ///< Sq², Ssk, Sku, e(h) of each lag
+  Ensemble ensemble_;                                ///< Sq², Ssk, Sku, e(h) of each lag, stretches
   int surfaces_ = 0;
 };
 

@@ -4,47 +4,21 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "stats/uncertainty/lag_spectrum.hpp"
 #include "transform/lag_sums.hpp"
-#include "transform/plan.hpp"
 
 namespace asperity {
 namespace {
-
-Index wrapped(Index lag, Index period) { return (lag % period + period) % period; }
-
-// At half a period, where p and -p are one, a table may hold either or both: it is the same value.
-Field unfolded(const LagField& rho, Shape torus, const auto& weight) {
-  Field out = Field::Zero(torus.nx, torus.ny);
-  for (Index p = -rho.max_p(); p <= rho.max_p(); ++p)
-    for (Index q = -rho.max_q(); q <= rho.max_q(); ++q)
-      out(wrapped(p, torus.nx), wrapped(q, torus.ny)) = rho(p, q) * weight(p, q);
-  return out;
-}
-
-double one(Index, Index) { return 1; }
 
 // A torus on which so many lags of these add up to no other.
 Shape torus_for(const LagField& rho, Index lags, Index more) {
   return {fast_length(lags * rho.max_p() + more), fast_length(lags * rho.max_q() + more)};
 }
 
-// ρ and its weights are even: their spectra are real.
-Eigen::ArrayXd spectrum_of(const LagField& rho, const RealTransform2D& transform, Shape torus,
-                           const auto& weight) {
-  AlignedVector<Complex> values(static_cast<std::size_t>(transform.spectrum_size()));
-  const Field plane = unfolded(rho, torus, weight);
-  transform.forward(plane.data(), values.data());
-  return Eigen::Map<const Eigen::ArrayXcd>(values.data(), static_cast<Index>(values.size())).real();
-}
-
 // t on the whole torus.
 Field cube_of(const LagField& rho, Shape torus) {
-  const RealTransform2D transform(torus);
-  const Eigen::ArrayXcd cube = spectrum_of(rho, transform, torus, one).cube().cast<Complex>();
-  AlignedVector<Complex> values(cube.data(), cube.data() + cube.size());
-  Field out(torus.nx, torus.ny);
-  transform.inverse(values.data(), out.data());
-  return out / static_cast<double>(torus.cells());
+  const LagSpectrum spectrum(torus);
+  return spectrum.function(spectrum.of(rho).cube());
 }
 
 }  // namespace
@@ -68,7 +42,7 @@ LagField CorrelationAlgebra::convolution(Shape max_lag, bool periodic) const {
   const LagField rho = tapered(rho_, pairs_);
   if (periodic) {
     const Shape period = pairs_.grid().shape;
-    return LagField(lag_sums(unfolded(rho, period, one), pairs_.grid(),
+    return LagField(lag_sums(unfolded(rho, period), pairs_.grid(),
                              {std::min(max_lag.nx, period.nx / 2), std::min(max_lag.ny, period.ny / 2)}));
   }
   const Shape reach = rho.reach();
@@ -94,20 +68,16 @@ double CorrelationAlgebra::mean_of_triples() const {
   const LagField inside = rho_.within(longest_lags(pairs_.grid()));
   if (pairs_.grid().periodic.both()) return cube_of(inside, pairs_.grid().shape)(0, 0);
   const auto [nx, ny] = pairs_.grid().shape;
-  const Shape torus = torus_for(inside, 3, 1);
-  const RealTransform2D transform(torus);
-  auto spectrum = [&](const auto& weight) { return spectrum_of(inside, transform, torus, weight); };
   auto part = [](Index lag, Index n) { return static_cast<double>(std::abs(lag)) / static_cast<double>(n); };
-  const Eigen::ArrayXd r = spectrum(one), rx = spectrum([&](Index p, Index) { return part(p, nx); }),
-                       ry = spectrum([&](Index, Index q) { return part(q, ny); }),
-                       rxy = spectrum([&](Index p, Index q) { return part(p, nx) * part(q, ny); });
-  const Eigen::ArrayXd terms = r * r * (r - 1.5 * (rx + ry) + 0.75 * rxy) + 1.5 * rx * ry * r;
-  // How often a wave number of the half spectrum is one of the whole.
-  const Eigen::ArrayXd times_met = Eigen::ArrayXd::NullaryExpr(terms.size(), [&](Index place) {
-    const Index l = place % transform.spectrum_columns();
-    return l == 0 || 2 * l == torus.ny ? 1.0 : 2.0;
-  });
-  return (times_met * terms).sum() / static_cast<double>(torus.cells());
+  const LagSpectrum spectrum(torus_for(inside, 3, 1));
+  auto weighted = [&](auto weight) {
+    return spectrum.of(LagField::of(
+        inside.max_lag(), [&](Index p, Index q) { return inside(p, q) * weight(part(p, nx), part(q, ny)); }));
+  };
+  const Eigen::ArrayXd r = spectrum.of(inside), rx = weighted([](double x, double) { return x; }),
+                       ry = weighted([](double, double y) { return y; }),
+                       rxy = weighted([](double x, double y) { return x * y; });
+  return spectrum.mean(r * r * (r - 1.5 * (rx + ry) + 0.75 * rxy) + 1.5 * rx * ry * r);
 }
 
 double bartlett_covariance(const LagField& c, const CorrelatedLag& h, const CorrelatedLag& g) {

@@ -1,6 +1,8 @@
 #include "stats/hypothesis/specification.hpp"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "fields.hpp"
@@ -137,9 +139,55 @@ TEST_CASE("errors from the spread need two surfaces, and any other distribution 
   CHECK_THROWS_AS(SpecificationTest(skewed, grid(32, 32)), ParameterError);
 }
 
-TEST_CASE("without a prescribed height three claims are left", "[prescription][contract]") {
-  SpecificationTest test(prescription({2, 2}, std::numeric_limits<double>::quiet_NaN()), grid(48, 48));
-  test.add(moving_average({48, 48}, {2, 2}, 3), grid(48, 48));
-  CHECK(test.results().size() == 3);
-  CHECK(test.results().back().quantity == "ACF");
+TEST_CASE("without a prescribed height, and for white noise without a length, fewer claims are left",
+          "[prescription][contract]") {
+  for (const Shape window : {Shape{2, 2}, Shape{1, 1}}) {
+    SpecificationTest test(prescription(window, std::numeric_limits<double>::quiet_NaN()), grid(48, 48));
+    test.add(moving_average({48, 48}, window, 3), grid(48, 48));
+    std::vector<std::string> quantities;
+    for (const TestResult& row : test.results()) quantities.push_back(row.quantity.substr(0, 6));
+    CHECK(quantities == (window.nx == 2 ? std::vector<std::string>{"Ssk", "Sku", "ACF", "length"}
+                                        : std::vector<std::string>{"Ssk", "Sku"}));
+  }
+}
+
+// A correlation exp(-r²/l²) of 4 samples on 128 × 128 points, N/S_2 = 650: the mean length has the error 2 %,
+// an axis 2.5 %. Lengths a fifth too long are 18 % in ln, seven of these errors, less the second order; the
+// largest lag alone saw 3 % of such surfaces. Of 20 surfaces one axis may be missed in two.
+TEST_CASE("single surfaces with lengths a fifth too long are refused for their lengths",
+          "[prescription][statistics]") {
+  const Grid g = grid(128, 128, true);
+  const LagField rho = LagField::of(
+      {32, 32}, [](Index p, Index q) { return std::exp(-static_cast<double>(p * p + q * q) / 16); });
+  const SpecificationTest fresh({.correlation = rho, .sq = 1}, g);
+  int both = 0, agree = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SpecificationTest test = fresh, as_asked = fresh;
+    test.add(gaussian_acf_field(g.shape, 4.8, seed), g);
+    as_asked.add(gaussian_acf_field(g.shape, 4, seed), g);
+    const TestResult row = test.results().back();
+    CAPTURE(seed, row.quantity, row.mean, row.standard_error);
+    CHECK(row.quantity.starts_with("length"));
+    both += row.p <= 0.01 / 5 && row.mean > 1;
+    agree += as_asked.results().back().p > 0.01 / 5;
+  }
+  CHECK(both == 20);
+  CHECK(agree >= 19);
+}
+
+// Twelve surfaces of N/S_2 = 310 and of 70: the error of an axis is below 2 %.
+TEST_CASE("an ensemble with one length too long is refused for it, by theory, spread and with holes",
+          "[prescription][statistics]") {
+  const Grid g = grid(72, 64);
+  for (const bool spread : {false, true}) {
+    Specification asked = prescription({6, 5});
+    asked.spread = spread;
+    SpecificationTest test(asked, g);
+    for (unsigned m = 0; m < 12; ++m) test.add(with_holes(moving_average(g.shape, {7, 5}, m), 0.1, m), g);
+    const TestResult row = test.results().back();
+    CAPTURE(spread, row.quantity, row.mean, row.standard_error, row.p);
+    CHECK(row.quantity.starts_with("length_x"));
+    CHECK(std::abs(row.mean - 7.0 / 6) <= 3 * row.standard_error + 1.0 / 36);
+    CHECK(row.p <= 0.01 / 5);
+  }
 }
