@@ -137,7 +137,11 @@ void document(cli::Tool& tool) {
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
   tool.accuracy(
       "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Standard "
-      "errors hold for a Gaussian field, to first order in 1/N_eff. Those of the height parameters use "
+      "errors of slopes, curvatures and summits, of quantiles of heights that are not Gaussian, and of the "
+      "height parameters of a lay come from the field's own longest waves, whatever its heights: of 200 "
+      "simulated fields of each of ten textures (N_eff 300 to 1200) they were 0.87 to 1.24 times the true "
+      "ones, and 88 to 98 % of the 95 % intervals held the true value, 84 % for the 2 % quantile of "
+      "Weibull heights. Other errors hold to first order in 1/N_eff. Those of the height parameters use "
       "the distribution that the heights were drawn with, if the dataset has it, or Johnson's "
       "distribution if Ssk or Sku differs from a Gaussian's by more than four standard errors. 95 % "
       "intervals of the height parameters, of Sal and of lengths cover 93 to 97 % of 2000 simulated "

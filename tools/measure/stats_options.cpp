@@ -55,9 +55,9 @@ void StatsOptions::declare(Tool& tool) {
               "Parameters");
   tool.choice(
       "--errors", errors, {"auto", "theory", "twins", "none"},
-      "Source of standard errors and intervals. theory: formulas; twins: simulation, 60 random fields "
-      "of the same correlation, heights and missing points; auto: theory where simulations confirm it, "
-      "else twins, for one surface where they take about two seconds",
+      "Source of standard errors and intervals. theory: formulas and the field's own long waves; twins: "
+      "simulation, 60 random fields of the same correlation, heights and missing points; auto: theory "
+      "where simulations confirm it, else twins, for one surface where they take about two seconds",
       "Parameters");
   tool.memory(
       "Memory limit for the field. A NetCDF file larger than an eighth of it is read in strips. Spatial "
