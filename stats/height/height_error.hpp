@@ -1,17 +1,17 @@
 /// Standard errors of height parameters, whatever the distribution of the heights and their correlation.
 ///
-/// Powers of the heights are local functions: their means have the errors of stats/uncertainty/long_waves.hpp,
-/// and the moments are functions of these means. The share of heights below q is the mean of one more. A
-/// quantile of heights above the field's own mean moves with that mean, by the density φ at q: with the error
-/// e of the mean of [1 if z ≤ q] + φ z, and the field's own quantiles q(s), it has the error e/φ and Woodruff's
-/// interval
+/// Powers of the heights are local functions: their means have the errors of
+/// stats/uncertainty/long_waves.hpp, and the moments are functions of these means. The share of heights
+/// below q is the mean of one more. A quantile of heights above the field's own mean moves with that mean,
+/// by the density φ at q: with the error e of the mean of [1 if z ≤ q] + φ z, and the field's own quantiles
+/// q(s), it has the error e/φ and Woodruff's interval
 ///     q(s - t e) … q(s + t e),   t Student's.                                                           (1)
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 80 operations a point; another one for quantiles.
 ///
-/// R. S. Woodruff, Confidence intervals for medians and other position measures, J. Am. Stat. Assoc. 47 (1952)
-/// 635-646.
+/// R. S. Woodruff, Confidence intervals for medians and other position measures,
+/// J. Am. Stat. Assoc. 47 (1952) 635-646.
 #pragma once
 
 #include <functional>

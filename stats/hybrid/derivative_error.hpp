@@ -1,4 +1,4 @@
-/// Standard errors of what depends on slopes, curvatures and summits, whatever the heights and the correlation.
+/// Standard errors of what depends on slopes, curvatures and summits, whatever heights and correlation are.
 ///
 /// Products of derivatives, z², and counts and products at summits are local functions of the field: their
 /// means have the errors of stats/uncertainty/long_waves.hpp, and a parameter is a function of these means.

@@ -133,8 +133,8 @@ Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
 
 namespace {
 
-// Of the heights below which these shares of the surface lie: by the correlation of Gaussian heights, else from
-// the field's own long waves (stats/height/height_error.hpp).
+// Of the heights below which these shares of the surface lie: by the correlation of Gaussian heights, else
+// from the field's own long waves (stats/height/height_error.hpp); none where many heights are equal.
 std::vector<Estimate> with_errors(const Sample& sample, const std::vector<double>& shares,
                                   const std::vector<double>& heights) {
   std::vector<Estimate> out;
@@ -159,16 +159,23 @@ std::vector<Estimate> with_errors(const Sample& sample, const std::vector<double
   const std::vector<double> near = quantiles_beside(width);
   const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
   for (std::size_t k = 0; k < shares.size(); ++k) {
-    density.push_back(2 * width[k] / (near[2 * k + 1] - near[2 * k]));
-    error.push_back(errors->with_mean(k, density[k]));
-    width[k] = t * error[k];
+    const double apart = near[2 * k + 1] - near[2 * k];
+    density.push_back(apart > 0 ? 2 * width[k] / apart : NAN);  // as of heights of two values
+    error.push_back(std::isnan(density[k]) ? NAN : errors->with_mean(k, density[k]));
+    width[k] = std::isnan(error[k]) ? 0 : t * error[k];
   }
   const std::vector<double> ends = quantiles_beside(width);
-  for (std::size_t k = 0; k < shares.size(); ++k)
-    out.push_back({heights[k], error[k] / density[k],
-                   Interval::of(heights[k], std::min(ends[2 * k], heights[k]),
-                                std::max(ends[2 * k + 1], heights[k]))});
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    out.push_back({heights[k], error[k] / density[k]});
+    if (!std::isnan(density[k]))
+      out[k].interval = Interval::of(heights[k], std::min(ends[2 * k], heights[k]),
+                                     std::max(ends[2 * k + 1], heights[k]));
+  }
   return out;
+}
+
+std::string why_none(const Estimate& quantile) {
+  return std::isnan(quantile.standard_error) ? "no standard error: too many heights are equal" : "";
 }
 
 }  // namespace
@@ -180,7 +187,7 @@ Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < shares.size(); ++i)
     out.add("quantile_{}", of_field, "height below which this share of the surface lies", estimates[i],
-            {.symbol = shortest(shares[i])});
+            {.symbol = shortest(shares[i]), .why_no_error = why_none(estimates[i])});
   return std::move(out).with_known_errors(sample.size());
 }
 
@@ -203,8 +210,10 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
   out.add(core_table, curve.core());
   const std::vector<Estimate> inverse =
       with_errors(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
-  out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0], {.meaning = shortest(p)});
-  out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1], {.meaning = shortest(q)});
+  out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0],
+          {.meaning = shortest(p), .why_no_error = why_none(inverse[0])});
+  out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],
+          {.meaning = shortest(q), .why_no_error = why_none(inverse[1])});
   out.add(volume_table, curve.volumes(p, q));
   return std::move(out).with_known_errors(sample.size());
 }

@@ -90,7 +90,7 @@ void Sample::add_all(Sums& sums) const {
 }
 
 std::optional<HeightErrors> Sample::height_errors() const {
-  if (!needs_errors()) return std::nullopt;
+  if (!errors_) return std::nullopt;
   HeightErrors out(grid(), moments().mean, moments().sq);
   add_all(out);
   out.finish(size_.effective(2));
@@ -98,7 +98,7 @@ std::optional<HeightErrors> Sample::height_errors() const {
 }
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
-  if (!needs_errors()) return std::nullopt;
+  if (!errors_) return std::nullopt;
   QuantileErrors out(grid(), heights);
   add_all(out);
   out.finish(size_.effective(2));
@@ -106,7 +106,7 @@ std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>&
 }
 
 std::optional<DerivativeErrors> Sample::derivative_errors() const {
-  if (!needs_errors()) return std::nullopt;
+  if (!errors_) return std::nullopt;
   DerivativeErrors out(grid());
   if (reader_)
     reader_->for_each_strip(

@@ -79,7 +79,6 @@ class Sample {
 
  private:
   const std::vector<HeightBin>& bins() const;
-  bool needs_errors() const { return errors_ && size_.gives_errors(); }
   template <class Sums>
   void add_all(Sums& sums) const;
   std::vector<double> selected(const std::vector<double>& shares) const;

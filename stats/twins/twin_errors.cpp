@@ -251,7 +251,7 @@ bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse 
   if (constexpr double quick = 2.5; use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) {
     for (Parameter& p : parameters)
       if (wanted(p) && std::isfinite(p.standard_error))
-        p.why = "theory does not hold for this texture, see asperity-stats --errors twins";
+        p.why = "theory does not hold for this texture, and twins take long";
     return false;
   }
   TwinErrors(sample, asked, options).apply(parameters, wanted);

@@ -45,8 +45,8 @@ class TwinScope {
   /// False for slopes, curvatures and summits if the correlation is estimated and points are missing or
   /// heights are not Gaussian, and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// False without an error; for ratios of lengths and means over profiles; for all but slopes after a plane or
-  /// a polynomial was removed; for lengths of a lay (Sample::correlation_gives_errors).
+  /// False without an error; for ratios of lengths and means over profiles; for all but slopes after a
+  /// plane or a polynomial was removed; for lengths of a lay (Sample::correlation_gives_errors).
   bool needs_none(const Parameter& parameter) const;
 
  private:
@@ -82,8 +82,8 @@ class TwinErrors {
 /// All parameters that twins have, or those that need them.
 enum class TwinUse { everywhere, where_needed, where_quick };
 
-/// Sets errors and intervals by twins; `where_quick` only if they take about two seconds on one core (512x512
-/// points for one group of parameters, 256x256 for all), whatever the machine. False if they would take longer.
+/// Sets errors and intervals by twins; `where_quick` only if they take about two seconds on one core
+/// (512x512 points for one group of parameters, 256x256 for all), else it returns false.
 bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use, const TwinOptions& options,
                      Parameters& parameters);
 
