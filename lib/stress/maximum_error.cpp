@@ -24,7 +24,7 @@ StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaxim
   out.value =
       std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
                 share::shallow_stress / (cells * cells) * fine.value, share::search * fine.value, edge});
-  const double of_change = (at_limit_pressure ? share::depth_at_limit : share::depth) * (1 + std::sqrt(cells));
+  const double of_change = (at_limit_pressure ? share::depth_at_limit : share::depth) * std::sqrt(cells);
   out.depth =
       std::max({of_change * grid_change(fine.depth, half.depth, quarter.depth, share::floor_of_depth),
                 share::depth_of_search * fine.depth, calibration::stress::scan_shallowest * h - fine.depth});

@@ -3,7 +3,7 @@
 /// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and the depth in
 /// cells c = max(1, z/h),
 ///     error of the value   max(0.28 m, 0.03/c² of it, 2e-5 of it),                               (1)
-///     error of its depth   max(0.2 (1+√c) m', 5e-4 z, ¼ h - z), 0.3 for 0.2 at a limit pressure, (2)
+///     error of its depth   max(0.275 √c m', 5e-4 z, ¼ h - z), 0.41 for 0.275 at a limit pressure, (2)
 /// m' with a tenth of the second difference in place of a quarter: depths on coarse cells jump. √c: the
 /// deeper the maximum, the flatter, and the less its place settles from grid to grid. What the search
 /// leaves: 2e-5, 5e-4, and above the first layer ¼ h. Where the limit pressure is reached and z < 2h the

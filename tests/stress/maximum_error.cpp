@@ -96,11 +96,11 @@ TEST_CASE("near the surface of a contact at its limit pressure the error says so
   const StressMaximum plain = maximum_error(body, {fine, half, half}, {}, false),
                       capped = maximum_error(body, {fine, half, half}, {}, true);
   CHECK(plain.value == Approx(0.28 * 0.1e9));
-  CHECK(plain.depth == Approx(0.2 * (1 + std::sqrt(1.5)) * 0.5e-6));
+  CHECK(plain.depth == Approx(0.275 * std::sqrt(1.5) * 0.5e-6));
   CHECK(maximum_error(body, {fine, half, far}, {}, false).depth ==
-        Approx(0.2 * (1 + std::sqrt(1.5)) * 0.1 * 7e-6));
+        Approx(0.275 * std::sqrt(1.5) * 0.1 * 7e-6));
   CHECK(capped.value == Approx(plain.value + 0.1e9));
-  CHECK(capped.depth == Approx(0.3 * (1 + std::sqrt(1.5)) * 0.5e-6 + 1.5e-6));
+  CHECK(capped.depth == Approx(0.41 * std::sqrt(1.5) * 0.5e-6 + 1.5e-6));
   // A maximum in the depth that all grids tell alike has the error of the search.
   const StressMaximum deep{1e9, 0, 0, 1e-3, 0};
   CHECK(maximum_error(body, {deep, deep, deep}, {}, false).value == Approx(2e-5 * 1e9));
