@@ -3,9 +3,10 @@
 /// Powers of the heights are local functions: their means have the errors of
 /// stats/uncertainty/long_waves.hpp, and the moments are functions of these means. The share of heights
 /// below q is the mean of one more. A quantile of heights above the field's own mean moves with that mean,
-/// by the density φ at q: with the error e of the mean of [1 if z ≤ q] + φ z, and the field's own quantiles
-/// q(s), it has the error e/φ and Woodruff's interval
-///     q(s - t e) … q(s + t e),   t Student's.                                                           (1)
+/// by the density φ at q: with the error e of the share, the field's own quantiles q(s), and the error e' of
+/// the mean of [1 if z ≤ q] + φ z, it has the error e'/φ, and Woodruff's interval, Student's t,
+///     q(s - t e) … q(s + t e),                                                                          (1)
+/// wider by the factor e'/e on both sides.
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 80 operations a point; another one for quantiles.

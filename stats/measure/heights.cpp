@@ -36,6 +36,14 @@ Estimate worth(const Heights& h) {
   return {std::isfinite(h.size.effective(k)) ? h.size.effective(k) : unknown};
 }
 
+// The kurtosis of any distribution is 1 at least.
+template <>
+Estimate moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>(const Heights& h) {
+  Interval ends = h.interval.sku;
+  ends.low = std::max(ends.low, std::min(h.m.sku, 1.0));
+  return {h.m.sku, h.error.sku, ends};
+}
+
 constexpr Definition<Heights> height_table[] = {
     {"mean", of_field, "mean height, from which the heights below are measured",
      [](const Heights& h) {
@@ -154,29 +162,25 @@ std::vector<Estimate> with_errors(const Sample& sample, const std::vector<double
     for (const double height : heights) out.push_back({height});
     return out;
   }
-  std::vector<double> density, error, width;
+  std::vector<double> width;
   for (std::size_t k = 0; k < shares.size(); ++k) width.push_back((*errors)(k));
-  const std::vector<double> near = quantiles_beside(width);
   const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
-  for (std::size_t k = 0; k < shares.size(); ++k) {
-    const double apart = near[2 * k + 1] - near[2 * k];
-    density.push_back(apart > 0 ? 2 * width[k] / apart : NAN);  // as of heights of two values
-    error.push_back(std::isnan(density[k]) ? NAN : errors->with_mean(k, density[k]));
-    width[k] = std::isnan(error[k]) ? 0 : t * error[k];
-  }
+  const std::vector<double> near = quantiles_beside(width);
+  for (double& w : width) w *= t;
   const std::vector<double> ends = quantiles_beside(width);
   for (std::size_t k = 0; k < shares.size(); ++k) {
-    out.push_back({heights[k], error[k] / density[k]});
-    if (!std::isnan(density[k]))
-      out[k].interval = Interval::of(heights[k], std::min(ends[2 * k], heights[k]),
-                                     std::max(ends[2 * k + 1], heights[k]));
+    out.push_back({heights[k]});
+    const double apart = near[2 * k + 1] - near[2 * k], share = width[k] / t;
+    if (!(apart > 0 && share > 0)) continue;  // as of heights of two values
+    const double density = 2 * share / apart, of_all = errors->with_mean(k, density) / share;
+    out[k].standard_error = of_all * apart / 2;
+    out[k].interval = Interval::of(heights[k], heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
+                                   heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0));
   }
   return out;
 }
 
-std::string why_none(const Estimate& quantile) {
-  return std::isnan(quantile.standard_error) ? "no standard error: too many heights are equal" : "";
-}
+constexpr const char* equal_heights = "no standard error: too many heights are equal";
 
 }  // namespace
 
@@ -187,7 +191,7 @@ Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < shares.size(); ++i)
     out.add("quantile_{}", of_field, "height below which this share of the surface lies", estimates[i],
-            {.symbol = shortest(shares[i]), .why_no_error = why_none(estimates[i])});
+            {.symbol = shortest(shares[i]), .why_no_error = equal_heights});
   return std::move(out).with_known_errors(sample.size());
 }
 
@@ -211,9 +215,9 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
   const std::vector<Estimate> inverse =
       with_errors(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
   out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0],
-          {.meaning = shortest(p), .why_no_error = why_none(inverse[0])});
+          {.meaning = shortest(p), .why_no_error = equal_heights});
   out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],
-          {.meaning = shortest(q), .why_no_error = why_none(inverse[1])});
+          {.meaning = shortest(q), .why_no_error = equal_heights});
   out.add(volume_table, curve.volumes(p, q));
   return std::move(out).with_known_errors(sample.size());
 }

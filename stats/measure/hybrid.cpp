@@ -115,19 +115,21 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
   const Derivatives values{slopes.value, moments.value, summits.value};
   const auto errors = had(sample, &Sample::derivative_errors).value;
   const std::string no_slope = moments.why_or("no value: the slope in this direction is zero");
+  const std::string same = errors ? "no standard error: it is the same all over the field" : "";
   ParameterList out(sample.surface().units);
-  out.add(slope_table, {values, errors}, {.why = slopes.why});
+  out.add(slope_table, {values, errors}, {.why = slopes.why, .why_no_error = same});
   out.add("m0", "m2", "spectral moment of order 0, Sq squared",
           moments.why.empty() ? square_of_sq(sample, options) : Estimate{unknown}, {.why = no_slope});
   auto add_profiles = [&](double angle, const std::string& name, const std::string& words) {
-    out.add(moment_table, {values, errors, angle}, {name, words, no_slope});
+    out.add(moment_table, {values, errors, angle}, {name, words, no_slope, same});
   };
   add_profiles(0, "x", "along x");
   add_profiles(std::numbers::pi / 2, "y", "along y");
   if (options.direction) add_profiles(options.direction->angle, "direction", "at " + options.direction->text);
-  out.add(summit_table, {values, errors}, {.why = summits.why_or("no value: the field has no summit")});
+  out.add(summit_table, {values, errors}, {.why = summits.why_or("no value: the field has no summit"), .why_no_error = same});
   out.add(nayak_table, {values, errors},
-          {.why = moments.why_or("no value: no Gaussian surface has these spectral moments")});
+          {.why = moments.why_or("no value: no Gaussian surface has these spectral moments"),
+           .why_no_error = same});
   return std::move(out).with_known_errors(sample.size());
 }
 

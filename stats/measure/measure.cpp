@@ -47,7 +47,9 @@ void ParameterList::add(std::string_view symbol, std::string_view unit, std::str
                          .standard_error = estimate.standard_error,
                          .meaning = filled_in(meaning, words.meaning),
                          .interval = estimate.interval,
-                         .why = std::isfinite(estimate.value) ? words.why_no_error : words.why});
+                         .why = !std::isfinite(estimate.value)           ? words.why
+                                : std::isnan(estimate.standard_error) ? words.why_no_error
+                                                                      : ""});
 }
 
 Parameters ParameterList::with_known_errors(const EffectiveSampleSize& size) && {

@@ -82,7 +82,7 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   const Eigen::MatrixXd along_y = values.transpose() * y_.waves;
   for (std::size_t j = 0; j < sums.waves.size(); ++j)
     sums.waves[j] += x_.waves(i, static_cast<Index>(j)) * along_y;
-  if (i % 4 == 0 || shape_.nx < 64) sums.products += values.transpose() * values;
+  sums.products += values.transpose() * values;
 }
 
 void LocalSums::add_rows(Index rows, int threads,
@@ -107,21 +107,23 @@ void LocalSums::add_rows(Index rows, int threads,
 
 LocalMeans LocalSums::means(double n_eff) const {
   LocalMeans out;
-  const double n = count(), sampled = sums_.products(0, 0);
+  const double n = count();
   out.largest_wave_ = largest_wave(n_eff, periodic_);
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
+  const double elongation = static_cast<double>(shape_.nx) / static_cast<double>(shape_.ny);
+  const std::size_t points_x = size(shape_.nx), points_y = size(shape_.ny);  // of more waves a row has none
   std::vector<Eigen::VectorXd> waves;
   for (std::size_t j = 0; j < x_.half_waves.size(); ++j)
     for (std::size_t k = 0; k < y_.half_waves.size(); ++k) {
-      const double nu = std::pow(x_.half_waves[j], 2) + std::pow(y_.half_waves[k], 2);
-      if (nu == 0 || nu > out.largest_wave_) continue;
+      const double nu = std::pow(x_.half_waves[j], 2) / elongation + std::pow(y_.half_waves[k], 2) * elongation;
+      if (nu == 0 || nu > 1.1 * out.largest_wave_ || j >= points_x || k >= points_y) continue;
       const Eigen::VectorXd c = sums_.waves[j].col(static_cast<Index>(k)) / n;
       waves.emplace_back((c - means * c(0)).tail(functions_));
     }
   out.waves_.resize(functions_, static_cast<Index>(waves.size()));
   for (std::size_t k = 0; k < waves.size(); ++k) out.waves_.col(static_cast<Index>(k)) = waves[k];
   out.means_ = means.tail(functions_);
-  const Eigen::MatrixXd second = sums_.products / sampled;
+  const Eigen::MatrixXd second = sums_.products / n;
   const Eigen::VectorXd at = second.col(0);
   out.covariance_ = (second - at * at.transpose()).bottomRightCorner(functions_, functions_);
   return out;

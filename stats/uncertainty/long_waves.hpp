@@ -5,8 +5,8 @@
 /// zero:
 ///     Var[f̄] ≈ 1/K Σ_k c_k² / (1 - L)²,     c_k = 1/N Σ (f - f̄) u_k,                                   (1)
 /// with the K products u_k of cosines of up to four half waves along either side, of mean square 1,
-///     0 < ν_x² + ν_y² ≤ J²,     J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on,                     (2)
-/// K = 3, 7, 12, 21. Along a periodic axis they are sines and cosines of up to two whole waves, and J² is 4
+///     0 < ν_x² n_y/n_x + ν_y² n_x/n_y ≤ 1.1 J²,     J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on, (2)
+/// K = 3, 7, 12, 21 on a square field, 4 on a long one. Along a periodic axis they are sines and cosines of up to two whole waves, and J² is 4
 /// at least. The spectrum falls from wave number zero on; with ν = Var[f]/Var[f̄] independent values,
 ///     L = ¾ (0.3/√ν + (1.4 + 0.7 J²)/ν),  0.4 at most,                                                   (3)
 /// is three quarters of what an exponential correlation loses, and three halves of what a Gaussian one does.
@@ -16,7 +16,7 @@
 /// Symbols   N  points      N_eff  independent heights, N/S_2 (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
 /// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage.
-/// Cost      for each of m functions 10 operations a point for the waves and m/4 for Var[f].
+/// Cost      for each of m functions 10 operations a point for the waves and m for Var[f].
 ///
 /// U. K. Müller, HAC corrections for strongly autocorrelated time series, J. Bus. Econ. Stat. 32 (2014)
 /// 311-322, in one dimension.
@@ -72,7 +72,7 @@ class LocalSums {
   };
   struct Sums {
     std::vector<Eigen::MatrixXd> waves;  // Σ u_jk f_a, by j: a row a function, the first of which is 1
-    Eigen::MatrixXd products;            // Σ f_a f_b over every fourth row
+    Eigen::MatrixXd products;            // Σ f_a f_b
 
     void operator+=(const Sums& other);
   };

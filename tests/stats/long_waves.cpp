@@ -41,8 +41,8 @@ Field half_waves(Shape shape, double count, double phase = 0) {
 
 // One of K waves has all the power A²: Var = A²/K, ν = K, and (3) is at its bound of 0.4.
 TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exact]") {
-  const Shape shape{40, 30};
-  const Grid free = grid(40, 30), periodic = grid(40, 30, true), along_y{shape, 1, 1, {false, true}};
+  const Shape shape{40, 40}, long_one{20, 400};
+  const Grid free = grid(40, 40), periodic = grid(40, 40, true), along_y{shape, 1, 1, {false, true}};
   const double amplitude = 0.7;
   auto one_of = [&](double K) { return Approx(amplitude / std::sqrt(K) / 0.6).epsilon(1e-12); };
   CHECK(error_of_mean(5 + amplitude * half_waves(shape, 1), free, 100) == one_of(3));
@@ -55,7 +55,12 @@ TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exac
   CHECK(error_of_mean(amplitude * half_waves(shape, 1), periodic, 100) > 0);
   // One and two half waves along x, a sine and a cosine along y.
   CHECK(error_of_mean(amplitude * half_waves(shape, 2), along_y, 100) == one_of(4));
-  CHECK(error_of_mean(Field::Constant(40, 30, 3.0), free, 100) == 0);
+  // Of a long field, only waves along its long side; of a row, none across.
+  const Field along = half_waves({400, 20}, 2).transpose(), row = half_waves({400, 1}, 2).transpose();
+  CHECK(error_of_mean(amplitude * along, grid(20, 400), 300) == one_of(4));
+  CHECK(error_of_mean(amplitude * half_waves(long_one, 1), grid(20, 400), 300) < 1e-12);
+  CHECK(error_of_mean(amplitude * row, grid(1, 400), 4000) == one_of(4));
+  CHECK(error_of_mean(Field::Constant(40, 40, 3.0), free, 100) == 0);
 }
 
 TEST_CASE("the error of a mean does not depend on strips, threads, or an offset", "[long-waves][contract]") {
