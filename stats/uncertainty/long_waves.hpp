@@ -4,9 +4,11 @@
 /// number zero. The longest other waves of f have nearly the same variance, and their mean is known to be
 /// zero:
 ///     Var[f̄] ≈ 1/K Σ_k c_k² / (1 - L)²,     c_k = 1/N Σ (f - f̄) u_k,                                   (1)
-/// with the K products u_k of cosines of up to four half waves along either side, of mean square 1,
-///     0 < ν_x² n_y/n_x + ν_y² n_x/n_y ≤ 1.1 J²,     J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on, (2)
-/// K = 3, 7, 12, 21 on a square field, 4 on a long one. Along a periodic axis they are sines and cosines of up to two whole waves, and J² is 4
+/// with the K products u_k of cosines of up to four half waves along either side, of mean square 1, that are
+/// longest,
+///     0 < ν_x² n_y/n_x + ν_y² n_x/n_y ≤ 1.1 J²,   J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on. (2)
+/// K = 3, 7, 12, 21 on a square field, 4 on a long one. Along a periodic axis they are sines and cosines of
+/// up to two whole waves, and J² is 4
 /// at least. The spectrum falls from wave number zero on; with ν = Var[f]/Var[f̄] independent values,
 ///     L = ¾ (0.3/√ν + (1.4 + 0.7 J²)/ν),  0.4 at most,                                                   (3)
 /// is three quarters of what an exponential correlation loses, and three halves of what a Gaussian one does.
