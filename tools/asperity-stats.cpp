@@ -140,7 +140,7 @@ void document(cli::Tool& tool) {
       "errors of slopes, curvatures and summits, of quantiles of heights that are not Gaussian, and of the "
       "height parameters of a lay come from the field's own longest waves, whatever its heights: of 200 "
       "simulated square fields of each of eleven textures (N_eff 300 to 1230) they were 0.87 to 1.24 times "
-      "the true ones (Sku of lays 0.9), and 88 to 98 % of the 95 % intervals held the true value. "
+      "the true ones, and 88 to 98 % of the 95 % intervals held the true value. "
       "Other errors hold to first order in 1/N_eff. Those of the height parameters use "
       "the distribution that the heights were drawn with, if the dataset has it, or Johnson's "
       "distribution if Ssk or Sku differs from a Gaussian's by more than four standard errors. 95 % "

@@ -7,7 +7,10 @@ namespace asperity {
 namespace {
 
 // Columns of LocalSums, less the first: means of z, of products of derivatives, and at summits.
-enum Local { first, s00, s20, s11, s02, s40, s31, s22, s13, s04, excess, summit, height, square, curvature, local };
+enum Local {
+  first, s00, s20, s11, s02, s40, s31, s22, s13, s04,  // as in spectral_moments.cpp
+  excess, summit, height, square, curvature, local
+};
 
 Derivatives derivatives(const Eigen::VectorXd& m, const Grid& grid) {
   Derivatives out;

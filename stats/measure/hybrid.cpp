@@ -47,24 +47,24 @@ struct Differentiated {
   }
 };
 
+template <auto figure>
+Estimate slope(const Differentiated& of) {
+  return of([](const Derivatives& d) { return std::invoke(figure, d.slopes); });
+}
+// Of the profile moments at the angle; `least` bounds the parameter.
+template <auto figure, int least = 0>
+Estimate profile(const Differentiated& of) {
+  return of([a = of.angle](const Derivatives& d) { return std::invoke(figure, d.moments.along(a)); }, least);
+}
+
 constexpr Definition<Differentiated> slope_table[] = {
-    {"Sdq", "1", "root mean square gradient",
-     [](const Differentiated& of) { return of([](const Derivatives& d) { return d.slopes.sdq; }); }},
-    {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell",
-     [](const Differentiated& of) { return of([](const Derivatives& d) { return d.slopes.sdr; }); }}};
+    {"Sdq", "1", "root mean square gradient", slope<&SlopeParameters::sdq>},
+    {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell", slope<&SlopeParameters::sdr>}};
 
 constexpr Definition<Differentiated> moment_table[] = {
-    {"m2_{}", "1", "mean square slope {}",
-     [](const Differentiated& of) {
-       return of([a = of.angle](const Derivatives& d) { return d.moments.along(a).m2; });
-     }},
-    {"m4_{}", "m-2", "mean square second derivative {}",
-     [](const Differentiated& of) {
-       return of([a = of.angle](const Derivatives& d) { return d.moments.along(a).m4; });
-     }},
-    {"alpha_{}", "1", "bandwidth parameter m0 m4 / m2^2 {}", [](const Differentiated& of) {
-       return of([a = of.angle](const Derivatives& d) { return d.moments.along(a).bandwidth(); }, 1);
-     }}};
+    {"m2_{}", "1", "mean square slope {}", profile<&ProfileSpectralMoments::m2>},
+    {"m4_{}", "m-2", "mean square second derivative {}", profile<&ProfileSpectralMoments::m4>},
+    {"alpha_{}", "1", "bandwidth parameter m0 m4 / m2^2 {}", profile<&ProfileSpectralMoments::bandwidth, 1>}};
 
 // Of counted summits, or of those expected.
 template <auto figure>

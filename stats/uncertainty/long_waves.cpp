@@ -55,8 +55,7 @@ LocalSums::Axis::Axis(Index n, bool periodic) : waves(n, most_waves + 1) {
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
-    : shape_(grid.shape),
-      periodic_(grid.periodic),
+    : grid_(grid),
       functions_(functions),
       x_(grid.shape.nx, grid.periodic.x),
       y_(grid.shape.ny, grid.periodic.y),
@@ -91,7 +90,7 @@ void LocalSums::add_rows(Index rows, int threads,
   const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));
   parallel_ranges(blocks, threads, [&](Index begin, Index end, int) {
-    Values values(shape_.ny, functions_ + 1);
+    Values values(grid_.shape.ny, functions_ + 1);
     for (Index b = begin; b < end; ++b) {
       Sums& sums = of_blocks[static_cast<std::size_t>(b)] = none();
       for (Index i = b * block; i < std::min(rows, (b + 1) * block); ++i) {
@@ -108,10 +107,10 @@ void LocalSums::add_rows(Index rows, int threads,
 LocalMeans LocalSums::means(double n_eff) const {
   LocalMeans out;
   const double n = count();
-  out.largest_wave_ = largest_wave(n_eff, periodic_);
+  out.largest_wave_ = largest_wave(n_eff, grid_.periodic);
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
-  const double elongation = static_cast<double>(shape_.nx) / static_cast<double>(shape_.ny);
-  const std::size_t points_x = size(shape_.nx), points_y = size(shape_.ny);  // of more waves a row has none
+  const double elongation = grid_.size_x() / grid_.size_y();
+  const std::size_t points_x = size(grid_.shape.nx), points_y = size(grid_.shape.ny);  // of more waves a row has none
   std::vector<Eigen::VectorXd> waves;
   for (std::size_t j = 0; j < x_.half_waves.size(); ++j)
     for (std::size_t k = 0; k < y_.half_waves.size(); ++k) {

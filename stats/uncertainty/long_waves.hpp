@@ -6,7 +6,7 @@
 ///     Var[f̄] ≈ 1/K Σ_k c_k² / (1 - L)²,     c_k = 1/N Σ (f - f̄) u_k,                                   (1)
 /// with the K products u_k of cosines of up to four half waves along either side, of mean square 1, that are
 /// longest,
-///     0 < ν_x² n_y/n_x + ν_y² n_x/n_y ≤ 1.1 J²,   J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on. (2)
+///     0 < ν_x² L_y/L_x + ν_y² L_x/L_y ≤ 1.1 J²,   J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on. (2)
 /// K = 3, 7, 12, 21 on a square field, 4 on a long one. Along a periodic axis they are sines and cosines of
 /// up to two whole waves, and J² is 4
 /// at least. The spectrum falls from wave number zero on; with ν = Var[f]/Var[f̄] independent values,
@@ -15,7 +15,8 @@
 /// The error of a function g of several means is that of the local function Σ (∂g/∂f̄_a) f_a. Intervals use
 /// Student's t of K degrees of freedom.
 ///
-/// Symbols   N  points      N_eff  independent heights, N/S_2 (stats/uncertainty/effective_size.hpp)
+/// Symbols   N  points      L_x, L_y  sides [m]
+///           N_eff  independent heights, N/S_2 (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
 /// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage.
 /// Cost      for each of m functions 10 operations a point for the waves and m for Var[f].
@@ -81,8 +82,7 @@ class LocalSums {
   Sums none() const;
   void add_row(Sums& sums, Index i, Values& values) const;
 
-  Shape shape_;
-  Periodic periodic_;
+  Grid grid_;
   Index functions_;
   Axis x_, y_;
   Sums sums_;

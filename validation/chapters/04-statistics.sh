@@ -57,7 +57,7 @@ intervals that hold the truth, `ratio` the stated over the true error; the least
 in half of the fields:
 END
 table error_coverage-2
-claim "Errors of slopes, moments and summits are within a third of the true ones on every texture." error_coverage-2 \
+claim "Errors of the mean, Sq, quantiles, slopes, spectral moments and summits are within a third of the true ones on every texture." error_coverage-2 \
   '$c["parameter"] ~ /^(Sdq|Sdr|m[024]|alpha|summit|nayak|mean|Sq|quantile|Smc)/ && $c["textures"] > 0' \
   '$c["least_ratio"] >= '"$(size 0.5 0.75)"' && $c["most_ratio"] <= '"$(size 2 1.33)"
 text <<'END'
