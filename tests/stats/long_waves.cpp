@@ -4,6 +4,7 @@
 #include "fields.hpp"
 #include "stats/height/height_error.hpp"
 #include "stats/hybrid/derivative_error.hpp"
+#include "stats/measure.hpp"
 #include "stats/sample/moments.hpp"
 #include "whole.hpp"
 
@@ -140,4 +141,51 @@ TEST_CASE("grooves have errors of slopes across them and none along them", "[der
     CHECK(e([](const Derivatives& d) { return d.moments.m02; }) == 0);
     CHECK(e([](const Derivatives& d) { return d.moments.m04; }) == 0);
   }
+}
+
+namespace {
+
+Parameters parameters_of(const Field& z, Group group) {
+  MeasureOptions options{.groups = {group}};
+  options.quantiles = {0.5};
+  return measure(Surface{grid(z.rows(), z.cols()), 1e-6 * z}, options);
+}
+const Parameter& named(const Parameters& all, const char* name) {
+  return *std::ranges::find(all, name, &Parameter::name);
+}
+
+}  // namespace
+
+// One row in four is missing. A variance from every fourth row knew nothing of such a field.
+TEST_CASE("slopes of interlaced rows have the errors of interlaced columns", "[long-waves][law]") {
+  Field z = moving_average({128, 128}, {4, 4}, 8);
+  for (Index i = 0; i < z.rows(); i += 4) z.row(i).setConstant(NAN);
+  const Parameters rows = parameters_of(z, Group::hybrid),
+                   columns = parameters_of(z.transpose(), Group::hybrid);
+  for (const auto& [x, y] : {std::pair{"Sdq", "Sdq"}, {"m2_x", "m2_y"}, {"m4_y", "m4_x"}}) {
+    CAPTURE(x);
+    CHECK(named(rows, x).standard_error == Approx(named(columns, y).standard_error).epsilon(1e-6));
+  }
+}
+
+// The median of a plateau is certain but for the mean, which deep grooves move: its interval is that of the mean,
+// t(3) = 3.2 or t(7) = 2.4 errors to either side, and does not reach into the grooves.
+TEST_CASE("the interval of a plateau's median is as wide as its error", "[long-waves][law]") {
+  Field z = 0.05 * moving_average({160, 160}, {3, 3}, 5);
+  for (const Index column : {11, 37, 70, 71, 112, 140}) z.col(column) -= 2;
+  const Parameters all = parameters_of(z, Group::quantiles);
+  const Parameter& median = named(all, "quantile_0.5");
+  const Interval ends = median.interval_95();
+  REQUIRE(median.standard_error > 0);
+  CHECK(ends.low >= median.value - 5 * median.standard_error);
+  CHECK(ends.high <= median.value + 5 * median.standard_error);
+}
+
+TEST_CASE("no interval of a kurtosis reaches below 1", "[long-waves][law]") {
+  Field z = moving_average({96, 96}, {4, 4}, 2);
+  z(40, 50) = 1000;
+  const Parameters heights = parameters_of(z, Group::height);
+  const Parameter& sku = named(heights, "Sku");
+  CHECK(sku.value > 100);
+  CHECK(sku.interval_95().low >= 1);
 }
