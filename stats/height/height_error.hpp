@@ -31,8 +31,8 @@ class HeightErrors {
   HeightErrors(const Grid& grid, double mean, double sq);
   /// The next rows of the field.
   void add(const Field& rows, int threads = 1);
-  /// Adds no more; for a field of so many independent heights.
-  void finish(double n_eff) { means_ = sums_.means(n_eff); }
+  /// Adds no more.
+  void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   /// Of a function of mean, sa, sq, ssk and sku.
   double operator()(const Function& parameter) const;
@@ -49,8 +49,8 @@ class QuantileErrors {
  public:
   QuantileErrors(const Grid& grid, std::vector<double> heights);
   void add(const Field& rows, int threads = 1);
-  /// Adds no more; for a field of so many independent heights.
-  void finish(double n_eff) { means_ = sums_.means(n_eff); }
+  /// Adds no more.
+  void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   /// Of the share below height k.
   double operator()(std::size_t k) const;

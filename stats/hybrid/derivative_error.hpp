@@ -31,8 +31,8 @@ class DerivativeErrors {
   explicit DerivativeErrors(const Grid& grid);
   /// Of strips in order, each but the last with a halo of two rows; `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
-  /// Adds no more; for a field of so many independent heights.
-  void finish(double n_eff) { means_ = sums_.means(n_eff); }
+  /// Adds no more.
+  void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   double operator()(const Function& parameter) const;
   Index degrees() const { return means_.degrees(); }  ///< of freedom

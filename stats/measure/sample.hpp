@@ -78,6 +78,12 @@ class Sample {
   ProfileAverages profiles(Axis1D along, double section) const;
 
  private:
+  // Of the correlation that errors rest on: the share of its squares at negative lags, if it is estimated.
+  struct Waves {
+    double negative;
+    FieldExtent extent;
+  };
+  const Waves& waves() const;
   const std::vector<HeightBin>& bins() const;
   template <class Sums>
   void add_all(Sums& sums) const;
@@ -89,6 +95,7 @@ class Sample {
   EffectiveSampleSize size_;
   int threads_;
   bool errors_ = true;
+  mutable std::optional<Waves> waves_ = {};
   mutable std::optional<std::vector<HeightBin>> bins_ = {};
 };
 

@@ -55,7 +55,8 @@ LocalSums::Axis::Axis(Index n, bool periodic) : waves(n, most_waves + 1) {
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
-    : grid_(grid),
+    : shape_(grid.shape),
+      periodic_(grid.periodic),
       functions_(functions),
       x_(grid.shape.nx, grid.periodic.x),
       y_(grid.shape.ny, grid.periodic.y),
@@ -90,7 +91,7 @@ void LocalSums::add_rows(Index rows, int threads,
   const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));
   parallel_ranges(blocks, threads, [&](Index begin, Index end, int) {
-    Values values(grid_.shape.ny, functions_ + 1);
+    Values values(shape_.ny, functions_ + 1);
     for (Index b = begin; b < end; ++b) {
       Sums& sums = of_blocks[static_cast<std::size_t>(b)] = none();
       for (Index i = b * block; i < std::min(rows, (b + 1) * block); ++i) {
@@ -104,17 +105,17 @@ void LocalSums::add_rows(Index rows, int threads,
   rows_ += rows;
 }
 
-LocalMeans LocalSums::means(double n_eff) const {
+LocalMeans LocalSums::means(const FieldExtent& extent) const {
   LocalMeans out;
   const double n = count();
-  out.largest_wave_ = largest_wave(n_eff, grid_.periodic);
+  out.largest_wave_ = largest_wave(extent.n_eff, periodic_);
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
-  const double elongation = grid_.size_x() / grid_.size_y();
-  const std::size_t points_x = size(grid_.shape.nx), points_y = size(grid_.shape.ny);  // of more waves a row has none
+  const std::size_t points_x = size(shape_.nx), points_y = size(shape_.ny);  // of more waves a row has none
   std::vector<Eigen::VectorXd> waves;
   for (std::size_t j = 0; j < x_.half_waves.size(); ++j)
     for (std::size_t k = 0; k < y_.half_waves.size(); ++k) {
-      const double nu = std::pow(x_.half_waves[j], 2) / elongation + std::pow(y_.half_waves[k], 2) * elongation;
+      const double nu = std::pow(x_.half_waves[j], 2) / extent.elongation +
+                        std::pow(y_.half_waves[k], 2) * extent.elongation;
       if (nu == 0 || nu > 1.1 * out.largest_wave_ || j >= points_x || k >= points_y) continue;
       const Eigen::VectorXd c = sums_.waves[j].col(static_cast<Index>(k)) / n;
       waves.emplace_back((c - means * c(0)).tail(functions_));

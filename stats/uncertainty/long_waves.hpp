@@ -5,18 +5,17 @@
 /// zero:
 ///     Var[f̄] ≈ 1/K Σ_k c_k² / (1 - L)²,     c_k = 1/N Σ (f - f̄) u_k,                                   (1)
 /// with the K products u_k of cosines of up to four half waves along either side, of mean square 1, that are
-/// longest,
-///     0 < ν_x² L_y/L_x + ν_y² L_x/L_y ≤ 1.1 J²,   J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on. (2)
-/// K = 3, 7, 12, 21 on a square field, 4 on a long one. Along a periodic axis they are sines and cosines of
-/// up to two whole waves, and J² is 4
-/// at least. The spectrum falls from wave number zero on; with ν = Var[f]/Var[f̄] independent values,
+/// longest in correlation lengths,
+///     0 < ν_x²/e + ν_y² e ≤ 1.1 J²,     J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on,             (2)
+/// e the number of correlation lengths along x over that along y: K = 3, 7, 12, 21 at e = 1, 4 on a long
+/// field. Along a periodic axis they are sines and cosines of up to two whole waves, and J² is 4 at least.
+/// The spectrum falls from wave number zero on; with ν = Var[f]/Var[f̄] independent values,
 ///     L = ¾ (0.3/√ν + (1.4 + 0.7 J²)/ν),  0.4 at most,                                                   (3)
 /// is three quarters of what an exponential correlation loses, and three halves of what a Gaussian one does.
 /// The error of a function g of several means is that of the local function Σ (∂g/∂f̄_a) f_a. Intervals use
 /// Student's t of K degrees of freedom.
 ///
-/// Symbols   N  points      L_x, L_y  sides [m]
-///           N_eff  independent heights, N/S_2 (stats/uncertainty/effective_size.hpp)
+/// Symbols   N  points      N_eff  independent heights, N/S_2 (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
 /// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage.
 /// Cost      for each of m functions 10 operations a point for the waves and m for Var[f].
@@ -33,6 +32,12 @@
 #include "core/field.hpp"
 
 namespace asperity {
+
+/// How large a field is in terms of its correlation.
+struct FieldExtent {
+  double n_eff;           ///< independent heights
+  double elongation = 1;  ///< correlation lengths along x over those along y
+};
 
 /// The means of some local functions and their long waves.
 class LocalMeans {
@@ -62,8 +67,7 @@ class LocalSums {
   /// The next rows of the field: fill(i, values) sets columns 1, 2, … of row i < rows, which are NaN.
   void add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill);
   double count() const { return sums_.waves[0](0, 0); }  ///< of the points
-  /// For a field of so many independent heights.
-  LocalMeans means(double n_eff) const;
+  LocalMeans means(const FieldExtent& extent) const;
 
  private:
   // The waves along an axis of n points, a column each, and their half waves ν.
@@ -82,7 +86,8 @@ class LocalSums {
   Sums none() const;
   void add_row(Sums& sums, Index i, Values& values) const;
 
-  Grid grid_;
+  Shape shape_;
+  Periodic periodic_;
   Index functions_;
   Axis x_, y_;
   Sums sums_;

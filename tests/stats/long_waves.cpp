@@ -25,8 +25,8 @@ LocalSums sums_of(const Field& z, const Grid& g, Index rows, int threads = 1) {
 
 double itself(const Eigen::VectorXd& means) { return means(0); }
 
-double error_of_mean(const Field& z, const Grid& g, double n_eff) {
-  return sums_of(z, g, z.rows()).means(n_eff).error(itself);
+double error_of_mean(const Field& z, const Grid& g, double n_eff, double elongation = 1) {
+  return sums_of(z, g, z.rows()).means({n_eff, elongation}).error(itself);
 }
 
 // Half waves along x, of mean square 1.
@@ -58,9 +58,9 @@ TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exac
   CHECK(error_of_mean(amplitude * half_waves(shape, 2), along_y, 100) == one_of(4));
   // Of a long field, only waves along its long side; of a row, none across.
   const Field along = half_waves({400, 20}, 2).transpose(), row = half_waves({400, 1}, 2).transpose();
-  CHECK(error_of_mean(amplitude * along, grid(20, 400), 300) == one_of(4));
-  CHECK(error_of_mean(amplitude * half_waves(long_one, 1), grid(20, 400), 300) < 1e-12);
-  CHECK(error_of_mean(amplitude * row, grid(1, 400), 4000) == one_of(4));
+  CHECK(error_of_mean(amplitude * along, grid(20, 400), 300, 0.05) == one_of(4));
+  CHECK(error_of_mean(amplitude * half_waves(long_one, 1), grid(20, 400), 300, 0.05) < 1e-12);
+  CHECK(error_of_mean(amplitude * row, grid(1, 400), 4000, 1.0 / 400) == one_of(4));
   CHECK(error_of_mean(Field::Constant(40, 40, 3.0), free, 100) == 0);
 }
 
@@ -70,13 +70,13 @@ TEST_CASE("the error of a mean does not depend on strips, threads, or an offset"
   for (const bool holes : {false, true}) {
     if (holes) z.block(20, 10, 9, 30).setConstant(NAN);
     const LocalSums whole = sums_of(z, g, 150);
-    const double error = whole.means(1000).error(itself);
+    const double error = whole.means({1000}).error(itself);
     CHECK(whole.count() == static_cast<double>((!z.isNaN()).count()));
-    CHECK(whole.means(1000)(itself) == Approx(z.isNaN().select(0, z).sum() / whole.count()).epsilon(1e-12));
-    CHECK(sums_of(z, g, 150, 3).means(1000).error(itself) == error);
-    CHECK(sums_of(z, g, 37).means(1000).error(itself) == Approx(error).epsilon(1e-10));
-    CHECK(sums_of(1e3 + z, g, 150).means(1000).error(itself) == Approx(error).epsilon(1e-6));
-    CHECK(sums_of(1e-9 * z, g, 150).means(1000).error(itself) == Approx(1e-9 * error).epsilon(1e-10));
+    CHECK(whole.means({1000})(itself) == Approx(z.isNaN().select(0, z).sum() / whole.count()).epsilon(1e-12));
+    CHECK(sums_of(z, g, 150, 3).means({1000}).error(itself) == error);
+    CHECK(sums_of(z, g, 37).means({1000}).error(itself) == Approx(error).epsilon(1e-10));
+    CHECK(sums_of(1e3 + z, g, 150).means({1000}).error(itself) == Approx(error).epsilon(1e-6));
+    CHECK(sums_of(1e-9 * z, g, 150).means({1000}).error(itself) == Approx(1e-9 * error).epsilon(1e-10));
   }
 }
 
@@ -99,17 +99,17 @@ TEST_CASE("errors by long waves are the spread over an ensemble, whatever the he
       if (skewed) z = (5 * z).exp();
       const Moments m = moments(z);
       HeightErrors of_heights(g, m.mean, m.sq);
-      of_heights.add(z), of_heights.finish(300);
+      of_heights.add(z), of_heights.finish({300, 80.0 / 64 * 4 / 3});
       mean.add(m.mean, of_heights([](const Moments& of) { return of.mean; }));
       sa.add(m.sa, of_heights([](const Moments& of) { return of.sa; }));
       sq.add(m.sq, of_heights([](const Moments& of) { return of.sq; }));
       if (!skewed) ssk.add(m.ssk, of_heights([](const Moments& of) { return of.ssk; }));
       QuantileErrors of_shares(g, {skewed ? 1.2 : 0.05});
-      of_shares.add(z), of_shares.finish(300);
+      of_shares.add(z), of_shares.finish({300, 80.0 / 64 * 4 / 3});
       share.add(static_cast<double>((z <= (skewed ? 1.2 : 0.05)).count()) / static_cast<double>(z.size()),
                 of_shares(0));
       DerivativeErrors of(g);
-      of.add(Strip::whole(z, g), m.mean), of.finish(300);
+      of.add(Strip::whole(z, g), m.mean), of.finish({300, 80.0 / 64 * 4 / 3});
       const Derivatives d{slope_parameters(z, g), spectral_moments(z, g), counted_summits(z, g)};
       auto add = [&](Judged& to, const DerivativeErrors::Function& f) { to.add(f(d), of(f)); };
       add(sdq, [](const Derivatives& x) { return x.slopes.sdq; });
@@ -135,7 +135,7 @@ TEST_CASE("grooves have errors of slopes across them and none along them", "[der
     const Field z = moving_average({40, 1}, {3, 1}, 4).replicate(1, 30) + 1e-3;
     const Grid g = grid(40, 30, periodic);
     DerivativeErrors e(g);
-    e.add(Strip::whole(z, g), mean(z)), e.finish(100);
+    e.add(Strip::whole(z, g), mean(z)), e.finish({100});
     CHECK(e([](const Derivatives& d) { return d.moments.m20; }) > 0);
     CHECK(e([](const Derivatives& d) { return d.moments.m40; }) > 0);
     CHECK(e([](const Derivatives& d) { return d.moments.m02; }) == 0);
