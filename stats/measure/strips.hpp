@@ -1,7 +1,8 @@
 /// A field that stays in a file and is read in strips of as many whole rows as memory holds.
 ///
 /// Passes: one for the mean, two or three for a form, one for moments, derivatives and the correlation, one
-/// for the order of the heights, one for profiles (along x in strips of columns), four for quantiles.
+/// for the order of the heights, one for profiles (along x in strips of columns), four for quantiles. Errors
+/// from the field's long waves take one for derivatives, one for the heights of a lay, nine for quantiles.
 #pragma once
 
 #include <algorithm>
