@@ -2,7 +2,7 @@
 ///
 ///     contact_grid_error [SCENES [LARGEST_N [SEED [N]]]]
 ///
-/// SCENES (126) of contact_grid_scenes.hpp, in turn on n = 64 to 512 cells; 4n is no more than LARGEST_N
+/// SCENES (252) of contact_grid_scenes.hpp, in turn on n = 64 to 512 cells; 4n is no more than LARGEST_N
 /// (2048). With N all scenes are on N cells a side. Scenes whose contact touches the edge of a free domain
 /// are drawn again.
 ///
@@ -95,7 +95,7 @@ struct Tally {
 double median(std::vector<double> values) {
   if (values.empty()) return NAN;
   std::ranges::sort(values);
-  return values[values.size() / 2];
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
 class Page {
@@ -183,7 +183,7 @@ void judge(Page& page, const Scene& scene, const Solved& here) {
 
 int main(int argc, char** argv) {
   print_conditions();
-  const int scenes = argc > 1 ? std::atoi(argv[1]) : 126;
+  const int scenes = argc > 1 ? std::atoi(argv[1]) : 252;
   const Index largest = argc > 2 ? std::atol(argv[2]) : 2048;
   Draw draw(argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1, argc > 4 ? std::atol(argv[4]) : 0);
   Page page;

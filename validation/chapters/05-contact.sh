@@ -53,7 +53,7 @@ gradient, and it overtakes them where there are many such cells, although it has
 to three quarters of the first four: most of the time goes into finding the cells in contact.
 END
 heading "Errors of the grid, stated and true"
-run contact_grid_error $(size "105 256" "126 2048")
+run contact_grid_error $(size "105 256" "252 2048")
 text <<'END'
 `--add grid_errors` states by how much the grid may put each figure off, from the same contact on half and a quarter of the cells
 along each side. Random scenes of seven kinds (smooth, rough, at a limit pressure, periodic, oblong, under a prescribed approach, measured) are
