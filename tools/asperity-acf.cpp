@@ -32,6 +32,7 @@ struct Options {
     result.check(tool);
     if (adds("acf_quantiles") && !result.dataset())
       throw cli::UsageError("add", "acf_quantiles needs --result dataset");
+    if (adds("acf_error") && !result.dataset()) throw cli::UsageError("add", "acf_error needs --result dataset");
     if (adds("structure_function") && result.result == "lengths")
       throw cli::UsageError("add", "structure_function needs --result dataset or --result profiles");
     for (const char* option : {"levels", "direction"})
@@ -78,7 +79,7 @@ void warn_of_lengths(const cli::Tool& tool, const Options& what, const Parameter
 Parameters lengths_of(const cli::AcfResult& result, const Options& what) {
   std::optional<double> direction;
   if (!what.direction.empty()) direction = cli::parse_angle("direction", what.direction);
-  return acf_lengths(result.estimate, levels_of(what.levels), direction, result.target);
+  return acf_lengths(result.estimate, levels_of(what.levels), direction, result.target, result.lengths);
 }
 
 // ---- the ACF ----
@@ -95,9 +96,16 @@ cli::AcfResult estimate(const cli::Tool& tool, const Options& what, const Surfac
   cli::AcfResult out{
       AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
   if (what.result.dataset()) out.moments = moments(surface.heights);
+  auto errors = [&](bool along_x) {
+    return profile_errors(out.estimate, surface.heights, along_x, what.absolute, threads);
+  };
+  if (what.result.result == "profiles") out.profiles = {errors(true), errors(false)};
+  if (what.result.result == "lengths" && out.estimate.size.gives_errors())
+    out.lengths.emplace(out.estimate, surface.heights, std::ranges::min(levels_of(what.levels), {}, &AcfLevel::value).value, threads);
   if (what.adds("structure_function"))
     out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
   if (what.adds("acf_quantiles")) out.quantiles = quantiles_of(surface.heights);
+  if (what.adds("acf_error")) out.errors = acf_errors(out.estimate, surface.heights, what.absolute, threads);
   return out;
 }
 
@@ -186,10 +194,11 @@ void declare_estimate(cli::Tool& tool, Options& what) {
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
   tool.flag("--absolute", what.absolute,
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");
-  tool.words("--add", what.further, {"structure_function", "acf_quantiles"},
-             "Add structure_function or acf_quantiles. structure_function: mean square difference of two "
-             "points a lag apart, in the dataset and the profiles; acf_quantiles: distribution of the "
-             "heights for asperity-generate --marginal measured, in the dataset",
+  tool.words("--add", what.further, {"structure_function", "acf_error", "acf_quantiles"},
+             "Add structure_function, acf_error or acf_quantiles. structure_function: mean square difference "
+             "of two points a lag apart, in the dataset and the profiles; acf_error: standard errors of acf, "
+             "in the dataset (that of several surfaces has them); acf_quantiles: distribution of the heights "
+             "for asperity-generate --marginal measured, in the dataset",
              "Result");
   tool.text("--levels", what.levels, "LEVEL,...", "Levels of R / R(0,0) at which lengths are measured",
             "Lengths");
@@ -211,8 +220,8 @@ void declare(cli::Tool& tool, Options& what) {
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-acf --result "
       "lengths");
   tool.accuracy(
-      "The estimate equals the direct sum over pairs to round-off. Standard errors are Bartlett's for a "
-      "Gaussian field; the errors of neighbouring lags are strongly correlated. Subtracting the field's mean "
+      "The estimate equals the direct sum over pairs to round-off. Standard errors come from the field's own "
+      "longest waves, whatever its heights; those of neighbouring lags are strongly correlated. Subtracting the field's mean "
       "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
       "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
       "measured points count; a lag without such a pair is NaN. Over several surfaces the standard error is "

@@ -93,11 +93,19 @@ Parameters measured(const Field& heights, int degree, Index times, Index twins =
                     {.twins = std::abs(twins)}, out);
   }
   const AcfEstimate acf = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
-  std::ranges::copy(acf_lengths(acf, {{1 / std::exp(1.0), "e", ""}, {0.1, "10", ""}}, {}, {}),
+  const LengthErrors lengths(acf, surface.heights, 0.1);
+  std::ranges::copy(acf_lengths(acf, {{1 / std::exp(1.0), "e", ""}, {0.1, "10", ""}}, {}, {}, lengths),
                     std::back_inserter(out));
-  for (const Index lag : {1, 4})
-    out.push_back(
-        {fmt::format("acf_x_{}", lag), acf.rho(lag, 0), "1", acf.standard_error(lag, 0, false), ""});
+  const ProfileErrors errors = profile_errors(acf, surface.heights, true, false);
+  const LagField structure = structure_function(surface.heights, grid, {16, 0});
+  for (const Index lag : {1, 4, 16}) {
+    auto add_lag = [&](const char* name, double value, double error) {
+      out.push_back({fmt::format("{}_x_{}", name, lag), value, "1", error, "",
+                     Interval::about(value, errors.quantile * error)});
+    };
+    add_lag("acf", acf.rho(lag, 0), errors.acf(lag));
+    add_lag("structure", structure(lag, 0), errors.structure(lag));
+  }
   const DataWindows windows = default_windows(grid);
   add(out, "psd_x", profile_spectrum(surface.heights, grid, Axis1D::x, windows.x), times);
   add(out, "psd_y", profile_spectrum(surface.heights, grid, Axis1D::y, windows.y), times);

@@ -29,12 +29,11 @@
 
 #include <fmt/format.h>
 
+#include "stats/filter/form.hpp"
 #include "stats/hypothesis/specification.hpp"
+#include "stats/measure/acf_estimate.hpp"
 #include "stats/sample/moments.hpp"
-#include "stats/spatial/acf.hpp"
-#include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "stats/uncertainty/length_interval.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 #include "timing.hpp"
 
@@ -149,10 +148,16 @@ void length_coverage(const char* field, const Grid& grid, Index width, const Lag
     const Field z = draw(grid.shape, width, generator);
     const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
     for (std::size_t which = 0; which < 2; ++which) {
-      const LengthIntervals of(acf, grid, which == 0 ? std::optional(correlation) : std::nullopt);
-      held[which][0].add(of.r_min(0.2), truth.sal);
-      held[which][1].add(of.along(0, 1 / std::numbers::e), truth.at_e);
-      held[which][2].add(of.along(0, 0.1), truth.at_tenth);
+      const AcfEstimate estimate(acf, {which == 0 ? correlation : acf, which == 1, grid});
+      const LengthErrors of(estimate, remove_form(z), 0.1);
+      auto along_x = [&](double level) {
+        const auto at = first_crossing(estimate.rho, grid, 0, level);
+        return at ? *of.along(0, level, at->lag).interval : Interval();
+      };
+      const auto fastest = central_lobe(estimate.rho, grid).r_min;
+      held[which][0].add(fastest ? *of.r_min(0.2, *fastest).interval : Interval(), truth.sal);
+      held[which][1].add(along_x(1 / std::numbers::e), truth.at_e);
+      held[which][2].add(along_x(0.1), truth.at_tenth);
     }
   }
   const double percent = 100.0 / fields;

@@ -7,7 +7,7 @@
 ///     Sq²/(1 - w) - σ²                       standard error σ² √(2 S_2/(N M))                       (1)
 ///     Ssk                                    √(6 S_3/(N M))                                         (2)
 ///     Sku + 6 S_2/N - 3                      √(24 S_4/(N M))                                        (3)
-///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (2), over √M          (4)
+///     e(h) = R(h) - (ρ(h) - w) Sq²/(1 - w)   stats/uncertainty/acf_error.hpp, (1), over √M          (4)
 ///     stretches of lengths                   stats/uncertainty/length_stretch.hpp, (3), over √M     (5)
 /// (4) and (5) are the shape of the ACF, independent of its height: over the mean of Sq²/(1 - w). If all
 /// lengths are wrong, each e(h) is by little; (5) collects it. Each quantity is a mean of quadratic or

@@ -1,59 +1,102 @@
 #include "stats/measure/acf_estimate.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
-#include "stats/measure/groups.hpp"
-#include "stats/spatial/acf_length.hpp"
+#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
 
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// Lags at which the upper end of an interval is looked for: two and a half times as far as ρ exceeds the
+// level, on an ellipse.
+Shape lags_about(const LagField& rho, const Grid& grid, double level) {
+  const CentralLobe lobe = central_lobe(rho, grid, level);
+  if (!lobe.r_min || !lobe.r_max) return rho.max_lag();
+  const double c = std::cos(lobe.r_max->angle), s = std::sin(lobe.r_max->angle);
+  auto far = [&](double along_major, double along_minor, double spacing, Index most) {
+    const double half_side = std::hypot(lobe.r_max->length * along_major, lobe.r_min->length * along_minor);
+    return std::min(most, static_cast<Index>(2.5 * half_side / spacing) + 3);
+  };
+  return {far(c, s, grid.dx, rho.max_p()), far(s, c, grid.dy, rho.max_q())};
+}
+
+AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) {
+  return estimate.biased ? waves.of_ratio(estimate.rho).scaled([&](Index p, Index q) {
+    return estimate.basis.pairs.pair_fraction(p, q);
+  })
+                         : waves.of_ratio(estimate.rho);
+}
+
+LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
+  return {heights, estimate.grid(), max_lag, estimate.basis.shape().extent, threads};
+}
+
 // The lengths at one level, of a target or of the estimate; only the latter has errors.
 void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level,
-                 const std::optional<double>& direction, const LagField* target) {
+                 const std::optional<double>& direction, const LagField* target,
+                 const LengthErrors* errors) {
   const LagField& rho = target ? *target : estimate.rho;
-  const Grid& grid = estimate.basis.pairs.grid();
+  const Grid& grid = estimate.grid();
   const std::string prefix = target ? "target_" : "";
-  auto along = [&](const std::string& name, double angle) -> std::optional<Estimate> {
+  auto along = [&](const std::string& name, double angle) -> std::optional<double> {
     const auto crossing = first_crossing(rho, grid, angle, level.value);
     if (!crossing) return std::nullopt;
-    Estimate length{crossing->lag};
-    if (!target) {
-      length.standard_error = estimate.length_error(angle, crossing->lag, crossing->slope);
-      length.interval = estimate.lengths.along(angle, level.value);
-    }
-    out.add(prefix + "length_" + level.tag + "_" + name, "m", "lag at which the ACF falls to {}", length,
+    out.add(prefix + "length_" + level.tag + "_" + name, "m", "lag at which the ACF falls to {}",
+            errors ? errors->along(angle, level.value, crossing->lag) : Estimate{crossing->lag},
             {.meaning = level.text});
-    return length;
+    return crossing->lag;
   };
   const auto x = along("x", 0), y = along("y", std::numbers::pi / 2);
   if (direction) along("direction", *direction);
   if (x && y) {
-    const double ratio = x->value / y->value,
-                 relative = std::hypot(x->standard_error / x->value, y->standard_error / y->value),
-                 error = estimate.size.gives_errors() ? relative : unknown;
+    auto ratio = [&](const LagField& r) -> std::optional<double> {
+      const auto over = first_crossing(r, grid, 0, level.value),
+                 under = first_crossing(r, grid, std::numbers::pi / 2, level.value);
+      if (!over || !under) return std::nullopt;
+      return over->lag / under->lag;
+    };
     out.add(prefix + "gamma_" + level.tag, "1", "ratio of lengths, x over y",
-            {ratio, ratio * error, Interval::of_ratio(ratio, half_width_95 * error)});
+            errors ? errors->ratio(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y});
   }
   if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {
     const std::string name = prefix + "ellipticity_" + level.tag;
-    out.add(name, "1", "ellipticity of the ACF contour at {}, long over short axis", {ellipse->gamma()},
-            {.meaning = level.text});
-    out.add(name + "_direction", "rad", "direction of the long axis of that contour, from +x towards +y",
-            {ellipse->major.angle});
+    add_ellipse(out, *ellipse, grid, level.value, level.text, {name, name + "_direction"}, errors);
   }
 }
 
 }  // namespace
 
+void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
+                 const std::string& level_text, const std::array<std::string, 2>& names,
+                 const LengthErrors* errors) {
+  auto of_lobe = [grid, level](auto value) {
+    return [=](const LagField& rho) -> std::optional<double> {
+      const auto found = central_lobe(rho, grid, level).ellipse;
+      if (!found) return std::nullopt;
+      return value(*found);
+    };
+  };
+  const auto gamma = of_lobe([](const LobeEllipse& e) { return e.gamma(); });
+  const auto axis = of_lobe([](const LobeEllipse& e) { return e.major.angle; });
+  const Estimate ratio =
+      errors ? errors->ratio(ellipse.gamma(), gamma, 1, unlimited) : Estimate{ellipse.gamma()};
+  out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", ratio,
+          {.meaning = level_text});
+  out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
+          errors ? errors->axis(ellipse.major.angle, axis, ratio) : Estimate{ellipse.major.angle},
+          {.why_no_error = errors ? no_direction : ""});
+}
+
 AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool divided_by_all)
     : rho(acf.normalised()),
       variance(acf(0, 0)),
       basis(of_errors),
-      error(basis.known_lags(), basis.pairs),
-      lengths(acf, basis.pairs, basis.known()),
       size(basis.size()),
       biased(divided_by_all) {}
 
@@ -63,23 +106,104 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
   return {acf, {surface.correlation.value_or(acf), !surface.correlation, pairs}, parameters.biased};
 }
 
-double AcfEstimate::standard_error(Index p, Index q, bool absolute) const {
-  if (!size.gives_errors()) return unknown;
-  return (biased ? basis.pairs.pair_fraction(p, q) : 1) *
-         (absolute ? error.absolute(p, q) : error.normalised(p, q));
+namespace {
+
+LagField acf_errors(const AcfEstimate& estimate, const LagWaves& waves, bool absolute) {
+  const LagField errors =
+      absolute ? waves.of_covariance() : waves.of_ratio(estimate.rho).errors();
+  return LagField::of(errors.max_lag(), [&](Index p, Index q) {
+    if (!estimate.size.gives_errors()) return unknown;
+    if (!absolute && p == 0 && q == 0) return 0.0;
+    return (estimate.biased ? estimate.basis.pairs.pair_fraction(p, q) : 1) * errors(p, q);
+  });
 }
 
-double AcfEstimate::length_error(double angle, double length, double slope) const {
-  const auto [p, q] = nearest_lag(basis.pairs.grid(), angle, length);
-  return (biased ? basis.pairs.pair_fraction(p, q) : 1) * error.normalised(p, q) / -slope;
+}  // namespace
+
+LagField acf_errors(const AcfEstimate& estimate, const Field& heights, bool absolute, int threads) {
+  return acf_errors(estimate, waves_of(estimate, heights, estimate.rho.max_lag(), threads), absolute);
+}
+
+ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
+                             int threads) {
+  const Shape lags = along_x ? Shape{estimate.rho.max_p(), 0} : Shape{0, estimate.rho.max_q()};
+  const LagWaves waves = waves_of(estimate, heights, lags, threads);
+  auto profile = [&](const LagField& errors) -> Eigen::ArrayXd {
+    return along_x ? errors.along_x() : errors.along_y();
+  };
+  ProfileErrors out{profile(acf_errors(estimate, waves, absolute)), profile(waves.of_structure()),
+                    student_quantile(0.025, waves.degrees())};
+  out.structure(0) = 0;
+  if (!estimate.size.gives_errors()) out.structure.setConstant(unknown);
+  return out;
+}
+
+LengthErrors::LengthErrors(const AcfEstimate& estimate, const Field& heights, double least_level, int threads)
+    : grid_(estimate.grid()),
+      threads_(threads),
+      deviations_(deviations_of(
+          estimate, waves_of(estimate, heights, lags_about(estimate.rho, grid_, least_level), threads))),
+      errors_(deviations_.errors()),
+      rho_(estimate.rho.within(deviations_.max_lag())),
+      intervals_(rho_, grid_, deviations_, estimate.size.bias_of_lags()) {}
+
+// By the slope of ρ where too many of the drawn ρ have no such length.
+Estimate LengthErrors::length(double level, const Reach& reach, const AcfDeviations::Figure& figure,
+                              const Interval& interval) const {
+  const double relative = deviations_.relative(rho_, figure, threads_).error;
+  if (!std::isnan(relative)) return {reach.length, relative * reach.length, interval};
+  const auto crossing = first_crossing(rho_, grid_, reach.angle, level);
+  const auto [p, q] = nearest_lag(grid_, reach.angle, reach.length);
+  return {reach.length, crossing ? errors_(p, q) / -crossing->slope : unknown, interval};
+}
+
+Estimate LengthErrors::along(double angle, double level, double found) const {
+  auto length_of = [&](const LagField& rho) -> std::optional<double> {
+    const auto crossing = first_crossing(rho, grid_, angle, level);
+    return crossing ? std::optional(crossing->lag) : std::nullopt;
+  };
+  return length(level, {found, angle}, length_of, intervals_.along(angle, level));
+}
+
+Estimate LengthErrors::extreme(double level, const Reach& reach, Extreme which,
+                               const Interval& interval) const {
+  auto length_of = [&](const LagField& rho) -> std::optional<double> {
+    const auto found = central_lobe(rho, grid_, level).*which;
+    return found ? std::optional(found->length) : std::nullopt;
+  };
+  return length(level, reach, length_of, interval);
+}
+
+Estimate LengthErrors::r_min(double level, const Reach& reach) const {
+  return extreme(level, reach, &CentralLobe::r_min, intervals_.r_min(level));
+}
+Estimate LengthErrors::r_max(double level, const Reach& reach) const {
+  return extreme(level, reach, &CentralLobe::r_max, intervals_.r_max(level));
+}
+
+Estimate LengthErrors::ratio(double value, const AcfDeviations::Figure& figure, double least,
+                             double most) const {
+  const auto [error, bias] = deviations_.relative(rho_, figure, threads_);
+  const double half = deviations_.quantile(0.025) * error;
+  return {value, value * error,
+          Interval::of(value, std::max(least, value * std::exp(-bias - half)),
+                       std::min(most, value * std::exp(-bias + half)))};
+}
+
+Estimate LengthErrors::axis(double angle, const AcfDeviations::Figure& figure, const Estimate& aspect,
+                            double resolution) const {
+  if (!aspect.interval || !(aspect.interval->low > 1 || aspect.interval->high < 1)) return {angle};
+  const double error = std::hypot(deviations_.of_axis(rho_, figure, threads_), resolution / std::sqrt(12));
+  return {angle, error, Interval::about(angle, deviations_.quantile(0.025) * error)};
 }
 
 Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>& levels,
-                       const std::optional<double>& direction, const std::optional<LagField>& target) {
+                       const std::optional<double>& direction, const std::optional<LagField>& target,
+                       const std::optional<LengthErrors>& errors) {
   ParameterList out("1");
   for (const AcfLevel& level : levels) {
-    add_lengths(out, estimate, level, direction, nullptr);
-    if (target) add_lengths(out, estimate, level, direction, &*target);
+    add_lengths(out, estimate, level, direction, nullptr, errors ? &*errors : nullptr);
+    if (target) add_lengths(out, estimate, level, direction, &*target, nullptr);
   }
   return std::move(out).with_known_errors(estimate.size);
 }

@@ -1,14 +1,19 @@
-/// An estimated autocorrelation with its standard errors, and the correlation lengths found from it.
+/// An estimated autocorrelation, the correlation lengths found from it, and their errors, from the field's
+/// own long waves (stats/uncertainty/lag_waves.hpp).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "stats/measure/groups.hpp"
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/surface.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/acf_error.hpp"
+#include "stats/spatial/acf_length.hpp"
+#include "stats/uncertainty/acf_deviations.hpp"
+#include "stats/uncertainty/lag_waves.hpp"
 #include "stats/uncertainty/length_interval.hpp"
 
 namespace asperity {
@@ -17,8 +22,6 @@ struct AcfEstimate {
   LagField rho;     ///< normalised
   double variance;  ///< R(0,0)
   ErrorBasis basis;
-  AcfError error;
-  LengthIntervals lengths;
   EffectiveSampleSize size;
   bool biased;
 
@@ -26,11 +29,58 @@ struct AcfEstimate {
   /// Of a prepared surface.
   static AcfEstimate of(const Surface& surface, const AcfParameters& parameters);
 
-  /// Of ρ(p,q), or of R(p,q)/R(0,0) if `absolute`; NaN if too few heights are independent.
-  double standard_error(Index p, Index q, bool absolute) const;
-  /// Of a length in a direction, from the slope of ρ there and the error of ρ at the nearest lag.
-  double length_error(double angle, double length, double slope) const;
+  const Grid& grid() const { return basis.pairs.grid(); }
 };
+
+/// Standard errors of R(p,0) or R(0,q), a row each lag; NaN if too few heights are independent.
+struct ProfileErrors {
+  Eigen::ArrayXd acf;        ///< of ρ, or of R if asked for
+  Eigen::ArrayXd structure;  ///< of the structure function
+  double quantile;           ///< half the 95 % interval in errors
+};
+ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
+                             int threads = 1);
+
+/// Standard errors of ρ, or of R, at all lags; NaN if too few heights are independent.
+LagField acf_errors(const AcfEstimate& estimate, const Field& heights, bool absolute, int threads = 1);
+
+/// Errors of what is found from the lags where ρ exceeds a level.
+class LengthErrors {
+ public:
+  /// Of the prepared heights that the estimate is of.
+  LengthErrors(const AcfEstimate& estimate, const Field& heights, double least_level, int threads = 1);
+
+  /// A length in a direction.
+  Estimate along(double angle, double level, double length) const;
+  Estimate r_min(double level, const Reach& reach) const;  ///< Sal
+  Estimate r_max(double level, const Reach& reach) const;  ///< the slowest decay
+  /// A ratio of lengths between these bounds.
+  Estimate ratio(double value, const AcfDeviations::Figure& figure, double least, double most) const;
+  /// A direction, found among some that are `resolution` apart [rad]; without an error unless the interval of
+  /// the aspect ratio of the contour excludes 1.
+  Estimate axis(double angle, const AcfDeviations::Figure& figure, const Estimate& aspect,
+                double resolution = 0) const;
+
+ private:
+  using Extreme = std::optional<Reach> CentralLobe::*;
+  Estimate length(double level, const Reach& reach, const AcfDeviations::Figure& figure,
+                  const Interval& interval) const;
+  Estimate extreme(double level, const Reach& reach, Extreme which, const Interval& interval) const;
+
+  Grid grid_;
+  int threads_;
+  AcfDeviations deviations_;
+  LagField errors_, rho_;
+  LengthIntervals intervals_;
+};
+
+/// Why the direction of a contour has no error.
+inline constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
+
+/// The ellipticity and the direction of the contour at a level, by these names.
+void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
+                 const std::string& level_text, const std::array<std::string, 2>& names,
+                 const LengthErrors* errors);
 
 /// A level of the ACF, and the tag in the names of its lengths: length_10_x for 10 %, length_e_x for 1/e.
 struct AcfLevel {
@@ -39,9 +89,10 @@ struct AcfLevel {
 };
 
 /// At each level: lengths along x, y and a direction [rad], the ratio of the first two, and the ellipse of
-/// the contour. Those of a target are named target_… and have no errors. Lengths beyond the lags are left
-/// out.
+/// the contour, with errors if they are given. Those of a target are named target_… and have no errors.
+/// Lengths beyond the lags are left out.
 Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>& levels,
-                       const std::optional<double>& direction, const std::optional<LagField>& target);
+                       const std::optional<double>& direction, const std::optional<LagField>& target,
+                       const std::optional<LengthErrors>& errors);
 
 }  // namespace asperity

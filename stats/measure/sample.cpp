@@ -69,24 +69,12 @@ std::optional<Translation> Sample::distribution() const {
                                : evident_translation(moments(), standard_errors(moments(), size_));
 }
 
-const Sample::Waves& Sample::waves() const {
-  if (waves_) return *waves_;
-  double negative = 0, all = 0, along_x = 0, along_y = 0;
-  const LagField rho = basis().known_lags().normalised();
-  for_each_lag(rho, basis().pairs, [&](Index p, Index q, double weight) {
-    const double square = weight * rho(p, q) * rho(p, q);
-    all += square;
-    along_x += square * static_cast<double>(std::abs(p));
-    along_y += square * static_cast<double>(std::abs(q));
-    if (rho(p, q) < 0) negative += square;
-  });
-  const auto [nx, ny] = grid().shape;
-  auto lengths = [all](Index n, double along) { return static_cast<double>(n) / (0.5 + along / all); };
-  return waves_.emplace(basis().estimated ? negative / all : 0,
-                        FieldExtent{size_.effective(2), lengths(nx, along_x) / lengths(ny, along_y)});
+const CorrelationShape& Sample::shape() const {
+  if (!shape_) shape_ = basis().shape();
+  return *shape_;
 }
 
-bool Sample::correlation_gives_errors() const { return waves().negative < 0.1; }
+bool Sample::correlation_gives_errors() const { return shape().negative < 0.1; }
 
 template <class Sums>
 void Sample::add_all(Sums& sums) const {
@@ -100,7 +88,7 @@ std::optional<HeightErrors> Sample::height_errors() const {
   if (!errors_) return std::nullopt;
   HeightErrors out(grid(), moments().mean, moments().sq);
   add_all(out);
-  out.finish(waves().extent);
+  out.finish(shape().extent);
   return out;
 }
 
@@ -108,7 +96,7 @@ std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>&
   if (!errors_) return std::nullopt;
   QuantileErrors out(grid(), heights);
   add_all(out);
-  out.finish(waves().extent);
+  out.finish(shape().extent);
   return out;
 }
 
@@ -120,7 +108,7 @@ std::optional<DerivativeErrors> Sample::derivative_errors() const {
         2, [&](const Field& strip, Index core, Index) { out.add({strip, grid(), core}, 0, threads_); });
   else
     out.add(Strip::whole(surface_.heights, grid()), moments().mean, threads_);
-  out.finish(waves().extent);
+  out.finish(shape().extent);
   return out;
 }
 

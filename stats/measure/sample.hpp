@@ -68,6 +68,7 @@ class Sample {
   bool correlation_gives_errors() const;
 
   /// Errors from the field's own long waves; none if parameters need no errors.
+  bool needs_errors() const { return errors_; }
   std::optional<HeightErrors> height_errors() const;
   std::optional<DerivativeErrors> derivative_errors() const;
   std::optional<QuantileErrors> quantile_errors(const std::vector<double>& heights) const;
@@ -78,12 +79,7 @@ class Sample {
   ProfileAverages profiles(Axis1D along, double section) const;
 
  private:
-  // Of the correlation that errors rest on: the share of its squares at negative lags, if it is estimated.
-  struct Waves {
-    double negative;
-    FieldExtent extent;
-  };
-  const Waves& waves() const;
+  const CorrelationShape& shape() const;
   const std::vector<HeightBin>& bins() const;
   template <class Sums>
   void add_all(Sums& sums) const;
@@ -95,7 +91,7 @@ class Sample {
   EffectiveSampleSize size_;
   int threads_;
   bool errors_ = true;
-  mutable std::optional<Waves> waves_ = {};
+  mutable std::optional<CorrelationShape> shape_ = {};
   mutable std::optional<std::vector<HeightBin>> bins_ = {};
 };
 

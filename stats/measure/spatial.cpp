@@ -18,38 +18,37 @@ constexpr Definition<TextureDirection> texture_table[] = {
     {"Std_contrast", "1", "largest power over directions divided by the mean, 1 for no texture",
      value_of<&TextureDirection::contrast>}};
 
-void add_lobe(ParameterList& out, const AcfEstimate& acf, double level) {
-  const Grid& grid = acf.basis.pairs.grid();
-  const CentralLobe lobe = central_lobe(acf.rho, grid, level);
+void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const LengthErrors* errors) {
+  const CentralLobe lobe = central_lobe(acf.rho, acf.grid(), level);
   const Words words{.meaning = shortest(level)};
-  double relative = 0;  // error of Str
-  auto add_length = [&](const char* symbol, const char* meaning, const Reach& reach,
-                        const Interval& interval) {
-    const auto crossing = first_crossing(acf.rho, grid, reach.angle, level);
-    const double error = crossing ? acf.length_error(reach.angle, reach.length, crossing->slope) : unknown;
-    relative = std::hypot(relative, error / reach.length);
-    out.add(symbol, "m", meaning, {reach.length, error, interval}, words);
+  auto of_lobe = [grid = acf.grid(), level](auto value) {
+    return [=](const LagField& rho) -> std::optional<double> { return value(central_lobe(rho, grid, level)); };
   };
-  if (lobe.r_min) {
-    add_length("Sal", "autocorrelation length: the fastest decay of the ACF to {}", *lobe.r_min,
-               acf.lengths.r_min(level));
-    out.add("Sal_direction", "rad", "direction of the fastest decay, from +x towards +y",
-            {lobe.r_min->angle});
-  }
-  if (lobe.r_max) {
-    add_length("slowest_decay", "length of the slowest decay of the ACF to {}", *lobe.r_max,
-               acf.lengths.r_max(level));
-    out.add("slowest_direction", "rad", "direction of the slowest decay, the lay", {lobe.r_max->angle});
-  }
+  std::optional<Estimate> aspect;
   if (const auto ratio = lobe.aspect_ratio())
-    out.add("Str", "1", "texture aspect ratio, fastest over slowest decay",
-            {*ratio, *ratio * relative, Interval::of_ratio(*ratio, half_width_95 * relative, 1)});
-  if (lobe.ellipse) {
-    out.add("gamma", "1", "ellipticity of the ACF contour at {}, long over short axis",
-            {lobe.ellipse->gamma()}, words);
-    out.add("gamma_direction", "rad", "direction of the long axis of that contour",
-            {lobe.ellipse->major.angle});
-  }
+    aspect = errors ? errors->ratio(*ratio, of_lobe([](const CentralLobe& l) { return l.aspect_ratio(); }), 0, 1)
+                    : Estimate{*ratio};
+  auto add_reach = [&](const char* length, const char* meaning, const char* direction, const char* of_direction,
+                       std::optional<Reach> CentralLobe::* which, auto error_of_length) {
+    if (!(lobe.*which)) return;
+    const Reach& reach = *(lobe.*which);
+    out.add(length, "m", meaning,
+            errors ? (errors->*error_of_length)(level, reach) : Estimate{reach.length}, words);
+    auto axis = of_lobe([which](const CentralLobe& l) {
+      return l.*which ? std::optional((l.*which)->angle) : std::nullopt;
+    });
+    const double between_lags = std::max(acf.grid().dx, acf.grid().dy) / reach.length;
+    out.add(direction, "rad", of_direction,
+            errors && aspect ? errors->axis(reach.angle, axis, *aspect, between_lags) : Estimate{reach.angle},
+            {.why_no_error = errors && aspect ? no_direction : ""});
+  };
+  add_reach("Sal", "autocorrelation length: the fastest decay of the ACF to {}", "Sal_direction",
+            "direction of the fastest decay, from +x towards +y", &CentralLobe::r_min, &LengthErrors::r_min);
+  add_reach("slowest_decay", "length of the slowest decay of the ACF to {}", "slowest_direction",
+            "direction of the slowest decay, the lay", &CentralLobe::r_max, &LengthErrors::r_max);
+  if (aspect) out.add("Str", "1", "texture aspect ratio, fastest over slowest decay", *aspect);
+  if (lobe.ellipse)
+    add_ellipse(out, *lobe.ellipse, acf.grid(), level, words.meaning, {"gamma", "gamma_direction"}, errors);
 }
 
 }  // namespace
@@ -60,8 +59,12 @@ Parameters spatial_parameters(const Sample& sample, const MeasureOptions& option
   if (z.size() == 0) throw DataError(sample.surface().variable, "spatial parameters need the whole field");
   const AcfParameters half{.max_lag = default_max_lag(sample.grid()), .threads = sample.threads()};
   ParameterList out(sample.surface().units);
-  add_lobe(out, {basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half), basis},
-           options.sal_level);
+  const AcfEstimate acf{
+      basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half), basis};
+  std::optional<LengthErrors> errors;
+  if (sample.needs_errors() && acf.size.gives_errors())
+    errors.emplace(acf, z, options.sal_level, sample.threads());
+  add_lobe(out, acf, options.sal_level, errors ? &*errors : nullptr);
   const LagField psd = power_spectrum(z, sample.grid(), default_windows(sample.grid()), sample.threads());
   out.add(texture_table, texture_direction(psd, sample.grid()),
           {.why = "no value: the field has too few wave numbers"});

@@ -16,6 +16,7 @@
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
+#include "stats/uncertainty/long_waves.hpp"
 
 namespace asperity {
 
@@ -44,6 +45,12 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads = 
 /// Throws DataError(variable, …) if heights up to `largest` are round-off of values up to `size`.
 void refuse_round_off(double largest, double size, int degree, const std::string& variable);
 
+/// What the long waves of a field depend on (stats/uncertainty/long_waves.hpp).
+struct CorrelationShape {
+  FieldExtent extent;
+  double negative;  ///< share of Σ ρ² at negative lags of an estimate; 0 of a known correlation
+};
+
 /// The correlation that errors rest on, known or estimated, and the pairs of points that the field has.
 struct ErrorBasis {
   LagField correlation;
@@ -57,9 +64,7 @@ struct ErrorBasis {
   }
   /// The correlation; zero at lags where an estimate is not significant.
   LagField known_lags() const { return estimated ? significant_lags(correlation, pairs) : correlation; }
-  std::optional<LagField> known() const {
-    return estimated ? std::nullopt : std::optional<LagField>(correlation);
-  }
+  CorrelationShape shape() const;
 };
 
 /// The known correlation, else the estimate up to half the field.

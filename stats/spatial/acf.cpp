@@ -9,6 +9,7 @@
 #include "core/parallel.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
+#include "stats/spatial/rectangle_sums.hpp"
 #include "transform/lag_sums.hpp"
 
 namespace asperity {
@@ -22,16 +23,6 @@ void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads
         sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : NAN;
       }
   });
-}
-
-// Σ f over the rectangle from the first point to before (i, j).
-Field partial_sums(const Field& f) {
-  Field sums = Field::Zero(f.rows() + 1, f.cols() + 1);
-  for (Index i = 0; i < f.rows(); ++i) {
-    double row = 0;
-    for (Index j = 0; j < f.cols(); ++j) sums(i + 1, j + 1) = sums(i, j + 1) + (row += f(i, j));
-  }
-  return sums;
 }
 
 // (5) over the pairs that are there. With u the squares and m 1, both zero where a point is missing, the sums
@@ -48,6 +39,7 @@ LagField over_valid_pairs(const Field& d, const Pairs& pairs, const LagField& R,
       (scale / 2));
   // Where no pair is, R is not a number.
   return LagField::of(max_lag, [&](Index p, Index q) {
+    if (p == 0 && q == 0) return 0.0;
     return both(p, q) / (pairs.pair_fraction(p, q) * pairs.points()) - 2 * R(p, q);
   });
 }
@@ -89,11 +81,9 @@ LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int
   if (grid.periodic.both()) return LagField(2 * (R(0, 0) - R.half_plane()));
 
   const auto [nx, ny] = grid.shape;
-  const Field below = partial_sums(d.square());
-  auto squares = [&](Index i, Index j, Index rows, Index columns) {
-    return below(i + rows, j + columns) - below(i, j + columns) - below(i + rows, j) + below(i, j);
-  };
+  const RectangleSums squares(d.square());
   return LagField::of(max_lag, [&](Index p, Index q) {
+    if (p == 0 && q == 0) return 0.0;
     const Index right = std::max<Index>(q, 0), left = std::max<Index>(-q, 0);
     const Index rows = nx - p, columns = ny - right - left;
     const double both = squares(0, left, rows, columns) + squares(p, right, rows, columns);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -10,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "stats/sample/axes.hpp"
 
 namespace asperity {
 namespace {
@@ -37,13 +37,6 @@ bool is_height(Group group) {
 
 bool is_angle(const Parameter& p) { return p.unit == "rad"; }
 
-// Mean and spread of the axes at these angles (stats/measure/ensemble_parameters.hpp).
-double axial_spread(const std::vector<double>& angles) {
-  std::complex<double> sum = 0;
-  for (const double angle : angles) sum += std::polar(1.0, 2 * angle);
-  return 0.5 * std::sqrt(-2 * std::log(std::min(1.0, std::abs(sum) / static_cast<double>(angles.size()))));
-}
-
 struct Spread {
   double mean = 0, deviation = 0;
 };
@@ -67,8 +60,7 @@ TwinScope::TwinScope(const Sample& sample, const MeasureOptions& asked)
       complete_(sample.basis().pairs.complete()),
       given_(sample.surface().distribution),
       gaussian_(!sample.distribution()),
-      level_(repeated(asked.preparation).degree == 0),
-      lay_(!sample.correlation_gives_errors()) {}
+      level_(repeated(asked.preparation).degree == 0) {}
 
 bool TwinScope::holds(const Parameter& p) const {
   if (differs(p)) return known_ || (complete_ && gaussian_);
@@ -77,11 +69,9 @@ bool TwinScope::holds(const Parameter& p) const {
 }
 
 bool TwinScope::needs_none(const Parameter& p) const {
-  if (!std::isfinite(p.standard_error)) return false;
+  if (!std::isfinite(p.standard_error)) return !p.why.empty();
   if (differs(p)) return true;
-  const bool length = p.name == "Sal" || p.name == "slowest_decay",
-             simulated = p.name == "Str" || p.name.starts_with("P") || p.name.starts_with("R");
-  return level_ && !simulated && !(length && lay_);
+  return level_ && !p.name.starts_with("P") && !p.name.starts_with("R");
 }
 
 namespace {

@@ -45,12 +45,12 @@ class TwinScope {
   /// False for slopes, curvatures and summits if the correlation is estimated and points are missing or
   /// heights are not Gaussian, and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// False without an error; for ratios of lengths and means over profiles; for all but slopes after a
-  /// plane or a polynomial was removed; for lengths of a lay (Sample::correlation_gives_errors).
+  /// False without an error; for means over profiles; for all but slopes after a plane or a polynomial was
+  /// removed.
   bool needs_none(const Parameter& parameter) const;
 
  private:
-  bool known_, complete_, given_, gaussian_, level_, lay_;  ///< given_: the distribution of the heights
+  bool known_, complete_, given_, gaussian_, level_;  ///< given_: the distribution of the heights
 };
 
 class TwinErrors {

@@ -27,16 +27,6 @@ double AcfError::weight(Index p, Index q, Index k, Index l) const {
 }
 
 // The second product of (1) is summed over m = k + h, where ρ(m) ≠ 0.
-double AcfError::absolute(Index p, Index q) const {
-  double sum = 0;
-  for (const auto& [lag, rho] : support_) {
-    const auto [k, l] = lag;
-    sum += weight(p, q, k, l) * rho * rho +
-           weight(p, q, k - p, l - q) * rho * algebra_.rho()(k - 2 * p, l - 2 * q);
-  }
-  return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
-}
-
 double AcfError::normalised(Index p, Index q) const {
   if (p == 0 && q == 0) return 0;
   const double at_lag = algebra_.rho()(p, q);
@@ -48,17 +38,6 @@ double AcfError::normalised(Index p, Index q) const {
            weight(p, q, k - p, l - q) * rho * shifted;
   }
   return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
-}
-
-LagField AcfError::normalised(Shape max_lag) const {
-  const LagField c = algebra_.convolution({2 * max_lag.nx, 2 * max_lag.ny}, false);
-  const double square = c(0, 0);
-  return LagField::of(max_lag, [&](Index p, Index q) {
-    if (p == 0 && q == 0) return 0.0;
-    const double rho = algebra_.rho()(p, q),
-                 sum = square * (1 + 2 * rho * rho) - 4 * rho * c(p, q) + c(2 * p, 2 * q);
-    return std::sqrt(std::max(sum, 0.0) / pairs(p, q));
-  });
 }
 
 Eigen::MatrixXd AcfError::correlation(const std::vector<Shape>& lags) const {

@@ -17,12 +17,34 @@ double largest_wave(double n_eff, Periodic periodic) {
   return periodic.any() ? std::max(free, 4.0) : free;
 }
 
-// (3), of ν independent values.
-double loss(double largest, double independent) {
-  return std::min(0.4, 0.75 * (0.3 / std::sqrt(independent) + (1.4 + 0.7 * largest) / independent));
+}  // namespace
+
+Eigen::MatrixXd axis_waves(Index n, bool periodic) {
+  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
+                               (std::numbers::pi / static_cast<double>(n));
+  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(n, most_waves + 1);
+  for (Index j = 1; j <= most_waves; ++j) {
+    const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
+    out.col(j) = std::numbers::sqrt2 * (static_cast<double>(half_waves(j, periodic)) * phase - quarter).cos();
+  }
+  return out;
 }
 
-}  // namespace
+LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent)
+    : largest_(largest_wave(extent.n_eff, grid.periodic)) {
+  const auto [nx, ny] = grid.shape;
+  for (Index j = 0; j <= std::min(most_waves, nx - 1); ++j)  // of more waves a row has none
+    for (Index k = 0; k <= std::min(most_waves, ny - 1); ++k) {
+      const auto along_x = static_cast<double>(half_waves(j, grid.periodic.x)),
+                 along_y = static_cast<double>(half_waves(k, grid.periodic.y)),
+                 nu = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
+      if (nu > 0 && nu <= 1.1 * largest_) all_.push_back({j, k});
+    }
+}
+
+double LongWaves::loss(double independent) const {
+  return std::min(0.4, 0.75 * (0.3 / std::sqrt(independent) + (1.4 + 0.7 * largest_) / independent));
+}
 
 double LocalMeans::error(const Function& g) const {
   Eigen::VectorXd gradient(means_.size());
@@ -38,28 +60,14 @@ double LocalMeans::error(const Function& g) const {
   const double variance = (waves_.transpose() * gradient).squaredNorm() / static_cast<double>(degrees());
   if (!(variance > 0)) return variance;
   const double independent = gradient.dot(covariance_ * gradient) / variance;
-  return std::sqrt(variance) / (1 - loss(largest_wave_, std::max(independent, 1.0)));
-}
-
-LocalSums::Axis::Axis(Index n, bool periodic) : waves(n, most_waves + 1) {
-  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
-                               (std::numbers::pi / static_cast<double>(n));
-  waves.col(0).setOnes();
-  half_waves.push_back(0);
-  for (Index j = 1; j <= most_waves; ++j) {
-    const auto k = static_cast<double>(periodic ? j + j % 2 : j);
-    const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
-    waves.col(j) = std::numbers::sqrt2 * (k * phase - quarter).cos();
-    half_waves.push_back(k);
-  }
+  return std::sqrt(variance) / (1 - long_waves_.loss(std::max(independent, 1.0)));
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
-    : shape_(grid.shape),
-      periodic_(grid.periodic),
+    : grid_(grid),
       functions_(functions),
-      x_(grid.shape.nx, grid.periodic.x),
-      y_(grid.shape.ny, grid.periodic.y),
+      x_(axis_waves(grid.shape.nx, grid.periodic.x)),
+      y_(axis_waves(grid.shape.ny, grid.periodic.y)),
       sums_(none()) {}
 
 void LocalSums::Sums::operator+=(const Sums& other) {
@@ -79,9 +87,9 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   if (all.isNaN().any())
     for (Index j = 0; j < values.rows(); ++j)
       if (std::isnan(all(j))) values.row(j).setZero();
-  const Eigen::MatrixXd along_y = values.transpose() * y_.waves;
+  const Eigen::MatrixXd along_y = values.transpose() * y_;
   for (std::size_t j = 0; j < sums.waves.size(); ++j)
-    sums.waves[j] += x_.waves(i, static_cast<Index>(j)) * along_y;
+    sums.waves[j] += x_(i, static_cast<Index>(j)) * along_y;
   sums.products += values.transpose() * values;
 }
 
@@ -91,7 +99,7 @@ void LocalSums::add_rows(Index rows, int threads,
   const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));
   parallel_ranges(blocks, threads, [&](Index begin, Index end, int) {
-    Values values(shape_.ny, functions_ + 1);
+    Values values(grid_.shape.ny, functions_ + 1);
     for (Index b = begin; b < end; ++b) {
       Sums& sums = of_blocks[static_cast<std::size_t>(b)] = none();
       for (Index i = b * block; i < std::min(rows, (b + 1) * block); ++i) {
@@ -107,21 +115,15 @@ void LocalSums::add_rows(Index rows, int threads,
 
 LocalMeans LocalSums::means(const FieldExtent& extent) const {
   LocalMeans out;
+  out.long_waves_ = LongWaves(grid_, extent);
   const double n = count();
-  out.largest_wave_ = largest_wave(extent.n_eff, periodic_);
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
-  const std::size_t points_x = size(shape_.nx), points_y = size(shape_.ny);  // of more waves a row has none
-  std::vector<Eigen::VectorXd> waves;
-  for (std::size_t j = 0; j < x_.half_waves.size(); ++j)
-    for (std::size_t k = 0; k < y_.half_waves.size(); ++k) {
-      const double nu = std::pow(x_.half_waves[j], 2) / extent.elongation +
-                        std::pow(y_.half_waves[k], 2) * extent.elongation;
-      if (nu == 0 || nu > 1.1 * out.largest_wave_ || j >= points_x || k >= points_y) continue;
-      const Eigen::VectorXd c = sums_.waves[j].col(static_cast<Index>(k)) / n;
-      waves.emplace_back((c - means * c(0)).tail(functions_));
-    }
+  const auto& waves = out.long_waves_.all();
   out.waves_.resize(functions_, static_cast<Index>(waves.size()));
-  for (std::size_t k = 0; k < waves.size(); ++k) out.waves_.col(static_cast<Index>(k)) = waves[k];
+  for (std::size_t k = 0; k < waves.size(); ++k) {
+    const Eigen::VectorXd c = sums_.waves[static_cast<std::size_t>(waves[k].x)].col(waves[k].y) / n;
+    out.waves_.col(static_cast<Index>(k)) = (c - means * c(0)).tail(functions_);
+  }
   out.means_ = means.tail(functions_);
   const Eigen::MatrixXd second = sums_.products / n;
   const Eigen::VectorXd at = second.col(0);

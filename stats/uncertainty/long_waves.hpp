@@ -39,6 +39,27 @@ struct FieldExtent {
   double elongation = 1;  ///< correlation lengths along x over those along y
 };
 
+/// The waves along an axis of n points, a column each, from the longest on; the first is 1.
+Eigen::MatrixXd axis_waves(Index n, bool periodic);
+/// ν of its column j.
+inline Index half_waves(Index j, bool periodic) { return periodic ? j + j % 2 : j; }
+
+/// The waves (2).
+class LongWaves {
+ public:
+  struct Wave {
+    Index x, y;  ///< columns of the axes' waves
+  };
+  LongWaves() = default;
+  LongWaves(const Grid& grid, const FieldExtent& extent);
+  const std::vector<Wave>& all() const { return all_; }
+  double loss(double independent) const;  ///< (3)
+
+ private:
+  double largest_ = 0;  // J²
+  std::vector<Wave> all_ = {};
+};
+
 /// The means of some local functions and their long waves.
 class LocalMeans {
  public:
@@ -51,10 +72,10 @@ class LocalMeans {
 
  private:
   friend class LocalSums;
-  Eigen::VectorXd means_;
-  Eigen::MatrixXd waves_;       ///< c_k, a row a function
-  Eigen::MatrixXd covariance_;  ///< of the functions at one point
-  double largest_wave_ = 0;     ///< J²
+  LongWaves long_waves_ = {};
+  Eigen::VectorXd means_ = {};
+  Eigen::MatrixXd waves_ = {};       ///< c_k, a row a function
+  Eigen::MatrixXd covariance_ = {};  ///< of the functions at one point
 };
 
 /// The sums of a field that comes in strips, in order.
@@ -70,13 +91,6 @@ class LocalSums {
   LocalMeans means(const FieldExtent& extent) const;
 
  private:
-  // The waves along an axis of n points, a column each, and their half waves ν.
-  struct Axis {
-    Eigen::MatrixXd waves;
-    std::vector<double> half_waves;
-
-    Axis(Index n, bool periodic);
-  };
   struct Sums {
     std::vector<Eigen::MatrixXd> waves;  // Σ u_jk f_a, by j: a row a function, the first of which is 1
     Eigen::MatrixXd products;            // Σ f_a f_b
@@ -86,10 +100,9 @@ class LocalSums {
   Sums none() const;
   void add_row(Sums& sums, Index i, Values& values) const;
 
-  Shape shape_;
-  Periodic periodic_;
+  Grid grid_;
   Index functions_;
-  Axis x_, y_;
+  Eigen::MatrixXd x_, y_;  // the waves along either axis
   Sums sums_;
   Index rows_ = 0;  // so far
 };

@@ -2,9 +2,8 @@
 #include "stats/uncertainty/interval.hpp"
 
 #include "fields.hpp"
-#include "stats/spatial/acf.hpp"
-#include "stats/spatial/acf_length.hpp"
-#include "stats/uncertainty/length_interval.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/measure/acf_estimate.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 
 using namespace asperity;
@@ -12,7 +11,7 @@ using namespace asperity::test;
 
 namespace {
 
-struct Surface {
+struct Case {
   std::string name;
   Grid grid;
   Field z;
@@ -31,9 +30,9 @@ Field with_holes(Field z) {
   return z;
 }
 
-std::vector<Surface> surfaces() {
+std::vector<Case> surfaces() {
   const Shape s{24, 20};
-  std::vector<Surface> out;
+  std::vector<Case> out;
   auto add = [&](const std::string& name, Field z) {
     for (const bool periodic : {false, true})
       out.push_back({name + (periodic ? ", periodic" : ""), grid(z.rows(), z.cols(), periodic), z});
@@ -137,7 +136,7 @@ TEST_CASE("the length of an exponential of 1.3 samples is exact, wherever it lie
 // independent; lengths were reversed, or all to one side, where ρ is noise; and that of the slowest decay was
 // that of a ray, not of the lobe.
 TEST_CASE("intervals of every surface hold what was measured, or there is none", "[interval][law]") {
-  for (const Surface& s : surfaces()) {
+  for (const Case& s : surfaces()) {
     CAPTURE(s.name, s.grid.shape.nx, s.grid.shape.ny);
     const Pairs pairs = Pairs::of(s.z, s.grid);
     const LagField acf = estimate_autocorrelation(s.z, pairs, {.max_lag = default_max_lag(s.grid)});
@@ -149,14 +148,15 @@ TEST_CASE("intervals of every surface hold what was measured, or there is none",
     CHECK(holds(i.ssk, m.ssk));
     CHECK(holds(i.sku, m.sku));
     const LagField rho = acf.normalised();
-    const LengthIntervals lengths(acf, pairs, std::nullopt);
+    const AcfEstimate estimate(acf, {acf, true, pairs});
+    const LengthErrors lengths(estimate, remove_form(s.z), 0.1);
     for (const double level : {0.1, 0.2, 1 / std::numbers::e})
       for (const double angle : {0.0, 0.5, std::numbers::pi / 2, 2.4})
         if (const auto at = first_crossing(rho, s.grid, angle, level))
-          CHECK(holds(lengths.along(angle, level), at->lag));
+          CHECK(holds(*lengths.along(angle, level, at->lag).interval, at->lag));
     const CentralLobe lobe = central_lobe(rho, s.grid);
-    if (lobe.r_min) CHECK(holds(lengths.r_min(0.2), lobe.r_min->length));
-    if (lobe.r_max) CHECK(holds(lengths.r_max(0.2), lobe.r_max->length));
+    if (lobe.r_min) CHECK(holds(*lengths.r_min(0.2, *lobe.r_min).interval, lobe.r_min->length));
+    if (lobe.r_max) CHECK(holds(*lengths.r_max(0.2, *lobe.r_max).interval, lobe.r_max->length));
   }
 }
 

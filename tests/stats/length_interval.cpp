@@ -1,8 +1,8 @@
 #include "stats/uncertainty/length_interval.hpp"
 
 #include "fields.hpp"
-#include "stats/spatial/acf.hpp"
-#include "stats/spatial/acf_length.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/measure/acf_estimate.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -15,32 +15,30 @@ LagField exponential(Index reach, double length) {
   }));
 }
 
+// The error 0.02 at every lag, as a mode, and t of five degrees.
+LengthIntervals intervals_of(const LagField& rho, double error, double bias = 0) {
+  const auto& lags = rho.half_plane();
+  const AcfDeviations deviations({LagField(Field::Constant(lags.rows(), lags.cols(), error))}, 5);
+  return {rho, grid(512, 512), deviations, bias};
+}
+
 }  // namespace
 
-// At the ends λ, ρ'(λ) ± 1.96 SE(λ) is the level, SE there between those of the lags beside λ, which at 6
-// samples differ by 5 %; and as the field is large, the lags' weights change SE by less: 0.05 · 1.96 · 0.012
-// = 0.0012 of the level.
-TEST_CASE("the interval of a length ends where the correlation is 1.96 of its errors there from the level",
+// exp(-λ/6) is interpolated exactly, with the band between two lags to 3e-4.
+TEST_CASE("the interval of a length ends where the correlation is t of its errors from the level",
           "[length-interval][exact]") {
-  const double length = 6, level = 0.3;
-  const LagField rho = exponential(60, length);
-  const Grid g = grid(512, 512);
-  const double share = EffectiveSampleSize(rho, g).sum(1) / (512 * 512), b = share / (1 - share);
-  const AcfError error(rho, g);
-  auto strays = [&](double end) {
-    return ((std::exp(-end / length) + b) / (1 + b) - level) / error.normalised(std::lround(end), 0);
-  };
-  const Interval i = LengthIntervals(rho, g, rho).along(0, level);
-  CAPTURE(i.low, i.high);
-  CHECK(std::abs(strays(i.low) - 1.959964) <= 0.1);
-  CHECK(std::abs(strays(i.high) + 1.959964) <= 0.1);
+  const double length = 6, level = 0.3, error = 0.02, b = 0.01, t = 2.570582;
+  const Interval i = intervals_of(exponential(60, length), error, b).along(0, level);
+  auto at = [&](double end) { return (std::exp(-end / length) + b) / (1 + b); };
+  CHECK(at(i.low) - t * error == Approx(level).margin(1e-3));
+  CHECK(at(i.high) + t * error == Approx(level).margin(1e-3));
 }
 
 TEST_CASE(
     "an interval is open where the correlation does not fall that far, and none where no side of it does",
     "[length-interval][contract]") {
   const LagField rho = exponential(12, 6);
-  const LengthIntervals of(rho, grid(80, 80), rho), sharp(rho, grid(8000, 8000), rho);
+  const LengthIntervals of = intervals_of(rho, 0.05), sharp = intervals_of(rho, 1e-4);
   CHECK(of.along(0, 0.15).low > 0);
   CHECK(std::isinf(of.along(0, 0.15).high));
   CHECK(std::isinf(of.r_min(0.15).high));
@@ -64,10 +62,13 @@ TEST_CASE(
   for (unsigned f = 0; f < 300; ++f) {
     const Field z = moving_average(g.shape, window, 4000 + f);
     const LagField acf = estimate_autocorrelation(z, g, {.max_lag = default_max_lag(g)});
-    const LengthIntervals intervals(acf, g, std::nullopt);
-    of_e += holds(intervals.along(0, 1 / std::numbers::e), at_e) / 300.0;
-    of_sal += holds(intervals.r_min(0.2), sal) / 300.0;
-    of_slowest += holds(intervals.r_max(0.2), lobe.r_max->length) / 300.0;
+    const AcfEstimate estimate(acf, {acf, true, g});
+    const LengthErrors errors(estimate, remove_form(z), 0.2);
+    const CentralLobe found = central_lobe(estimate.rho, g);
+    const auto crossing = first_crossing(estimate.rho, g, 0, 1 / std::numbers::e);
+    of_e += holds(*errors.along(0, 1 / std::numbers::e, crossing->lag).interval, at_e) / 300.0;
+    of_sal += holds(*errors.r_min(0.2, *found.r_min).interval, sal) / 300.0;
+    of_slowest += holds(*errors.r_max(0.2, *found.r_max).interval, lobe.r_max->length) / 300.0;
   }
   const double bound = 3 * std::sqrt(0.05 * 0.95 / 300);
   CHECK(std::abs(of_e - 0.95) <= bound);

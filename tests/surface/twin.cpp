@@ -7,7 +7,7 @@
 #include "dataset/netcdf.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/acf_error.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 #include "support.hpp"
 #include "surface/synthesis.hpp"
 
@@ -65,12 +65,14 @@ TEST_CASE("surfaces drawn from a measured surface's autocorrelation have it, wit
                 .half_plane() /
             surfaces;
   }
-  const AcfError error(
+  // Var[R(h)] ≤ 2 S_2/n_h (Bartlett).
+  const EffectiveSampleSize drawn(
       LagField(autocorrelation(kernel.values, kernel.values.rows(), 2 * kernel.values.cols() - 1)),
       measured.grid);
   for (Index p = 0; p < lags.nx; ++p)
     for (Index q = 1 - lags.ny; q < lags.ny; ++q) {
-      const double bound = 4 * error.absolute(p, q) / std::sqrt(surfaces) + kernel.report.change;
+      const double pairs = drawn.points() * overlap(measured.grid, p, q),
+                   bound = 4 * std::sqrt(2 * drawn.sum(2) / (pairs * surfaces)) + kernel.report.change;
       CAPTURE(p, q);
       CHECK(std::abs(mean(p, q + lags.ny - 1) - measured.acf(p, q)) <= bound);
       CHECK(bound <= 0.1);

@@ -12,17 +12,21 @@ namespace {
 
 void add_profile(Table& table, const AcfResult& result, bool absolute, bool x) {
   const AcfEstimate& estimate = result.estimate;
-  const Grid& grid = estimate.basis.pairs.grid();
+  const Grid& grid = estimate.grid();
+  const ProfileErrors& errors = (*result.profiles)[x ? 0 : 1];
   const Index lags = x ? estimate.rho.max_p() : estimate.rho.max_q();
   const double spacing = x ? grid.dx : grid.dy, scale = absolute ? estimate.variance : 1;
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
-    const double value = scale * estimate.rho(p, q), error = scale * estimate.standard_error(p, q, absolute);
-    const Interval ends = Interval::about(value, half_width_95 * error);
+    const double value = scale * estimate.rho(p, q), error = errors.acf(lag);
+    const Interval ends = Interval::about(value, errors.quantile * error);
     std::vector<Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, value, error, ends.low,
                           ends.high};
     if (result.target) row.push_back(scale * (*result.target)(p, q));
-    if (result.structure) row.push_back((*result.structure)(p, q));
+    if (result.structure) {
+      row.push_back((*result.structure)(p, q));
+      row.push_back(errors.structure(lag));
+    }
     table.rows.push_back(std::move(row));
   }
 }
@@ -36,8 +40,8 @@ class Writer {
   void acf(const Field& values, const char* meaning = "autocorrelation estimated from the field") {
     write("acf", values, content_.unit(), meaning);
   }
-  void error(const Field& values) {
-    write("acf_error", values, content_.unit(), "standard error of the mean autocorrelation");
+  void error(const Field& values, const char* meaning = "standard error of the mean autocorrelation") {
+    write("acf_error", values, content_.unit(), meaning);
   }
   void structure(const Field& values) {
     write("structure_function", values, content_.squared(),
@@ -79,7 +83,9 @@ Table acf_profiles(const AcfResult& result, const AcfContent& content) {
                {"high_95", unit, Holds::open}},
               {}};
   if (result.target) table.columns.push_back({"target", unit, Holds::unknown});
-  if (result.structure) table.columns.push_back({"structure_function", content.squared(), Holds::unknown});
+  if (result.structure)
+    for (const char* name : {"structure_function", "structure_function_standard_error"})
+      table.columns.push_back({name, content.squared(), Holds::unknown});
   for (const bool x : {true, false}) add_profile(table, result, content.absolute, x);
   return table;
 }
@@ -90,6 +96,8 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
   const AcfEstimate& estimate = result.estimate;
   Writer writer(data, estimate.basis.pairs.grid(), content);
   writer.acf((content.absolute ? estimate.variance : 1) * estimate.rho.half_plane());
+  if (result.errors)
+    writer.error(result.errors->half_plane(), "standard error of acf, from the field's own long waves");
   if (result.structure) writer.structure(result.structure->half_plane());
   if (result.quantiles) set_quantiles(data, "acf_quantiles", *result.quantiles);
   writer.scalars(estimate.variance, result.moments.ssk, result.moments.sku);
@@ -101,7 +109,7 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 
 AcfEnsemble::AcfEnsemble(AcfContent content)
     : content_(std::move(content)),
-      profiles_({.keys = {"direction", "lag"}, .value = "acf", .means = {"target", "structure_function"}}) {}
+      profiles_({.keys = {"direction", "lag"}, .value = "acf", .others = {"structure_function"}, .means = {"target"}}) {}
 
 void AcfEnsemble::add_profiles(const AcfResult& result, const std::string& file) {
   profiles_.add(acf_profiles(result, content_), file);

@@ -1,6 +1,7 @@
 /// What asperity-acf writes and prints, of one surface or as a mean over several.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,10 @@ struct AcfResult {
   std::optional<LagField> target = {};     ///< normalised
   std::optional<LagField> structure = {};  ///< in units squared
   std::optional<MeasuredHeights> quantiles = {};
+  std::optional<LagField> errors = {};  ///< of the ACF
+  /// Errors, of what prints them.
+  std::optional<std::array<ProfileErrors, 2>> profiles = {};
+  std::optional<LengthErrors> lengths = {};
 };
 
 /// Which of them, and how.
@@ -36,7 +41,7 @@ Table acf_profiles(const AcfResult& result, const AcfContent& content);
 /// The variables and attributes of asperity-acf in place of former ones.
 void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, const AcfContent& content);
 
-/// The same over an ensemble: the mean of each, and acf_error, the standard error of the mean ACF.
+/// The same over an ensemble: the mean of each, and acf_error, here that of the mean ACF.
 class AcfEnsemble {
  public:
   explicit AcfEnsemble(AcfContent content);

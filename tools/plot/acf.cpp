@@ -1,5 +1,3 @@
-#include "stats/spatial/acf.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -7,9 +5,9 @@
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/measure/acf_estimate.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/uncertainty/acf_error.hpp"
-#include "stats/uncertainty/effective_size.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -70,19 +68,19 @@ double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Gr
 void estimate_profiles(const Dataset& data, Profiles& profiles) {
   const Grid grid = grid_of(data);
   const Field z = field_of(data, "heights", Missing::not_a_number);
-  const Pairs pairs = Pairs::of(z, grid);
-  const LagField rho = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)}).normalised();
-  const AcfError error(significant_lags(rho, pairs), pairs);
-  profiles.with_errors = EffectiveSampleSize::of_estimate(rho, pairs).gives_errors();
+  const Surface surface{.grid = grid, .heights = remove_form(z)};
+  const AcfEstimate estimate = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
+  const LagField& rho = estimate.rho;
+  profiles.with_errors = estimate.size.gives_errors();
   const double most = lag_worth_showing(profiles, rho, grid);
   const double steps[] = {grid.dx, grid.dy};
   const Index last[] = {rho.max_p(), rho.max_q()};
-  for (std::size_t d = 0; d < 2; ++d)
-    for (Index k = 0; k <= last[d] && static_cast<double>(k) * steps[d] <= most; ++k) {
-      const Index p = d == 0 ? k : 0, q = d == 0 ? 0 : k;
-      profiles.found[d].push_back(
-          {static_cast<double>(k) * steps[d], rho(p, q), profiles.with_errors ? error.normalised(p, q) : 0});
-    }
+  for (std::size_t d = 0; d < 2; ++d) {
+    const Eigen::ArrayXd errors = profile_errors(estimate, surface.heights, d == 0, false).acf;
+    for (Index k = 0; k <= last[d] && static_cast<double>(k) * steps[d] <= most; ++k)
+      profiles.found[d].push_back({static_cast<double>(k) * steps[d], d == 0 ? rho(k, 0) : rho(0, k),
+                                   profiles.with_errors ? errors(k) : 0});
+  }
   profiles.estimated = true;
 }
 

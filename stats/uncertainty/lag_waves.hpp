@@ -1,0 +1,59 @@
+/// Standard errors of an estimated autocorrelation from the field's own long waves, whatever its correlation
+/// and the distribution of its heights.
+///
+/// At each lag h the estimates are means over the n_h pairs of points z, z' a lag apart,
+///     R = mean z z',    S = mean (z - z')²,    Q = mean ½(z² + z'²),    ρ = R/R(0,0),                 (1)
+/// and stray as long waves of the local functions do (stats/uncertainty/long_waves.hpp): of z z' for R, of
+/// (z - z')² for S, and for ρ of
+///     f = [z z' - ½ρ (z² + z'²)]/R(0,0),                                                              (2)
+/// which is small where z' hardly differs from z. R(0,0) is the mean over the field, Q that over the pairs;
+/// they differ by the points near the edges, which makes ρ deviate by ρ (Q/R(0,0) - 1) beside (2).
+///
+/// J² is 5 at least: products of heights are correlated over shorter distances than the heights.
+///
+/// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
+/// wave of the shortest; a block's products at all lags are a correlation by the FFT.
+///
+/// Symbols   K  waves      ν  half waves      P, Q  longest lags
+/// Scope     long_waves.hpp; lags up to half the field.
+/// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage.
+/// Cost      for B blocks of bx × by points three transforms of (bx + P)(by + 2Q) points each, nine with
+///           missing heights. Memory: 4K fields over the lags.
+#pragma once
+
+#include <vector>
+
+#include "core/field.hpp"
+#include "stats/spatial/lag_field.hpp"
+#include "stats/uncertainty/acf_deviations.hpp"
+#include "stats/uncertainty/long_waves.hpp"
+
+namespace asperity {
+
+class LagWaves {
+ public:
+  /// Of heights less their mean, NaN where missing, at lags up to max_lag.
+  LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads = 1);
+
+  double degrees() const { return static_cast<double>(long_waves_.all().size()); }  ///< K
+  /// Of ρ, at least at these lags.
+  AcfDeviations of_ratio(const LagField& rho) const;
+  /// Standard errors of R and of S.
+  LagField of_covariance() const;
+  LagField of_structure() const;
+
+ private:
+  // Of a wave u, all over the pairs: Σ u z z', Σ ½u (z² + z'²), Σ u, Σ u².
+  struct Wave {
+    Field products, squares, pairs, weights;
+  };
+  // The modes of a mean of `per_product` z z' + `per_square` ½(z² + z'²).
+  std::vector<Field> modes(const Field& per_product, const Field& per_square) const;
+  LagField errors(double per_product, double per_square) const;
+
+  LongWaves long_waves_;
+  double n_eff_, variance_;
+  std::vector<Wave> waves_ = {};  // the first is u = 1
+};
+
+}  // namespace asperity

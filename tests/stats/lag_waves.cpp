@@ -1,0 +1,165 @@
+// Errors of an estimated autocorrelation from the field's own long waves, and of what is found from it.
+#include "stats/uncertainty/lag_waves.hpp"
+
+#include <numbers>
+
+#include "fields.hpp"
+#include "holes.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/measure/acf_estimate.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// Waves ν = 1, 2 along either axis at J² = 5: blocks of a sixth of the sides.
+constexpr Index blocks = 6;
+
+double block_wave(Index i, Index n, Index number, bool periodic) {
+  Index b = 0;
+  while (i >= (b + 1) * n / blocks) ++b;
+  if (number == 0) return 1;
+  const double phase = std::numbers::pi * (static_cast<double>(b) + 0.5) / static_cast<double>(blocks),
+               k = static_cast<double>(periodic ? number + number % 2 : number);
+  return std::numbers::sqrt2 *
+         (periodic && number % 2 == 0 ? std::sin(k * phase) : std::cos(k * phase));
+}
+
+// One by one: the error of the mean over the pairs at a lag of f(z, z'), by the waves.
+template <class Function>
+double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index p, Index q, Function f) {
+  const LongWaves waves(g, {std::max(extent.n_eff, 160.0), extent.elongation});
+  const auto [nx, ny] = g.shape;
+  double mean = 0, pairs = 0;
+  std::vector<double> sums(waves.all().size()), of_wave = sums, squares = sums;
+  for (const bool second_pass : {false, true}) {
+    for (Index i = 0; i < nx; ++i)
+      for (Index j = 0; j < ny; ++j) {
+        const Index a = i + p, b = j + q;
+        if (!g.periodic.x && a >= nx) continue;
+        if (!g.periodic.y && (b < 0 || b >= ny)) continue;
+        const double value = f(z(i, j), z(a % nx, (b + ny) % ny));
+        if (std::isnan(value)) continue;
+        if (!second_pass) {
+          mean += value, ++pairs;
+          continue;
+        }
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+          const double u = block_wave(i, nx, waves.all()[k].x, g.periodic.x) *
+                           block_wave(j, ny, waves.all()[k].y, g.periodic.y);
+          sums[k] += u * (value - mean), squares[k] += u * u;
+        }
+      }
+    if (!second_pass) mean /= pairs;
+  }
+  double variance = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    variance += sums[k] * sums[k] / (pairs * squares[k]) / static_cast<double>(sums.size());
+  return std::sqrt(variance) / (1 - waves.loss(extent.n_eff));
+}
+
+}  // namespace
+
+// Sums by the transform and by hand: round-off of 10⁴ products.
+TEST_CASE("errors of lags are those of waves summed pair by pair", "[lag-waves][exact]") {
+  const FieldExtent extent{300, 1};
+  for (const Periodic periodic : {Periodic{false, false}, {false, true}, {true, true}})
+    for (const double share : {0.0, 0.1}) {
+      const Grid g{{45, 38}, 1, 1, periodic};
+      Field z = moving_average(g.shape, {4, 3}, 7);
+      if (share > 0) z = with_holes(z, share, 8);
+      const Field d = remove_form(z);
+      const LagField rho = estimate_autocorrelation(d, g, {.max_lag = {9, 7}}).normalised();
+      const double variance = moments(d).sq * moments(d).sq;
+      for (const int threads : {1, 3}) {
+        const LagWaves waves(d, g, {9, 7}, extent, threads);
+        const LagField of_R = waves.of_covariance(), of_S = waves.of_structure(),
+                       of_rho = waves.of_ratio(rho).errors();
+        for (const auto [p, q] : {Shape{0, 3}, {1, 0}, {9, 7}, {9, -7}, {4, -2}}) {
+          CAPTURE(periodic.x, periodic.y, share, threads, p, q);
+          const double expected_R = error_of(d, g, extent, p, q, [](double a, double b) { return a * b; }),
+                       expected_S =
+                           error_of(d, g, extent, p, q, [](double a, double b) { return (a - b) * (a - b); }),
+                       r = rho(p, q), of_pairs = error_of(d, g, extent, p, q, [&](double a, double b) {
+                         return (a * b - 0.5 * r * (a * a + b * b)) / variance;
+                       });
+          double squares = 0, pairs = 0;
+          for (Index i = 0; i < 45; ++i)
+            for (Index j = 0; j < 38; ++j) {
+              const Index a = i + p, b = j + q;
+              if ((!g.periodic.x && a >= 45) || (!g.periodic.y && (b < 0 || b >= 38))) continue;
+              const double value = 0.5 * (std::pow(d(i, j), 2) + std::pow(d(a % 45, (b + 38) % 38), 2));
+              if (!std::isnan(value)) squares += value, ++pairs;
+            }
+          const double at_edges = r * (squares / pairs / variance - 1);
+          CHECK(relative_error(of_R(p, q), expected_R) <= 1e-9);
+          CHECK(relative_error(of_S(p, q), expected_S) <= 1e-9);
+          CHECK(relative_error(of_rho(p, q), std::hypot(of_pairs, at_edges)) <= 1e-9);
+        }
+      }
+    }
+}
+
+// 200 fields of N_eff = 1000 (Gaussian) and their exponentials: a spread of skewed sums is known to 10 %, the
+// rms error, of K = 12 squares each, to 3 %; and waves lose up to a tenth.
+TEST_CASE("errors of lags are those of simulated fields, Gaussian or not", "[lag-waves][statistics][slow]") {
+  const Grid g = grid(96, 96);
+  for (const bool lognormal : {false, true}) {
+    const Shape lags[] = {{1, 0}, {3, 0}, {0, 2}, {2, -2}, {20, 0}};
+    Spread found[5];
+    double squares[5] = {};
+    for (unsigned f = 0; f < 200; ++f) {
+      Field z = moving_average(g.shape, {4, 4}, 900 + f);
+      if (lognormal) z = (0.6 * z).exp();
+      const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = remove_form(z)}, {.max_lag = {48, 48}});
+      const LagField errors =
+          LagWaves(remove_form(z), g, {20, 3}, estimate.basis.shape().extent).of_ratio(estimate.rho).errors();
+      for (std::size_t k = 0; k < 5; ++k) {
+        found[k].add(estimate.rho(lags[k].nx, lags[k].ny));
+        squares[k] += std::pow(errors(lags[k].nx, lags[k].ny), 2) / 200;
+      }
+    }
+    for (std::size_t k = 0; k < 5; ++k) {
+      CAPTURE(lognormal, lags[k].nx, lags[k].ny);
+      CHECK(std::sqrt(squares[k]) == Approx(found[k].deviation()).epsilon(0.25));
+    }
+  }
+}
+
+// Modes a and b of one lag: its error √(a² + b²), and that of e^ρ e^ρ √(a² + b²) to a hundred draws, 7 % and
+// three of them; antithetic draws leave of the logarithm no bias.
+TEST_CASE("a figure of the autocorrelation has the error of the deviations of its lags",
+          "[acf-deviations][law]") {
+  auto mode = [](double there, double beside) {
+    Field values = Field::Zero(2, 3);
+    values(1, 1) = there, values(0, 2) = beside;
+    return LagField(values);
+  };
+  const AcfDeviations of({mode(0.03, 0), mode(0.04, 0.02)}, 5);
+  Field rho = Field::Ones(2, 3);
+  rho(1, 1) = 0.5;
+  CHECK(of.errors()(1, 0) == Approx(0.05).epsilon(1e-14));
+  CHECK(of.errors()(0, 1) == Approx(0.02).epsilon(1e-14));
+  CHECK(of.correlation({{1, 0}, {0, 1}})(0, 1) == Approx(0.8).epsilon(1e-14));
+  CHECK(of.quantile(0.025) == Approx(2.5706).epsilon(1e-4));
+  const auto exponential = of.relative(
+      LagField(rho), [](const LagField& r) { return std::optional(std::exp(r(1, 0))); }, 3);
+  CHECK(exponential.error == Approx(0.05).epsilon(0.2));
+  CHECK(std::abs(exponential.bias) <= 1e-14);
+  // Of a convex function the logarithm is biased: here by ½ · 0.05² · (ln cosh)''(0)/… ≥ 0.
+  const auto cosh = of.relative(
+      LagField(rho), [](const LagField& r) { return std::optional(std::cosh(10 * (r(1, 0) - 0.5))); });
+  CHECK(cosh.bias > 0.05);
+  CHECK(cosh.bias < 0.125);
+  const AcfDeviations::Figure axis = [](const LagField& r) {
+    return std::optional(std::numbers::pi / 2 + r(1, 0) - 0.5);
+  };
+  CHECK(of.of_axis(LagField(rho), axis) == Approx(0.05).epsilon(0.2));
+  const AcfDeviations::Figure wild = [](const LagField& r) { return std::optional(50 * r(1, 0)); };
+  CHECK(std::isnan(of.of_axis(LagField(rho), wild)));
+  const AcfDeviations::Figure rare = [](const LagField& r) {
+    return r(1, 0) > 0.5 ? std::optional(r(1, 0)) : std::nullopt;
+  };
+  CHECK(std::isnan(of.relative(LagField(rho), rare).error));
+}
