@@ -9,6 +9,7 @@
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/specification.hpp"
 #include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/progress.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/acf_table.hpp"
@@ -21,7 +22,7 @@ constexpr int not_as_prescribed = 5;
 
 struct Options {
   cli::EnsembleInput surfaces;
-  std::string target, variable = "heights", errors = "auto";
+  std::string target, variable = "heights";
   double rq = NAN, skewness = NAN, kurtosis = NAN, significance = 0.01;
 
   void declare(cli::Tool& tool) {
@@ -45,12 +46,6 @@ struct Options {
         asked);
     tool.number("--significance", significance,
                 "Largest rate of false alarms of all rows together; between 0 and 0.5", answer);
-    tool.choice(
-        "--errors", errors, {"auto", "theory", "spread"},
-        "Source of the standard errors. theory: Gaussian surfaces of the target's correlation, for one "
-        "surface or more; spread: the spread over the ensemble, for any distribution and at least a dozen "
-        "surfaces; auto: theory if Gaussian heights are prescribed, else spread",
-        answer);
   }
 
   void check() const {
@@ -81,7 +76,8 @@ Specification carried(const Dataset& data, const Grid& grid) {
   return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 
-SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first) {
+SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Dataset& first,
+                           cli::Progress& progress) {
   const Grid grid = grid_of(first);
   if (!o.target.empty()) tool.reads(o.target);
   Specification asked = o.target.empty() ? carried(first, grid) : from_file(tool, o.target, grid);
@@ -91,9 +87,10 @@ SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Datase
   };
   asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
   asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", gamma_kurtosis(asked.ssk));
-  const bool gaussian = asked.ssk == 0 && asked.sku == 3;
-  asked.spread = o.errors == "spread" || (o.errors == "auto" && !gaussian);
   asked.threads = tool.thread_count();
+  asked.simulated = [&](Index done, Index of) {
+    progress.count(static_cast<double>(done), static_cast<double>(of), "simulated surfaces");
+  };
   SpecificationTest test(asked, grid);  // refuses before a warning is due
   cli::warn_of_few(tool, EffectiveSampleSize(asked.correlation, grid));
   return test;
@@ -123,8 +120,8 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
 
 void document(cli::Tool& tool) {
   tool.exit_status(not_as_prescribed, "the surfaces differ from the prescription");
-  tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--errors", "--variable",
-                  "--json", "--output", "--threads"});
+  tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--variable", "--json",
+                  "--output", "--threads"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
       "s_%02d.nc && asperity-validate s_*.nc");
@@ -165,16 +162,18 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check();
     std::optional<SpecificationTest> test;
+    cli::Progress progress(tool);
     cli::EnsembleGrid grids("the test");
     options.surfaces.for_each(tool, [&](cli::EnsembleMember&& member) {
       const Dataset& data = member.data;
       grids.add(tool, grid_of(data), member.name);
-      if (!test) test = test_for(tool, options, data);
+      if (!test) test = test_for(tool, options, data, progress);
       tool.detail(member.name);
       test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
     });
     const std::vector<TestResult> results = test->results();
-    tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag"));
+    const std::string simulated = test->drawn() > 0 ? ", errors from " + counted(test->drawn(), "simulated surface") : "";
+    tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag") + simulated);
     cli::print(tool, table_of_results(results, options.significance));
     return joint_p(results) <= options.significance ? not_as_prescribed : int{cli::done};
   });
