@@ -185,16 +185,9 @@ struct Alarms {
   bool gaussian() const { return ssk == 0 && sku == 3; }
 };
 
-// Heights of the skewness and kurtosis, or as they are.
 Field translated(Field z, const std::optional<Translation>& g) {
   if (g) g->apply({z.data(), static_cast<std::size_t>(z.size())});
   return z;
-}
-
-LagField correlation_of(const Alarms& a, const std::optional<Translation>& g) {
-  const LagField below = triangular_correlation(a.width);
-  if (!g) return below;
-  return LagField(below.half_plane().unaryExpr([map = CorrelationMap(*g)](double r) { return map(r); }));
 }
 
 // Of surfaces that are as prescribed, at a stated 1 and 5 %.
@@ -204,7 +197,8 @@ void false_alarms(const Alarms& a, int ensembles) {
   const Grid grid{{a.n, a.n}, 1, 1, false};
   std::optional<Translation> g;
   if (!a.gaussian()) g = PrescribedHeights{a.ssk, a.sku, InfeasiblePolicy::error}.translation();
-  const LagField correlation = correlation_of(a, g);
+  LagField correlation = triangular_correlation(a.width);
+  if (g) correlation = LagField(correlation.half_plane().unaryExpr(CorrelationMap(*g)));
   std::optional<SpecificationTest> untried;
   int of_one = 0, of_five = 0;
   for (int e = 0; e < ensembles; ++e) {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr Index most_rows = 9, most_columns = 17;
 constexpr double least_density = 0.1, most_score = 37;
-constexpr double patches_per_degree = 10;   // of the t law whose tails the figures have
-constexpr double patches_of_stretch = 4;    // the same: a stretch rests on more waves than S_2 counts
+constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
+constexpr double patches_of_stretch = 4;   // the same: a stretch rests on more waves than S_2 counts
 // Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at most.
 constexpr double most_skewed = 1.6;
 
@@ -85,8 +85,9 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
   choose_stretches();
   if (!asked_.gaussian()) {
     const PrescribedHeights heights{asked_.ssk, asked_.sku, InfeasiblePolicy::nearest};
-    simulation_ = std::make_shared<Simulation>(Simulation{RandomFields(
-        {.grid = grid, .correlation = asked_.correlation, .translation = heights.translation()}, asked_.seed)});
+    simulation_ = std::make_shared<Simulation>(Simulation{
+        RandomFields({.grid = grid, .correlation = asked_.correlation, .translation = heights.translation()},
+                     asked_.seed)});
     return;
   }
   total_.shape_variances = total_.shape_biases = Eigen::ArrayXd::Zero(complete_.shape_variances.size());
@@ -164,7 +165,7 @@ SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const
 }
 
 Eigen::ArrayXd SpecificationTest::measured(const Field& z, const Pairs& pairs, const Theory& theory,
-                                            int threads) const {
+                                           int threads) const {
   const Moments m = moments(z);
   const LagField acf = estimate_autocorrelation(
       z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = threads});

@@ -26,8 +26,8 @@ double deviation(const ArrayXd& x) {
 
 // Of a mean over `observed`, against one over `simulated`.
 double standard_error(const ArrayXd& simulated, const ArrayXd& observed) {
-  return deviation(simulated) * std::sqrt(1 / static_cast<double>(observed.size()) +
-                                          1 / static_cast<double>(simulated.size()));
+  return deviation(simulated) *
+         std::sqrt(1 / static_cast<double>(observed.size()) + 1 / static_cast<double>(simulated.size()));
 }
 
 TestResult row(const std::string& name, double prescribed, const ArrayXd& simulated,
@@ -133,9 +133,9 @@ std::vector<TestResult> SpecificationTest::by_simulation() const {
   out.back().p = p_of_skewed_mean(drawn.col(2), observed.col(2));
   const Index stretches = drawn.cols() - 3 - lags();
   if (!lags_.empty())
-    out.push_back(
-        largest(acf_.each, drawn.middleCols(3, lags()), observed.middleCols(3, lags())));
-  if (stretches > 0) out.push_back(largest(lengths_.each, drawn.rightCols(stretches), observed.rightCols(stretches)));
+    out.push_back(largest(acf_.each, drawn.middleCols(3, lags()), observed.middleCols(3, lags())));
+  if (stretches > 0)
+    out.push_back(largest(lengths_.each, drawn.rightCols(stretches), observed.rightCols(stretches)));
   return out;
 }
 

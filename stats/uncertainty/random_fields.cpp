@@ -56,9 +56,10 @@ RandomFields::RandomFields(const FieldModel& model, std::uint64_t seed)
       seed_(seed),
       torus_(torus_of(model)),
       transform_(torus_) {
-  root_ = root_of_power(transform_, torus_,
-                        translation_ ? underlying_correlation(model.correlation, CorrelationMap(*translation_))
-                                     : model.correlation);
+  root_ =
+      root_of_power(transform_, torus_,
+                    translation_ ? underlying_correlation(model.correlation, CorrelationMap(*translation_))
+                                 : model.correlation);
 }
 
 Field RandomFields::heights(Index k) const {
