@@ -12,17 +12,14 @@
 #include "stats/sample/moments.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr Index most_rows = 9, most_columns = 17;
 constexpr double least_density = 0.1, most_score = 37;
-constexpr double most_of_mean = 0.1;        // of the variance: a translation's biases are about a known mean
-constexpr double patches_per_degree = 10;   // of the t law whose tails the figures have
-constexpr double patches_of_stretch = 4;    // the same: a stretch rests on more waves than S_2 counts
-constexpr double degrees_of_spread = 0.75;  // a surface, less one: figures are skewed
+constexpr double patches_per_degree = 10;  // of the t law whose tails the figures have
+constexpr double patches_of_stretch = 4;   // the same: a stretch rests on more waves than S_2 counts
 // Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at most.
 constexpr double most_skewed = 1.6;
 
@@ -74,9 +71,6 @@ void check(const Specification& asked) {
   if (!(asked.sku >= 1 + asked.ssk * asked.ssk))
     throw ParameterError(
         "kurtosis", "'" + shortest(asked.sku) + "' is below 1 + skewness², the least of any distribution");
-  if (!asked.spread && (asked.ssk != 0 || asked.sku != 3))
-    throw ParameterError("errors",
-                         "theory covers Gaussian surfaces only, of skewness 0 and kurtosis 3; use spread");
 }
 
 }  // namespace
@@ -86,14 +80,16 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
   check(asked);
   asked_.correlation = asked.correlation.normalised();
   choose_lags();
-  if (asked_.ssk != 0 || asked_.sku != 3) {
-    const PrescribedHeights heights{asked_.ssk, asked_.sku, InfeasiblePolicy::nearest};
-    const Translation g = heights.translation();
-    translated_ = Translated{g, underlying_correlation(asked_.correlation, CorrelationMap(g))};
-  }
   stretch_.emplace(asked_.correlation, grid, longest_lag(asked_.correlation, grid));
   complete_ = theory_of(grid);
   choose_stretches();
+  if (!asked_.gaussian()) {
+    const PrescribedHeights heights{asked_.ssk, asked_.sku, InfeasiblePolicy::nearest};
+    simulation_ = std::make_shared<Simulation>(Simulation{
+        RandomFields({.grid = grid, .correlation = asked_.correlation, .translation = heights.translation()},
+                     asked_.seed)});
+    return;
+  }
   total_.shape_variances = total_.shape_biases = Eigen::ArrayXd::Zero(complete_.shape_variances.size());
   const LagField& rho = asked_.correlation;
   const double cells = static_cast<double>(grid_.shape.cells());
@@ -144,16 +140,10 @@ void SpecificationTest::check_reach(const EffectiveSampleSize& size) const {
   auto refuse = [](const std::string& why) {
     throw DataError("acf_target", "it reaches too far for the field: " + why + "; use a larger field");
   };
-  if (!asked_.spread && !size.gives_errors())
+  if (!size.gives_errors())
     refuse("N_eff = " + shortest(std::round(10 * size.effective(2)) / 10) + " is below " +
-           shortest(size.least_effective()) + ", the least with which theory gives errors");
-  const double w = size.mean_power(1);
-  if (!(w < 0.5)) refuse("subtracting its mean removes half of the variance or more");
-  if (translated_ && !(w < most_of_mean))
-    refuse(
-        "subtracting its mean removes " + shortest(std::round(100 * w)) +
-        " % of the variance, and the biases of Ssk and Sku of heights that are not Gaussian are known only "
-        "below 10 %");
+           shortest(size.least_effective()) + ", the least with which there are errors");
+  if (!(size.mean_power(1) < 0.5)) refuse("subtracting its mean removes half of the variance or more");
 }
 
 SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const {
@@ -165,11 +155,6 @@ SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const
   out.shape_variances.tail(stretches) = out.stretch.covariance.diagonal();
   out.shape_biases.tail(stretches) = -out.stretch.with_variance;
   out.sku_bias = -6 * out.mean_powers(2);
-  if (translated_) {
-    const TranslationErrors errors(translated_->heights, EffectiveSampleSize(translated_->below, pairs));
-    out.ssk_bias = errors.ssk_bias();
-    out.sku_bias = errors.sku_bias();
-  }
   const AcfError errors(asked_.correlation, pairs);
   for (Index i = 0; const auto& [lag, rho] : lags_) {
     if (pairs.density(lag.nx, lag.ny) > least_density)
@@ -179,16 +164,11 @@ SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const
   return out;
 }
 
-void SpecificationTest::add(const Field& z, const Grid& grid) {
-  auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
-  if (shape_of(z) != grid_.shape || !same(grid.dx, grid_.dx) || !same(grid.dy, grid_.dy) ||
-      grid.periodic != grid_.periodic)
-    throw DataError("heights", "the grid differs from that of the first surface");
+Eigen::ArrayXd SpecificationTest::measured(const Field& z, const Pairs& pairs, const Theory& theory,
+                                           int threads) const {
   const Moments m = moments(z);
-  const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
-  const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
   const LagField acf = estimate_autocorrelation(
-      z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = asked_.threads});
+      z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = threads});
   const double w = theory.mean_powers(1), variance = acf(0, 0) / (1 - w);
   const Index shapes = theory.shape_variances.size();
   Eigen::ArrayXd values(3 + shapes);
@@ -196,25 +176,39 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
   for (Index i = 3; const auto& [lag, rho] : lags_) values(i++) = acf(lag.nx, lag.ny) - (rho - w) * variance;
   values.tail(shapes - lags()) = theory.stretch(acf);
   values.tail(shapes) = (theory.shape_variances > 0).select(values.tail(shapes), NAN);
+  return values;
+}
+
+void SpecificationTest::add(const Field& z, const Grid& grid) {
+  auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
+  if (shape_of(z) != grid_.shape || !same(grid.dx, grid_.dx) || !same(grid.dy, grid_.dy) ||
+      grid.periodic != grid_.periodic)
+    throw DataError("heights", "the grid differs from that of the first surface");
+  const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
+  const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
+  const Eigen::ArrayXd values = measured(z, pairs, theory, asked_.threads);
+  ++surfaces_;
+  if (simulation_) {
+    observed_.push_back(shaped(values));
+    count_missing(z);
+    return;
+  }
   ensemble_.add(values);
   total_.mean_powers += theory.mean_powers;
-  total_.ssk_bias += theory.ssk_bias;
   total_.sku_bias += theory.sku_bias;
   total_.shape_variances += theory.shape_variances;
   total_.shape_biases += theory.shape_biases;
-  ++surfaces_;
 }
 
 double SpecificationTest::score(double z, double skewness, double per_degree) const {
-  if (asked_.spread) return normal_score(student_tails(z, degrees_of_spread * (surfaces_ - 1)));
   const double patches = surfaces_ / mean_power(2);
   return normal_score(student_tails(gamma_score(z, skewness / std::sqrt(surfaces_)), patches / per_degree));
 }
 
-TestResult SpecificationTest::result(const std::string& name, Index quantity, double prescribed, double mean,
-                                     double theory, double skewness) const {
+TestResult SpecificationTest::result(const std::string& name, double prescribed, double mean, double theory,
+                                     double skewness) const {
   TestResult out{.quantity = name, .prescribed = prescribed, .mean = mean};
-  out.standard_error = asked_.spread ? ensemble_.standard_error()(quantity) : theory / std::sqrt(surfaces_);
+  out.standard_error = theory / std::sqrt(surfaces_);
   out.z = (mean - prescribed) / out.standard_error;
   out.p = two_sided(score(out.z, skewness, patches_per_degree));
   return out;
@@ -228,8 +222,7 @@ TestResult SpecificationTest::largest_result(const Together& of, Index first) co
   };
   const Eigen::ArrayXd biases = part(total_.shape_biases) / (1.0 * surfaces_ * surfaces_),
                        mean = part(ensemble_.mean()) / variance - biases;
-  Eigen::ArrayXd error = part(ensemble_.standard_error()) / variance;
-  if (!asked_.spread) error = part(total_.shape_variances).sqrt() / part(ensemble_.count());
+  const Eigen::ArrayXd error = part(total_.shape_variances).sqrt() / part(ensemble_.count());
   TestResult out = of.each.front();
   out.prescribed = 0, out.p = 1;
   double largest = -1;
@@ -242,34 +235,33 @@ TestResult SpecificationTest::largest_result(const Together& of, Index first) co
     out.mean = out.prescribed + mean(i), out.standard_error = error(i), out.z = z;
   }
   if (largest < 0) return out;
-  out.p = -std::expm1(static_cast<double>(n) * std::log1p(-two_sided(largest)));  // Šidák's
-  if (!asked_.spread) out.p = std::min(out.p, of.largest.exceedance(largest));
+  const double bound = -std::expm1(static_cast<double>(n) * std::log1p(-two_sided(largest)));  // Šidák's
+  out.p = std::min(bound, of.largest.exceedance(largest));
+  return out;
+}
+
+std::vector<TestResult> SpecificationTest::by_theory() const {
+  std::vector<TestResult> out;
+  const Eigen::ArrayXd mean = ensemble_.mean();
+  if (std::isfinite(asked_.sq)) {  // tested as a variance, told as an rms height
+    const double variance = asked_.sq * asked_.sq, error = variance * std::sqrt(2 * mean_power(2));
+    out.push_back(result("Sq", variance, mean(0), error, variance_skewness_));
+    out[0].prescribed = asked_.sq;
+    out[0].mean = std::sqrt(mean(0));
+    out[0].standard_error /= 2 * asked_.sq;
+  }
+  const double sku = mean(2) - total_.sku_bias / surfaces_;
+  out.push_back(result("Ssk", asked_.ssk, mean(1), std::sqrt(6 * mean_power(3)), 0));
+  out.push_back(result("Sku", asked_.sku, sku, std::sqrt(24 * mean_power(4)), 0));
+  out.back().p = two_sided(kurtosis_score(out.back().z, sku_skewness_ / std::sqrt(surfaces_)));
+  if (!lags_.empty()) out.push_back(largest_result(acf_, 0));
+  if (!lengths_.each.empty()) out.push_back(largest_result(lengths_, lags()));
   return out;
 }
 
 std::vector<TestResult> SpecificationTest::results() const {
   if (surfaces_ == 0) throw DataError("heights", "the ensemble has no surface");
-  if (asked_.spread && surfaces_ < 2)
-    throw ParameterError("errors",
-                         "a single surface has no spread, and theory covers Gaussian heights only: name "
-                         "several surfaces");
-  std::vector<TestResult> out;
-  const Eigen::ArrayXd mean = ensemble_.mean();
-  if (std::isfinite(asked_.sq)) {  // tested as a variance, told as an rms height
-    const double variance = asked_.sq * asked_.sq, error = variance * std::sqrt(2 * mean_power(2));
-    out.push_back(result("Sq", 0, variance, mean(0), error, variance_skewness_));
-    out[0].prescribed = asked_.sq;
-    out[0].mean = std::sqrt(mean(0));
-    out[0].standard_error /= 2 * asked_.sq;
-  }
-  const double ssk = mean(1) - total_.ssk_bias / surfaces_, sku = mean(2) - total_.sku_bias / surfaces_;
-  out.push_back(result("Ssk", 1, asked_.ssk, ssk, std::sqrt(6 * mean_power(3)), 0));
-  out.push_back(result("Sku", 2, asked_.sku, sku, std::sqrt(24 * mean_power(4)), 0));
-  if (!asked_.spread)
-    out.back().p = two_sided(kurtosis_score(out.back().z, sku_skewness_ / std::sqrt(surfaces_)));
-  if (!lags_.empty()) out.push_back(largest_result(acf_, 0));
-  if (!lengths_.each.empty()) out.push_back(largest_result(lengths_, lags()));
-  return out;
+  return simulation_ ? by_simulation() : by_theory();
 }
 
 double joint_p(const std::vector<TestResult>& results) {

@@ -5,11 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "marginal/correlation_map.hpp"
 #include "marginal/measured.hpp"
-#include "math/noise.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
 namespace {
@@ -130,42 +127,6 @@ std::optional<Translation> translation_of(const Sample& sample) {
   return MeasuredHeights::of(std::move(heights)).translation();
 }
 
-// Along one axis: the field, and the lags beyond which ρ is negligible.
-Index torus_length(Index n, bool periodic, Index reach) {
-  return periodic ? n : fast_length(std::min(2 * n, n + reach));
-}
-Shape torus_of(const Grid& grid, const LagField& rho, double negligible) {
-  Shape reach{0, 0};
-  for (Index p = 0; p <= rho.max_p(); ++p)
-    for (Index q = -rho.max_q(); q <= rho.max_q(); ++q)
-      if (std::abs(rho(p, q)) > negligible) reach = {std::max(reach.nx, p), std::max(reach.ny, std::abs(q))};
-  return {torus_length(grid.shape.nx, grid.periodic.x, reach.nx + 1),
-          torus_length(grid.shape.ny, grid.periodic.y, reach.ny + 1)};
-}
-
-AlignedVector<double> root_of_power(const RealTransform2D& transform, Shape torus, const LagField& rho) {
-  AlignedVector<double> lags(static_cast<std::size_t>(torus.cells()));
-  auto lag = [](Index i, Index n) { return 2 * i <= n ? i : i - n; };
-  for (Index i = 0; i < torus.nx; ++i)
-    for (Index j = 0; j < torus.ny; ++j)
-      lags[static_cast<std::size_t>(i * torus.ny + j)] = rho(lag(i, torus.nx), lag(j, torus.ny));
-  AlignedVector<Complex> power(static_cast<std::size_t>(transform.spectrum_size()));
-  transform.forward(lags.data(), power.data());
-  AlignedVector<double> out(power.size());
-  const Index columns = transform.spectrum_columns();
-  double sum = 0;
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    const Index column = static_cast<Index>(k) % columns;
-    const bool own = column == 0 || 2 * column == torus.ny;  // its mirror image is in the same column
-    const double p = std::max(power[k].real(), 0.0);
-    sum += own ? p : 2 * p;
-    // Of the real and imaginary part; of a column that is its own mirror image the transform keeps one.
-    out[k] = std::sqrt(own ? p : p / 2);
-  }
-  for (double& value : out) value /= std::sqrt(sum);
-  return out;
-}
-
 Field missing_of(const Field& heights) {
   if (!heights.isNaN().any()) return {};
   return heights.isNaN().select(Field::Constant(heights.rows(), heights.cols(), NAN), 0);
@@ -175,30 +136,16 @@ Field missing_of(const Field& heights) {
 
 TwinFields::TwinFields(const Sample& sample, TwinWaves waves, std::uint64_t seed)
     : missing_(missing_of(sample.surface().heights)),
-      shape_(sample.grid().shape),
-      seed_(seed),
       correlation_(correlation_of(sample, waves)),
       translation_(translation_of(sample)),
-      torus_(torus_of(sample.grid(), correlation_, waves == TwinWaves::all ? 1e-3 : 1e-12)),
-      transform_(torus_) {
-  root_ = root_of_power(
-      transform_, torus_,
-      translation_ ? underlying_correlation(correlation_, CorrelationMap(*translation_)) : correlation_);
-}
+      fields_({.grid = sample.grid(),
+               .correlation = correlation_,
+               .translation = translation_,
+               .negligible = waves == TwinWaves::all ? 1e-3 : 1e-12},
+              seed) {}
 
 Field TwinFields::heights(Index k) const {
-  WhiteNoise noise(seed_, static_cast<std::uint64_t>(k));
-  const Index columns = transform_.spectrum_columns();
-  AlignedVector<Complex> spectrum(root_.size());
-  for (Index i = 0; i < torus_.nx; ++i) {
-    Complex* row = spectrum.data() + i * columns;
-    noise.row(i, {reinterpret_cast<double*>(row), static_cast<std::size_t>(2 * columns)});
-    for (Index j = 0; j < columns; ++j) row[j] *= root_[static_cast<std::size_t>(i * columns + j)];
-  }
-  AlignedVector<double> whole(static_cast<std::size_t>(torus_.cells()));
-  transform_.inverse(spectrum.data(), whole.data());
-  if (translation_) translation_->apply(whole);
-  Field out = Eigen::Map<const Field>(whole.data(), torus_.nx, torus_.ny).topLeftCorner(shape_.nx, shape_.ny);
+  Field out = fields_.heights(k);
   if (missing_.size() > 0) out += missing_;
   return out;
 }

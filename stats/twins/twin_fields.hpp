@@ -1,15 +1,15 @@
 /// Random fields like a measured one: of its shape, its missing points, its heights and its correlation.
 ///
-/// A twin is white noise on a torus, filtered to the correlation ρ of the field and cropped. A known ρ is
-/// taken as it is. An estimate r(p,q) has the mean's share put back and its noise at long lags suppressed,
+/// A twin has the correlation ρ of the field (stats/uncertainty/random_fields.hpp). A known ρ is taken as it
+/// is. An estimate r(p,q) has the mean's share put back and its noise at long lags suppressed,
 ///     ρ = (r + b)/(1 + b) · exp(-u²/2),   u = (p/hx)² + (q/hy)²,                                        (1)
 /// b as in stats/uncertainty/effective_size.hpp. The noise that passes a wide window g raises S_2 = Σ v ρ² by
 /// the factor 1 + Σ g²/N; a narrow one loses what it cuts off. The ratio of hx to hy is that of the lags |p|
 /// and |q| that hold three quarters of Σ ρ² over the significant lags, p_75 and q_75; their size is such that
 /// both changes cancel,
 ///     S_2(h) = S_2(w)/(1 + Σ g_w²/N),   w = 2c p_75,   c = 4 (N_eff/218)^{1/4},                         (2)
-/// by an estimate with the wide window w, whose loss is small. Waves of negative power, which no field has,
-/// get none. S_1 of an estimate stays low, by a tenth to a half on exponential fields.
+/// by an estimate with the wide window w, whose loss is small. S_1 of an estimate stays low, by a tenth to a
+/// half on exponential fields.
 ///
 /// The noise of an estimate hides the shortest waves of a smooth surface, and with them its slopes and
 /// curvatures. Short-wave twins have the correlation of the field times Hann's window, which leaks no long
@@ -20,7 +20,6 @@
 /// (marginal/translation.hpp): by the known distribution, else by that of the measured heights.
 ///
 /// Symbols   r, ρ  correlations      N_eff = N/S_2      p, q  lags [samples]
-/// Cost      a transform of the torus a twin, 8 ns a point for its noise.
 ///
 /// B. Efron, R. J. Tibshirani, An Introduction to the Bootstrap, Chapman & Hall 1993, 6.5.
 #pragma once
@@ -28,9 +27,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "marginal/translation.hpp"
 #include "stats/measure/sample.hpp"
-#include "transform/plan.hpp"
+#include "stats/uncertainty/random_fields.hpp"
 
 namespace asperity {
 
@@ -48,13 +46,9 @@ class TwinFields {
 
  private:
   Field missing_;  ///< NaN where a point is missing, else 0; empty if none is
-  Shape shape_;
-  std::uint64_t seed_;
   LagField correlation_;
   std::optional<Translation> translation_;
-  Shape torus_;
-  RealTransform2D transform_;
-  AlignedVector<double> root_;  ///< of the power, over the half spectrum
+  RandomFields fields_;
 };
 
 }  // namespace asperity
