@@ -71,6 +71,7 @@ TwinScope::TwinScope(const Sample& sample, const MeasureOptions& asked)
       lay_(!sample.correlation_gives_errors()) {}
 
 bool TwinScope::holds(const Parameter& p) const {
+  if (p.name.starts_with("N") || p.name.starts_with("profiles")) return false;
   if (differs(p)) return known_ || (complete_ && gaussian_);
   const bool extreme = p.name == "Sp" || p.name == "Sv" || p.name == "Sz";
   return gaussian_ || given_ || !extreme;
@@ -78,10 +79,9 @@ bool TwinScope::holds(const Parameter& p) const {
 
 bool TwinScope::needs_none(const Parameter& p) const {
   if (!std::isfinite(p.standard_error)) return false;
-  if (differs(p)) return true;
-  const bool length = p.name == "Sal" || p.name == "slowest_decay",
-             simulated = p.name == "Str" || p.name.starts_with("P") || p.name.starts_with("R");
-  return level_ && !simulated && !(length && lay_);
+  if (differs(p) || p.name.starts_with("P") || p.name.starts_with("R")) return true;
+  const bool length = p.name == "Sal" || p.name == "slowest_decay";
+  return level_ && p.name != "Str" && !(length && lay_);
 }
 
 namespace {
@@ -241,8 +241,8 @@ double seconds_of_twins(const Sample& sample, const MeasureOptions& asked) {
 
 }  // namespace
 
-bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use, const TwinOptions& options,
-                     Parameters& parameters) {
+bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
+                     const TwinOptions& options, Parameters& parameters) {
   const TwinScope scope(sample, asked);
   auto wanted = [&](const Parameter& p) {
     return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));

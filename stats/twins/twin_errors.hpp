@@ -42,10 +42,10 @@ class TwinScope {
  public:
   TwinScope(const Sample& sample, const MeasureOptions& asked);
 
-  /// False for slopes, curvatures and summits if the correlation is estimated and points are missing or
-  /// heights are not Gaussian, and for extremes of heights whose distribution is measured.
+  /// False for counts; for slopes, curvatures and summits if the correlation is estimated and points are
+  /// missing or heights are not Gaussian; and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// False without an error; for ratios of lengths and means over profiles; for all but slopes after a
+  /// False without an error; for ratios of lengths; for all but slopes and parameters of profiles after a
   /// plane or a polynomial was removed; for lengths of a lay (Sample::correlation_gives_errors).
   bool needs_none(const Parameter& parameter) const;
 

@@ -22,7 +22,21 @@ double loss(double largest, double independent) {
   return std::min(0.4, 0.75 * (0.3 / std::sqrt(independent) + (1.4 + 0.7 * largest) / independent));
 }
 
+// Of the j-th longest wave along an axis.
+double half_waves_of(Index j, bool periodic) { return static_cast<double>(periodic ? j + j % 2 : j); }
+
 }  // namespace
+
+Eigen::MatrixXd longest_waves(Index n, bool periodic, Index count) {
+  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
+                               (std::numbers::pi / static_cast<double>(n));
+  Eigen::MatrixXd out(n, count);
+  for (Index j = 1; j <= count; ++j) {
+    const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
+    out.col(j - 1) = std::numbers::sqrt2 * (half_waves_of(j, periodic) * phase - quarter).cos();
+  }
+  return out;
+}
 
 double LocalMeans::error(const Function& g) const {
   Eigen::VectorXd gradient(means_.size());
@@ -42,16 +56,9 @@ double LocalMeans::error(const Function& g) const {
 }
 
 LocalSums::Axis::Axis(Index n, bool periodic) : waves(n, most_waves + 1) {
-  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
-                               (std::numbers::pi / static_cast<double>(n));
-  waves.col(0).setOnes();
+  waves << Eigen::VectorXd::Ones(n), longest_waves(n, periodic, most_waves);
   half_waves.push_back(0);
-  for (Index j = 1; j <= most_waves; ++j) {
-    const auto k = static_cast<double>(periodic ? j + j % 2 : j);
-    const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
-    waves.col(j) = std::numbers::sqrt2 * (k * phase - quarter).cos();
-    half_waves.push_back(k);
-  }
+  for (Index j = 1; j <= most_waves; ++j) half_waves.push_back(half_waves_of(j, periodic));
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
@@ -85,8 +92,7 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   sums.products += values.transpose() * values;
 }
 
-void LocalSums::add_rows(Index rows, int threads,
-                         const std::function<void(Index i, Values& values)>& fill) {
+void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill) {
   constexpr Index block = 32;
   const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));

@@ -33,6 +33,10 @@
 
 namespace asperity {
 
+/// The longest waves over n points, a column each, of mean square 1: cosines of 1, 2, … half waves; cosine
+/// and sine of 1, 2, … waves if periodic.
+Eigen::MatrixXd longest_waves(Index n, bool periodic, Index count);
+
 /// How large a field is in terms of its correlation.
 struct FieldExtent {
   double n_eff;           ///< independent heights

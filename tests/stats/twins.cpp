@@ -126,8 +126,10 @@ TEST_CASE("intervals from twins keep to what the parameter can be", "[twins][con
   }
 }
 
-TEST_CASE("twins are needed for lengths of a lay, after a removed plane, and for ratios of lengths",
-          "[twins][contract]") {
+TEST_CASE(
+    "twins are needed for lengths of a lay, after a removed plane, and for ratios of lengths, not for "
+    "profiles",
+    "[twins][contract]") {
   const MeasureOptions asked{.groups = {Group::height}};
   const Shape shape{96, 96};
   const Field plain = moving_average(shape, {5, 5}, 11);
@@ -138,6 +140,10 @@ TEST_CASE("twins are needed for lengths of a lay, after a removed plane, and for
   CHECK(holds(plain, asked, "Sq"));
   CHECK(holds(plain, asked, "Smc_p"));
   CHECK(!holds(plain, asked, "Str"));
+  for (const char* of_profiles : {"Pq", "PSm", "Rku_spread"}) {
+    CHECK(holds(plain, asked, of_profiles));
+    CHECK(holds(plain, {.groups = {Group::profiles}, .preparation = {.degree = 2}}, of_profiles));
+  }
   CHECK(!holds(plain, {.groups = {Group::height}, .preparation = {.degree = 1}}, "Sq"));
   Field lay = plain;
   for (Index j = 0; j < shape.ny; ++j)
@@ -150,5 +156,8 @@ TEST_CASE("twins are needed for lengths of a lay, after a removed plane, and for
   CHECK(holds(skewed, asked, "quantile_0.9"));
   const Parameter sz{.name = "Sz", .value = 1, .unit = "m", .standard_error = NAN, .meaning = ""};
   CHECK(TwinScope(sample_of(plain), asked).holds(sz));
+  const Parameter count{
+      .name = "profiles_eff", .value = 9, .unit = "1", .standard_error = NAN, .meaning = ""};
+  CHECK(!TwinScope(sample_of(plain), asked).holds(count));
   CHECK(!TwinScope(sample_of(skewed), asked).holds(sz));
 }
