@@ -3,8 +3,8 @@
 
 #include "core/error.hpp"
 #include "fields.hpp"
-#include "stats/spatial/acf.hpp"
-#include "stats/uncertainty/effective_size.hpp"
+#include "stats/measure.hpp"
+#include "stats/sample/quantiles.hpp"
 #include "whole.hpp"
 
 using namespace asperity;
@@ -151,4 +151,51 @@ TEST_CASE(
     CHECK(std::sqrt(of_spreads[k]) / spreads[k].deviation() == Approx(1).margin(margin));
   }
   CHECK(naive <= 0.6 * means[profile_q].deviation());
+}
+
+namespace {
+
+Parameters parameters_of(const Field& z, const LagField& rho) {
+  return measure(Surface{.grid = grid(z.rows(), z.cols()), .heights = 1e-6 * z, .correlation = rho},
+                 {.groups = {Group::profiles}});
+}
+const Parameter& named(const Parameters& all, const std::string& name) {
+  return *std::ranges::find(all, name, &Parameter::name);
+}
+
+}  // namespace
+
+TEST_CASE("parameters of profiles have Student's intervals, if three profiles are independent and differ",
+          "[profile][contract]") {
+  const LagField rho = triangular_correlation({4, 6});
+  const Field z = moving_average({100, 60}, {4, 6}, 4);
+  const Parameters all = parameters_of(z, rho);
+  const ProfileAverages averages = average_profiles(z, grid(100, 60), Axis1D::x, whole, rho);
+  const double t = student_quantile(0.025, static_cast<double>(averages.of[profile_q].degrees));
+  for (const char* name : {"Pq", "Pku", "Pdq", "PSm_spread"}) {
+    const Parameter& p = named(all, name);
+    CAPTURE(name);
+    CHECK(std::log(p.interval_95().high / p.value) == Approx(t * p.standard_error / p.value).epsilon(1e-12));
+  }
+  const Parameter& psk = named(all, "Psk");
+  CHECK(psk.value - psk.interval_95().low == Approx(t * psk.standard_error).epsilon(1e-9));
+  for (const Parameter& p : all) CHECK(std::isfinite(p.standard_error) == !p.name.starts_with("profiles"));
+
+  const Field few = z.leftCols(8), equal = sine({60, 7}, 2, 3);
+  for (const auto& [of, why] :
+       {std::pair{few, "profiles are independent, fewer than 3"}, {equal, "it is the same in all profiles"}})
+    for (const Parameter& p : parameters_of(of, of.rows() == 60 ? triangular_correlation({1, 1}) : rho)) {
+      if (p.name.starts_with("profiles")) continue;
+      CAPTURE(p.name, p.why);
+      CHECK(std::isnan(p.standard_error));
+      CHECK_THAT(p.note(), ContainsSubstring(why));
+    }
+}
+
+TEST_CASE("no interval of a kurtosis of profiles reaches below 1", "[profile][law]") {
+  Field z = moving_average({96, 6}, {4, 1}, 2);
+  z(40, 3) = 1000;
+  const Parameter pku = named(parameters_of(z, triangular_correlation({4, 1})), "Pku");
+  CHECK(pku.value > 10);
+  CHECK(pku.interval_95().low >= 1);
 }

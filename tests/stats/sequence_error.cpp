@@ -51,6 +51,20 @@ TEST_CASE("the error of a sequence's mean is that of its longest waves", "[seque
   CHECK(std::isnan(sequence_mean(Eigen::ArrayXd::Constant(n, NAN), 1, false).mean));
 }
 
+// v² = s² (1 + b u), u the wave of two halves, and v changes its sign in the middle, where u is even: v̄ = 0,
+// f = s b u/2, ν = K, L = 1/6 + 0.6/√K.
+TEST_CASE("the error of a sequence's spread is that of the longest waves of its squares",
+          "[sequence-error][exact]") {
+  const Index n = 90;
+  const double s = 3, b = 0.5, degrees = 16;
+  Eigen::ArrayXd v = s * (1 + wave(n, 2, b)).sqrt();
+  v.tail(n / 2) *= -1;
+  const SequenceMean m = sequence_mean(v, 80.001 / n, false);
+  CHECK(relative_error(m.spread, s) <= 1e-13);
+  CHECK(relative_error(m.spread_error,
+                       s * b / 2 / std::sqrt(degrees) / (1 - 1.0 / 6 - 0.6 / std::sqrt(degrees))) <= 1e-12);
+}
+
 TEST_CASE("errors of a sequence move with its scale, not with its place, its direction or absent values",
           "[sequence-error][law]") {
   const Field z = moving_average({1, 200}, {1, 5}, 3);
