@@ -113,8 +113,7 @@ class Surfaces {
       for (Parameter& p : last_) p.standard_error = NAN, p.interval.reset(), p.why.clear();
     const bool asked = errors_ == "twins";
     if (asked || (errors_ == "auto" && alone_ && sample.whole()))
-      cli::errors_by_twins(tool_, sample, asked_,
-                           asked ? TwinUse::everywhere : TwinUse::where_quick, last_);
+      cli::errors_by_twins(tool_, sample, asked_, asked ? TwinUse::everywhere : TwinUse::where_quick, last_);
   }
 
   const cli::Tool& tool_;
@@ -154,7 +153,10 @@ void document(cli::Tool& tool) {
       "and curvatures use "
       "differences of "
       "neighbouring points: for a wave of n points per period they are low by a fraction of 1.6/n^2 "
-      "(Sdq) to 6.6/n^2 (m4). The standard error of a mean over profiles allows for their correlation.");
+      "(Sdq) to 6.6/n^2 (m4). Standard errors of means and spreads over profiles come from the longest waves "
+      "across the profiles, if three or more are independent: of the same textures they were 0.94 to 1.18 "
+      "times the true ones for means and 0.79 to 1.22 for spreads, and 88 to 98 % and 78 to 98 % of the "
+      "intervals held the true value.");
 }
 
 }  // namespace

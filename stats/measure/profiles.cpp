@@ -1,4 +1,5 @@
-// Means over the profiles along x or along y.
+// Means and spreads over the profiles along x or along y.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -7,12 +8,12 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/measure/groups.hpp"
+#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double least_profiles = 5;  // independent ones, below which no errors are given
 
 struct Definition1D {
   const char* symbol;
@@ -33,6 +34,22 @@ constexpr std::array<Definition1D, profile_parameters_count> table{
      {"dq", "1", "root mean square slope, from seven points"},
      {"Sm", "m", "mean profile element spacing"}}};
 
+// With Student's interval: of the logarithm, where the parameter is positive, `least` at least.
+Estimate with_error(double value, double error, Index degrees, double least) {
+  if (!std::isfinite(error)) return {value};
+  const double width = student_quantile(0.025, static_cast<double>(degrees)) * error;
+  if (least < 0) return {value, error, Interval::about(value, width)};
+  const Interval ends = Interval::of_ratio(value, width / value);
+  return {value, error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
+}
+
+std::string why_no_error(const SequenceMean& of) {
+  if (of.independent >= SequenceMean::least_independent)
+    return "no standard error: it is the same in all profiles";
+  return "no standard error can be given: " + rounded(of.independent) +
+         " profiles are independent, fewer than " + shortest(SequenceMean::least_independent);
+}
+
 }  // namespace
 
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options) {
@@ -43,19 +60,22 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     throw DataError(sample.surface().variable,
                     "a profile along " + axis + " needs two points, but there is only one");
   const ProfileAverages averages = sample.profiles(options.profiles, std::isnan(cutoff) ? unlimited : cutoff);
-  const bool few = averages.independent < least_profiles;
-  const std::string why = "no standard error can be given: profiles_eff = " + rounded(averages.independent) +
-                          " is below " + shortest(least_profiles);
   ParameterList out(sample.surface().units);
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);
     if (i == profile_dq && sample.surface().units != "m") continue;
     const auto& [name, unit, meaning] = table[k];
     const std::string symbol = prefix + name;
-    out.add(symbol, unit, meaning, {averages.mean[i], few ? unknown : averages.standard_error[i]},
-            {.why = "no value: no profile has this parameter", .why_no_error = few ? why : ""});
-    out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", {averages.spread[i]},
-            {.meaning = symbol});
+    SequenceMean of = averages.of[k];
+    if (constexpr double rounding = 1e-12; !(of.spread > rounding * (i == profile_sk ? 1 : of.mean)))
+      of.mean_error = of.spread_error = unknown;
+    const std::string why = "no value: no profile has this parameter", no_error = why_no_error(of);
+    const double least = i == profile_sk ? -unlimited : i == profile_ku ? 1 : 0;
+    out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, of.degrees, least),
+            {.why = why, .why_no_error = no_error});
+    out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles",
+            with_error(of.spread, of.spread_error, of.degrees, 0),
+            {.meaning = symbol, .why = why, .why_no_error = no_error});
   }
   out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});
   out.add("profiles_eff", "1", "effective number of independent profiles", {averages.independent});

@@ -109,19 +109,15 @@ double element_spacing(const Eigen::ArrayXd& z, double step, double threshold) {
   return step * elements.mean();
 }
 
-// c of (4) for one k; lags p run along the profiles, j across.
-double profiles_worth_one(const LagField& rho, const Pairs& pairs, Axis1D along, int k) {
+// c; lags p run along the profiles, j across.
+double profiles_worth_one(const LagField& rho, const Pairs& pairs, Axis1D along) {
   double all = 0, same = 0;
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
-    const double term = weight * std::pow(rho(p, q), k);
+    const double term = weight * rho(p, q) * rho(p, q);
     all += term;
     if ((along == Axis1D::x ? q : p) == 0) same += term;
   });
   return same > 0 ? std::max(1.0, all / same) : none;
-}
-
-double standard_error(double spread, double m, double c) {
-  return m > 2 * c ? spread * std::sqrt(c / (m - c)) : none;
 }
 
 }  // namespace
@@ -153,22 +149,20 @@ void ProfileSums::add(const Field& heights) {
   const bool periodic = x ? grid_.periodic.x : grid_.periodic.y;
   for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
     const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
-    profiles_.add(profile_parameters(profile, step, section_, periodic));
+    profiles_.push_back(profile_parameters(profile, step, section_, periodic));
   }
 }
 
 ProfileAverages ProfileSums::averages(const Pairs& pairs, const LagField& rho) const {
-  const Eigen::ArrayXd count = profiles_.count();
-  ProfileAverages out{.mean = profiles_.mean(),
-                      .spread = profiles_.spread() * ((count - 1) / count).sqrt(),
-                      .standard_error = {},
-                      .profiles = count[profile_q],
-                      .independent = count[profile_q] / profiles_worth_one(rho, pairs, along_, 2)};
-  for (int parameter = 0; parameter < profile_parameters_count; ++parameter) {
-    const int k = parameter == profile_sk ? 3 : parameter == profile_ku ? 4 : 2;
-    out.standard_error[parameter] =
-        standard_error(out.spread[parameter], count[parameter], profiles_worth_one(rho, pairs, along_, k));
-  }
+  const double share = 1 / profiles_worth_one(rho, pairs, along_);
+  const bool periodic = along_ == Axis1D::x ? grid_.periodic.y : grid_.periodic.x;
+  const auto m = static_cast<Index>(profiles_.size());
+  ProfileAverages out;
+  for (Index k = 0; k < profile_parameters_count; ++k)
+    out.of[size(k)] = sequence_mean(
+        Eigen::ArrayXd::NullaryExpr(m, [&](Index j) { return profiles_[size(j)][k]; }), share, periodic);
+  out.profiles = out.of[profile_q].count;
+  out.independent = out.profiles * share;
   return out;
 }
 

@@ -13,30 +13,36 @@
 /// The prefix P denotes the primary profile, with one section; R the roughness profile, whose sections are as
 /// long as the cut-off of the filter, l_sc = λ_c.
 ///
-/// Over m profiles a parameter has a mean and a spread s, with divisor m. Neighbouring profiles are
-/// correlated: at a distance of j profiles, the Hermite components of order k of the heights by
-///     g_k(j) = Σ_p w_p ρ(p,j)ᵏ / Σ_p w_p ρ(p,0)ᵏ,   w_p the share of pairs at lag p along the profile,   (3)
-/// and the mean has the standard error, with c = Σ_j w_j g_k(j) over all distances,
-///     SE = s √(c / (m - c)),   m/c the profiles that are independent,                                    (4)
-/// k = 3 for sk, 4 for ku, and 2 for all others: measured from the profile's mean, none has a linear
-/// component, and those beyond the second are less correlated. No error is given if m ≤ 2c.
+/// Over m profiles a parameter has a mean and a spread, with divisor m, whose standard errors come from the
+/// longest waves across the profiles (stats/uncertainty/sequence_error.hpp), whatever heights and correlation
+/// are. The mean squares of profiles at a distance of j profiles are correlated by
+///     g(j) = Σ_p w_p ρ(p,j)² / Σ_p w_p ρ(p,0)²,   w_p the share of pairs at lag p along the profile,     (3)
+/// if the heights are Gaussian. Of m profiles, m/c are independent, c = Σ_j w_j g(j) over all distances.
 ///
 /// Symbols   z  heights, positive outwards [m]      l_sc  section length [m]      ρ  correlation
 /// Scope     Filters act on the surface before profiles are taken from it (stats/filter/gaussian_filter.hpp).
 ///           Missing points are left out; no stencil (2) and no element spans one.
 /// Accuracy  (1) to round-off; (2) of a wave u = qΔ is (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u⁶/140,
-///           times its slope. p, v of a wave of N points a period are low by up to 5/N². (4) if Gaussian.
+///           times its slope. p, v of a wave of N points a period are low by up to 5/N².
+///           Of 200 fields of 128 × 128 points of each of eleven textures (validation/error_coverage; 7 to 43
+///           profiles independent) errors of means are 0.94 to 1.18 times the true ones and 88 to 98 % of the
+///           95 % intervals hold the truth; of spreads 0.79 to 1.22 and 84 to 98 %, 78 % of Pku's for bimodal
+///           heights. After a form of degree 2 means have 0.92 to 1.17 and 89 to 98 %, those of plateaus 0.71
+///           to 0.99 and 85 to 95 %: their profiles all bend with the error of the form.
 /// Cost      a few passes over the data, one over the correlation.
 ///
 /// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2). Sm uses its limit of 10 % Rz, but not that of 1 % in
 /// length. P. J. Scott, The case of surface texture parameter RSm, Meas. Sci. Technol. 17 (2006) 559-564.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "core/field.hpp"
-#include "stats/sample/ensemble.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/spectrum/spectrum.hpp"
+#include "stats/uncertainty/sequence_error.hpp"
 
 namespace asperity {
 
@@ -64,9 +70,9 @@ ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step,
                                      bool periodic);
 
 struct ProfileAverages {
-  ProfileParameters mean, spread, standard_error;
+  std::array<SequenceMean, profile_parameters_count> of;
   double profiles = 0;     ///< m, without empty ones
-  double independent = 0;  ///< m/c, k = 2
+  double independent = 0;  ///< m/c
 };
 
 /// The profiles along one axis of a field that comes in parts.
@@ -83,7 +89,7 @@ class ProfileSums {
   Grid grid_;
   Axis1D along_;
   double section_;
-  Ensemble profiles_;
+  std::vector<ProfileParameters> profiles_ = {};
 };
 
 }  // namespace asperity

@@ -63,6 +63,7 @@ TwinScope::TwinScope(const Sample& sample, const MeasureOptions& asked)
       level_(repeated(asked.preparation).degree == 0) {}
 
 bool TwinScope::holds(const Parameter& p) const {
+  if (p.name.starts_with("N") || p.name.starts_with("profiles")) return false;
   if (differs(p)) return known_ || (complete_ && gaussian_);
   const bool extreme = p.name == "Sp" || p.name == "Sv" || p.name == "Sz";
   return gaussian_ || given_ || !extreme;
@@ -70,8 +71,8 @@ bool TwinScope::holds(const Parameter& p) const {
 
 bool TwinScope::needs_none(const Parameter& p) const {
   if (!std::isfinite(p.standard_error)) return !p.why.empty();
-  if (differs(p)) return true;
-  return level_ && !p.name.starts_with("P") && !p.name.starts_with("R");
+  if (differs(p) || p.name.starts_with("P") || p.name.starts_with("R")) return true;
+  return level_;
 }
 
 namespace {
@@ -231,8 +232,8 @@ double seconds_of_twins(const Sample& sample, const MeasureOptions& asked) {
 
 }  // namespace
 
-bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use, const TwinOptions& options,
-                     Parameters& parameters) {
+bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
+                     const TwinOptions& options, Parameters& parameters) {
   const TwinScope scope(sample, asked);
   auto wanted = [&](const Parameter& p) {
     return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));

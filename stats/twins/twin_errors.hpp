@@ -42,11 +42,11 @@ class TwinScope {
  public:
   TwinScope(const Sample& sample, const MeasureOptions& asked);
 
-  /// False for slopes, curvatures and summits if the correlation is estimated and points are missing or
-  /// heights are not Gaussian, and for extremes of heights whose distribution is measured.
+  /// False for counts; for slopes, curvatures and summits if the correlation is estimated and points are
+  /// missing or heights are not Gaussian; and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// False without an error; for means over profiles; for all but slopes after a plane or a polynomial was
-  /// removed.
+  /// False without an error, unless it is said why; for all but slopes and parameters of profiles after a plane
+  /// or a polynomial was removed.
   bool needs_none(const Parameter& parameter) const;
 
  private:

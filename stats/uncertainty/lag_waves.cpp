@@ -140,8 +140,8 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
   const auto [nx, ny] = grid.shape;
   const Index along_x = std::clamp(3 * most_x, Index{1}, nx), along_y = std::clamp(3 * most_y, Index{1}, ny);
   const Blocks blocks(d, grid, max_lag, along_x, along_y);
-  const Eigen::MatrixXd waves_x = axis_waves(along_x, grid.periodic.x),
-                        waves_y = axis_waves(along_y, grid.periodic.y);
+  const Eigen::MatrixXd waves_x = axis_waves(along_x, grid.periodic.x, LongWaves::most),
+                        waves_y = axis_waves(along_y, grid.periodic.y, LongWaves::most);
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(numbers.size(), {none, none, none, none});
   for (Index first = 0; first < blocks.count(); first += threads) {

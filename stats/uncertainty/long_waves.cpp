@@ -9,8 +9,6 @@
 namespace asperity {
 namespace {
 
-constexpr Index most_waves = 4;
-
 // (2).
 double largest_wave(double n_eff, Periodic periodic) {
   const double free = n_eff < 160 ? 2 : n_eff < 640 ? 5 : n_eff < 2560 ? 10 : 20;
@@ -19,11 +17,11 @@ double largest_wave(double n_eff, Periodic periodic) {
 
 }  // namespace
 
-Eigen::MatrixXd axis_waves(Index n, bool periodic) {
+Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count) {
   const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
                                (std::numbers::pi / static_cast<double>(n));
-  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(n, most_waves + 1);
-  for (Index j = 1; j <= most_waves; ++j) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(n, count + 1);
+  for (Index j = 1; j <= count; ++j) {
     const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
     out.col(j) = std::numbers::sqrt2 * (static_cast<double>(half_waves(j, periodic)) * phase - quarter).cos();
   }
@@ -33,8 +31,8 @@ Eigen::MatrixXd axis_waves(Index n, bool periodic) {
 LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent)
     : largest_(largest_wave(extent.n_eff, grid.periodic)) {
   const auto [nx, ny] = grid.shape;
-  for (Index j = 0; j <= std::min(most_waves, nx - 1); ++j)  // of more waves a row has none
-    for (Index k = 0; k <= std::min(most_waves, ny - 1); ++k) {
+  for (Index j = 0; j <= std::min(LongWaves::most, nx - 1); ++j)  // of more waves a row has none
+    for (Index k = 0; k <= std::min(LongWaves::most, ny - 1); ++k) {
       const auto along_x = static_cast<double>(half_waves(j, grid.periodic.x)),
                  along_y = static_cast<double>(half_waves(k, grid.periodic.y)),
                  nu = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
@@ -66,8 +64,8 @@ double LocalMeans::error(const Function& g) const {
 LocalSums::LocalSums(const Grid& grid, Index functions)
     : grid_(grid),
       functions_(functions),
-      x_(axis_waves(grid.shape.nx, grid.periodic.x)),
-      y_(axis_waves(grid.shape.ny, grid.periodic.y)),
+      x_(axis_waves(grid.shape.nx, grid.periodic.x, LongWaves::most)),
+      y_(axis_waves(grid.shape.ny, grid.periodic.y, LongWaves::most)),
       sums_(none()) {}
 
 void LocalSums::Sums::operator+=(const Sums& other) {
@@ -77,7 +75,7 @@ void LocalSums::Sums::operator+=(const Sums& other) {
 
 LocalSums::Sums LocalSums::none() const {
   const Index m = functions_ + 1;
-  return {std::vector<Eigen::MatrixXd>(most_waves + 1, Eigen::MatrixXd::Zero(m, most_waves + 1)),
+  return {std::vector<Eigen::MatrixXd>(LongWaves::most + 1, Eigen::MatrixXd::Zero(m, LongWaves::most + 1)),
           Eigen::MatrixXd::Zero(m, m)};
 }
 
@@ -93,8 +91,7 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   sums.products += values.transpose() * values;
 }
 
-void LocalSums::add_rows(Index rows, int threads,
-                         const std::function<void(Index i, Values& values)>& fill) {
+void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill) {
   constexpr Index block = 32;
   const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));

@@ -39,14 +39,15 @@ struct FieldExtent {
   double elongation = 1;  ///< correlation lengths along x over those along y
 };
 
-/// The waves along an axis of n points, a column each, from the longest on; the first is 1.
-Eigen::MatrixXd axis_waves(Index n, bool periodic);
+/// The waves along an axis of n points, of mean square 1: 1, then the longest `count`, a column each.
+Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count);
 /// ν of its column j.
 inline Index half_waves(Index j, bool periodic) { return periodic ? j + j % 2 : j; }
 
 /// The waves (2).
 class LongWaves {
  public:
+  static constexpr Index most = 4;  ///< along an axis
   struct Wave {
     Index x, y;  ///< columns of the axes' waves
   };

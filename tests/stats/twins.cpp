@@ -126,7 +126,7 @@ TEST_CASE("intervals from twins keep to what the parameter can be", "[twins][con
   }
 }
 
-TEST_CASE("twins are needed for lengths of a lay, after a removed plane, and for ratios of lengths",
+TEST_CASE("twins are needed after a removed plane, but not for slopes and profiles, or where it is said why",
           "[twins][contract]") {
   const MeasureOptions asked{.groups = {Group::height}};
   const Shape shape{96, 96};
@@ -137,18 +137,27 @@ TEST_CASE("twins are needed for lengths of a lay, after a removed plane, and for
   };
   CHECK(holds(plain, asked, "Sq"));
   CHECK(holds(plain, asked, "Smc_p"));
-  CHECK(!holds(plain, asked, "Str"));
+  CHECK(holds(plain, asked, "Str"));
+  for (const char* of_profiles : {"Pq", "PSm", "Rku_spread"}) {
+    CHECK(holds(plain, asked, of_profiles));
+    CHECK(holds(plain, {.groups = {Group::profiles}, .preparation = {.degree = 2}}, of_profiles));
+  }
   CHECK(!holds(plain, {.groups = {Group::height}, .preparation = {.degree = 1}}, "Sq"));
-  Field lay = plain;
-  for (Index j = 0; j < shape.ny; ++j)
-    lay.col(j) += 2 * plain.maxCoeff() * std::sin(0.4 * static_cast<double>(j));
-  CHECK(holds(plain, asked, "Sal"));
-  CHECK(!holds(lay, asked, "Sal"));
-  CHECK(holds(lay, asked, "Sq"));
-  CHECK(holds(lay, {.groups = {Group::height}, .preparation = {.degree = 1}}, "Sdq"));
+  CHECK(holds(plain, {.groups = {Group::height}, .preparation = {.degree = 1}}, "Sdq"));
   const Field skewed = (2 * plain / plain.maxCoeff()).exp();
   CHECK(holds(skewed, asked, "quantile_0.9"));
   const Parameter sz{.name = "Sz", .value = 1, .unit = "m", .standard_error = NAN, .meaning = ""};
   CHECK(TwinScope(sample_of(plain), asked).holds(sz));
+  CHECK(!TwinScope(sample_of(plain), asked).needs_none(sz));
+  const Parameter none{.name = "slowest_direction",
+                       .value = 1,
+                       .unit = "rad",
+                       .standard_error = NAN,
+                       .meaning = "",
+                       .why = "no direction is preferred"};
+  CHECK(TwinScope(sample_of(plain), asked).needs_none(none));
+  const Parameter count{
+      .name = "profiles_eff", .value = 9, .unit = "1", .standard_error = NAN, .meaning = ""};
+  CHECK(!TwinScope(sample_of(plain), asked).holds(count));
   CHECK(!TwinScope(sample_of(skewed), asked).holds(sz));
 }

@@ -1,0 +1,113 @@
+// Errors of the mean and the spread of a sequence from its own longest waves.
+#include "stats/uncertainty/sequence_error.hpp"
+
+#include "fields.hpp"
+#include "stats/sample/quantiles.hpp"
+#include "stats/uncertainty/long_waves.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+// The k-th longest wave, of amplitude A.
+Eigen::ArrayXd wave(Index n, Index k, double amplitude, bool periodic = false) {
+  return amplitude * axis_waves(n, periodic, k).col(k).array();
+}
+
+// Means over `window` neighbours of 100 independent values, or a piece of such.
+Eigen::ArrayXd averaged(Index window, unsigned seed, bool periodic) {
+  const Index n = 100;
+  const Eigen::ArrayXd noise = white_noise({1, n + window}, seed).row(0).transpose();
+  return Eigen::ArrayXd::NullaryExpr(n, [&](Index j) {
+    double sum = 0;
+    for (Index k = j; k < j + window; ++k) sum += noise(periodic ? k % n : k);
+    return sum;
+  });
+}
+
+}  // namespace
+
+// One of K waves has all the power A²: SE² = A²/K, ν = K, L = K/(6ν) = 1/6.
+TEST_CASE("the error of a sequence's mean is that of its longest waves", "[sequence-error][exact]") {
+  const Index n = 90;
+  const double amplitude = 0.7;
+  for (const auto& [independent, degrees] : {std::pair{3, 2}, {10, 3}, {20, 6}, {80, 16}}) {
+    const double share = static_cast<double>(independent) / static_cast<double>(n) * (1 + 1e-12);
+    for (const Index k : {1, degrees}) {
+      const SequenceMean m = sequence_mean(5 + wave(n, k, amplitude), share, false);
+      CAPTURE(independent, k);
+      CHECK(m.degrees == degrees);
+      CHECK(relative_error(m.mean, 5) <= 1e-14);
+      CHECK(relative_error(m.spread, amplitude) <= 1e-13);
+      CHECK(relative_error(m.mean_error, amplitude / std::sqrt(degrees) * 6 / 5) <= 1e-12);
+    }
+    CHECK(sequence_mean(5 + wave(n, degrees + 1, amplitude), share, false).mean_error <= 1e-12);
+  }
+  const SequenceMean around = sequence_mean(wave(n, 3, amplitude, true), 10.001 / n, true);
+  CHECK(around.degrees == 4);
+  CHECK(relative_error(around.mean_error, amplitude / 2 * 6 / 5) <= 1e-12);
+  CHECK(std::isnan(sequence_mean(wave(n, 1, amplitude), 2.99 / n, false).mean_error));
+  CHECK(std::isnan(sequence_mean(Eigen::ArrayXd::Constant(n, NAN), 1, false).mean));
+}
+
+// v² = s² (1 + b u), u the wave of two halves, and v changes its sign in the middle, where u is even: v̄ = 0,
+// f = s b u/2, ν = K, L = 1/6 + 0.6/√K.
+TEST_CASE("the error of a sequence's spread is that of the longest waves of its squares",
+          "[sequence-error][exact]") {
+  const Index n = 90;
+  const double s = 3, b = 0.5, degrees = 16;
+  Eigen::ArrayXd v = s * (1 + wave(n, 2, b)).sqrt();
+  v.tail(n / 2) *= -1;
+  const SequenceMean m = sequence_mean(v, 80.001 / n, false);
+  CHECK(relative_error(m.spread, s) <= 1e-13);
+  CHECK(relative_error(m.spread_error,
+                       s * b / 2 / std::sqrt(degrees) / (1 - 1.0 / 6 - 0.6 / std::sqrt(degrees))) <= 1e-12);
+}
+
+TEST_CASE("errors of a sequence move with its scale, not with its place, its direction or absent values",
+          "[sequence-error][law]") {
+  const Field z = moving_average({1, 200}, {1, 5}, 3);
+  const Eigen::ArrayXd v = z.row(0).transpose();
+  const SequenceMean m = sequence_mean(v, 0.2, false), moved = sequence_mean(7 - 1e-3 * v, 0.2, false),
+                     back = sequence_mean(v.reverse(), 0.2, false);
+  CHECK(relative_error(moved.mean_error, 1e-3 * m.mean_error) <= 1e-10);
+  CHECK(relative_error(moved.spread_error, 1e-3 * m.spread_error) <= 1e-10);
+  CHECK(relative_error(back.mean_error, m.mean_error) <= 1e-10);
+  // A sequence turned around its period, and one that lacks a value in three.
+  Eigen::ArrayXd turned(200), fewer = v;
+  turned << v.tail(77), v.head(123);
+  CHECK(relative_error(sequence_mean(turned, 0.2, true).mean_error, sequence_mean(v, 0.2, true).mean_error) <=
+        1e-10);
+  for (Index j = 0; j < 200; j += 3) fewer(j) = NAN;
+  const SequenceMean some = sequence_mean(fewer, 0.2, false);
+  CHECK(some.count == 133);
+  CHECK(some.independent == Approx(0.2 * 133).epsilon(1e-14));
+  CHECK(std::abs(std::log(some.mean_error / m.mean_error)) <= 0.5);
+}
+
+// Of n sequences the mean square of the error has the relative deviation √(2/(K n)), that of the true one
+// √(2/n), and the share of intervals √(0.95 · 0.05/n). What (3) takes too little or too much off is within a
+// tenth.
+TEST_CASE("errors of a sequence are the spread over an ensemble, and Student's intervals cover",
+          "[sequence-error][statistics]") {
+  constexpr int sequences = 1000;
+  for (const bool periodic : {false, true})
+    for (const Index window : {1, 4, 10}) {
+      Spread mean, spread;
+      double square = 0, square_of_spread = 0, covered = 0;
+      for (unsigned seed = 0; seed < sequences; ++seed) {
+        const SequenceMean m =
+            sequence_mean(averaged(window, seed, periodic), 1.0 / static_cast<double>(window), periodic);
+        mean.add(m.mean), spread.add(m.spread);
+        square += m.mean_error * m.mean_error / sequences;
+        square_of_spread += m.spread_error * m.spread_error / sequences;
+        covered += std::abs(m.mean) <= student_quantile(0.025, static_cast<double>(m.degrees)) * m.mean_error;
+      }
+      CAPTURE(periodic, window);
+      const double margin = 0.1 + 4 * std::sqrt(0.5 / sequences);
+      CHECK(std::sqrt(square) / mean.deviation() == Approx(1).margin(margin));
+      CHECK(std::sqrt(square_of_spread) / spread.deviation() == Approx(1).margin(margin));
+      CHECK(std::abs(covered / sequences - 0.95) <= 4 * std::sqrt(0.95 * 0.05 / sequences));
+    }
+}
