@@ -11,7 +11,6 @@
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/height_tables.hpp"
-#include "tools/measure/part_tables.hpp"
 
 using namespace asperity;
 
@@ -137,18 +136,18 @@ class Distribution {
   }
 
   cli::Table table_of(const cli::CountedCells& part) const {
-    if (needs_range()) return histogram_of(part, bins_for(what_, values_), values_.range.highest);
-    return quantiles_of(part, what_.points ? what_.points : 99, tool_.thread_count());
+    const Sample values({part.grid, part.values, 0, part.variable, part.units}, false, tool_.thread_count());
+    if (needs_range())
+      return cli::histogram_of({part, values}, bins_for(what_, values_), values_.range.highest);
+    return cli::quantiles_of({part, values}, what_.points ? what_.points : 99);
   }
   cli::Table table_of(const Surface& surface) const {
-    const Moments m = moments(surface.heights, field_.variable);
-    const EffectiveSampleSize size = error_basis(surface, tool_.thread_count()).size();
-    warn_of_few(tool_, size);
-    const cli::Heights of{surface, m, size};
+    const Sample of(surface, false, tool_.thread_count());
+    warn_of_few(tool_, of.size());
     if (what_.estimate == "kernel")
-      return density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256, values_.range);
-    if (what_.estimate == "histogram") return histogram_of(of, bins_for(what_, values_), values_.range);
-    return quantiles_of(of, what_.points ? what_.points : 99, tool_.thread_count());
+      return cli::density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256, values_.range);
+    if (what_.estimate == "histogram") return cli::histogram_of(of, bins_for(what_, values_), values_.range);
+    return cli::quantiles_of(of, what_.points ? what_.points : 99);
   }
 
   static cli::EnsembleTable::Content content_of(const cli::Table& one) {

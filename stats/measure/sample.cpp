@@ -86,6 +86,8 @@ const Sample::Waves& Sample::waves() const {
                         FieldExtent{size_.effective(2), lengths(nx, along_x) / lengths(ny, along_y)});
 }
 
+const FieldExtent& Sample::extent() const { return waves().extent; }
+
 bool Sample::correlation_gives_errors() const { return waves().negative < 0.1; }
 
 template <class Sums>
@@ -100,15 +102,15 @@ std::optional<HeightErrors> Sample::height_errors() const {
   if (!errors_) return std::nullopt;
   HeightErrors out(grid(), moments().mean, moments().sq);
   add_all(out);
-  out.finish(waves().extent);
+  out.finish(extent());
   return out;
 }
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
   if (!errors_) return std::nullopt;
-  QuantileErrors out(grid(), heights);
+  QuantileErrors out(grid(), extent(), heights);
   add_all(out);
-  out.finish(waves().extent);
+  out.finish();
   return out;
 }
 
@@ -120,7 +122,7 @@ std::optional<DerivativeErrors> Sample::derivative_errors() const {
         2, [&](const Field& strip, Index core, Index) { out.add({strip, grid(), core}, 0, threads_); });
   else
     out.add(Strip::whole(surface_.heights, grid()), moments().mean, threads_);
-  out.finish(waves().extent);
+  out.finish(extent());
   return out;
 }
 

@@ -48,6 +48,8 @@ class SharedPower {
 
   /// r between (0,0) and (p,q).
   double operator()(Index p, Index q) const;
+  /// The sum of r over all neighbours: Σ m w⁴ times the number of points over (Σ m w²)².
+  double overlap() const;
   /// The index of the same wave number within half a period, in (-n/2, n/2].
   Index within_x(Index p) const { return within(p, shape_.nx); }
   Index within_y(Index q) const { return within(q, shape_.ny); }

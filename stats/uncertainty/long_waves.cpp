@@ -11,18 +11,53 @@ namespace {
 
 constexpr Index most_waves = 4;
 
-// (2).
-double largest_wave(double n_eff, Periodic periodic) {
-  const double free = n_eff < 160 ? 2 : n_eff < 640 ? 5 : n_eff < 2560 ? 10 : 20;
-  return periodic.any() ? std::max(free, 4.0) : free;
-}
-
 // (3), of ν independent values.
 double loss(double largest, double independent) {
   return std::min(0.4, 0.75 * (0.3 / std::sqrt(independent) + (1.4 + 0.7 * largest) / independent));
 }
 
 }  // namespace
+
+LongWaves::Axis::Axis(Index n, bool periodic) : waves(n, most_waves + 1) {
+  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
+                               (std::numbers::pi / static_cast<double>(n));
+  waves.col(0).setOnes();
+  half_waves.push_back(0);
+  for (Index j = 1; j <= most_waves; ++j) {
+    const auto k = static_cast<double>(periodic ? j + j % 2 : j);
+    const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
+    waves.col(j) = std::numbers::sqrt2 * (k * phase - quarter).cos();
+    half_waves.push_back(k);
+  }
+}
+
+LongWaves::LongWaves(const Grid& grid)
+    : periodic_(grid.periodic.any()),
+      x_(grid.shape.nx, grid.periodic.x),
+      y_(grid.shape.ny, grid.periodic.y) {}
+
+double LongWaves::largest(double n_eff) const {
+  const double free = n_eff < 160 ? 2 : n_eff < 640 ? 5 : n_eff < 2560 ? 10 : 20;
+  return periodic_ ? std::max(free, 4.0) : free;
+}
+
+std::vector<LongWaves::Numbers> LongWaves::longest(const FieldExtent& extent) const {
+  std::vector<Numbers> out;
+  const std::size_t points_x = size(x_.waves.rows()), points_y = size(y_.waves.rows());  // a row has no more
+  for (std::size_t j = 0; j < x_.half_waves.size(); ++j)
+    for (std::size_t k = 0; k < y_.half_waves.size(); ++k) {
+      const double nu = std::pow(x_.half_waves[j], 2) / extent.elongation +
+                        std::pow(y_.half_waves[k], 2) * extent.elongation;
+      if (nu > 0 && nu <= 1.1 * largest(extent.n_eff) && j < points_x && k < points_y)
+        out.push_back({static_cast<Index>(j), static_cast<Index>(k)});
+    }
+  return out;
+}
+
+double LongWaves::error(double variance, double at_point, double largest) {
+  if (!(variance > 0)) return variance;
+  return std::sqrt(variance) / (1 - loss(largest, std::max(at_point / variance, 1.0)));
+}
 
 double LocalMeans::error(const Function& g) const {
   Eigen::VectorXd gradient(means_.size());
@@ -36,30 +71,13 @@ double LocalMeans::error(const Function& g) const {
     gradient(a) = step > 0 ? (at(step) - at(-step)) / (2 * step) : 0;
   }
   const double variance = (waves_.transpose() * gradient).squaredNorm() / static_cast<double>(degrees());
-  if (!(variance > 0)) return variance;
-  const double independent = gradient.dot(covariance_ * gradient) / variance;
-  return std::sqrt(variance) / (1 - loss(largest_wave_, std::max(independent, 1.0)));
-}
-
-LocalSums::Axis::Axis(Index n, bool periodic) : waves(n, most_waves + 1) {
-  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
-                               (std::numbers::pi / static_cast<double>(n));
-  waves.col(0).setOnes();
-  half_waves.push_back(0);
-  for (Index j = 1; j <= most_waves; ++j) {
-    const auto k = static_cast<double>(periodic ? j + j % 2 : j);
-    const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
-    waves.col(j) = std::numbers::sqrt2 * (k * phase - quarter).cos();
-    half_waves.push_back(k);
-  }
+  return LongWaves::error(variance, gradient.dot(covariance_ * gradient), largest_wave_);
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
     : shape_(grid.shape),
-      periodic_(grid.periodic),
       functions_(functions),
-      x_(grid.shape.nx, grid.periodic.x),
-      y_(grid.shape.ny, grid.periodic.y),
+      waves_(grid),
       sums_(none()) {}
 
 void LocalSums::Sums::operator+=(const Sums& other) {
@@ -79,9 +97,9 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   if (all.isNaN().any())
     for (Index j = 0; j < values.rows(); ++j)
       if (std::isnan(all(j))) values.row(j).setZero();
-  const Eigen::MatrixXd along_y = values.transpose() * y_.waves;
+  const Eigen::MatrixXd along_y = values.transpose() * waves_.y();
   for (std::size_t j = 0; j < sums.waves.size(); ++j)
-    sums.waves[j] += x_.waves(i, static_cast<Index>(j)) * along_y;
+    sums.waves[j] += waves_.x()(i, static_cast<Index>(j)) * along_y;
   sums.products += values.transpose() * values;
 }
 
@@ -108,24 +126,19 @@ void LocalSums::add_rows(Index rows, int threads,
 LocalMeans LocalSums::means(const FieldExtent& extent) const {
   LocalMeans out;
   const double n = count();
-  out.largest_wave_ = largest_wave(extent.n_eff, periodic_);
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
-  const std::size_t points_x = size(shape_.nx), points_y = size(shape_.ny);  // of more waves a row has none
-  std::vector<Eigen::VectorXd> waves;
-  for (std::size_t j = 0; j < x_.half_waves.size(); ++j)
-    for (std::size_t k = 0; k < y_.half_waves.size(); ++k) {
-      const double nu = std::pow(x_.half_waves[j], 2) / extent.elongation +
-                        std::pow(y_.half_waves[k], 2) * extent.elongation;
-      if (nu == 0 || nu > 1.1 * out.largest_wave_ || j >= points_x || k >= points_y) continue;
-      const Eigen::VectorXd c = sums_.waves[j].col(static_cast<Index>(k)) / n;
-      waves.emplace_back((c - means * c(0)).tail(functions_));
-    }
-  out.waves_.resize(functions_, static_cast<Index>(waves.size()));
-  for (std::size_t k = 0; k < waves.size(); ++k) out.waves_.col(static_cast<Index>(k)) = waves[k];
+  const auto longest = waves_.longest(extent);
+  out.waves_.resize(functions_, static_cast<Index>(longest.size()));
+  for (Index k = 0; k < out.waves_.cols(); ++k) {
+    const auto [along_x, along_y] = longest[size(k)];
+    const Eigen::VectorXd c = sums_.waves[size(along_x)].col(along_y) / n;
+    out.waves_.col(k) = (c - means * c(0)).tail(functions_);
+  }
   out.means_ = means.tail(functions_);
   const Eigen::MatrixXd second = sums_.products / n;
   const Eigen::VectorXd at = second.col(0);
   out.covariance_ = (second - at * at.transpose()).bottomRightCorner(functions_, functions_);
+  out.largest_wave_ = waves_.largest(extent.n_eff);
   return out;
 }
 

@@ -35,8 +35,37 @@ namespace asperity {
 
 /// How large a field is in terms of its correlation.
 struct FieldExtent {
-  double n_eff;           ///< independent heights
+  double n_eff = 0;       ///< independent heights
   double elongation = 1;  ///< correlation lengths along x over those along y
+};
+
+/// The waves u of a grid.
+class LongWaves {
+ public:
+  explicit LongWaves(const Grid& grid);
+
+  struct Numbers {
+    Index x, y;  ///< columns of x(), y()
+  };
+  /// (2): K of them, without the mean.
+  std::vector<Numbers> longest(const FieldExtent& extent) const;
+  const Eigen::MatrixXd& x() const { return x_.waves; }  ///< a row a point, a column a wave, the first is 1
+  const Eigen::MatrixXd& y() const { return y_.waves; }
+  double largest(double n_eff) const;  ///< J²
+  /// √(1), of 1/K Σ c_k², the variance of the local function at one point, and J².
+  static double error(double variance, double at_point, double largest);
+
+ private:
+  // The waves along an axis of n points, a column each, and their half waves ν.
+  struct Axis {
+    Eigen::MatrixXd waves;
+    std::vector<double> half_waves;
+
+    Axis(Index n, bool periodic);
+  };
+
+  bool periodic_;
+  Axis x_, y_;
 };
 
 /// The means of some local functions and their long waves.
@@ -70,13 +99,6 @@ class LocalSums {
   LocalMeans means(const FieldExtent& extent) const;
 
  private:
-  // The waves along an axis of n points, a column each, and their half waves ν.
-  struct Axis {
-    Eigen::MatrixXd waves;
-    std::vector<double> half_waves;
-
-    Axis(Index n, bool periodic);
-  };
   struct Sums {
     std::vector<Eigen::MatrixXd> waves;  // Σ u_jk f_a, by j: a row a function, the first of which is 1
     Eigen::MatrixXd products;            // Σ f_a f_b
@@ -87,9 +109,8 @@ class LocalSums {
   void add_row(Sums& sums, Index i, Values& values) const;
 
   Shape shape_;
-  Periodic periodic_;
   Index functions_;
-  Axis x_, y_;
+  LongWaves waves_;
   Sums sums_;
   Index rows_ = 0;  // so far
 };

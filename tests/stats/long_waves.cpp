@@ -104,8 +104,8 @@ TEST_CASE("errors by long waves are the spread over an ensemble, whatever the he
       sa.add(m.sa, of_heights([](const Moments& of) { return of.sa; }));
       sq.add(m.sq, of_heights([](const Moments& of) { return of.sq; }));
       if (!skewed) ssk.add(m.ssk, of_heights([](const Moments& of) { return of.ssk; }));
-      QuantileErrors of_shares(g, {skewed ? 1.2 : 0.05});
-      of_shares.add(z), of_shares.finish({300, 80.0 / 64 * 4 / 3});
+      QuantileErrors of_shares(g, {300, 80.0 / 64 * 4 / 3}, {skewed ? 1.2 : 0.05});
+      of_shares.add(z), of_shares.finish();
       share.add(static_cast<double>((z <= (skewed ? 1.2 : 0.05)).count()) / static_cast<double>(z.size()),
                 of_shares(0));
       DerivativeErrors of(g);

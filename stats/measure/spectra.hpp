@@ -1,0 +1,16 @@
+/// Spectra of profiles and over rings of a surface, with errors for its heights: where these are evidently not
+/// Gaussian, or were drawn so, with what they add (stats/spectrum/power_excess.hpp).
+#pragma once
+
+#include <vector>
+
+#include "stats/measure/sample.hpp"
+#include "stats/spectrum/spectrum.hpp"
+
+namespace asperity {
+
+/// Of a sample that is whole.
+std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window);
+std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows windows);
+
+}  // namespace asperity
