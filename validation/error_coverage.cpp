@@ -89,7 +89,8 @@ void add_distribution(Parameters& out, const Sample& sample) {
   std::vector<DensityPoint> curve =
       kernel_density(z, bandwidth, 41, HeightRange{3 * bandwidth - end, end - 3 * bandwidth});
   set_errors(curve, z, sample.grid(), sample.extent(), bandwidth, sq);
-  for (const int k : {-1, 0, 1}) add(fmt::format("density_{}", k), curve[static_cast<std::size_t>(20 + k)].frequency);
+  for (const int k : {-1, 0, 1})
+    add(fmt::format("density_{}", k), curve[static_cast<std::size_t>(20 + k)].frequency);
   std::vector<Bin> bins = histogram(z, 80, HeightRange{-end, end});
   set_errors(bins, z, sample.grid(), sample.extent(), sq);
   for (const double from : {-2.5, -1.0, 0.5, 2.0})

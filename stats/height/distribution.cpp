@@ -80,11 +80,12 @@ void compare_with_gaussian(std::vector<Bin>& bins, const Moments& moments, const
   }
 }
 
-void set_errors(std::vector<Bin>& bins, const Field& z, const Grid& grid, const FieldExtent& extent, double sq) {
+void set_errors(std::vector<Bin>& bins, const Field& z, const Grid& grid, const FieldExtent& extent,
+                double sq) {
   const double width = bins.front().width(), bandwidth = mean_bandwidth(sq, extent);
   const Index parts = bandwidth > 0 ? static_cast<Index>(std::min(std::ceil(2 * width / bandwidth), 1e3)) : 1;
-  const HeightClasses classes(z, grid, extent,
-                              {bins.front().lower, bins.back().upper, parts * static_cast<Index>(bins.size())});
+  const HeightClasses classes(
+      z, grid, extent, {bins.front().lower, bins.back().upper, parts * static_cast<Index>(bins.size())});
   const SmoothDensity density(classes, bandwidth);
   std::vector<Frequency> shares;
   for (std::size_t b = 0; b < bins.size(); ++b) {

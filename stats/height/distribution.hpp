@@ -6,10 +6,10 @@
 /// the optimum for N Gaussian heights. N is not reduced for correlation, whose error does not depend on the
 /// width. Each bin holds lower ≤ z < upper; the last one includes its upper edge.
 ///
-/// The share of the heights in a bin has the error and the interval of stats/uncertainty/share_error.hpp, from
-/// the field's own long waves, whatever the distribution. The misfit, the count less that of the Gaussian,
-/// asks whether heights are Gaussian, and is compared with the error that it has if they are. The count c of
-/// a bin [a,b], in units of Sq about the mean, sums indicators of Hermite coefficients
+/// The share of the heights in a bin has the error and the interval of stats/uncertainty/share_error.hpp,
+/// from the field's own long waves, whatever the distribution. The misfit, the count less that of the
+/// Gaussian, asks whether heights are Gaussian, and is compared with the error that it has if they are. The
+/// count c of a bin [a,b], in units of Sq about the mean, sums indicators of Hermite coefficients
 ///     c_k = He_{k-1}(a) φ(a) - He_{k-1}(b) φ(b),                                                   (2)
 /// and of these the fitted mean and Sq remove k = 1 and 2 (stats/uncertainty/effective_size.hpp):
 ///     Var[c - N f] = N Σ_{k≥3} (c_k²/k!) S_k,     f = Φ(b) - Φ(a).                                 (3)

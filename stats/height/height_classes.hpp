@@ -41,6 +41,7 @@ class HeightClasses {
 
   const ShareErrors& errors() const { return errors_; }
   const Range& range() const { return range_; }
+
  private:
   Range range_;
   ShareErrors errors_;

@@ -52,7 +52,8 @@ QuantileErrors::QuantileErrors(const Grid& grid, const FieldExtent& extent, std:
 
 // Class k holds heights up to the k-th and above the one before.
 void QuantileErrors::add(const Field& rows, int) {
-  errors_.add(rows, [this](double z) { return std::ranges::lower_bound(ascending_, z) - ascending_.begin(); });
+  errors_.add(rows,
+              [this](double z) { return std::ranges::lower_bound(ascending_, z) - ascending_.begin(); });
 }
 
 double QuantileErrors::with_mean(std::size_t k, double density) const {

@@ -119,8 +119,8 @@ void set_errors(std::vector<DensityPoint>& curve, const Field& z, const Grid& gr
                 double bandwidth, double sq) {
   const auto [lowest, highest] = height_range(z);
   const auto cells = static_cast<Index>((highest - lowest) / (cell_width * bandwidth)) + 1;
-  const HeightClasses classes(
-      z, grid, extent, {lowest, lowest + static_cast<double>(cells) * cell_width * bandwidth, cells});
+  const HeightClasses classes(z, grid, extent,
+                              {lowest, lowest + static_cast<double>(cells) * cell_width * bandwidth, cells});
   const SmoothDensity density(classes, std::max(bandwidth, mean_bandwidth(sq, extent)));
   std::vector<Frequency> densities;
   for (const DensityPoint& point : curve) {

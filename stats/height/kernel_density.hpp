@@ -11,8 +11,8 @@
 /// drop out (stats/uncertainty/effective_size.hpp)
 ///     Var[f - φ(t/s)/s] = 1/N Σ_{k≥3} (c_k²/k!) S_k.                                                (4)
 /// The density itself has the error and the interval of stats/uncertainty/share_error.hpp, from the field's
-/// own long waves: f is the mean of a function of height, the kernel on cells of half a bandwidth. It rests on
-/// 2 √π N h f points.
+/// own long waves: f is the mean of a function of height, the kernel on cells of half a bandwidth. It rests
+/// on 2 √π N h f points.
 ///
 /// (1) is summed over cells of half a bandwidth: with the moments M_k = Σ d^k/√k! of a cell's heights c + h
 /// d, |d| ≤ 1/4, the Hermite series of the Gaussian about its centre c (the fast Gauss transform) is

@@ -17,6 +17,7 @@ enum class Origin { own_mean, zero };
 /// Of the heights below which these shares of the surface lie; no errors where many heights are equal. With
 /// the origin 0 they come from long waves always.
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
-                                         const std::vector<double>& heights, Origin origin = Origin::own_mean);
+                                         const std::vector<double>& heights,
+                                         Origin origin = Origin::own_mean);
 
 }  // namespace asperity

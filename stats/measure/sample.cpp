@@ -118,8 +118,9 @@ std::optional<DerivativeErrors> Sample::derivative_errors() const {
   if (!errors_) return std::nullopt;
   DerivativeErrors out(grid());
   if (reader_)
-    reader_->for_each_strip(
-        2, [&](const Field& strip, Index core, Index) { out.add({strip, grid(), core}, 0, threads_); });
+    reader_->for_each_strip(2, [&](const Field& strip, Index core, Index) {
+      out.add({strip, grid(), core}, 0, threads_);
+    });
   else
     out.add(Strip::whole(surface_.heights, grid()), moments().mean, threads_);
   out.finish(extent());

@@ -1,5 +1,5 @@
-/// Spectra of profiles and over rings of a surface, with errors for its heights: where these are evidently not
-/// Gaussian, or were drawn so, with what they add (stats/spectrum/power_excess.hpp).
+/// Spectra of profiles and over rings of a surface. Where its heights are evidently not Gaussian, or were
+/// drawn so, errors hold what this adds (stats/spectrum/power_excess.hpp).
 #pragma once
 
 #include <vector>

@@ -24,11 +24,12 @@ LocalMeans local_means(const Field& d, const Grid& grid, const Slopes& slopes, c
     const auto z = d.row(i).transpose();
     values.col(1) = z.square().matrix();
     values.col(2).setZero();
-    if (slopes.x > 0) values.col(2) += slopes.x * (d.row(last ? 0 : i + 1) - d.row(i)).square().matrix().transpose();
+    if (slopes.x > 0)
+      values.col(2) += slopes.x * (d.row(last ? 0 : i + 1) - d.row(i)).square().matrix().transpose();
     if (!(slopes.y > 0)) return;
     values.col(2).head(ny - 1) += slopes.y * (z.tail(ny - 1) - z.head(ny - 1)).square().matrix();
-    values(ny - 1, 2) += grid.periodic.y ? slopes.y * std::pow(z(0) - z(ny - 1), 2)
-                                         : std::numeric_limits<double>::quiet_NaN();
+    values(ny - 1, 2) +=
+        grid.periodic.y ? slopes.y * std::pow(z(0) - z(ny - 1), 2) : std::numeric_limits<double>::quiet_NaN();
   });
   return sums.means(extent);
 }
@@ -41,7 +42,8 @@ LagField of_differences(const LagField& psd, const Grid& grid, const Slopes& slo
   };
   for (Index p = 0; p < out.rows(); ++p)
     for (Index q = -psd.max_q(); q <= psd.max_q(); ++q)
-      out(p, q + psd.max_q()) *= slopes.x * transfer(p, grid.shape.nx) + slopes.y * transfer(q, grid.shape.ny);
+      out(p, q + psd.max_q()) *=
+          slopes.x * transfer(p, grid.shape.nx) + slopes.y * transfer(q, grid.shape.ny);
   return LagField(std::move(out));
 }
 

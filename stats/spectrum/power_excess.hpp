@@ -4,10 +4,10 @@
 /// the field that these waves make up. Of Gaussian heights its variance follows from the power
 /// (stats/spectrum/shared_power.hpp). Of others the local amplitude strays from place to place, for many
 /// waves together: the relative variance of each mean is larger by
-///     E = max(0, Var[f̄]/f̄² ∫w⁴ - Var_G/f̄²),                                                          (1)
+///     E = max(0, Var[f̄]/f̄² ∫w⁴ - Var_G/f̄²),                                                         (1)
 /// from two local functions f: z², which the longest waves make up, for wave numbers up to the rms one,
-/// q = √(mean f₂/mean z²), and the square f₂ of the slopes beyond. Var[f̄] is the variance that the field's own
-/// long waves have (stats/uncertainty/long_waves.hpp), ∫w⁴ what the window makes of it, and Var_G the
+/// q = √(mean f₂/mean z²), and the square f₂ of the slopes beyond. Var[f̄] is the variance that the field's
+/// own long waves have (stats/uncertainty/long_waves.hpp), ∫w⁴ what the window makes of it, and Var_G the
 /// variance of Gaussian heights of the same power, both of windowed fields. Then
 ///     Var/mean² → Var/mean² + E,     1/ν → 1/ν + E/2.                                                   (2)
 ///

@@ -75,10 +75,7 @@ double LocalMeans::error(const Function& g) const {
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
-    : shape_(grid.shape),
-      functions_(functions),
-      waves_(grid),
-      sums_(none()) {}
+    : shape_(grid.shape), functions_(functions), waves_(grid), sums_(none()) {}
 
 void LocalSums::Sums::operator+=(const Sums& other) {
   for (std::size_t j = 0; j < waves.size(); ++j) waves[j] += other.waves[j];
@@ -103,8 +100,7 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   sums.products += values.transpose() * values;
 }
 
-void LocalSums::add_rows(Index rows, int threads,
-                         const std::function<void(Index i, Values& values)>& fill) {
+void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill) {
   constexpr Index block = 32;
   const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));

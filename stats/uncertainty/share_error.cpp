@@ -65,7 +65,8 @@ void ShareErrors::accumulate() {
   }
 }
 
-ShareErrors::Function::Function(const ShareErrors& of) : of_(of), sums_(Eigen::VectorXd::Zero(of.x_.rows())) {}
+ShareErrors::Function::Function(const ShareErrors& of)
+    : of_(of), sums_(Eigen::VectorXd::Zero(of.x_.rows())) {}
 
 void ShareErrors::Function::add(Index b, double value) {
   sums_ += value * of_.waves_.col(b);
@@ -79,7 +80,8 @@ double ShareErrors::Function::error(double slope) const {
   const double mean = sums(0) / n,
                square = (squares_ + 2 * slope * products_ + slope * slope * of_.squares_) / n;
   const Index K = of_.degrees();
-  const double variance = (sums - mean * of_.at_all_).tail(K).squaredNorm() / (n * n * static_cast<double>(K));
+  const double variance =
+      (sums - mean * of_.at_all_).tail(K).squaredNorm() / (n * n * static_cast<double>(K));
   return LongWaves::error(variance, square - mean * mean, of_.largest_);
 }
 

@@ -161,6 +161,8 @@ TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or 
   CHECK(relative_error(sum / (grid.size_x() * grid.size_y()), sq * sq) <= 100 * epsilon);
   CHECK(data.at("psd").attributes.text("units") == "m4");
   CHECK(data.attributes.text("psd_window") == "none");
+  CHECK(data.attributes.number("psd_relative_error", 0) == 1);
+  CHECK(data.attributes.number("psd_degrees_of_freedom", 0) == 2);
   CHECK(data.has("acf_target"));
 
   const Json rings = json_of("asperity-psd drawn.nc --result radial --json");
@@ -187,6 +189,21 @@ TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-t
   CHECK(count == 7680);
   CHECK(integral == Approx(1).epsilon(1e-12));
   CHECK(table["density"]["unit"] == "m-1");
+}
+
+TEST_CASE("asperity-pdf's intervals hold what they are of, and none of a count or a density reaches below 0",
+          "[pdf-tool][law]") {
+  for (const auto& [estimate, value] :
+       {std::pair{"histogram --bins 60", "count"}, {"kernel", "density"}, {"quantiles", "height"}}) {
+    const Json table = json_of(std::string("asperity-pdf drawn.nc --json --estimate ") + estimate);
+    for (std::size_t i = 0; i < table[value]["values"].size(); ++i) {
+      const double of = table[value]["values"][i], low = table["low_95"]["values"][i],
+                   high = table["high_95"]["values"][i];
+      CAPTURE(estimate, i, low, of, high);
+      CHECK((low <= of && of < high));
+      if (value != std::string("height")) CHECK(low >= 0);
+    }
+  }
 }
 
 // The curve's steps are 1/8 of the bandwidth, its ends three bandwidths out: 2.7e-3 of the outermost heights

@@ -12,8 +12,8 @@ EffectiveSampleSize independent(const Grid& g) {
   return EffectiveSampleSize(triangular_correlation({1, 1}), g);
 }
 
-std::vector<DensityPoint> compared(const Field& z, const Moments& m, const EffectiveSampleSize& size, double h,
-                                   int rows) {
+std::vector<DensityPoint> compared(const Field& z, const Moments& m, const EffectiveSampleSize& size,
+                                   double h, int rows) {
   std::vector<DensityPoint> out = kernel_density(z, h, rows);
   compare_with_gaussian(out, m, size, h);
   return out;
@@ -66,8 +66,9 @@ TEST_CASE("the density adds up to one", "[kernel-density][law]") {
 }
 
 // All S_k are 1: the series is exact whatever its length, 512 terms of it down to (1 + h²)^-512.
-TEST_CASE("misfits of independent heights have the kernel's own variance, less what a fitted mean and Sq explain",
-          "[kernel-density][exact]") {
+TEST_CASE(
+    "misfits of independent heights have the kernel's own variance, less what a fitted mean and Sq explain",
+    "[kernel-density][exact]") {
   const Grid g = grid(50, 50);
   const Field z = 3 * white_noise(g.shape, 33);
   const double h = 0.4 * 3, n = 2500;

@@ -37,7 +37,10 @@ TEST_CASE("errors of shares are those of the means of their indicators", "[share
   sums.add_rows(z.rows(), 1, [&](Index i, LocalSums::Values& values) {
     for (Index j = 0; j < z.cols(); ++j) {
       const double height = z(i, j);
-      const double of_class = std::isnan(height) ? NAN : class_of(height) == 1 ? 0.5 : class_of(height) == 2 ? -2 : 0;
+      const double of_class = std::isnan(height)      ? NAN
+                              : class_of(height) == 1 ? 0.5
+                              : class_of(height) == 2 ? -2
+                                                      : 0;
       values(j, 1) = of_class + slope * height;
     }
   });
@@ -56,7 +59,8 @@ TEST_CASE("errors of shares are those of the means of their indicators", "[share
 // Each end is t errors of its own off the share, or at the bound.
 TEST_CASE("the ends of a share's interval are t of their own errors away from it", "[share-error][exact]") {
   const double t = student_quantile(0.025, 12);
-  std::vector<Frequency> shares{{0, 0, 0}, {2e-4, 5e-5, 4}, {0.01, 0.004, 200}, {0.8, 0.03, 16000}, {0.1, 0.02, 2000}, {0, 0, 0}};
+  std::vector<Frequency> shares{{0, 0, 0},          {2e-4, 5e-5, 4},   {0.01, 0.004, 200},
+                                {0.8, 0.03, 16000}, {0.1, 0.02, 2000}, {0, 0, 0}};
   set_intervals(shares, 1, 12);
   for (const Frequency& f : shares) {
     CAPTURE(f.value, f.error);
@@ -131,7 +135,8 @@ TEST_CASE("95 % intervals of shares of a correlated part of a field cover the tr
 // Of 300 fields the mean square of the error has the relative deviation √(2/(12 · 300)), that of the true one
 // √(2/300): 4 % of the ratio, three of these, and a tenth for what (3) of long_waves.hpp takes off too little
 // or too much. Without (1) the errors of bins and densities about ±1 are 1.5 and more times the true ones.
-TEST_CASE("bins and densities of heights from their own mean stray by their errors", "[share-error][statistics]") {
+TEST_CASE("bins and densities of heights from their own mean stray by their errors",
+          "[share-error][statistics]") {
   const Grid g = grid(96, 80);
   constexpr double h = 0.2;
   for (const bool skewed : {false, true}) {
@@ -149,7 +154,8 @@ TEST_CASE("bins and densities of heights from their own mean stray by their erro
       for (std::size_t k = 0; k < 4; ++k) {
         value[k].add(bins[18 + k].share.value), square[k].add(std::pow(bins[18 + k].share.error, 2));
         if (k == 3) continue;
-        value[4 + k].add(curve[19 + k].density), square[4 + k].add(std::pow(curve[19 + k].frequency.error, 2));
+        value[4 + k].add(curve[19 + k].density),
+            square[4 + k].add(std::pow(curve[19 + k].frequency.error, 2));
       }
     }
     for (std::size_t k = 0; k < 7; ++k) {

@@ -134,8 +134,7 @@ Table quantiles_of(const Part& part, int rows) {
   Table out = table_of({{{"share", "1"}}, with_error({cells.variable, cells.units})});
   std::vector<double> shares;
   for (int k = 1; k <= rows; ++k) shares.push_back(static_cast<double>(k) / (rows + 1));
-  const std::vector<Estimate> estimates =
-      quantile_estimates(of, shares, of.quantiles(shares), Origin::zero);
+  const std::vector<Estimate> estimates = quantile_estimates(of, shares, of.quantiles(shares), Origin::zero);
   for (std::size_t k = 0; k < shares.size(); ++k) {
     out.rows.push_back({shares[k]});
     append(out.rows.back(), of, estimates[k]);

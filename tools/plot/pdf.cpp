@@ -31,7 +31,8 @@ struct Distribution {
 
 // With errors, where they can be given.
 Distribution distribution_of(const Sample& sample, const HeightRange& range, int bins, double sq) {
-  Distribution out{sample.moments(), histogram(sample.surface().heights, bins, range), sample.size().points()};
+  Distribution out{sample.moments(), histogram(sample.surface().heights, bins, range),
+                   sample.size().points()};
   if (sample.size().gives_errors())
     set_errors(out.bins, sample.surface().heights, sample.grid(), sample.extent(), sq);
   return out;
@@ -53,8 +54,8 @@ Distribution distribution_of(const Case& c, const std::string& variable) {
   if (const auto part = cli::counted_cells(c.data, variable)) return distribution_of(*part);
   const Sample sample({grid_of(c.data), field_of(c.data, variable, Missing::not_a_number)}, false);
   const Moments& m = sample.moments();
-  return distribution_of(sample, height_range(sample.surface().heights), scott_bins(m, sample.size().points()),
-                         m.sq);
+  return distribution_of(sample, height_range(sample.surface().heights),
+                         scott_bins(m, sample.size().points()), m.sq);
 }
 
 double gaussian(const Moments& m, double z) {
@@ -117,7 +118,8 @@ Figure pdf(const Cases& cases, const Request& request) {
   std::vector<Distribution> all;
   for (const Case& c : cases) all.push_back(distribution_of(c, variable));
   const Scales scales = scales_of(all, quantity);
-  const bool with_errors = std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.share.interval.known(); });
+  const bool with_errors =
+      std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.share.interval.known(); });
   const std::string& per = scales.per.name;
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
