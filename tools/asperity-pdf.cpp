@@ -175,18 +175,19 @@ void document(cli::Tool& tool) {
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
-      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors of counts and densities come "
-      "from the field's own longest waves, whatever its correlation and the distribution of its heights, for "
-      "heights measured from the mean of the field; so do those of a pressure and a gap, and those of "
-      "quantiles where heights are evidently not Gaussian. Errors of neighbouring rows are correlated. "
-      "@COVERAGE@ A bin of less than ten counts has the interval of so many independent points as the next "
-      "bin has, and an empty one an interval from 0 on. Of 160 periodic contacts with correlation lengths of "
-      "1/32 and 1/16 of the side, 95 to 99 % of the intervals of the quartiles of the pressure, and 94 to 99 "
-      "% of those of the gap, hold their mean. The misfit alone assumes a Gaussian: it is the difference "
-      "from "
-      "it over the standard error that this has if the heights are Gaussian, of this correlation, with the "
-      "mean and Sq fitted. Then 95 % of the misfits lie within 2, except in bins of a few counts and for the "
-      "outermost quantiles.");
+      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors of counts and densities "
+      "come from the field's own longest waves, whatever its correlation and the distribution of its "
+      "heights, for heights measured from the mean of the field; so do those of a pressure and a gap, and "
+      "those of quantiles where heights are evidently not Gaussian. Errors of neighbouring rows are "
+      "correlated. On 11 textures, Gaussian and not, the standard errors of densities, where ten heights "
+      "or more lie, were 0.93 to 1.12 times the true ones and 91 to 98 % of the intervals held the truth, "
+      "and for shares of half a Sq 0.89 to 1.15 and 89 to 99 %. A bin of less than ten counts has the "
+      "interval of so many independent points as the next bin has, and an empty one an interval from 0 on. "
+      "Of 160 periodic contacts with correlation lengths of 1/32 and 1/16 of the side, 95 to 99 % of the "
+      "intervals of the quartiles of the pressure, and 94 to 99 % of those of the gap, hold their mean. "
+      "The misfit alone assumes a Gaussian: it is the difference from it over the standard error that this "
+      "has if the heights are Gaussian, of this correlation, with the mean and Sq fitted. Then 95 % of the "
+      "misfits lie within 2, except in bins of a few counts and for the outermost quantiles.");
 }
 
 }  // namespace

@@ -15,8 +15,7 @@
 ///     Var[c - N f] = N Σ_{k≥3} (c_k²/k!) S_k,     f = Φ(b) - Φ(a).                                 (3)
 ///
 /// Symbols   c  count      φ, Φ  the Gaussian's density and distribution      S_k  sums over the correlation
-/// Accuracy  (3) to first order in 1/N, for Gaussian heights. @COVERAGE@ Errors of neighbouring bins are
-///           correlated.
+/// Accuracy  (3) to first order in 1/N, for Gaussian heights. Errors of neighbouring bins are correlated.
 /// Cost      one pass over the data, 512 terms a bin; another pass for errors.
 ///
 /// D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.

@@ -20,7 +20,7 @@
 ///
 /// Symbols   z  heights      h  bandwidth      φ  the Gaussian's density      S_k  sums over the correlation
 /// Accuracy  (5) to 2e-14 of the largest value, (1/4)^14/√14!, besides round-off. (4) to first order in 1/N,
-///           for Gaussian heights. @COVERAGE@ Errors of neighbouring points are correlated.
+///           for Gaussian heights. Errors of neighbouring points are correlated.
 /// Cost      one pass of 14 multiplications per height; per point of the curve 40 cells of 14 terms, and 512
 ///           terms for (4). Another pass for errors. Memory 28 Sz/h numbers, 52 with errors.
 ///

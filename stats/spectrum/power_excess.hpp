@@ -14,8 +14,13 @@
 /// Symbols   w  window of mean square 1      ν  degrees of freedom of a mean
 /// Scope     means over wave numbers in all directions, or over all those across one. Of Gaussian heights
 ///           chance leaves an E above 0: leave it out where heights are Gaussian, as far as can be seen.
-/// Accuracy  @PSD@
-/// Cost      a pass of 40 operations a point, and two over the spectrum.
+/// Accuracy  Of 200 fields of 128 × 128 points with lognormal, Weibull, plateau and bimodal heights, N_eff
+///           325 (validation/error_coverage), errors of profiles and rings at the wave numbers 3, 12 and 40
+///           are 0.89 to 1.10 of the true ones, and intervals cover 88 to 98 %; without the excess, of 100
+///           fields at 3 and 12, 0.45 to 1.16 and 64 to 97 %. Of the other textures, which are Gaussian, it
+///           is left out.
+/// Cost      one transform, a pass of 40 operations a point, and two over the spectrum: three times that of
+///           a spectrum alone.
 #pragma once
 
 #include <vector>

@@ -19,10 +19,14 @@
 /// Symbols   f  share      e  its error      u_k  long waves      z  height [unit of the field]
 /// Scope     of a part of a field, such as its cells in contact, the other points are NaN: the share is
 ///           then a ratio of two sums, both random.
-/// Accuracy  @COVERAGE@ Of 160 periodic
-///           contacts of 128 × 128 cells under one load, with correlation lengths of 1/32 and 1/16 of the
-///           side and 13.5 % of the cells in contact, intervals of the quartiles of the pressure cover 95 to
-///           99 %, stated over true error 1.05 to 1.16, those of the gap 94 to 99 %, 0.94 to 1.21.
+/// Accuracy  Of 200 fields of 128 × 128 points of each of 11 textures, N_eff 300 to 1230
+///           (validation/error_coverage): densities stated over true error 0.93 to 1.12, covered 91 to 98 %;
+///           shares of half a Sq 0.89 to 1.15, 89 to 99 %. Where a bin holds less than ten points in most
+///           fields the errors are larger than the true ones, up to 1.7 times, and 4.8 above a plateau; 97
+///           to 100 % are covered. Of 160 periodic contacts of 128 × 128 cells under one load, with
+///           correlation lengths of 1/32 and 1/16 of the side and 13.5 % of the cells in contact,
+///           intervals of the quartiles of the pressure cover 95 to 99 %, stated over true error 1.05 to
+///           1.16, those of the gap 94 to 99 %, 0.94 to 1.21.
 /// Cost      one pass of K + 3 operations a point, K ≤ 24; K numbers a class.
 ///
 /// R. S. Woodruff, Confidence intervals for medians and other position measures, J. Am. Stat. Assoc. 47
