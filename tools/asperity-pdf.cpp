@@ -136,10 +136,9 @@ class Distribution {
   }
 
   cli::Table table_of(const cli::CountedCells& part) const {
-    const Sample values({part.grid, part.values, 0, part.variable, part.units}, false, tool_.thread_count());
-    if (needs_range())
-      return cli::histogram_of({part, values}, bins_for(what_, values_), values_.range.highest);
-    return cli::quantiles_of({part, values}, what_.points ? what_.points : 99);
+    const cli::Part of(part, tool_.thread_count());
+    if (needs_range()) return cli::histogram_of(of, bins_for(what_, values_), values_.range.highest);
+    return cli::quantiles_of(of, what_.points ? what_.points : 99);
   }
   cli::Table table_of(const Surface& surface) const {
     const Sample of(surface, false, tool_.thread_count());

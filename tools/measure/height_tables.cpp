@@ -116,15 +116,14 @@ Table histogram_of(const Part& part, int bins, double largest) {
                         with_error({"count", "1"}),
                         {{"share", "1"}, {"density", density}, {"density_error", density, Holds::unknown}}});
   std::vector<Bin> all = histogram(cells.values, bins, HeightRange{0, largest});
-  set_errors(all, cells.values, of.grid(), of.extent());
+  if (of) set_errors(all, cells.values, of->grid(), of->extent());
+  const bool known_errors = of && of->size().gives_errors();
   const double n = cells.counted;
   for (const Bin& bin : all) {
-    const double per = 1 / (n * bin.width()), error = n * bin.share.error;
-    const Interval& ends = bin.share.interval;
-    out.rows.push_back({bin.centre()});
-    append(out.rows.back(), of, bin.count, error, Interval::of(bin.count, n * ends.low, n * ends.high));
-    out.rows.back().insert(out.rows.back().end(),
-                           {bin.count / cells.cells, bin.count * per, known(of, error) * per});
+    const double per = 1 / (n * bin.width()), error = known_errors ? n * bin.share.error : NAN;
+    const Interval ends = known_errors ? bin.share.interval : Interval();
+    out.rows.push_back({bin.centre(), bin.count, error, n * ends.low, n * ends.high, bin.count / cells.cells,
+                        bin.count * per, error * per});
   }
   return out;
 }
@@ -134,10 +133,16 @@ Table quantiles_of(const Part& part, int rows) {
   Table out = table_of({{{"share", "1"}}, with_error({cells.variable, cells.units})});
   std::vector<double> shares;
   for (int k = 1; k <= rows; ++k) shares.push_back(static_cast<double>(k) / (rows + 1));
-  const std::vector<Estimate> estimates = quantile_estimates(of, shares, of.quantiles(shares), Origin::zero);
+  if (!of) {
+    const double value = height_range(cells.values).highest;
+    for (const double share : shares) out.rows.push_back({share, value, NAN, NAN, NAN});
+    return out;
+  }
+  const std::vector<Estimate> estimates =
+      quantile_estimates(*of, shares, of->quantiles(shares), Origin::zero);
   for (std::size_t k = 0; k < shares.size(); ++k) {
     out.rows.push_back({shares[k]});
-    append(out.rows.back(), of, estimates[k]);
+    append(out.rows.back(), *of, estimates[k]);
   }
   return out;
 }

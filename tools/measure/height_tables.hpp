@@ -2,6 +2,8 @@
 /// quantity that only a part of the cells has (tools/cli/counted_cells.hpp) beside none.
 #pragma once
 
+#include <optional>
+
 #include "stats/height/distribution.hpp"
 #include "stats/measure/sample.hpp"
 #include "tools/cli/counted_cells.hpp"
@@ -18,10 +20,15 @@ Table density_of(const Sample& heights, double bandwidth, int rows, std::optiona
 /// Columns: share, normal_quantile, height, standard_error, low_95, high_95, gaussian_height, misfit.
 Table quantiles_of(const Sample& heights, int rows);
 
-/// A part of the cells, and the sample of their values.
+/// A part of the cells, and the sample of their values; none where all are the same, which have no errors.
 struct Part {
   const CountedCells& cells;
-  const Sample& values;
+  std::optional<Sample> values = {};
+
+  explicit Part(const CountedCells& of, int threads = 1) : cells(of) {
+    if (height_range(of.values).width() > 0)
+      values.emplace(Surface{of.grid, of.values, 0, of.variable, of.units}, false, threads);
+  }
 };
 /// So many bins from 0 to `largest`. Columns: the variable, count, standard_error, low_95, high_95, share of
 /// all cells, density and density_error.

@@ -39,13 +39,14 @@ Distribution distribution_of(const Sample& sample, const HeightRange& range, int
 }
 
 Distribution distribution_of(const cli::CountedCells& part) {
-  const Sample sample({part.grid, part.values, 0, part.variable, part.units}, false);
-  const HeightRange range{0, height_range(part.values).highest};
+  const HeightRange own = height_range(part.values), range{0, own.highest};
   if (!(range.highest > 0)) throw DataError(part.variable, "no value is above 0");
-  const int bins = sample.moments().sq > 0
-                       ? scott_bins({.sq = sample.moments().sq, .sp = range.highest}, part.counted)
-                       : 1;
-  Distribution out = distribution_of(sample, range, bins, 0);
+  Distribution out{.bins = histogram(part.values, 1, range), .points = part.counted};
+  if (own.width() > 0) {
+    const Sample sample({part.grid, part.values, 0, part.variable, part.units}, false);
+    const int bins = scott_bins({.sq = sample.moments().sq, .sp = range.highest}, part.counted);
+    out = distribution_of(sample, range, bins, 0);
+  }
   out.part = fmt::format("{} of {} cells, {}", part.counted, part.cells, part.which);
   return out;
 }
