@@ -223,6 +223,24 @@ TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel m
   CHECK(std::abs(wide - 1) <= 1e-5);
 }
 
+// A sample of one value has no moments, and was refused.
+TEST_CASE("asperity-pdf counts a part of one value in one bin, without an error", "[pdf-tool][contract]") {
+  REQUIRE(run_on_surface("asperity-psd drawn.nc -o part.nc").exit == 0);
+  Dataset data = read_dataset("part.nc");
+  const Shape shape = grid_of(data).shape;
+  Field pressure = Field::Zero(shape.nx, shape.ny);
+  pressure.block(3, 4, 10, 6).setConstant(2e6);
+  set_field(data, "pressure", pressure, {"Pa", "pressure"});
+  write_dataset(data, "part.nc");
+  const Json bins = json_of("asperity-pdf part.nc --json --variable pressure"),
+             median =
+                 json_of("asperity-pdf part.nc --json --variable pressure --estimate quantiles --rows 1");
+  CHECK(bins["count"]["values"] == Json::array({60}));
+  CHECK(bins["low_95"]["values"][0].is_null());
+  CHECK(median["pressure"]["values"][0] == 2e6);
+  CHECK(median["standard_error"]["values"][0].is_null());
+}
+
 TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-stats", "[pdf-tool][law]") {
   const Json table = json_of("asperity-pdf drawn.nc --json --estimate quantiles --rows 21");
   const auto heights = table["height"]["values"].get<std::vector<double>>();
