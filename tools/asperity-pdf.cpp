@@ -11,7 +11,6 @@
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/height_tables.hpp"
-#include "tools/measure/part_tables.hpp"
 
 using namespace asperity;
 
@@ -137,18 +136,18 @@ class Distribution {
   }
 
   cli::Table table_of(const cli::CountedCells& part) const {
-    if (needs_range()) return histogram_of(part, bins_for(what_, values_), values_.range.highest);
-    return quantiles_of(part, what_.points ? what_.points : 99, tool_.thread_count());
+    const cli::Part of(part, tool_.thread_count());
+    if (needs_range()) return cli::histogram_of(of, bins_for(what_, values_), values_.range.highest);
+    return cli::quantiles_of(of, what_.points ? what_.points : 99);
   }
   cli::Table table_of(const Surface& surface) const {
-    const Moments m = moments(surface.heights, field_.variable);
-    const EffectiveSampleSize size = error_basis(surface, tool_.thread_count()).size();
-    warn_of_few(tool_, size);
-    const cli::Heights of{surface, m, size};
+    const Sample of(surface, false, tool_.thread_count());
+    warn_of_few(tool_, of.size());
     if (what_.estimate == "kernel")
-      return density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256, values_.range);
-    if (what_.estimate == "histogram") return histogram_of(of, bins_for(what_, values_), values_.range);
-    return quantiles_of(of, what_.points ? what_.points : 99, tool_.thread_count());
+      return cli::density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256,
+                             values_.range);
+    if (what_.estimate == "histogram") return cli::histogram_of(of, bins_for(what_, values_), values_.range);
+    return cli::quantiles_of(of, what_.points ? what_.points : 99);
   }
 
   static cli::EnsembleTable::Content content_of(const cli::Table& one) {
@@ -175,14 +174,20 @@ void document(cli::Tool& tool) {
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(
-      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors hold for a Gaussian field "
-      "and allow for the correlation of the heights; errors of neighbouring rows are correlated. For a "
-      "Gaussian surface 95 % of the misfits lie within 2, except in bins of a few counts and for the "
-      "outermost quantiles. Errors of a pressure and a gap come from the counts of 16 or 64 blocks of the "
-      "field, whatever the distribution, and hold for correlations below an eighth of its side: of 80 "
-      "contacts, 89 to 98 % have the quartiles "
-      "of the pressure within 1.96 errors. The gap varies 1.1 to 1.6 times as much from surface to surface "
-      "as its errors tell, because the displacement under all contacts moves it together.");
+      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors of counts and densities "
+      "come from the field's own longest waves, whatever its correlation and the distribution of its "
+      "heights, for heights measured from the mean of the field; so do those of a pressure and a gap, and "
+      "those of quantiles where heights are evidently not Gaussian. Errors of neighbouring rows are "
+      "correlated. On 11 textures, Gaussian and not, the standard errors of densities, where ten heights "
+      "or more lie, were 0.93 to 1.12 times the true ones and 91 to 98 % of the intervals held the truth, "
+      "and for shares of half a Sq 0.89 to 1.15 and 89 to 99 %. A bin of less than ten counts has the "
+      "interval of so many independent points as the next bin has, and an empty one an interval from 0 on. "
+      "Of 160 periodic contacts under one load, with correlation lengths of 1/32 and 1/16 of the side, 95 to "
+      "99 % of the intervals of the quartiles of the pressure, and 94 to 99 % of those of the gap, hold "
+      "their mean; under one approach, which the mean height shifts, 80 to 85 and 44 to 54 %. "
+      "The misfit alone assumes a Gaussian: it is the difference from it over the standard error that this "
+      "has if the heights are Gaussian, of this correlation, with the mean and Sq fitted. Then 95 % of the "
+      "misfits lie within 2, except in bins of a few counts and for the outermost quantiles.");
 }
 
 }  // namespace
@@ -191,8 +196,9 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-pdf",
       "Prints the distribution of the heights beside the Gaussian of the same mean and Sq, with standard "
-      "errors. histogram: one row per bin with its centre, its count, the count expected for the Gaussian, "
-      "the misfit (their difference divided by its standard error), and the same as densities. kernel: the "
+      "errors and 95 % intervals. histogram: one row per bin with its centre, its count, the count expected "
+      "for the Gaussian, the misfit (their difference divided by the standard error it has for Gaussian "
+      "heights), and the same as densities. kernel: the "
       "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
       "those of the Gaussian, which lie on a straight line against the normal quantile. Of a contact, the "
       "pressure is counted on the cells in contact and the gap on the open ones, beside no Gaussian; share "

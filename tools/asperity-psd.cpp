@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "dataset/layout.hpp"
-#include "stats/spectrum/spectrum.hpp"
+#include "stats/measure/spectra.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/grid_words.hpp"
@@ -34,7 +34,8 @@ std::string density_units(const Surface& surface, int lengths) {
 
 constexpr const char* per_length = "rad m-1";
 
-cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows& windows) {
+cli::Table radial(const Sample& sample, const DataWindows& windows) {
+  const Surface& surface = sample.surface();
   const std::string unit = density_units(surface, 2);
   cli::Table out{{{"wave_number", per_length},
                   {"psd", unit},
@@ -43,8 +44,7 @@ cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows
                   {"high_95", unit, cli::Holds::unknown},
                   {"count", "1"}},
                  {}};
-  for (const SpectrumPoint& ring :
-       radial_spectrum(psd, surface.grid, shared_power(surface.heights, windows))) {
+  for (const SpectrumPoint& ring : radial_spectrum(sample, windows)) {
     const Interval ends = ring.interval();
     out.rows.push_back(
         {ring.wave_number, ring.density, ring.standard_error, ends.low, ends.high, ring.count});
@@ -57,8 +57,8 @@ cli::Table radial(const Surface& surface, const LagField& psd, const DataWindows
   return out;
 }
 
-cli::Table profiles(const Surface& surface, const DataWindows& windows, int threads) {
-  const std::string unit = density_units(surface, 1);
+cli::Table profiles(const Sample& sample, const DataWindows& windows) {
+  const std::string unit = density_units(sample.surface(), 1);
   cli::Table out{{{"direction", ""},
                   {"wave_number", per_length},
                   {"psd", unit},
@@ -67,8 +67,7 @@ cli::Table profiles(const Surface& surface, const DataWindows& windows, int thre
                   {"high_95", unit, cli::Holds::unknown}},
                  {}};
   auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
-    for (const SpectrumPoint& point :
-         profile_spectrum(surface.heights, surface.grid, axis, window, threads)) {
+    for (const SpectrumPoint& point : profile_spectrum(sample, axis, window)) {
       const Interval ends = point.interval();
       out.rows.push_back(
           {direction, point.wave_number, point.density, point.standard_error, ends.low, ends.high});
@@ -96,10 +95,9 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
 }
 
 cli::Table table(const cli::Tool& tool, const Options& what, const Surface& surface) {
+  const Sample sample(surface, false, tool.thread_count());
   const DataWindows windows = what.windows(surface.grid);
-  if (what.result.result == "profiles") return profiles(surface, windows, tool.thread_count());
-  return radial(surface, power_spectrum(surface.heights, surface.grid, windows, tool.thread_count()),
-                windows);
+  return what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
 }
 
 // One surface: its dataset or table, with errors by theory.
@@ -112,6 +110,8 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
   cli::drop_results(data, "psd", surface.variable);
   write(data, "psd", psd.half_plane(), surface, "power spectral density of the field");
   describe(data, surface, windows);
+  data.attributes.set("psd_relative_error", 1);
+  data.attributes.set("psd_degrees_of_freedom", 2);
   before.tell(tool, data, "psd");
   tool.write(data);
 }
@@ -183,18 +183,17 @@ void declare(cli::Tool& tool, Options& what) {
       "radial");
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
-      "both signs, or sum / L for a profile. Standard errors and 95 % intervals hold for a Gaussian field "
-      "and "
-      "allow for the power that neighbouring wave numbers share under a window; intervals are those of "
-      "chi-squared. Seen on 400 fields with Gaussian and exponential correlations: rings covered 92 to 98 %, "
+      "both signs, or sum / L for a profile. Standard errors and 95 % intervals allow for the power that "
+      "neighbouring wave numbers share under a window, and for heights that are evidently not Gaussian by "
+      "the field's own long waves; intervals are those of chi-squared. On 11 textures, Gaussian and not, "
+      "standard errors were 0.88 to 1.10 times the true ones and 87 to 98 % of the intervals held the "
+      "truth. Seen on 400 fields with Gaussian and exponential correlations: rings covered 92 to 98 %, "
       "profiles 88 to 96 %; not where only leakage of the window is left. A single wave number of the "
-      "dataset "
-      "is uncertain by its own value: 95 % from 0.271 to 39.5 times psd. Wave numbers are 2 pi / "
-      "wavelength. Missing points are set to the mean, and the sum is divided by the squared window over "
-      "the other points: a share g of scattered holes adds about g Sq^2 dx dy at every wave number. Over "
-      "several surfaces the "
-      "standard error is the spread divided by the square root of their number, whatever the distribution of "
-      "heights.");
+      "dataset is uncertain by its own value (psd_relative_error 1, psd_degrees_of_freedom 2): 95 % from "
+      "0.271 to 39.5 times psd. Wave numbers are 2 pi / wavelength. Missing points are set to the mean, "
+      "and the sum is divided by the squared window over the other points: a share g of scattered holes "
+      "adds about g Sq^2 dx dy at every wave number. Over several surfaces the standard error is the "
+      "spread divided by the square root of their number, whatever the distribution of heights.");
 }
 
 }  // namespace

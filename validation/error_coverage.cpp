@@ -11,7 +11,8 @@
 ///
 /// texture       of the fields
 /// N_eff         of their true correlation
-/// parameter     all of asperity-stats with an error, correlation lengths, and some points of spectra
+/// parameter     all of asperity-stats with an error, correlation lengths, densities at -1, 0 and 1 µm and
+///               shares of half a µm (1 µm is Sq of the Gaussian ones), and some points of spectra
 /// known         share of the fields that have an error, per cent
 /// covered       share of these whose 95 % interval holds the truth, per cent; of the intervals
 /// open          share without an upper end, per cent
@@ -37,9 +38,11 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "stats/height/distribution.hpp"
+#include "stats/height/kernel_density.hpp"
 #include "stats/measure.hpp"
 #include "stats/measure/acf_estimate.hpp"
-#include "stats/spectrum/spectrum.hpp"
+#include "stats/measure/spectra.hpp"
 #include "stats/twins/twin_errors.hpp"
 #include "textures.hpp"
 #include "timing.hpp"
@@ -65,7 +68,7 @@ struct Setting {
 Grid grid_of(Shape shape) { return {shape, micrometre, micrometre, false}; }
 
 void add(Parameters& out, const std::string& name, const std::vector<SpectrumPoint>& spectrum, Index times) {
-  for (const Index k : {3, 12})
+  for (const Index k : {3, 12, 40})
     if (const auto at = static_cast<std::size_t>(k * times); at < spectrum.size())
       out.push_back({.name = fmt::format("{}_{}", name, k),
                      .value = spectrum[at].density,
@@ -73,6 +76,25 @@ void add(Parameters& out, const std::string& name, const std::vector<SpectrumPoi
                      .standard_error = spectrum[at].standard_error,
                      .meaning = "",
                      .interval = spectrum[at].interval()});
+}
+
+// Densities and shares of heights in units of 1 µm, the Sq of a Gaussian field.
+void add_distribution(Parameters& out, const Sample& sample) {
+  constexpr double bandwidth = 0.2 * micrometre, end = 20 * micrometre;
+  const Field& z = sample.surface().heights;
+  const double sq = sample.moments().sq;
+  auto add = [&](std::string name, const Frequency& of) {
+    out.push_back({std::move(name), of.value, "", of.error, "", of.interval});
+  };
+  std::vector<DensityPoint> curve =
+      kernel_density(z, bandwidth, 41, HeightRange{3 * bandwidth - end, end - 3 * bandwidth});
+  set_errors(curve, z, sample.grid(), sample.extent(), bandwidth, sq);
+  for (const int k : {-1, 0, 1})
+    add(fmt::format("density_{}", k), curve[static_cast<std::size_t>(20 + k)].frequency);
+  std::vector<Bin> bins = histogram(z, 80, HeightRange{-end, end});
+  set_errors(bins, z, sample.grid(), sample.extent(), sq);
+  for (const double from : {-2.5, -1.0, 0.5, 2.0})
+    add(fmt::format("share_{}", from), bins[static_cast<std::size_t>(40 + 2 * from)].share);
 }
 
 // All that has an error, of a field `times` as large.
@@ -92,6 +114,7 @@ Parameters measured(const Field& heights, int degree, Index times, Index twins =
     errors_by_twins(sample, options, twins > 0 ? TwinUse::where_needed : TwinUse::everywhere,
                     {.twins = std::abs(twins)}, out);
   }
+  add_distribution(out, sample);
   const AcfEstimate acf = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
   const LengthErrors lengths(acf, surface.heights, 0.1);
   std::ranges::copy(acf_lengths(acf, {{1 / std::exp(1.0), "e", ""}, {0.1, "10", ""}}, {}, {}, lengths),
@@ -107,13 +130,9 @@ Parameters measured(const Field& heights, int degree, Index times, Index twins =
     add_lag("structure", structure(lag, 0), errors.structure(lag));
   }
   const DataWindows windows = default_windows(grid);
-  add(out, "psd_x", profile_spectrum(surface.heights, grid, Axis1D::x, windows.x), times);
-  add(out, "psd_y", profile_spectrum(surface.heights, grid, Axis1D::y, windows.y), times);
-  if (times == 1)
-    add(out, "psd_ring",
-        radial_spectrum(power_spectrum(surface.heights, grid, windows), grid,
-                        shared_power(surface.heights, windows)),
-        times);
+  add(out, "psd_x", profile_spectrum(sample, Axis1D::x, windows.x), times);
+  add(out, "psd_y", profile_spectrum(sample, Axis1D::y, windows.y), times);
+  if (times == 1) add(out, "psd_ring", radial_spectrum(sample, windows), times);
   return out;
 }
 

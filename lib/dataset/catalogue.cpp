@@ -88,6 +88,8 @@ constexpr KnownAttribute attributes[] = {
     {"acf_ellipticity_*", other, "1", "long over short axis of the contour, and direction of the long axis",
      true},
     {"acf_target_*", other, "", "the same for the target", true},
+    {"psd_degrees_of_freedom", other, "1", "degrees of freedom of chi-squared of a single wave number"},
+    {"psd_relative_error", other, "1", "standard error of a single wave number over psd"},
     {"psd_variable", other, "", "measured field"},
     {"psd_surfaces", other, "1", "surfaces in the mean"},
     {"psd_window", other, "", "window"},

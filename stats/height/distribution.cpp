@@ -1,6 +1,7 @@
 #include "stats/height/distribution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "math/hermite.hpp"
+#include "stats/height/height_classes.hpp"
 
 namespace asperity {
 namespace {
@@ -21,34 +23,16 @@ double gaussian_share(double a, double b) {
                : gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
 }
 
-void compare_with_gaussian(Bin& bin, const Moments& moments, const EffectiveSampleSize& size) {
-  const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
-  const double share = gaussian_share(a, b);
-  HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
-  auto weight = [&](int k) {
-    const double c = at_a.next() - at_b.next();
-    return c * c / k;
-  };
-  const double n = size.points();
-  const auto [all, misfit] = variance_of(weight, share * (1 - share), size);
-  bin.expected = n * share;
-  bin.count_error = std::sqrt(n * n * all);
-  bin.misfit_error = std::sqrt(n * n * misfit);
-}
-
 }  // namespace
 
-HermiteVariance variance_of(const std::function<double(int)>& weight, double total,
-                            const EffectiveSampleSize& size) {
+double misfit_variance(const std::function<double(int)>& weight, double total,
+                       const EffectiveSampleSize& size) {
   constexpr int powers = EffectiveSampleSize::powers;
   std::array<double, powers + 1> w;
   for (int k = 1; k <= powers; ++k) w[static_cast<std::size_t>(k)] = weight(k);
-  auto from = [&](int first) {
-    auto kept = [&](int k) { return k < first ? 0 : w[static_cast<std::size_t>(k)]; };
-    return size.variance_of_mean(kept, total);
-  };
   const double dropped = (w[1] + w[2]) * size.sum(powers) / size.points();
-  return {std::max(from(1), 0.0), std::max(from(3) - dropped, 0.0)};
+  auto kept = [&](int k) { return k < 3 ? 0 : w[static_cast<std::size_t>(k)]; };
+  return std::max(size.variance_of_mean(kept, total) - dropped, 0.0);
 }
 
 HeightRange height_range(const Field& z) {
@@ -60,8 +44,7 @@ int scott_bins(const Moments& moments, double points) {
   return static_cast<int>(std::clamp(std::ceil(moments.sz() / width), 1.0, std::min(points, 1e6)));
 }
 
-std::vector<Bin> histogram(const Field& z, const Moments& moments, const EffectiveSampleSize& size, int bins,
-                           std::optional<HeightRange> range) {
+std::vector<Bin> histogram(const Field& z, int bins, std::optional<HeightRange> range) {
   if (bins < 1) throw ParameterError("bins", "'" + std::to_string(bins) + "' is below 1");
   if (!range) range = height_range(z);
   const double lowest = range->lowest, width = range->width() / bins;
@@ -79,8 +62,40 @@ std::vector<Bin> histogram(const Field& z, const Moments& moments, const Effecti
     const auto b = static_cast<std::size_t>((height - lowest) / width);
     out[std::min(b, out.size() - 1)].count += 1;
   }
-  for (Bin& bin : out) compare_with_gaussian(bin, moments, size);
   return out;
+}
+
+void compare_with_gaussian(std::vector<Bin>& bins, const Moments& moments, const EffectiveSampleSize& size) {
+  for (Bin& bin : bins) {
+    const double a = (bin.lower - moments.mean) / moments.sq, b = (bin.upper - moments.mean) / moments.sq;
+    const double share = gaussian_share(a, b);
+    HermiteFunction at_a(a, gsl_ran_ugaussian_pdf(a)), at_b(b, gsl_ran_ugaussian_pdf(b));
+    auto weight = [&](int k) {
+      const double c = at_a.next() - at_b.next();
+      return c * c / k;
+    };
+    const double n = size.points();
+    bin.expected = n * share;
+    bin.misfit_error = n * std::sqrt(misfit_variance(weight, share * (1 - share), size));
+  }
+}
+
+void set_errors(std::vector<Bin>& bins, const Field& z, const Grid& grid, const FieldExtent& extent,
+                double sq) {
+  const double width = bins.front().width(), bandwidth = mean_bandwidth(sq, extent);
+  const Index parts = bandwidth > 0 ? static_cast<Index>(std::min(std::ceil(2 * width / bandwidth), 1e3)) : 1;
+  const HeightClasses classes(
+      z, grid, extent, {bins.front().lower, bins.back().upper, parts * static_cast<Index>(bins.size())});
+  const SmoothDensity density(classes, bandwidth);
+  std::vector<Frequency> shares;
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    ShareErrors::Function in_bin(classes.errors());
+    for (Index k = 0; k < parts; ++k) in_bin.add(static_cast<Index>(b) * parts + k, 1);
+    const double slope = bandwidth > 0 ? density(bins[b].upper) - density(bins[b].lower) : 0;
+    shares.push_back({in_bin.mean(), in_bin.error(slope), bins[b].count});
+  }
+  set_intervals(shares, 1, classes.errors().degrees());
+  for (std::size_t b = 0; b < bins.size(); ++b) bins[b].share = shares[b];
 }
 
 }  // namespace asperity

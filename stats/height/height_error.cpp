@@ -1,5 +1,6 @@
 #include "stats/height/height_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -42,25 +43,23 @@ double HeightErrors::operator()(const Function& parameter) const {
   });
 }
 
-QuantileErrors::QuantileErrors(const Grid& grid, std::vector<double> heights)
-    : heights_(std::move(heights)), sums_(grid, static_cast<Index>(heights_.size()) + 1) {}
-
-void QuantileErrors::add(const Field& rows, int threads) {
-  sums_.add_rows(rows.rows(), threads, [&](Index i, LocalSums::Values& values) {
-    const Eigen::ArrayXd z = rows.row(i).transpose();
-    for (std::size_t k = 0; k < heights_.size(); ++k)
-      values.col(static_cast<Index>(k) + 1) = (z <= heights_[k]).cast<double>().matrix();
-    values.col(values.cols() - 1) = z.matrix();
-  });
+QuantileErrors::QuantileErrors(const Grid& grid, const FieldExtent& extent, std::vector<double> heights)
+    : heights_(std::move(heights)),
+      ascending_(heights_),
+      errors_(grid, extent, static_cast<Index>(heights_.size()) + 1) {
+  std::ranges::sort(ascending_);
 }
 
-double QuantileErrors::operator()(std::size_t k) const {
-  return means_.error([k](const Eigen::VectorXd& m) { return m(static_cast<Index>(k)); });
+// Class k holds heights up to the k-th and above the one before.
+void QuantileErrors::add(const Field& rows, int) {
+  errors_.add(rows,
+              [this](double z) { return std::ranges::lower_bound(ascending_, z) - ascending_.begin(); });
 }
 
 double QuantileErrors::with_mean(std::size_t k, double density) const {
-  return means_.error(
-      [=](const Eigen::VectorXd& m) { return m(static_cast<Index>(k)) + density * m(m.size() - 1); });
+  ShareErrors::Function below(errors_);
+  below.add(std::ranges::lower_bound(ascending_, heights_[k]) - ascending_.begin(), 1);
+  return below.error(density);
 }
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 /// wider by the factor e'/e on both sides.
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
-/// Cost      one pass, 80 operations a point; another one for quantiles.
+/// Cost      one pass, 80 operations a point; another one for quantiles, of some 30.
 ///
 /// R. S. Woodruff, Confidence intervals for medians and other position measures,
 /// J. Am. Stat. Assoc. 47 (1952) 635-646.
@@ -20,6 +20,7 @@
 
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/long_waves.hpp"
+#include "stats/uncertainty/share_error.hpp"
 
 namespace asperity {
 
@@ -47,21 +48,20 @@ class HeightErrors {
 /// Standard errors of the shares of a field below some heights, and of these heights.
 class QuantileErrors {
  public:
-  QuantileErrors(const Grid& grid, std::vector<double> heights);
-  void add(const Field& rows, int threads = 1);
+  QuantileErrors(const Grid& grid, const FieldExtent& extent, std::vector<double> heights);
+  void add(const Field& rows, int = 1);
   /// Adds no more.
-  void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
+  void finish() { errors_.accumulate(); }
 
   /// Of the share below height k.
-  double operator()(std::size_t k) const;
+  double operator()(std::size_t k) const { return with_mean(k, 0); }
   /// Of that share plus `density` times the mean of the field.
   double with_mean(std::size_t k, double density) const;
-  Index degrees() const { return means_.degrees(); }  ///< of freedom
+  Index degrees() const { return errors_.degrees(); }  ///< of freedom
 
  private:
-  std::vector<double> heights_;
-  LocalSums sums_;
-  LocalMeans means_ = {};
+  std::vector<double> heights_, ascending_;
+  ShareErrors errors_;
 };
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -10,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "math/hermite.hpp"
+#include "stats/height/height_classes.hpp"
 
 namespace asperity {
 namespace {
@@ -17,7 +19,7 @@ namespace {
 constexpr int terms = 14;
 constexpr double cell_width = 0.5, reach = 9;  // in bandwidths; φ(9) is 1e-18
 
-// (6): the moments of cells from `lowest` on.
+// (5): the moments of cells from `lowest` on.
 class Cells {
  public:
   Cells(const Field& z, double lowest, double highest, double bandwidth)
@@ -69,30 +71,13 @@ class Cells {
   std::vector<std::array<double, terms>> moments_;
 };
 
-// (3)–(5) at t, all in units of Sq.
-DensityPoint gaussian_law(double t, double h, const EffectiveSampleSize& size) {
-  const double s = std::hypot(1, h), x = t / s, expected = gsl_ran_gaussian_pdf(t, s);
-  const double square =
-      gsl_ran_gaussian_pdf(t, std::sqrt(1 + h * h / 2)) * std::numbers::inv_sqrtpi / (2 * h);
-  HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
-  double power = 1 / s;
-  hermite.next();
-  auto weight = [&](int) {
-    power /= s;
-    return std::pow(hermite.next() * power, 2);
-  };
-  const auto [all, misfit] = variance_of(weight, square - expected * expected, size);
-  return {.density_error = std::sqrt(all), .gaussian = expected, .misfit_error = std::sqrt(misfit)};
-}
-
 }  // namespace
 
 double silverman_bandwidth(const Moments& moments, double points) {
   return std::pow(4 / (3 * points), 0.2) * moments.sq;
 }
 
-std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
-                                         const EffectiveSampleSize& size, double bandwidth, int rows,
+std::vector<DensityPoint> kernel_density(const Field& z, double bandwidth, int rows,
                                          std::optional<HeightRange> range) {
   if (!range) range = height_range(z);
   const double lowest = range->lowest, highest = range->highest;
@@ -104,14 +89,51 @@ std::vector<DensityPoint> kernel_density(const Field& z, const Moments& moments,
   const double from = lowest - 3 * bandwidth, step = (highest - lowest + 6 * bandwidth) / (rows - 1);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double t = from + static_cast<double>(i) * step;
-    const DensityPoint law = gaussian_law((t - moments.mean) / moments.sq, bandwidth / moments.sq, size);
-    out[i] = {.height = t,
-              .density = cells.sum(t) / (cells.count() * bandwidth),
-              .density_error = law.density_error / moments.sq,
-              .gaussian = law.gaussian / moments.sq,
-              .misfit_error = law.misfit_error / moments.sq};
+    out[i].height = t;
+    out[i].density = cells.sum(t) / (cells.count() * bandwidth);
   }
   return out;
+}
+
+// In units of Sq.
+void compare_with_gaussian(std::vector<DensityPoint>& curve, const Moments& moments,
+                           const EffectiveSampleSize& size, double bandwidth) {
+  for (DensityPoint& point : curve) {
+    const double t = (point.height - moments.mean) / moments.sq, h = bandwidth / moments.sq;
+    const double s = std::hypot(1, h), x = t / s, expected = gsl_ran_gaussian_pdf(t, s);
+    const double square =
+        gsl_ran_gaussian_pdf(t, std::sqrt(1 + h * h / 2)) * std::numbers::inv_sqrtpi / (2 * h);
+    HermiteFunction hermite(x, gsl_ran_ugaussian_pdf(x));
+    double power = 1 / s;
+    hermite.next();
+    auto weight = [&](int) {
+      power /= s;
+      return std::pow(hermite.next() * power, 2);
+    };
+    point.gaussian = expected / moments.sq;
+    point.misfit_error = std::sqrt(misfit_variance(weight, square - expected * expected, size)) / moments.sq;
+  }
+}
+
+void set_errors(std::vector<DensityPoint>& curve, const Field& z, const Grid& grid, const FieldExtent& extent,
+                double bandwidth, double sq) {
+  const auto [lowest, highest] = height_range(z);
+  const auto cells = static_cast<Index>((highest - lowest) / (cell_width * bandwidth)) + 1;
+  const HeightClasses classes(z, grid, extent,
+                              {lowest, lowest + static_cast<double>(cells) * cell_width * bandwidth, cells});
+  const SmoothDensity density(classes, std::max(bandwidth, mean_bandwidth(sq, extent)));
+  std::vector<Frequency> densities;
+  for (const DensityPoint& point : curve) {
+    ShareErrors::Function kernel(classes.errors());
+    classes.range().for_each_near(point.height, reach * bandwidth, [&](Index b) {
+      kernel.add(b, gsl_ran_gaussian_pdf(point.height - classes.range().centre(b), bandwidth));
+    });
+    const double heights = 2 * std::sqrt(std::numbers::pi) * bandwidth * point.density;
+    densities.push_back({point.density, kernel.error(sq > 0 ? density.slope(point.height) : 0),
+                         heights * classes.errors().points()});
+  }
+  set_intervals(densities, std::numeric_limits<double>::infinity(), classes.errors().degrees());
+  for (std::size_t i = 0; i < curve.size(); ++i) curve[i].frequency = densities[i];
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include "core/words.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/measure/groups.hpp"
+#include "stats/measure/quantile_estimates.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 #include "stats/uncertainty/translation_error.hpp"
@@ -145,45 +146,6 @@ Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
 
 namespace {
 
-// Of the heights below which these shares of the surface lie: by the correlation of Gaussian heights, else
-// from the field's own long waves (stats/height/height_error.hpp); none where many heights are equal.
-std::vector<Estimate> with_errors(const Sample& sample, const std::vector<double>& shares,
-                                  const std::vector<double>& heights) {
-  std::vector<Estimate> out;
-  if (sample.correlation_gives_errors() && !sample.distribution()) {
-    for (std::size_t i = 0; i < shares.size(); ++i)
-      out.push_back({heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())});
-    return out;
-  }
-  const auto errors = shares.empty() ? std::nullopt : sample.quantile_errors(heights);
-  auto quantiles_beside = [&](const std::vector<double>& widths) {
-    std::vector<double> at;
-    for (std::size_t k = 0; k < shares.size(); ++k)
-      for (const double sign : {-1, 1}) at.push_back(std::clamp(shares[k] + sign * widths[k], 0.0, 1.0));
-    return sample.quantiles(at);
-  };
-  if (!errors) {
-    for (const double height : heights) out.push_back({height});
-    return out;
-  }
-  std::vector<double> width;
-  for (std::size_t k = 0; k < shares.size(); ++k) width.push_back((*errors)(k));
-  const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
-  const std::vector<double> near = quantiles_beside(width);
-  for (double& w : width) w *= t;
-  const std::vector<double> ends = quantiles_beside(width);
-  for (std::size_t k = 0; k < shares.size(); ++k) {
-    out.push_back({heights[k]});
-    const double apart = near[2 * k + 1] - near[2 * k], share = width[k] / t;
-    if (!(apart > 0 && share > 0)) continue;  // as of heights of two values
-    const double density = 2 * share / apart, of_all = errors->with_mean(k, density) / share;
-    out[k].standard_error = of_all * apart / 2;
-    out[k].interval = Interval::of(heights[k], heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
-                                   heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0));
-  }
-  return out;
-}
-
 constexpr const char* equal_heights = "no standard error: too many heights are equal";
 
 }  // namespace
@@ -191,7 +153,7 @@ constexpr const char* equal_heights = "no standard error: too many heights are e
 Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
   const std::vector<double>& shares = options.quantiles;
   const std::vector<double> heights = sample.quantiles(shares);
-  const std::vector<Estimate> estimates = with_errors(sample, shares, heights);
+  const std::vector<Estimate> estimates = quantile_estimates(sample, shares, heights);
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < shares.size(); ++i)
     out.add("quantile_{}", of_field, "height below which this share of the surface lies", estimates[i],
@@ -217,7 +179,7 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
   ParameterList out(sample.surface().units);
   out.add(core_table, curve.core());
   const std::vector<Estimate> inverse =
-      with_errors(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
+      quantile_estimates(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
   out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0],
           {.meaning = shortest(p), .why_no_error = equal_heights});
   out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],

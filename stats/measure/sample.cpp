@@ -74,6 +74,8 @@ const CorrelationShape& Sample::shape() const {
   return *shape_;
 }
 
+const FieldExtent& Sample::extent() const { return shape().extent; }
+
 bool Sample::correlation_gives_errors() const { return shape().negative < 0.1; }
 
 template <class Sums>
@@ -88,15 +90,15 @@ std::optional<HeightErrors> Sample::height_errors() const {
   if (!errors_) return std::nullopt;
   HeightErrors out(grid(), moments().mean, moments().sq);
   add_all(out);
-  out.finish(shape().extent);
+  out.finish(extent());
   return out;
 }
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
   if (!errors_) return std::nullopt;
-  QuantileErrors out(grid(), heights);
+  QuantileErrors out(grid(), extent(), heights);
   add_all(out);
-  out.finish(shape().extent);
+  out.finish();
   return out;
 }
 
@@ -104,11 +106,12 @@ std::optional<DerivativeErrors> Sample::derivative_errors() const {
   if (!errors_) return std::nullopt;
   DerivativeErrors out(grid());
   if (reader_)
-    reader_->for_each_strip(
-        2, [&](const Field& strip, Index core, Index) { out.add({strip, grid(), core}, 0, threads_); });
+    reader_->for_each_strip(2, [&](const Field& strip, Index core, Index) {
+      out.add({strip, grid(), core}, 0, threads_);
+    });
   else
     out.add(Strip::whole(surface_.heights, grid()), moments().mean, threads_);
-  out.finish(shape().extent);
+  out.finish(extent());
   return out;
 }
 

@@ -67,6 +67,9 @@ class Sample {
   /// less than a tenth of Σ ρ² at negative lags. A lay has more, and Σ ρ vanishes in the noise.
   bool correlation_gives_errors() const;
 
+  /// By the correlation that errors rest on.
+  const FieldExtent& extent() const;
+
   /// Errors from the field's own long waves; none if parameters need no errors.
   bool needs_errors() const { return errors_; }
   std::optional<HeightErrors> height_errors() const;

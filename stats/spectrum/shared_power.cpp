@@ -63,6 +63,12 @@ double SharedPower::operator()(Index p, Index q) const {
   return 0;
 }
 
+double SharedPower::overlap() const {
+  double sum = 0;
+  for (const Neighbour& n : neighbours_) sum += n.r;
+  return sum;
+}
+
 std::vector<MeanPower> SharedPower::means(const LagField& psd, Index sets,
                                           const std::function<Index(Index, Index)>& set) const {
   const auto [nx, ny] = shape_;

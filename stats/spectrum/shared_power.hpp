@@ -16,7 +16,8 @@
 /// wave number needs, and on average what any number of equal ones does.
 ///
 /// Symbols   k, l  wave numbers of the torus: modulo nx in x, ny in y
-/// Scope     Gaussian fields. r is taken into account up to δ = 2 along each axis.
+/// Scope     Gaussian fields; what others add: stats/spectrum/power_excess.hpp. r is taken
+///           into account up to δ = 2 along each axis.
 /// Accuracy  exact for white noise. Where the spectrum changes over δ, C of the steeper side counts too much.
 /// Cost      (1) a pass with a window and holes; (2) a product per wave number and neighbour with r > 0.
 #pragma once
@@ -48,6 +49,8 @@ class SharedPower {
 
   /// r between (0,0) and (p,q).
   double operator()(Index p, Index q) const;
+  /// The sum of r over all neighbours: Σ m w⁴ times the number of points over (Σ m w²)².
+  double overlap() const;
   /// The index of the same wave number within half a period, in (-n/2, n/2].
   Index within_x(Index p) const { return within(p, shape_.nx); }
   Index within_y(Index q) const { return within(q, shape_.ny); }

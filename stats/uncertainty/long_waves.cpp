@@ -44,6 +44,10 @@ double LongWaves::loss(double independent) const {
   return std::min(0.4, 0.75 * (0.3 / std::sqrt(independent) + (1.4 + 0.7 * largest_) / independent));
 }
 
+double LongWaves::error(double variance, double at_point) const {
+  return variance > 0 ? std::sqrt(variance) / (1 - loss(std::max(at_point / variance, 1.0))) : variance;
+}
+
 double LocalMeans::error(const Function& g) const {
   Eigen::VectorXd gradient(means_.size());
   for (Index a = 0; a < means_.size(); ++a) {
@@ -56,9 +60,7 @@ double LocalMeans::error(const Function& g) const {
     gradient(a) = step > 0 ? (at(step) - at(-step)) / (2 * step) : 0;
   }
   const double variance = (waves_.transpose() * gradient).squaredNorm() / static_cast<double>(degrees());
-  if (!(variance > 0)) return variance;
-  const double independent = gradient.dot(covariance_ * gradient) / variance;
-  return std::sqrt(variance) / (1 - long_waves_.loss(std::max(independent, 1.0)));
+  return long_waves_.error(variance, gradient.dot(covariance_ * gradient));
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)

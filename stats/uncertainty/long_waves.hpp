@@ -35,7 +35,7 @@ namespace asperity {
 
 /// How large a field is in terms of its correlation.
 struct FieldExtent {
-  double n_eff;           ///< independent heights
+  double n_eff = 0;       ///< independent heights
   double elongation = 1;  ///< correlation lengths along x over those along y
 };
 
@@ -55,6 +55,8 @@ class LongWaves {
   LongWaves(const Grid& grid, const FieldExtent& extent);
   const std::vector<Wave>& all() const { return all_; }
   double loss(double independent) const;  ///< (3)
+  /// √(1), of 1/K Σ c_k² and the variance of the local function at one point.
+  double error(double variance, double at_point) const;
 
  private:
   double largest_ = 0;  // J²

@@ -182,6 +182,8 @@ TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or 
   CHECK(relative_error(sum / (grid.size_x() * grid.size_y()), sq * sq) <= 100 * epsilon);
   CHECK(data.at("psd").attributes.text("units") == "m4");
   CHECK(data.attributes.text("psd_window") == "none");
+  CHECK(data.attributes.number("psd_relative_error", 0) == 1);
+  CHECK(data.attributes.number("psd_degrees_of_freedom", 0) == 2);
   CHECK(data.has("acf_target"));
 
   const Json rings = json_of("asperity-psd drawn.nc --result radial --json");
@@ -210,6 +212,21 @@ TEST_CASE("asperity-pdf counts every height once and integrates to one", "[pdf-t
   CHECK(table["density"]["unit"] == "m-1");
 }
 
+TEST_CASE("asperity-pdf's intervals hold what they are of, and none of a count or a density reaches below 0",
+          "[pdf-tool][law]") {
+  for (const auto& [estimate, value] :
+       {std::pair{"histogram --bins 60", "count"}, {"kernel", "density"}, {"quantiles", "height"}}) {
+    const Json table = json_of(std::string("asperity-pdf drawn.nc --json --estimate ") + estimate);
+    for (std::size_t i = 0; i < table[value]["values"].size(); ++i) {
+      const double of = table[value]["values"][i], low = table["low_95"]["values"][i],
+                   high = table["high_95"]["values"][i];
+      CAPTURE(estimate, i, low, of, high);
+      CHECK((low <= of && of < high));
+      if (value != std::string("height")) CHECK(low >= 0);
+    }
+  }
+}
+
 // The curve's steps are 1/8 of the bandwidth, its ends three bandwidths out: 2.7e-3 of the outermost heights
 // of 7680.
 TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel makes a lower peak",
@@ -225,6 +242,24 @@ TEST_CASE("asperity-pdf's kernel density integrates to one, and a wider kernel m
   CHECK(peak("", narrow) > peak("--bandwidth 0.8 --rows 500", wide));
   CHECK(std::abs(narrow - 1) <= 1e-5);
   CHECK(std::abs(wide - 1) <= 1e-5);
+}
+
+// A sample of one value has no moments, and was refused.
+TEST_CASE("asperity-pdf counts a part of one value in one bin, without an error", "[pdf-tool][contract]") {
+  REQUIRE(run_on_surface("asperity-psd drawn.nc -o part.nc").exit == 0);
+  Dataset data = read_dataset("part.nc");
+  const Shape shape = grid_of(data).shape;
+  Field pressure = Field::Zero(shape.nx, shape.ny);
+  pressure.block(3, 4, 10, 6).setConstant(2e6);
+  set_field(data, "pressure", pressure, {"Pa", "pressure"});
+  write_dataset(data, "part.nc");
+  const Json bins = json_of("asperity-pdf part.nc --json --variable pressure"),
+             median =
+                 json_of("asperity-pdf part.nc --json --variable pressure --estimate quantiles --rows 1");
+  CHECK(bins["count"]["values"] == Json::array({60}));
+  CHECK(bins["low_95"]["values"][0].is_null());
+  CHECK(median["pressure"]["values"][0] == 2e6);
+  CHECK(median["standard_error"]["values"][0].is_null());
 }
 
 TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-stats", "[pdf-tool][law]") {

@@ -32,9 +32,9 @@ double error_of_mean(const Field& z, const Grid& g, double n_eff, double elongat
 // Half waves along x, of mean square 1.
 Field half_waves(Shape shape, double count, double phase = 0) {
   return Field::NullaryExpr(shape.nx, shape.ny, [=](Index i, Index) {
-    return std::sqrt(2.0) *
-           std::cos(std::numbers::pi * count * (static_cast<double>(i) + 0.5) / static_cast<double>(shape.nx) -
-                    phase);
+    return std::sqrt(2.0) * std::cos(std::numbers::pi * count * (static_cast<double>(i) + 0.5) /
+                                         static_cast<double>(shape.nx) -
+                                     phase);
   });
 }
 
@@ -104,8 +104,8 @@ TEST_CASE("errors by long waves are the spread over an ensemble, whatever the he
       sa.add(m.sa, of_heights([](const Moments& of) { return of.sa; }));
       sq.add(m.sq, of_heights([](const Moments& of) { return of.sq; }));
       if (!skewed) ssk.add(m.ssk, of_heights([](const Moments& of) { return of.ssk; }));
-      QuantileErrors of_shares(g, {skewed ? 1.2 : 0.05});
-      of_shares.add(z), of_shares.finish({300, 80.0 / 64 * 4 / 3});
+      QuantileErrors of_shares(g, {300, 80.0 / 64 * 4 / 3}, {skewed ? 1.2 : 0.05});
+      of_shares.add(z), of_shares.finish();
       share.add(static_cast<double>((z <= (skewed ? 1.2 : 0.05)).count()) / static_cast<double>(z.size()),
                 of_shares(0));
       DerivativeErrors of(g);
@@ -121,8 +121,8 @@ TEST_CASE("errors by long waves are the spread over an ensemble, whatever the he
       add(curvature, [](const Derivatives& x) { return x.summits.mean_curvature; });
       add(height, [](const Derivatives& x) { return x.summits.mean_height; });
     }
-    for (const Judged* j : {&mean, &sa, &sq, &ssk, &share, &sdq, &sdr, &m2, &m4, &alpha, &density,
-                            &curvature, &height})
+    for (const Judged* j :
+         {&mean, &sa, &sq, &ssk, &share, &sdq, &sdr, &m2, &m4, &alpha, &density, &curvature, &height})
       if (j->value.count > 0)
         CHECK(std::sqrt(j->square.mean()) / j->value.deviation() ==
               Approx(1).margin(0.1 + 4 * std::sqrt(0.5 / fields)));

@@ -73,8 +73,7 @@ TEST_CASE("the material ratio curve and the histogram hold the heights that are 
   CHECK(curve.core().sk == alone.core().sk);
   const EffectiveSampleSize size(triangular_correlation({1, 1}), Pairs::of(z, grid(30, 31)));
   CHECK(size.points() == static_cast<double>(heights.size()));
-  const std::vector<Bin> bins = histogram(z, moments(z), size, 7),
-                         expected = histogram(there, moments(there), size, 7);
+  const std::vector<Bin> bins = histogram(z, 7), expected = histogram(there, 7);
   for (std::size_t b = 0; b < 7; ++b) CHECK(bins[b].count == expected[b].count);
 }
 

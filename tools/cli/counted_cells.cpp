@@ -38,6 +38,7 @@ std::optional<CountedCells> counted_cells(const Dataset& data, const std::string
   if (!contact) return std::nullopt;
   CountedCells out{.variable = variable,
                    .units = si_unit_of(data.at(variable)),
+                   .grid = grid_of(data),
                    .values = field_of(data, variable, Missing::not_a_number),
                    .which = pressure ? "in contact" : "open",
                    .without = pressure ? "open, without pressure" : "in contact, without a gap"};

@@ -11,6 +11,7 @@ namespace asperity::cli {
 
 struct CountedCells {
   std::string variable, units;
+  Grid grid;
   Field values;         ///< NaN on the other cells
   double cells = 0;     ///< that are not missing
   double counted = 0;   ///< of them

@@ -1,70 +1,149 @@
 #include "tools/measure/height_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "stats/height/kernel_density.hpp"
 #include "stats/height/material_ratio.hpp"
+#include "stats/measure/quantile_estimates.hpp"
 #include "tools/measure/field_options.hpp"
 
 namespace asperity::cli {
 namespace {
 
 // NaN where errors cannot be given.
-double known(const Heights& of, double error) { return of.size.gives_errors() ? error : NAN; }
-double misfit(const Heights& of, double deviation, double error) {
+double known(const Sample& of, double error) { return of.size().gives_errors() ? error : NAN; }
+double misfit(const Sample& of, double deviation, double error) {
   const double scale = known(of, error);
   return scale > 0 || std::isnan(scale) ? deviation / scale : deviation;
 }
 
+std::vector<Column> with_error(Column value, const std::string& error = "standard_error") {
+  const std::string unit = value.unit;
+  return {std::move(value),
+          {error, unit, Holds::unknown},
+          {"low_95", unit, Holds::unknown},
+          {"high_95", unit, Holds::unknown}};
+}
+
+Table table_of(std::initializer_list<std::vector<Column>> columns) {
+  Table out{{}, {}};
+  for (const std::vector<Column>& some : columns)
+    out.columns.insert(out.columns.end(), some.begin(), some.end());
+  return out;
+}
+
+// A value, its error, and its interval.
+void append(std::vector<Cell>& row, const Sample& of, double value, double error, const Interval& ends) {
+  row.insert(row.end(), {value, known(of, error), known(of, ends.low), known(of, ends.high)});
+}
+
+void append(std::vector<Cell>& row, const Sample& of, const Estimate& e) {
+  const bool has_error = std::isfinite(e.standard_error);
+  const Interval about = Interval::about(e.value, half_width_95 * e.standard_error);
+  append(row, of, e.value, e.standard_error, has_error ? e.interval.value_or(about) : Interval());
+}
+
 }  // namespace
 
-Table histogram_of(const Heights& of, int bins, std::optional<HeightRange> range) {
-  const std::string density = unit_to(of.surface.units, -1);
-  Table out{{{"height", of.surface.units},
-             {"count", "1"},
-             {"standard_error", "1", Holds::unknown},
-             {"gaussian", "1"},
-             {"misfit", "1", Holds::unknown},
-             {"density", density},
-             {"density_error", density, Holds::unknown},
-             {"gaussian_density", density}},
-            {}};
-  for (const Bin& bin : histogram(of.surface.heights, of.m, of.size, bins, range)) {
-    const double per_height = 1 / (of.size.points() * bin.width()), error = known(of, bin.count_error);
-    out.rows.push_back({bin.centre(), bin.count, error, bin.expected,
-                        misfit(of, bin.count - bin.expected, bin.misfit_error), bin.count * per_height,
-                        error * per_height, bin.expected * per_height});
+Table histogram_of(const Sample& of, int bins, std::optional<HeightRange> range) {
+  const Surface& surface = of.surface();
+  const std::string density = unit_to(surface.units, -1);
+  Table out = table_of({{{"height", surface.units}},
+                        with_error({"count", "1"}),
+                        {{"gaussian", "1"},
+                         {"misfit", "1", Holds::unknown},
+                         {"density", density},
+                         {"density_error", density, Holds::unknown},
+                         {"gaussian_density", density}}});
+  std::vector<Bin> all = histogram(surface.heights, bins, range);
+  compare_with_gaussian(all, of.moments(), of.size());
+  set_errors(all, surface.heights, of.grid(), of.extent(), of.moments().sq);
+  const double n = of.size().points();
+  for (const Bin& bin : all) {
+    const double per_height = 1 / (n * bin.width()), error = known(of, n * bin.share.error);
+    const Interval& ends = bin.share.interval;
+    out.rows.push_back({bin.centre()});
+    append(out.rows.back(), of, bin.count, error, Interval::of(bin.count, n * ends.low, n * ends.high));
+    out.rows.back().insert(out.rows.back().end(),
+                           {bin.expected, misfit(of, bin.count - bin.expected, bin.misfit_error),
+                            bin.count * per_height, error * per_height, bin.expected * per_height});
   }
   return out;
 }
 
-Table density_of(const Heights& of, double bandwidth, int rows, std::optional<HeightRange> range) {
-  const std::string density = unit_to(of.surface.units, -1);
-  Table out{{{"height", of.surface.units},
-             {"density", density},
-             {"standard_error", density, Holds::unknown},
-             {"gaussian_density", density},
-             {"misfit", "1", Holds::unknown}},
-            {}};
-  for (const DensityPoint& p : kernel_density(of.surface.heights, of.m, of.size, bandwidth, rows, range))
-    out.rows.push_back({p.height, p.density, known(of, p.density_error), p.gaussian,
-                        misfit(of, p.density - p.gaussian, p.misfit_error)});
+Table density_of(const Sample& of, double bandwidth, int rows, std::optional<HeightRange> range) {
+  const Surface& surface = of.surface();
+  const std::string density = unit_to(surface.units, -1);
+  Table out = table_of({{{"height", surface.units}},
+                        with_error({"density", density}),
+                        {{"gaussian_density", density}, {"misfit", "1", Holds::unknown}}});
+  std::vector<DensityPoint> curve = kernel_density(surface.heights, bandwidth, rows, range);
+  compare_with_gaussian(curve, of.moments(), of.size(), bandwidth);
+  set_errors(curve, surface.heights, of.grid(), of.extent(), bandwidth, of.moments().sq);
+  for (const DensityPoint& p : curve) {
+    out.rows.push_back({p.height});
+    append(out.rows.back(), of, p.density, p.frequency.error, p.frequency.interval);
+    out.rows.back().insert(out.rows.back().end(),
+                           {p.gaussian, misfit(of, p.density - p.gaussian, p.misfit_error)});
+  }
   return out;
 }
 
-Table quantiles_of(const Heights& of, int rows, int threads) {
-  const std::string& unit = of.surface.units;
-  Table out{{{"share", "1"},
-             {"normal_quantile", "1"},
-             {"height", unit},
-             {"standard_error", unit, Holds::unknown},
-             {"gaussian_height", unit},
-             {"misfit", "1", Holds::unknown}},
-            {}};
-  const MaterialRatioCurve curve(of.surface.heights, threads);
-  for (const QuantilePoint& p : quantile_plot(curve, of.m, of.size, rows))
-    out.rows.push_back({p.share, p.normal, p.height, known(of, p.height_error), p.gaussian,
-                        misfit(of, p.height - p.gaussian, p.misfit_error)});
+Table quantiles_of(const Sample& of, int rows) {
+  const std::string& unit = of.surface().units;
+  Table out = table_of({{{"share", "1"}, {"normal_quantile", "1"}},
+                        with_error({"height", unit}),
+                        {{"gaussian_height", unit}, {"misfit", "1", Holds::unknown}}});
+  const std::vector<QuantilePoint> points = quantile_plot(of.material_ratio(), of.moments(), of.size(), rows);
+  std::vector<double> shares, heights;
+  for (const QuantilePoint& p : points) shares.push_back(p.share), heights.push_back(p.height);
+  const std::vector<Estimate> estimates = quantile_estimates(of, shares, heights);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const QuantilePoint& p = points[i];
+    out.rows.push_back({p.share, p.normal});
+    append(out.rows.back(), of, estimates[i]);
+    out.rows.back().insert(out.rows.back().end(),
+                           {p.gaussian, misfit(of, p.height - p.gaussian, p.misfit_error)});
+  }
+  return out;
+}
+
+Table histogram_of(const Part& part, int bins, double largest) {
+  const auto& [cells, of] = part;
+  const std::string density = unit_to(cells.units, -1);
+  Table out = table_of({{{cells.variable, cells.units}},
+                        with_error({"count", "1"}),
+                        {{"share", "1"}, {"density", density}, {"density_error", density, Holds::unknown}}});
+  std::vector<Bin> all = histogram(cells.values, bins, HeightRange{0, largest});
+  if (of) set_errors(all, cells.values, of->grid(), of->extent());
+  const bool known_errors = of && of->size().gives_errors();
+  const double n = cells.counted;
+  for (const Bin& bin : all) {
+    const double per = 1 / (n * bin.width()), error = known_errors ? n * bin.share.error : NAN;
+    const Interval ends = known_errors ? bin.share.interval : Interval();
+    out.rows.push_back({bin.centre(), bin.count, error, n * ends.low, n * ends.high, bin.count / cells.cells,
+                        bin.count * per, error * per});
+  }
+  return out;
+}
+
+Table quantiles_of(const Part& part, int rows) {
+  const auto& [cells, of] = part;
+  Table out = table_of({{{"share", "1"}}, with_error({cells.variable, cells.units})});
+  std::vector<double> shares;
+  for (int k = 1; k <= rows; ++k) shares.push_back(static_cast<double>(k) / (rows + 1));
+  if (!of) {
+    const double value = height_range(cells.values).highest;
+    for (const double share : shares) out.rows.push_back({share, value, NAN, NAN, NAN});
+    return out;
+  }
+  const std::vector<Estimate> estimates =
+      quantile_estimates(*of, shares, of->quantiles(shares), Origin::zero);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    out.rows.push_back({shares[k]});
+    append(out.rows.back(), *of, estimates[k]);
+  }
   return out;
 }
 

@@ -1,24 +1,39 @@
-/// Tables of the distribution of the heights of a field beside the Gaussian of the same mean and Sq.
+/// Tables of the distribution of the heights of a field beside the Gaussian of the same mean and Sq, or of a
+/// quantity that only a part of the cells has (tools/cli/counted_cells.hpp) beside none.
 #pragma once
 
+#include <optional>
+
 #include "stats/height/distribution.hpp"
-#include "stats/measure/surface.hpp"
+#include "stats/measure/sample.hpp"
+#include "tools/cli/counted_cells.hpp"
 #include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 
-/// A field, and the errors of its distribution.
-struct Heights {
-  const Surface& surface;
-  const Moments& m;
-  const EffectiveSampleSize& size;
-};
+/// Columns: height, count, standard_error, low_95, high_95, gaussian, misfit, density, density_error,
+/// gaussian_density.
+Table histogram_of(const Sample& heights, int bins, std::optional<HeightRange> range = {});
+/// Columns: height, density, standard_error, low_95, high_95, gaussian_density, misfit. The bandwidth is in
+/// metres.
+Table density_of(const Sample& heights, double bandwidth, int rows, std::optional<HeightRange> range = {});
+/// Columns: share, normal_quantile, height, standard_error, low_95, high_95, gaussian_height, misfit.
+Table quantiles_of(const Sample& heights, int rows);
 
-/// Columns: height, count, standard_error, gaussian, misfit, density, density_error, gaussian_density.
-Table histogram_of(const Heights& heights, int bins, std::optional<HeightRange> range = {});
-/// Columns: height, density, standard_error, gaussian_density, misfit. The bandwidth is in metres.
-Table density_of(const Heights& heights, double bandwidth, int rows, std::optional<HeightRange> range = {});
-/// Columns: share, normal_quantile, height, standard_error, gaussian_height, misfit.
-Table quantiles_of(const Heights& heights, int rows, int threads);
+/// A part of the cells, and the sample of their values; none where all are the same, which have no errors.
+struct Part {
+  const CountedCells& cells;
+  std::optional<Sample> values = {};
+
+  explicit Part(const CountedCells& of, int threads = 1) : cells(of) {
+    if (height_range(of.values).width() > 0)
+      values.emplace(Surface{of.grid, of.values, 0, of.variable, of.units}, false, threads);
+  }
+};
+/// So many bins from 0 to `largest`. Columns: the variable, count, standard_error, low_95, high_95, share of
+/// all cells, density and density_error.
+Table histogram_of(const Part& part, int bins, double largest);
+/// Columns: share, the variable, standard_error, low_95, high_95.
+Table quantiles_of(const Part& part, int rows);
 
 }  // namespace asperity::cli

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
-#include "stats/height/part_distribution.hpp"
-#include "stats/spatial/acf.hpp"
+#include "stats/measure/sample.hpp"
 #include "tools/cli/counted_cells.hpp"
 #include "tools/plot/source.hpp"
 
@@ -19,31 +19,44 @@ struct Distribution {
   std::string part = {};  // of the cells, "393 of 12288 cells, in contact": beside no Gaussian
 
   double density(double count, const Bin& bin) const { return count / (points * bin.width()); }
+  struct Ends {
+    double low, high;
+  };
+  /// Of the 95 % interval of a count, which is the count itself where no error is known.
+  Ends ends(const Bin& bin) const {
+    const Interval& of = bin.share.interval;
+    return of.known() ? Ends{points * of.low, points * of.high} : Ends{bin.count, bin.count};
+  }
 };
 
+// With errors, where they can be given.
+Distribution distribution_of(const Sample& sample, const HeightRange& range, int bins, double sq) {
+  Distribution out{sample.moments(), histogram(sample.surface().heights, bins, range),
+                   sample.size().points()};
+  if (sample.size().gives_errors())
+    set_errors(out.bins, sample.surface().heights, sample.grid(), sample.extent(), sq);
+  return out;
+}
+
 Distribution distribution_of(const cli::CountedCells& part) {
-  Distribution out{.points = part.counted,
-                   .part = fmt::format("{} of {} cells, {}", part.counted, part.cells, part.which)};
-  for (const PartBin& bin : part_histogram(part.values))
-    out.bins.push_back({.lower = bin.lower,
-                        .upper = bin.upper,
-                        .count = bin.count,
-                        .count_error = std::isnan(bin.count_error) ? 0 : bin.count_error});
+  const HeightRange own = height_range(part.values), range{0, own.highest};
+  if (!(range.highest > 0)) throw DataError(part.variable, "no value is above 0");
+  Distribution out{.bins = histogram(part.values, 1, range), .points = part.counted};
+  if (own.width() > 0) {
+    const Sample sample({part.grid, part.values, 0, part.variable, part.units}, false);
+    const int bins = scott_bins({.sq = sample.moments().sq, .sp = range.highest}, part.counted);
+    out = distribution_of(sample, range, bins, 0);
+  }
+  out.part = fmt::format("{} of {} cells, {}", part.counted, part.cells, part.which);
   return out;
 }
 
 Distribution distribution_of(const Case& c, const std::string& variable) {
   if (const auto part = cli::counted_cells(c.data, variable)) return distribution_of(*part);
-  const Grid grid = grid_of(c.data);
-  const Field z = field_of(c.data, variable, Missing::not_a_number);
-  const Pairs pairs = Pairs::of(z, grid);
-  const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(grid)});
-  const EffectiveSampleSize size = EffectiveSampleSize::of_estimate(acf, pairs);
-  Distribution out{moments(z), {}, size.points()};
-  out.bins = histogram(z, out.moments, size, scott_bins(out.moments, out.points));
-  if (!size.gives_errors())
-    for (Bin& bin : out.bins) bin.count_error = 0;
-  return out;
+  const Sample sample({grid_of(c.data), field_of(c.data, variable, Missing::not_a_number)}, false);
+  const Moments& m = sample.moments();
+  return distribution_of(sample, height_range(sample.surface().heights),
+                         scott_bins(m, sample.size().points()), m.sq);
 }
 
 double gaussian(const Moments& m, double z) {
@@ -62,7 +75,7 @@ Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity)
   double peak = 0;
   for (const Distribution& d : all) {
     x = united(x, {d.bins.front().lower, d.bins.back().upper});
-    for (const Bin& b : d.bins) peak = std::max(peak, d.density(b.count + 2 * b.count_error, b));
+    for (const Bin& b : d.bins) peak = std::max(peak, d.density(d.ends(b).high, b));
   }
   const Unit height = unit_for(x.magnitude(), quantity.unit), per = unit_for(1000 / peak, quantity.unit);
   return {height, per, x, 1.05 * peak * per.factor};
@@ -76,8 +89,8 @@ std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
   for (Index k = 0; const Bin& b : d.bins) {
     const double centre = b.centre() / f;
     boxes.row(k) << centre, d.density(b.count, b) * per, b.width() / f;
-    errors.row(k++) << centre, d.density(b.count - 2 * b.count_error, b) * per, 0,
-        4 * d.density(b.count_error, b) * per;
+    const auto [low, high] = d.ends(b);
+    errors.row(k++) << centre, d.density(low, b) * per, 0, d.density(high - low, b) * per;
   }
   for (int k = 0; k <= samples; ++k) {
     const double at = scales.x.low + k * scales.x.width() / samples;
@@ -106,13 +119,14 @@ Figure pdf(const Cases& cases, const Request& request) {
   std::vector<Distribution> all;
   for (const Case& c : cases) all.push_back(distribution_of(c, variable));
   const Scales scales = scales_of(all, quantity);
-  const bool with_errors = std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.count_error > 0; });
+  const bool with_errors =
+      std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.share.interval.known(); });
   const std::string& per = scales.per.name;
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
   const bool part = !all[0].part.empty();
   if (!out.comparison) out.title = part ? all[0].part : title_of(all[0].moments, quantity);
-  out.legend = {{box, "#b9d3e8", with_errors ? "histogram ± 2 SE" : "histogram"}};
+  out.legend = {{box, "#b9d3e8", with_errors ? "histogram, 95 % intervals" : "histogram"}};
   if (!part) out.legend.push_back({line, "#d55e00", "Gaussian"});
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);

@@ -75,7 +75,7 @@ text <<'END'
 The height distributions cannot be distinguished from the Gaussian, nor from one another except by the width of their errors; longer
 waves leave fewer independent heights.
 END
-shown paper-pdf "Distributions of height with twice their standard errors"
+shown paper-pdf "Distributions of height with 95 % intervals"
 text <<'END'
 Profiles through the middle. The cases differ only in how fast the heights change:
 END

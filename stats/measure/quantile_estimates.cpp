@@ -1,0 +1,49 @@
+#include "stats/measure/quantile_estimates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/height/material_ratio.hpp"
+#include "stats/sample/quantiles.hpp"
+
+namespace asperity {
+
+std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
+                                         const std::vector<double>& heights, Origin origin) {
+  std::vector<Estimate> out;
+  if (origin == Origin::own_mean && sample.correlation_gives_errors() && !sample.distribution()) {
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      out.push_back({heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())});
+    return out;
+  }
+  const auto errors = shares.empty() ? std::nullopt : sample.quantile_errors(heights);
+  auto quantiles_beside = [&](const std::vector<double>& widths) {
+    std::vector<double> at;
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      for (const double sign : {-1, 1}) at.push_back(std::clamp(shares[k] + sign * widths[k], 0.0, 1.0));
+    return sample.quantiles(at);
+  };
+  if (!errors) {
+    for (const double height : heights) out.push_back({height});
+    return out;
+  }
+  std::vector<double> width;
+  for (std::size_t k = 0; k < shares.size(); ++k) width.push_back((*errors)(k));
+  const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
+  const std::vector<double> near = quantiles_beside(width);
+  for (double& w : width) w *= t;
+  const std::vector<double> ends = quantiles_beside(width);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    out.push_back({heights[k]});
+    const double apart = near[2 * k + 1] - near[2 * k], share = width[k] / t;
+    if (!(apart > 0 && share > 0)) continue;  // as of heights of two values
+    const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
+                 of_all = errors->with_mean(k, density) / share;
+    out[k].standard_error = of_all * apart / 2;
+    out[k].interval = Interval::of(heights[k], heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
+                                   heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0));
+  }
+  return out;
+}
+
+}  // namespace asperity

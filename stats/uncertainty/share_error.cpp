@@ -1,0 +1,108 @@
+#include "stats/uncertainty/share_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stats/sample/quantiles.hpp"
+
+namespace asperity {
+namespace {
+
+// A row a wave, the first of them 1.
+Eigen::MatrixXd chosen(const Eigen::MatrixXd& waves, const std::vector<LongWaves::Wave>& longest,
+                       Index LongWaves::Wave::*along) {
+  Eigen::MatrixXd out(static_cast<Index>(longest.size()) + 1, waves.rows());
+  out.row(0).setOnes();
+  for (std::size_t k = 0; k < longest.size(); ++k)
+    out.row(static_cast<Index>(k) + 1) = waves.col(longest[k].*along).transpose();
+  return out;
+}
+
+// The ends of (2): p² (1 + t²/(n' most)) - p (2 f + t²/n') + f² = 0.
+Interval score_interval(double f, double independent, double most, double t) {
+  const double q = t * t / independent, a = 1 + q / most, half = f + q / 2;
+  const double root = std::sqrt(std::max(half * half - a * f * f, 0.0));
+  const double high = std::min((half + root) / a, most);
+  return Interval::of(f, f > 0 ? std::min(f * f / (half + root), f) : 0, std::max(high, f));
+}
+
+}  // namespace
+
+ShareErrors::ShareErrors(const Grid& grid, const FieldExtent& extent, Index classes)
+    : long_waves_(grid, extent) {
+  auto along = [&](Index n, bool periodic, Index LongWaves::Wave::*axis) {
+    return chosen(axis_waves(n, periodic, LongWaves::most), long_waves_.all(), axis);
+  };
+  x_ = along(grid.shape.nx, grid.periodic.x, &LongWaves::Wave::x);
+  y_ = along(grid.shape.ny, grid.periodic.y, &LongWaves::Wave::y);
+  waves_.setZero(x_.rows(), classes);
+  at_all_.setZero(x_.rows());
+  of_values_.setZero(x_.rows());
+  values_.setZero(classes);
+}
+
+void ShareErrors::add(const Field& rows, const std::function<Index(double)>& class_of) {
+  Eigen::VectorXd wave(x_.rows());
+  for (Index i = 0; i < rows.rows(); ++i)
+    for (Index j = 0; j < rows.cols(); ++j) {
+      const double z = rows(i, j);
+      if (std::isnan(z)) continue;
+      const Index b = class_of(z);
+      wave = x_.col(rows_ + i).cwiseProduct(y_.col(j));
+      waves_.col(b) += wave;
+      of_values_ += z * wave;
+      values_(b) += z;
+      squares_ += z * z;
+    }
+  rows_ += rows.rows();
+  at_all_ = waves_.rowwise().sum();
+}
+
+void ShareErrors::accumulate() {
+  for (Index b = 1; b < waves_.cols(); ++b) {
+    waves_.col(b) += waves_.col(b - 1);
+    values_(b) += values_(b - 1);
+  }
+}
+
+ShareErrors::Function::Function(const ShareErrors& of)
+    : of_(of), sums_(Eigen::VectorXd::Zero(of.x_.rows())) {}
+
+void ShareErrors::Function::add(Index b, double value) {
+  sums_ += value * of_.waves_.col(b);
+  squares_ += value * value * of_.waves_(0, b);
+  products_ += value * of_.values_(b);
+}
+
+double ShareErrors::Function::error(double slope) const {
+  const double n = of_.points();
+  const Eigen::VectorXd sums = sums_ + slope * of_.of_values_;
+  const double mean = sums(0) / n,
+               square = (squares_ + 2 * slope * products_ + slope * slope * of_.squares_) / n;
+  const Index K = of_.degrees();
+  const double variance =
+      (sums - mean * of_.at_all_).tail(K).squaredNorm() / (n * n * static_cast<double>(K));
+  return of_.long_waves_.error(variance, square - mean * mean);
+}
+
+void set_intervals(std::vector<Frequency>& frequencies, double most, Index degrees) {
+  constexpr double few = 10;
+  const double t = student_quantile(0.025, static_cast<double>(degrees));
+  const auto top = std::ranges::max_element(frequencies, {}, &Frequency::points);
+  auto set = [&](auto begin, auto end) {
+    double independent = std::numeric_limits<double>::infinity();
+    for (auto it = begin; it != end; ++it) {
+      const double variance = it->value * (1 - it->value / most);
+      if (it->points >= few || it == begin)
+        independent = it->error > 0 ? variance / (it->error * it->error) : independent;
+      else
+        it->error = std::sqrt(variance / independent);
+      it->interval = score_interval(it->value, independent, most, t);
+    }
+  };
+  set(top, frequencies.end());
+  set(std::make_reverse_iterator(top + 1), frequencies.rend());
+}
+
+}  // namespace asperity
