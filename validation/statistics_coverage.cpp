@@ -255,10 +255,8 @@ void coverage_of_moments(const Grid& grid, int fields) {
 }
 
 void coverage_of_lengths(const Grid& grid, int fields) {
-  fmt::print(
-      "\n# "
-      "field\twidth\tN_eff\tcorrelation\tSal\tSal_below\tSal_above\te\te_below\te_above\ttenth\ttenth_below\t"
-      "tenth_above\n");
+  fmt::print("\n# field\twidth\tN_eff\tcorrelation\tSal\tSal_below\tSal_above\te\te_below\te_above");
+  fmt::print("\ttenth\ttenth_below\ttenth_above\n");
   for (Index width : {4, 8, 16, 32})
     length_coverage("average", grid, width, triangular_correlation(width), moving_average, fields);
   for (Index length : {1, 3, 6, 12})
@@ -285,11 +283,6 @@ void all_false_alarms(int fields) {
     false_alarms(row, fields);
 }
 
-void costs() {
-  fmt::print("\n# n\ttransform\tmoments\tACF\tN_eff\n");
-  for (Index n : {128, 256, 512, 1024}) cost(n);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -300,6 +293,7 @@ int main(int argc, char** argv) {
   if (part == "" || part == "moments") coverage_of_moments(grid, fields);
   if (part == "" || part == "lengths") coverage_of_lengths(grid, fields);
   if (part == "" || part == "alarms") all_false_alarms(fields);
-  if (part == "" || part == "cost") costs();
-  return 0;
+  if (part != "" && part != "cost") return 0;
+  fmt::print("\n# n\ttransform\tmoments\tACF\tN_eff\n");
+  for (Index n : {128, 256, 512, 1024}) cost(n);
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "stats/measure/groups.hpp"
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {

@@ -2,12 +2,10 @@
 /// own long waves (stats/uncertainty/lag_waves.hpp).
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "stats/measure/groups.hpp"
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/surface.hpp"
 #include "stats/spatial/acf.hpp"
@@ -73,14 +71,6 @@ class LengthErrors {
   LagField errors_, rho_;
   LengthIntervals intervals_;
 };
-
-/// Why the direction of a contour has no error.
-inline constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
-
-/// The ellipticity and the direction of the contour at a level, by these names.
-void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
-                 const std::string& level_text, const std::array<std::string, 2>& names,
-                 const LengthErrors* errors);
 
 /// A level of the ACF, and the tag in the names of its lengths: length_10_x for 10 %, length_e_x for 1/e.
 struct AcfLevel {

@@ -9,18 +9,11 @@
 #include <string_view>
 
 #include "stats/measure.hpp"
+#include "stats/measure/acf_estimate.hpp"
 
 namespace asperity {
 
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 inline constexpr std::string_view of_field = "";  ///< instead of a unit: the unit of the heights
-
-struct Estimate {
-  double value;
-  double standard_error = unknown;
-  std::optional<Interval> interval = {};
-};
 
 template <class Of>
 struct Definition {
@@ -61,6 +54,14 @@ class ParameterList {
   std::string units_;
   Parameters parameters_;
 };
+
+/// Why the direction of a contour has no error.
+inline constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
+
+/// The ellipticity and the direction of the contour at a level, by these names.
+void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
+                 const std::string& level_text, const std::array<std::string, 2>& names,
+                 const LengthErrors* errors);
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions&);
 Parameters quantiles(const Sample& sample, const MeasureOptions& options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@ namespace asperity {
 
 /// Of a 95 % interval of a Gaussian quantity, in standard errors.
 inline constexpr double half_width_95 = 1.959963984540054;
+
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Estimate {
+  double value;
+  double standard_error = unknown;
+  std::optional<Interval> interval = {};
+};
 
 struct Parameter {
   std::string name;  ///< the symbol of the standard, if there is one: "Sq"

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "stats/measure/groups.hpp"
+#include "stats/measure/parameter.hpp"
 #include "stats/measure/sample.hpp"
 
 namespace asperity {

@@ -45,8 +45,8 @@ class TwinScope {
   /// False for counts; for slopes, curvatures and summits if the correlation is estimated and points are
   /// missing or heights are not Gaussian; and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// False without an error, unless it is said why; for all but slopes and parameters of profiles after a plane
-  /// or a polynomial was removed.
+  /// False without an error, unless it is said why; for all but slopes and parameters of profiles after a
+  /// plane or a polynomial was removed.
   bool needs_none(const Parameter& parameter) const;
 
  private:

@@ -137,15 +137,15 @@ TEST_CASE("periodic surfaces whose correlation is as long as they are have the k
   }
 }
 
-// Their biases are about a mean that is known: 8 of 8 ensembles were found to differ in their kurtosis.
-TEST_CASE("skewed surfaces whose mean takes much of the variance are refused, not found to differ",
+// The surfaces that they are compared with lose the same to their means: 8 of 8 ensembles were found to differ
+// in their kurtosis.
+TEST_CASE("skewed surfaces whose mean takes much of the variance are not found to differ",
           "[strangers][validate][contract]") {
   const std::string skewed =
       "asperity-generate --shape 64x64 --size 64um --rq 1um --skewness -1 --seed 1 -q --count ";
   REQUIRE(
       shell(skewed + "3 --length 20px --periodic -o 'w_%d.nc'; " + skewed + "12 --length 6px -o 'u_%d.nc'")
           .exit == 0);
-  refused("asperity-validate -q w_*.nc", 4,
-          "acf_target: it reaches too far for the field: subtracting its mean removes ");
+  CHECK(shell("asperity-validate -q w_*.nc").exit == 0);
   CHECK(shell("asperity-validate -q u_*.nc").exit == 0);
 }
