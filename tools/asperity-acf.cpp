@@ -32,7 +32,8 @@ struct Options {
     result.check(tool);
     if (adds("acf_quantiles") && !result.dataset())
       throw cli::UsageError("add", "acf_quantiles needs --result dataset");
-    if (adds("acf_error") && !result.dataset()) throw cli::UsageError("add", "acf_error needs --result dataset");
+    if (adds("acf_error") && !result.dataset())
+      throw cli::UsageError("add", "acf_error needs --result dataset");
     if (adds("structure_function") && result.result == "lengths")
       throw cli::UsageError("add", "structure_function needs --result dataset or --result profiles");
     for (const char* option : {"levels", "direction"})
@@ -101,7 +102,8 @@ cli::AcfResult estimate(const cli::Tool& tool, const Options& what, const Surfac
   };
   if (what.result.result == "profiles") out.profiles = {errors(true), errors(false)};
   if (what.result.result == "lengths" && out.estimate.size.gives_errors())
-    out.lengths.emplace(out.estimate, surface.heights, std::ranges::min(levels_of(what.levels), {}, &AcfLevel::value).value, threads);
+    out.lengths.emplace(out.estimate, surface.heights,
+                        std::ranges::min(levels_of(what.levels), {}, &AcfLevel::value).value, threads);
   if (what.adds("structure_function"))
     out.structure = structure_function(surface.heights, surface.grid, max_lag, threads);
   if (what.adds("acf_quantiles")) out.quantiles = quantiles_of(surface.heights);
@@ -221,7 +223,8 @@ void declare(cli::Tool& tool, Options& what) {
       "lengths");
   tool.accuracy(
       "The estimate equals the direct sum over pairs to round-off. Standard errors come from the field's own "
-      "longest waves, whatever its heights; those of neighbouring lags are strongly correlated. Subtracting the field's mean "
+      "longest waves, whatever its heights; those of neighbouring lags are strongly correlated. Subtracting "
+      "the field's mean "
       "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
       "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
       "measured points count; a lag without such a pair is NaN. Over several surfaces the standard error is "

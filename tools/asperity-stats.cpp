@@ -137,7 +137,8 @@ void document(cli::Tool& tool) {
   tool.accuracy(
       "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Standard "
       "errors of slopes, curvatures and summits, of spatial parameters, of quantiles of heights that are not "
-      "Gaussian, and of the height parameters of a lay come from the field's own longest waves, whatever its heights: of 200 "
+      "Gaussian, and of the height parameters of a lay come from the field's own longest waves, whatever its "
+      "heights: of 200 "
       "simulated square fields of each of eleven textures (N_eff 300 to 1230) they were 0.86 to 1.25 times "
       "the true ones, and 88 to 98 % of the 95 % intervals held the true value. "
       "Other errors hold to first order in 1/N_eff. Those of the height parameters use "

@@ -40,8 +40,7 @@ LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_l
 
 // The lengths at one level, of a target or of the estimate; only the latter has errors.
 void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level,
-                 const std::optional<double>& direction, const LagField* target,
-                 const LengthErrors* errors) {
+                 const std::optional<double>& direction, const LagField* target, const LengthErrors* errors) {
   const LagField& rho = target ? *target : estimate.rho;
   const Grid& grid = estimate.grid();
   const std::string prefix = target ? "target_" : "";
@@ -110,8 +109,7 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
 namespace {
 
 LagField acf_errors(const AcfEstimate& estimate, const LagWaves& waves, bool absolute) {
-  const LagField errors =
-      absolute ? waves.of_covariance() : waves.of_ratio(estimate.rho).errors();
+  const LagField errors = absolute ? waves.of_covariance() : waves.of_ratio(estimate.rho).errors();
   return LagField::of(errors.max_lag(), [&](Index p, Index q) {
     if (!estimate.size.gives_errors()) return unknown;
     if (!absolute && p == 0 && q == 0) return 0.0;

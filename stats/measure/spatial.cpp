@@ -22,21 +22,23 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const Le
   const CentralLobe lobe = central_lobe(acf.rho, acf.grid(), level);
   const Words words{.meaning = shortest(level)};
   auto of_lobe = [grid = acf.grid(), level](auto value) {
-    return [=](const LagField& rho) -> std::optional<double> { return value(central_lobe(rho, grid, level)); };
+    return
+        [=](const LagField& rho) -> std::optional<double> { return value(central_lobe(rho, grid, level)); };
   };
   std::optional<Estimate> aspect;
   if (const auto ratio = lobe.aspect_ratio())
-    aspect = errors ? errors->ratio(*ratio, of_lobe([](const CentralLobe& l) { return l.aspect_ratio(); }), 0, 1)
-                    : Estimate{*ratio};
-  auto add_reach = [&](const char* length, const char* meaning, const char* direction, const char* of_direction,
-                       std::optional<Reach> CentralLobe::* which, auto error_of_length) {
+    aspect = errors
+                 ? errors->ratio(*ratio, of_lobe([](const CentralLobe& l) { return l.aspect_ratio(); }), 0, 1)
+                 : Estimate{*ratio};
+  auto add_reach = [&](const char* length, const char* meaning, const char* direction,
+                       const char* of_direction, std::optional<Reach> CentralLobe::*which,
+                       auto error_of_length) {
     if (!(lobe.*which)) return;
     const Reach& reach = *(lobe.*which);
-    out.add(length, "m", meaning,
-            errors ? (errors->*error_of_length)(level, reach) : Estimate{reach.length}, words);
-    auto axis = of_lobe([which](const CentralLobe& l) {
-      return l.*which ? std::optional((l.*which)->angle) : std::nullopt;
-    });
+    out.add(length, "m", meaning, errors ? (errors->*error_of_length)(level, reach) : Estimate{reach.length},
+            words);
+    auto axis = of_lobe(
+        [which](const CentralLobe& l) { return l.*which ? std::optional((l.*which)->angle) : std::nullopt; });
     const double between_lags = std::max(acf.grid().dx, acf.grid().dy) / reach.length;
     out.add(direction, "rad", of_direction,
             errors && aspect ? errors->axis(reach.angle, axis, *aspect, between_lags) : Estimate{reach.angle},
@@ -59,8 +61,8 @@ Parameters spatial_parameters(const Sample& sample, const MeasureOptions& option
   if (z.size() == 0) throw DataError(sample.surface().variable, "spatial parameters need the whole field");
   const AcfParameters half{.max_lag = default_max_lag(sample.grid()), .threads = sample.threads()};
   ParameterList out(sample.surface().units);
-  const AcfEstimate acf{
-      basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half), basis};
+  const AcfEstimate acf{basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half),
+                        basis};
   std::optional<LengthErrors> errors;
   if (sample.needs_errors() && acf.size.gives_errors())
     errors.emplace(acf, z, options.sal_level, sample.threads());

@@ -84,7 +84,7 @@ enum class TwinUse { everywhere, where_needed, where_quick };
 
 /// Sets errors and intervals by twins; `where_quick` only if they take about two seconds on one core
 /// (512x512 points for one group of parameters, 256x256 for all), else it returns false.
-bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use, const TwinOptions& options,
-                     Parameters& parameters);
+bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
+                     const TwinOptions& options, Parameters& parameters);
 
 }  // namespace asperity

@@ -64,8 +64,7 @@ class Blocks {
     AlignedVector<Complex> near, far;
 
     Spectrum(const Blocks& blocks, const Field& surroundings, Range x, Range y)
-        : near(blocks.transformed(
-              surroundings.block(0, blocks.max_lag_.ny, x.length(), y.length()))),
+        : near(blocks.transformed(surroundings.block(0, blocks.max_lag_.ny, x.length(), y.length()))),
           far(blocks.transformed(surroundings)) {}
   };
 

@@ -88,8 +88,7 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
     for (Index j = 0; j < values.rows(); ++j)
       if (std::isnan(all(j))) values.row(j).setZero();
   const Eigen::MatrixXd along_y = values.transpose() * y_;
-  for (std::size_t j = 0; j < sums.waves.size(); ++j)
-    sums.waves[j] += x_(i, static_cast<Index>(j)) * along_y;
+  for (std::size_t j = 0; j < sums.waves.size(); ++j) sums.waves[j] += x_(i, static_cast<Index>(j)) * along_y;
   sums.products += values.transpose() * values;
 }
 

@@ -153,7 +153,8 @@ TEST_CASE("asperity-acf --add acf_error adds the errors that the profiles have",
   for (const std::string options : {"", " --absolute", " --biased"}) {
     CAPTURE(options);
     REQUIRE(run_on_surface("asperity-acf drawn.nc --add acf_error --max-lag 12x9" + options +
-                           " -o with-errors.nc").exit == 0);
+                           " -o with-errors.nc")
+                .exit == 0);
     const Field errors = table_of(read_dataset("with-errors.nc"), "acf_error");
     REQUIRE(shape_of(errors) == Shape{13, 19});
     const Json table = json_of("asperity-acf drawn.nc --result profiles --json --max-lag 12x9" + options);

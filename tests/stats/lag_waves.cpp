@@ -6,6 +6,7 @@
 #include "fields.hpp"
 #include "holes.hpp"
 #include "stats/filter/form.hpp"
+#include "stats/measure.hpp"
 #include "stats/measure/acf_estimate.hpp"
 
 using namespace asperity;
@@ -22,8 +23,7 @@ double block_wave(Index i, Index n, Index number, bool periodic) {
   if (number == 0) return 1;
   const double phase = std::numbers::pi * (static_cast<double>(b) + 0.5) / static_cast<double>(blocks),
                k = static_cast<double>(periodic ? number + number % 2 : number);
-  return std::numbers::sqrt2 *
-         (periodic && number % 2 == 0 ? std::sin(k * phase) : std::cos(k * phase));
+  return std::numbers::sqrt2 * (periodic && number % 2 == 0 ? std::sin(k * phase) : std::cos(k * phase));
 }
 
 // One by one: the error of the mean over the pairs at a lag of f(z, z'), by the waves.
@@ -63,42 +63,80 @@ double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index 
 
 // Sums by the transform and by hand: round-off of 10⁴ products.
 TEST_CASE("errors of lags are those of waves summed pair by pair", "[lag-waves][exact]") {
-  const FieldExtent extent{300, 1};
-  for (const Periodic periodic : {Periodic{false, false}, {false, true}, {true, true}})
-    for (const double share : {0.0, 0.1}) {
-      const Grid g{{45, 38}, 1, 1, periodic};
-      Field z = moving_average(g.shape, {4, 3}, 7);
-      if (share > 0) z = with_holes(z, share, 8);
-      const Field d = remove_form(z);
-      const LagField rho = estimate_autocorrelation(d, g, {.max_lag = {9, 7}}).normalised();
-      const double variance = moments(d).sq * moments(d).sq;
-      for (const int threads : {1, 3}) {
-        const LagWaves waves(d, g, {9, 7}, extent, threads);
-        const LagField of_R = waves.of_covariance(), of_S = waves.of_structure(),
-                       of_rho = waves.of_ratio(rho).errors();
-        for (const auto [p, q] : {Shape{0, 3}, {1, 0}, {9, 7}, {9, -7}, {4, -2}}) {
-          CAPTURE(periodic.x, periodic.y, share, threads, p, q);
-          const double expected_R = error_of(d, g, extent, p, q, [](double a, double b) { return a * b; }),
-                       expected_S =
-                           error_of(d, g, extent, p, q, [](double a, double b) { return (a - b) * (a - b); }),
-                       r = rho(p, q), of_pairs = error_of(d, g, extent, p, q, [&](double a, double b) {
-                         return (a * b - 0.5 * r * (a * a + b * b)) / variance;
-                       });
-          double squares = 0, pairs = 0;
-          for (Index i = 0; i < 45; ++i)
-            for (Index j = 0; j < 38; ++j) {
-              const Index a = i + p, b = j + q;
-              if ((!g.periodic.x && a >= 45) || (!g.periodic.y && (b < 0 || b >= 38))) continue;
-              const double value = 0.5 * (std::pow(d(i, j), 2) + std::pow(d(a % 45, (b + 38) % 38), 2));
-              if (!std::isnan(value)) squares += value, ++pairs;
-            }
-          const double at_edges = r * (squares / pairs / variance - 1);
-          CHECK(relative_error(of_R(p, q), expected_R) <= 1e-9);
-          CHECK(relative_error(of_S(p, q), expected_S) <= 1e-9);
-          CHECK(relative_error(of_rho(p, q), std::hypot(of_pairs, at_edges)) <= 1e-9);
+  for (const FieldExtent extent : {FieldExtent{300, 1}, {100, 1}})
+    for (const Periodic periodic : {Periodic{false, false}, {false, true}, {true, true}})
+      for (const double share : {0.0, 0.1}) {
+        const Grid g{{45, 38}, 1, 1, periodic};
+        Field z = moving_average(g.shape, {4, 3}, 7);
+        if (share > 0) z = with_holes(z, share, 8);
+        const Field d = remove_form(z);
+        const LagField rho = estimate_autocorrelation(d, g, {.max_lag = {9, 7}}).normalised();
+        const double variance = moments(d).sq * moments(d).sq;
+        for (const int threads : {1, 3}) {
+          const LagWaves waves(d, g, {9, 7}, extent, threads);
+          const LagField of_R = waves.of_covariance(), of_S = waves.of_structure(),
+                         of_rho = waves.of_ratio(rho).errors();
+          for (const auto [p, q] : {Shape{0, 3}, {1, 0}, {9, 7}, {9, -7}, {4, -2}}) {
+            CAPTURE(periodic.x, periodic.y, share, threads, p, q);
+            const double expected_R = error_of(d, g, extent, p, q, [](double a, double b) { return a * b; }),
+                         expected_S = error_of(d, g, extent, p, q,
+                                               [](double a, double b) { return (a - b) * (a - b); }),
+                         r = rho(p, q), of_pairs = error_of(d, g, extent, p, q, [&](double a, double b) {
+                                          return (a * b - 0.5 * r * (a * a + b * b)) / variance;
+                                        });
+            double squares = 0, pairs = 0;
+            for (Index i = 0; i < 45; ++i)
+              for (Index j = 0; j < 38; ++j) {
+                const Index a = i + p, b = j + q;
+                if ((!g.periodic.x && a >= 45) || (!g.periodic.y && (b < 0 || b >= 38))) continue;
+                const double value = 0.5 * (std::pow(d(i, j), 2) + std::pow(d(a % 45, (b + 38) % 38), 2));
+                if (!std::isnan(value)) squares += value, ++pairs;
+              }
+            const double at_edges = r * (squares / pairs / variance - 1);
+            CHECK(relative_error(of_R(p, q), expected_R) <= 1e-9);
+            CHECK(relative_error(of_S(p, q), expected_S) <= 1e-9);
+            CHECK(relative_error(of_rho(p, q), std::hypot(of_pairs, at_edges)) <= 1e-9);
+          }
         }
       }
+}
+
+// Of a direction that no contour has, an error would be one of chance.
+TEST_CASE("directions have an error if the contour is not a circle, else a reason", "[lag-waves][contract]") {
+  for (const bool oblong : {false, true}) {
+    const Field z = moving_average({96, 96}, oblong ? Shape{12, 3} : Shape{6, 6}, 21);
+    const Parameters all = measure({.grid = grid(96, 96), .heights = z}, {.groups = {Group::spatial}});
+    for (const char* name : {"Sal_direction", "slowest_direction", "gamma_direction"}) {
+      const auto found = std::ranges::find(all, name, &Parameter::name);
+      REQUIRE(found != all.end());
+      CAPTURE(oblong, name, found->standard_error, found->why);
+      CHECK(std::isfinite(found->standard_error) == oblong);
+      CHECK(found->why.empty() == oblong);
     }
+    for (const char* name : {"Sal", "slowest_decay", "Str", "gamma"})
+      CHECK(std::ranges::find(all, name, &Parameter::name)->standard_error > 0);
+  }
+}
+
+// A figure exp(10 x + 100 x²) of the deviation x of one lag, of error σ, is biased by 100 σ², 0.01 at σ = 0.01:
+// its interval is lower by that.
+TEST_CASE("the interval of a ratio allows for its bias", "[lag-waves][law]") {
+  const Grid g = grid(96, 96);
+  const Field d = remove_form(moving_average(g.shape, {5, 4}, 22));
+  const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = d}, {.max_lag = {48, 48}});
+  const LengthErrors errors(estimate, d, 0.2);
+  const double here = estimate.rho(3, 0), sigma = acf_errors(estimate, d, false)(3, 0);
+  const Estimate ratio = errors.ratio(
+      1,
+      [here](const LagField& rho) {
+        const double x = rho(3, 0) - here;
+        return std::optional(std::exp(10 * x + 100 * x * x));
+      },
+      0, 100);
+  REQUIRE(ratio.interval);
+  const double shift = -0.5 * std::log(ratio.interval->low * ratio.interval->high);
+  // A mean of a hundred squares.
+  CHECK(shift == Approx(100 * sigma * sigma).epsilon(0.5));
 }
 
 // 200 fields of N_eff = 1000 (Gaussian) and their exponentials: a spread of skewed sums is known to 10 %, the
@@ -112,7 +150,8 @@ TEST_CASE("errors of lags are those of simulated fields, Gaussian or not", "[lag
     for (unsigned f = 0; f < 200; ++f) {
       Field z = moving_average(g.shape, {4, 4}, 900 + f);
       if (lognormal) z = (0.6 * z).exp();
-      const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = remove_form(z)}, {.max_lag = {48, 48}});
+      const AcfEstimate estimate =
+          AcfEstimate::of({.grid = g, .heights = remove_form(z)}, {.max_lag = {48, 48}});
       const LagField errors =
           LagWaves(remove_form(z), g, {20, 3}, estimate.basis.shape().extent).of_ratio(estimate.rho).errors();
       for (std::size_t k = 0; k < 5; ++k) {

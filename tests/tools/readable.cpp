@@ -10,7 +10,6 @@ using namespace asperity::cli;
 
 namespace {
 
-
 std::string text(const Measurement& m) {
   return m.value + "|" + m.error + "|" + m.low + "|" + m.high + "|" + m.unit;
 }

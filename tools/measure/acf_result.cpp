@@ -109,7 +109,10 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 
 AcfEnsemble::AcfEnsemble(AcfContent content)
     : content_(std::move(content)),
-      profiles_({.keys = {"direction", "lag"}, .value = "acf", .others = {"structure_function"}, .means = {"target"}}) {}
+      profiles_({.keys = {"direction", "lag"},
+                 .value = "acf",
+                 .others = {"structure_function"},
+                 .means = {"target"}}) {}
 
 void AcfEnsemble::add_profiles(const AcfResult& result, const std::string& file) {
   profiles_.add(acf_profiles(result, content_), file);
