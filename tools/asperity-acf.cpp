@@ -199,7 +199,8 @@ void declare_estimate(cli::Tool& tool, Options& what) {
   tool.words("--add", what.further, {"structure_function", "acf_error", "acf_quantiles"},
              "Add structure_function, acf_error or acf_quantiles. structure_function: mean square difference "
              "of two points a lag apart, in the dataset and the profiles; acf_error: standard errors of acf, "
-             "in the dataset (that of several surfaces has them); acf_quantiles: distribution of the heights "
+             "in the dataset (that of several surfaces has them), in memory of some thirty times the lags; "
+             "acf_quantiles: distribution of the heights "
              "for asperity-generate --marginal measured, in the dataset",
              "Result");
   tool.text("--levels", what.levels, "LEVEL,...", "Levels of R / R(0,0) at which lengths are measured",

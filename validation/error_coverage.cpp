@@ -122,12 +122,12 @@ Parameters measured(const Field& heights, int degree, Index times, Index twins =
   const ProfileErrors errors = profile_errors(acf, surface.heights, true, false);
   const LagField structure = structure_function(surface.heights, grid, {16, 0});
   for (const Index lag : {1, 4, 16}) {
-    auto add_lag = [&](const char* name, double value, double error) {
-      out.push_back({fmt::format("{}_x_{}", name, lag), value, "1", error, "",
-                     Interval::about(value, errors.quantile * error)});
+    auto add_lag = [&](const char* name, double value, double error, const Interval& interval) {
+      out.push_back({fmt::format("{}_x_{}", name, lag), value, "1", error, "", interval});
     };
-    add_lag("acf", acf.rho(lag, 0), errors.acf(lag));
-    add_lag("structure", structure(lag, 0), errors.structure(lag));
+    const double S = structure(lag, 0), half = errors.quantile * errors.structure(lag);
+    add_lag("acf", acf.rho(lag, 0), errors.acf(lag), errors.interval(acf.rho(lag, 0), lag));
+    add_lag("structure", S, errors.structure(lag), Interval::about(S, half));
   }
   const DataWindows windows = default_windows(grid);
   add(out, "psd_x", profile_spectrum(sample, Axis1D::x, windows.x), times);

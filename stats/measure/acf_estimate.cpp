@@ -38,6 +38,11 @@ LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_l
   return {heights, estimate.grid(), max_lag, estimate.basis.shape().extent, threads};
 }
 
+// At lags up to half the field, of seven waves at most: time and memory grow with their number.
+LagWaves few_waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
+  return {heights, estimate.grid(), max_lag, estimate.basis.shape().extent, threads, LagWaves::Number::few};
+}
+
 // The lengths at one level, of a target or of the estimate; only the latter has errors.
 void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level,
                  const std::optional<double>& direction, const LagField* target, const LengthErrors* errors) {
@@ -88,9 +93,11 @@ void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& gri
       errors ? errors->ratio(ellipse.gamma(), gamma, 1, unlimited) : Estimate{ellipse.gamma()};
   out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", ratio,
           {.meaning = level_text});
+  constexpr double round_off = 1e-9;
+  const double angle = ellipse.gamma() > 1 + round_off ? ellipse.major.angle : unknown;
   out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
-          errors ? errors->axis(ellipse.major.angle, axis, ratio) : Estimate{ellipse.major.angle},
-          {.why_no_error = errors ? no_direction : ""});
+          errors ? errors->axis(angle, axis, ratio) : Estimate{angle},
+          {.why = "no direction: the contour is a circle", .why_no_error = errors ? no_direction : ""});
 }
 
 AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool divided_by_all)
@@ -120,19 +127,23 @@ LagField acf_errors(const AcfEstimate& estimate, const LagWaves& waves, bool abs
 }  // namespace
 
 LagField acf_errors(const AcfEstimate& estimate, const Field& heights, bool absolute, int threads) {
-  return acf_errors(estimate, waves_of(estimate, heights, estimate.rho.max_lag(), threads), absolute);
+  return acf_errors(estimate, few_waves_of(estimate, heights, estimate.rho.max_lag(), threads), absolute);
 }
 
 ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
                              int threads) {
   const Shape lags = along_x ? Shape{estimate.rho.max_p(), 0} : Shape{0, estimate.rho.max_q()};
-  const LagWaves waves = waves_of(estimate, heights, lags, threads);
+  const LagWaves waves = few_waves_of(estimate, heights, lags, threads);
   auto profile = [&](const LagField& errors) -> Eigen::ArrayXd {
     return along_x ? errors.along_x() : errors.along_y();
   };
   ProfileErrors out{profile(acf_errors(estimate, waves, absolute)), profile(waves.of_structure()),
-                    student_quantile(0.025, waves.degrees())};
+                    student_quantile(0.025, waves.degrees()), Eigen::ArrayXd()};
   out.structure(0) = 0;
+  const double b = estimate.size.bias_of_lags();
+  const Eigen::ArrayXd rho = profile(estimate.rho);
+  out.bias = absolute ? Eigen::ArrayXd::Constant(rho.size(), -b * estimate.variance)
+                      : (-b / (1 + b) * (1 - rho)).eval();
   if (!estimate.size.gives_errors()) out.structure.setConstant(unknown);
   return out;
 }

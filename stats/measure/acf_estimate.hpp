@@ -2,6 +2,8 @@
 /// own long waves (stats/uncertainty/lag_waves.hpp).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +37,14 @@ struct ProfileErrors {
   Eigen::ArrayXd acf;        ///< of ρ, or of R if asked for
   Eigen::ArrayXd structure;  ///< of the structure function
   double quantile;           ///< half the 95 % interval in errors
+  Eigen::ArrayXd bias;       ///< that the field's own mean leaves, in ρ or R
+
+  /// Of the value at a lag, corrected for the bias.
+  Interval interval(double value, Index lag) const {
+    const double freed = value - bias(lag), half = quantile * acf(lag);
+    if (std::isnan(half)) return {};
+    return Interval::of(value, std::min(value, freed - half), std::max(value, freed + half));
+  }
 };
 ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
                              int threads = 1);

@@ -59,7 +59,8 @@ Estimate profile(const Differentiated& of) {
 
 constexpr Definition<Differentiated> slope_table[] = {
     {"Sdq", "1", "root mean square gradient", slope<&SlopeParameters::sdq>},
-    {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell", slope<&SlopeParameters::sdr>}};
+    {"Sdr", "1", "developed interfacial area ratio, from four triangles per cell",
+     slope<&SlopeParameters::sdr>}};
 
 constexpr Definition<Differentiated> moment_table[] = {
     {"m2_{}", "1", "mean square slope {}", profile<&ProfileSpectralMoments::m2>},
@@ -73,7 +74,8 @@ Estimate counted(const Differentiated& of) {
 }
 template <auto figure>
 Estimate expected(const Differentiated& of) {
-  return of([](const Derivatives& d) { return std::invoke(figure, expected_summits(d.moments.isotropic())); });
+  return of(
+      [](const Derivatives& d) { return std::invoke(figure, expected_summits(d.moments.isotropic())); });
 }
 
 constexpr Definition<Differentiated> summit_table[] = {
@@ -126,7 +128,8 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
   add_profiles(0, "x", "along x");
   add_profiles(std::numbers::pi / 2, "y", "along y");
   if (options.direction) add_profiles(options.direction->angle, "direction", "at " + options.direction->text);
-  out.add(summit_table, {values, errors}, {.why = summits.why_or("no value: the field has no summit"), .why_no_error = same});
+  out.add(summit_table, {values, errors},
+          {.why = summits.why_or("no value: the field has no summit"), .why_no_error = same});
   out.add(nayak_table, {values, errors},
           {.why = moments.why_or("no value: no Gaussian surface has these spectral moments"),
            .why_no_error = same});

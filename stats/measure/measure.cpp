@@ -47,7 +47,7 @@ void ParameterList::add(std::string_view symbol, std::string_view unit, std::str
                          .standard_error = estimate.standard_error,
                          .meaning = filled_in(meaning, words.meaning),
                          .interval = estimate.interval,
-                         .why = !std::isfinite(estimate.value)           ? words.why
+                         .why = !std::isfinite(estimate.value)        ? words.why
                                 : std::isnan(estimate.standard_error) ? words.why_no_error
                                                                       : ""});
 }

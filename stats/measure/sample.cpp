@@ -76,7 +76,7 @@ const CorrelationShape& Sample::shape() const {
 
 const FieldExtent& Sample::extent() const { return shape().extent; }
 
-bool Sample::correlation_gives_errors() const { return shape().negative < 0.1; }
+bool Sample::correlation_gives_errors() const { return shape().negative < 0.1 && size_.sum(1) > 0; }
 
 template <class Sums>
 void Sample::add_all(Sums& sums) const {

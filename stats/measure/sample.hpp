@@ -64,7 +64,7 @@ class Sample {
   /// The distribution that the field was drawn with or evidently has; none if that is a Gaussian's.
   std::optional<Translation> distribution() const;
   /// Whether the errors of moments follow from the correlation: where it is known, or where the estimate has
-  /// less than a tenth of Σ ρ² at negative lags. A lay has more, and Σ ρ vanishes in the noise.
+  /// less than a tenth of Σ ρ² at negative lags, and Σ ρ > 0. A lay has more, and Σ ρ vanishes in the noise.
   bool correlation_gives_errors() const;
 
   /// By the correlation that errors rest on.

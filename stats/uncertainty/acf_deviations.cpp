@@ -5,27 +5,9 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "math/noise.hpp"
-#include "stats/sample/axes.hpp"
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
-namespace {
-
-constexpr Index draws = 100;
-
-std::vector<double> found(const std::vector<std::optional<double>>& values) {
-  std::vector<double> out;
-  for (const auto& value : values)
-    if (value) out.push_back(*value);
-  return out;
-}
-
-bool too_few(const std::vector<double>& values) {
-  return static_cast<double>(values.size()) < 0.8 * static_cast<double>(draws);
-}
-
-}  // namespace
 
 AcfDeviations::AcfDeviations(std::vector<LagField> modes, double degrees)
     : modes_(std::move(modes)), degrees_(degrees) {}
@@ -56,40 +38,51 @@ Eigen::MatrixXd AcfDeviations::correlation(const std::vector<Shape>& lags) const
   return m * m.transpose();
 }
 
-std::vector<std::optional<double>> AcfDeviations::drawn(const LagField& rho, const Figure& figure,
-                                                        int threads) const {
+std::vector<AcfDeviations::Pair> AcfDeviations::displaced(const LagField& rho, const Figure& figure,
+                                                          double step, int threads) const {
   const LagField here = rho.within(max_lag());
-  Eigen::ArrayXXd xi(static_cast<Index>(modes_.size()), draws / 2);
-  WhiteNoise(1).row(0, {xi.data(), static_cast<std::size_t>(xi.size())});
-  std::vector<std::optional<double>> out(draws);
-  parallel_ranges(draws / 2, threads, [&](Index begin, Index end, int) {
-    for (Index n = begin; n < end; ++n) {
-      Field deviation = xi(0, n) * modes_[0].half_plane();
-      for (std::size_t k = 1; k < modes_.size(); ++k)
-        deviation += xi(static_cast<Index>(k), n) * modes_[k].half_plane();
-      out[static_cast<std::size_t>(2 * n)] = figure(LagField(here.half_plane() + deviation));
-      out[static_cast<std::size_t>(2 * n + 1)] = figure(LagField(here.half_plane() - deviation));
+  std::vector<Pair> out(modes_.size());
+  parallel_ranges(static_cast<Index>(modes_.size()), threads, [&](Index begin, Index end, int) {
+    for (Index k = begin; k < end; ++k) {
+      const Field by = step * modes_[static_cast<std::size_t>(k)].half_plane();
+      out[static_cast<std::size_t>(k)] = {figure(LagField(here.half_plane() + by)),
+                                          figure(LagField(here.half_plane() - by))};
     }
   });
   return out;
 }
 
+// (2), of differences by `apart`; of one side where the figure is missing on the other side.
+double AcfDeviations::error_of(const std::vector<Pair>& pairs, double here, const Difference& apart) {
+  double variance = 0;
+  for (const auto& [above, below] : pairs) {
+    if (!above && !below) return NAN;
+    double sum = 0;
+    if (above) sum += apart(*above, here);
+    if (below) sum += apart(here, *below);
+    variance += std::pow(above && below ? sum / 2 : sum, 2);
+  }
+  return std::sqrt(variance);
+}
+
 AcfDeviations::Law AcfDeviations::relative(const LagField& rho, const Figure& figure, int threads) const {
-  std::vector<double> values = found(drawn(rho, figure, threads));
   const auto here = figure(rho);
-  if (!here || too_few(values)) return {NAN, NAN};
-  const double n = static_cast<double>(values.size());
-  double mean = 0, squares = 0;
-  for (double& value : values) mean += (value = std::log(value / *here)) / n;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {std::sqrt(squares / (n - 1)), mean};
+  if (!here) return {NAN, NAN};
+  const double error =
+      error_of(displaced(rho, figure, 1, threads), *here, [](double a, double b) { return std::log(a / b); });
+  const double step = std::sqrt(static_cast<double>(modes_.size()));
+  double sum = 0, count = 0;
+  for (const auto& [above, below] : displaced(rho, figure, step, threads))
+    if (above && below) sum += std::log(*above / *here) + std::log(*below / *here), count += 2;
+  return {error, count > 0 ? sum / count : 0};
 }
 
 double AcfDeviations::of_axis(const LagField& rho, const Figure& figure, int threads) const {
-  const std::vector<double> angles = found(drawn(rho, figure, threads));
-  if (too_few(angles)) return NAN;
-  const double spread = axial_spread(angles);
-  return quantile(0.025) * spread < std::numbers::pi / 2 ? spread : NAN;
+  const auto here = figure(rho);
+  if (!here) return NAN;
+  const double error = error_of(displaced(rho, figure, 1, threads), *here,
+                                [](double a, double b) { return std::remainder(a - b, std::numbers::pi); });
+  return quantile(0.025) * error < std::numbers::pi / 2 ? error : NAN;
 }
 
 }  // namespace asperity

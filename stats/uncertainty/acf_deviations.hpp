@@ -1,12 +1,17 @@
 /// How far an estimated autocorrelation may be from the true one, at all lags together.
 ///
-/// The deviation of ρ, a field over the lags, is a sum Σ_k ξ_k m_k of modes m_k with independent ξ_k of
+/// The deviation of ρ, a field over the lags, is a sum Σ_k ξ_k m_k of K modes m_k with independent ξ_k of
 /// variance 1. Then
 ///     Var[ρ(h)] = Σ_k m_k(h)²,      Cov[ρ(h), ρ(g)] = Σ_k m_k(h) m_k(g),                              (1)
-/// and a figure of the autocorrelation, as its texture aspect ratio, has the error and the bias of its values
-/// for drawn ρ + Σ_k ξ_k m_k: however it depends on the lags, and though their errors are correlated.
+/// and a figure F of the autocorrelation, as its texture aspect ratio, has the variance and the bias
+///     Var[F] = Σ_k [(F(ρ + m_k) - F(ρ - m_k))/2]²,                                                    (2)
+///     1/(2K) Σ_k [F(ρ + √K m_k) + F(ρ - √K m_k)] - F(ρ),                                              (3)
+/// however it depends on the lags, and though their errors are correlated; (3) also where F has a kink, as the
+/// least of many lengths has (the unscented transform).
 ///
 /// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp).
+///
+/// S. J. Julier, J. K. Uhlmann, Unscented filtering and nonlinear estimation, Proc. IEEE 92 (2004) 401-422.
 #pragma once
 
 #include <functional>
@@ -40,15 +45,20 @@ class AcfDeviations {
   /// A figure of ρ; none if this ρ has no such figure.
   using Figure = std::function<std::optional<double>(const LagField& rho)>;
   struct Law {
-    double error, bias;  ///< NaN if a fifth of the drawn ρ has no such figure
+    double error, bias;  ///< NaN if ρ and both sides of a mode have no such figure
   };
-  /// Of a positive figure, relative to it.
+  /// Of the logarithm of a positive figure.
   Law relative(const LagField& rho, const Figure& figure, int threads = 1) const;
   /// The error of an axis [rad], of period π; NaN also if no direction is preferred.
   double of_axis(const LagField& rho, const Figure& figure, int threads = 1) const;
 
  private:
-  std::vector<std::optional<double>> drawn(const LagField& rho, const Figure& figure, int threads) const;
+  struct Pair {
+    std::optional<double> above, below;
+  };
+  std::vector<Pair> displaced(const LagField& rho, const Figure& figure, double step, int threads) const;
+  using Difference = std::function<double(double, double)>;
+  static double error_of(const std::vector<Pair>& pairs, double here, const Difference& apart);
 
   std::vector<LagField> modes_;
   double degrees_;

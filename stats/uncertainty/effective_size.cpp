@@ -61,7 +61,9 @@ EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, c
       [&](Index p, Index q, double weight) { squares += weight * std::pow((tail(p, q) + b) / (1 + b), 2); });
   const double s2 = std::max(1.0, squares / (1 + lags / n));
   const Field& values = admitted.half_plane();
-  EffectiveSampleSize size(LagField((values != 0).select((values + b) / (1 + b), 0)), pairs);
+  // Of few pairs, an estimate exceeds 1, and its powers all bounds.
+  const Field freed = ((values + b) / (1 + b)).min(1).max(-1);
+  EffectiveSampleSize size(LagField((values != 0).select(freed, 0)), pairs);
   size.sums_[1] = s1 * (1 + lost_of_first * (s2 / n));
   size.sums_[2] = s2 * (1 + lost_of_second * (s2 / n));
   size.degrees_ = size.effective(2) / 8;

@@ -14,6 +14,9 @@
 /// end hardly ever fails, so that the upper end has the whole probability 2a. The slowest decay is the
 /// greatest of the lengths; its interval is the mirror image.
 ///
+/// SE is known to 1/√(2K) only, differently in each direction, and an extreme would choose the direction by it:
+/// for Sal and the slowest decay SE² is its mean over all lags of nearly the same ρ'.
+///
 /// Symbols   ρ  estimate, 1 at lag zero    λ(f)  where f = t
 /// Accuracy  coverage: validation/error_coverage and statistics_coverage.
 /// Cost      a pass over the lags per end; for Sal one to four simulations, 5 ms each.
@@ -40,7 +43,7 @@ class LengthIntervals {
 
  private:
   /// ρ' + u SE at all lags.
-  LagField band(double u) const;
+  static LagField band(const LagField& freed, double u, const LagField& strays);
   /// Sal or the slowest decay for this ρ; infinite if it exceeds the lags.
   enum class Decay { r_min, r_max };
   double length_of(Decay decay, const LagField& rho, double level) const;
@@ -59,6 +62,7 @@ class LengthIntervals {
   Grid grid_;
   AcfDeviations deviations_;
   LagField freed_, strays_;  ///< ρ', SE
+  LagField even_;            ///< SE as a function of ρ' alone
 };
 
 }  // namespace asperity

@@ -99,6 +99,7 @@ void set_intervals(std::vector<Frequency>& frequencies, double most, Index degre
       else
         it->error = std::sqrt(variance / independent);
       it->interval = score_interval(it->value, independent, most, t);
+      if (it->value == 0) it->error = it->interval.high / (2 * t);
     }
   };
   set(top, frequencies.end());

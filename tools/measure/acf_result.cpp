@@ -19,7 +19,7 @@ void add_profile(Table& table, const AcfResult& result, bool absolute, bool x) {
   for (Index lag = 0; lag <= lags; ++lag) {
     const Index p = x ? lag : 0, q = x ? 0 : lag;
     const double value = scale * estimate.rho(p, q), error = errors.acf(lag);
-    const Interval ends = Interval::about(value, errors.quantile * error);
+    const Interval ends = errors.interval(value, lag);
     std::vector<Cell> row{x ? "x" : "y", static_cast<double>(lag) * spacing, value, error, ends.low,
                           ends.high};
     if (result.target) row.push_back(scale * (*result.target)(p, q));
