@@ -224,9 +224,16 @@ void declare(cli::Tool& tool, Options& what) {
       "lengths");
   tool.accuracy(
       "The estimate equals the direct sum over pairs to round-off. Standard errors come from the field's own "
-      "longest waves, whatever its heights; those of neighbouring lags are strongly correlated. Subtracting "
+      "longest waves, whatever its heights; those of neighbouring lags are strongly correlated. Of 200 "
+      "simulated "
+      "square fields of each of eleven textures (N_eff 290 to 1230) errors of lags and of lengths at 1/e "
+      "were "
+      "0.86 to 1.15 times the true ones, and 88 to 98 % of the 95 % intervals held the true value; for "
+      "lengths "
+      "at 10 %, near the noise of the lags, and ellipticities 0.95 to 2 times and 84 to 98 %. Subtracting "
       "the field's mean "
-      "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats). Lengths are "
+      "lowers all lags by the variance of that mean, R(0,0) / N_eff_mean (asperity-stats); intervals allow "
+      "for it. Lengths are "
       "interpolated in ln R, which is exact for an exponential. With missing points only pairs of two "
       "measured points count; a lag without such a pair is NaN. Over several surfaces the standard error is "
       "the "

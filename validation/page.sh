@@ -59,11 +59,11 @@ text() { { echo; cat; } >>"$page"; }
 # wanted PROGRAM: whether to run it, that is, unless --again names other programs only.
 wanted() { [[ ! -v again || $again == *" $1 "* ]]; }
 
-# run PROGRAM [ARGUMENT...]: runs it and stores its tables.
+# run PROGRAM[@NAME] [ARGUMENT...]: runs it and stores its tables.
 run() {
   local start=$SECONDS
   wanted "$1" || return 0
-  "$programs/$1" "${@:2}" >"$results/$1.out"
+  "$programs/${1%@*}" "${@:2}" >"$results/$1.out"
   awk -F'\t' -v to="$results/$1" '
     /^# .*\t/ { close(file); file = to "-" ++tables ".tsv"; sub(/^# /, ""); print >file; next }
     /^#/ || NF < 2 || !file { next }

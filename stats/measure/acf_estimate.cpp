@@ -94,10 +94,10 @@ void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& gri
   out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", ratio,
           {.meaning = level_text});
   constexpr double round_off = 1e-9;
-  const double angle = ellipse.gamma() > 1 + round_off ? ellipse.major.angle : unknown;
+  if (ellipse.gamma() <= 1 + round_off) return;  // a circle
   out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
-          errors ? errors->axis(angle, axis, ratio) : Estimate{angle},
-          {.why = "no direction: the contour is a circle", .why_no_error = errors ? no_direction : ""});
+          errors ? errors->axis(ellipse.major.angle, axis, ratio) : Estimate{ellipse.major.angle},
+          {.why_no_error = errors ? no_direction : ""});
 }
 
 AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool divided_by_all)

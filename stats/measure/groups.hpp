@@ -58,7 +58,7 @@ class ParameterList {
 /// Why the direction of a contour has no error.
 inline constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
 
-/// The ellipticity and the direction of the contour at a level, by these names.
+/// The ellipticity of the contour at a level and, unless it is a circle, its direction, by these names.
 void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
                  const std::string& level_text, const std::array<std::string, 2>& names,
                  const LengthErrors* errors);

@@ -32,13 +32,9 @@ template <auto value>
 Estimate extreme(const Heights& h) {
   return {h.m.*value};
 }
-// Of a known correlation it is exact.
 template <int k>
 Estimate worth(const Heights& h) {
-  const double value = h.size.effective(k), relative = std::sqrt(2 / h.size.degrees());
-  if (!std::isfinite(value)) return {unknown};
-  if (!(relative > 0)) return {value};
-  return {value, value * relative, Interval::of_ratio(value, half_width_95 * relative, h.size.points())};
+  return {std::isfinite(h.size.effective(k)) ? h.size.effective(k) : unknown};
 }
 
 // The kurtosis of any distribution is 1 at least.

@@ -6,8 +6,8 @@
 /// and a figure F of the autocorrelation, as its texture aspect ratio, has the variance and the bias
 ///     Var[F] = Σ_k [(F(ρ + m_k) - F(ρ - m_k))/2]²,                                                    (2)
 ///     1/(2K) Σ_k [F(ρ + √K m_k) + F(ρ - √K m_k)] - F(ρ),                                              (3)
-/// however it depends on the lags, and though their errors are correlated; (3) also where F has a kink, as the
-/// least of many lengths has (the unscented transform).
+/// however it depends on the lags, and though their errors are correlated; (3) also where F has a kink, as
+/// the least of many lengths has (the unscented transform).
 ///
 /// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp).
 ///

@@ -9,14 +9,18 @@
 /// which is small where z' hardly differs from z. R(0,0) is the mean over the field, Q that over the pairs;
 /// they differ by the points near the edges, which makes ρ deviate by ρ (Q/R(0,0) - 1) beside (2).
 ///
-/// J² is 5 at least, and as f is not known point by point, the loss (3) there is 1.4/√N_eff here, 0.4 at most.
+/// J² is 5 at least, and as f is not known point by point, the loss (3) there is 1.4/√N_eff here, 0.4 at
+/// most.
 ///
 /// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
 /// wave of the shortest; a block's products at all lags are a correlation by the FFT.
 ///
 /// Symbols   K  waves      ν  half waves      P, Q  longest lags
 /// Scope     long_waves.hpp; lags up to half the field.
-/// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage.
+/// Accuracy  the error itself is known to 1/√(2K). Of 200 fields of each of eleven textures, N_eff 290 to
+///           1230, errors of ρ are 0.86 to 1.15 times the true ones, those of S 0.94 to 1.16, and 88 to 98 %
+///           of the 95 % intervals hold the truth (validation/error_coverage). A field and its mirror image
+///           differ in them by chance, as a pair belongs to the block of its first point.
 /// Cost      for B blocks of bx × by points three transforms of (bx + P)(by + 2Q) points each, nine with
 ///           missing heights. Memory: 4K fields over the lags.
 #pragma once

@@ -14,11 +14,13 @@
 /// end hardly ever fails, so that the upper end has the whole probability 2a. The slowest decay is the
 /// greatest of the lengths; its interval is the mirror image.
 ///
-/// SE is known to 1/√(2K) only, differently in each direction, and an extreme would choose the direction by it:
-/// for Sal and the slowest decay SE² is its mean over all lags of nearly the same ρ'.
+/// SE is known to 1/√(2K) only, differently in each direction, and an extreme would choose the direction by
+/// it: for Sal and the slowest decay SE² is its mean over all lags of nearly the same ρ'.
 ///
 /// Symbols   ρ  estimate, 1 at lag zero    λ(f)  where f = t
-/// Accuracy  coverage: validation/error_coverage and statistics_coverage.
+/// Accuracy  of 200 fields of each of eleven textures, N_eff 290 to 1230, 95 % intervals cover 96 to 100 %
+///           (Sal), 89 to 98 % (lengths at 1/e) and 88 to 96 % (at 10 %); at N_eff 33 to 140 see
+///           validation/error_coverage.
 /// Cost      a pass over the lags per end; for Sal one to four simulations, 5 ms each.
 #pragma once
 

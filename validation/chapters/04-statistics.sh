@@ -2,6 +2,7 @@ heading "Statistics"
 run moments_error_time "$(size 128 2048)"
 run statistics_coverage "$(size 50 400)"
 run error_coverage $(size "20 lay_along_x 64x64" "200 all")
+run error_coverage@few $(size "10 lay_along_y 32x32 4" "200 all 64x64 6")
 run prescription_power "$(size 40 2000)"
 
 text <<'END'
@@ -66,6 +67,13 @@ the wave number 40 of the Gaussian correlation nothing but leakage of the window
 over profiles, intervals of those with heavy tails cover too little: a few profiles decide the spread of Pku and PSm. Lengths at
 10 % lie near the noise of the lags: the upper end of their interval is often open. Where the texture has no direction, Str and
 the ellipticities are biased by up to 1.6 of their errors, which the intervals allow for.
+
+The same of fields of few correlation lengths, N_eff 33 to 140:
+END
+table error_coverage@few-2
+text <<'END'
+Lengths at 10 % and the slowest decay have no upper end in most of these fields. What follows a few profiles or heights is known to
+little more than its size.
 
 False alarms of `asperity-validate`, in per cent, at a stated 1 and 5 %; errors from theory if heights are Gaussian, else from
 surfaces that are drawn as prescribed:
