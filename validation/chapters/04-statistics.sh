@@ -43,13 +43,13 @@ The same for correlation lengths, Sal and those along x at 1/e and 10 %, with th
 the true value:
 END
 table statistics_coverage-2
-claim "Intervals of lengths cover at least 95 %, within four standard errors of the count." statistics_coverage-2 1 \
+claim "Intervals of lengths cover at least 95 % from N_eff = 100 on, within four standard errors of the count." statistics_coverage-2 '$c["N_eff"] >= 100' \
   'least($c["Sal"], least($c["e"], $c["tenth"])) >= '"$(size 82.6 90.6)"
 text <<'END'
-An interval ends where the correlation differs from the level by 1.96 standard errors of the lag at that end. With the standard
+An interval ends where the correlation differs from the level by Student's t of its standard errors at that end. With the standard
 error at the estimated length for both ends, a tenth to a fifth of the intervals of a field of few correlation lengths would lie
 entirely below the true value. If the upper side never falls to the level the interval has no upper end, and can miss on one side
-only.
+only. Errors are those of the field's own long waves; of the correlation, only the bias by the field's mean is known.
 
 Every figure with an error of `asperity-stats --errors theory`, `-acf`, `-psd` and `-pdf`, on textures of which nothing is assumed:
 exponential, Gaussian, self-affine (H 0.3 and 0.8), lays along either axis, two scales, and exponential ones with lognormal,
