@@ -67,12 +67,18 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
 
 // What the lengths found, of one surface or the means of several, have to be doubted for.
 void warn_of_lengths(const cli::Tool& tool, const Options& what, const Parameters& lengths, const Grid& grid,
-                     const EffectiveSampleSize* size = nullptr) {
+                     const AcfEstimate* estimate = nullptr) {
+  // Holes such as a checkerboard's leave no pair of neighbours.
+  if (estimate != nullptr && (std::isnan(estimate->rho(1, 0)) || std::isnan(estimate->rho(0, 1)))) {
+    tool.warn(
+        "no two neighbouring points are both measured: the ACF at lag 1 is unknown, and so are lengths");
+    return warn_of_few(tool, estimate->size);
+  }
   for (const AcfLevel& level : levels_of(what.levels))
     if (std::ranges::find(lengths, "gamma_" + level.tag, &Parameter::name) == lengths.end())
       tool.warn("in some direction the ACF does not fall to " + level.text +
                 " within the lags; increase --max-lag");
-  if (size != nullptr) warn_of_few(tool, *size);
+  if (estimate != nullptr) warn_of_few(tool, estimate->size);
   for (const Parameter& row : lengths)
     if (row.name.starts_with("length_") && !cli::warn_of_length(tool, row.name, row.value, grid)) break;
 }
@@ -131,7 +137,7 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
     return cli::print(tool, acf_profiles(result, content(surface, what)));
   }
   const Parameters lengths = lengths_of(result, what);
-  warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate.size);
+  warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate);
   if (!what.result.dataset()) return cli::print(tool, lengths);
   const cli::Inventory before(data);
   add_acf(data, result, lengths, content(surface, what));

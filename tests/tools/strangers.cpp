@@ -149,3 +149,18 @@ TEST_CASE("skewed surfaces whose mean takes much of the variance are not found t
   CHECK(shell("asperity-validate -q w_*.nc").exit == 0);
   CHECK(shell("asperity-validate -q u_*.nc").exit == 0);
 }
+
+// It printed no row and said to increase --max-lag.
+TEST_CASE("asperity-acf says that holes like a checkerboard's leave no lengths",
+          "[strangers][acf][contract]") {
+  const Outcome run = shell(
+      "for i in $(seq 24); do for j in $(seq 24); do [ $(((i + j) % 2)) = 0 ] && printf \"$((i * j % 7)) \" "
+      "|| "
+      "printf 'nan '; done; echo; done > checkerboard.txt; asperity-convert checkerboard.txt --size 24um "
+      "--unit "
+      "um -o checkerboard.nc && asperity-acf --result lengths checkerboard.nc");
+  CAPTURE(run.out, run.error);
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.error, ContainsSubstring("no two neighbouring points are both measured"));
+  CHECK_THAT(run.error, !ContainsSubstring("--max-lag"));
+}
