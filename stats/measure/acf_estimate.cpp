@@ -157,7 +157,7 @@ LengthErrors::LengthErrors(const AcfEstimate& estimate, const Field& heights, do
       rho_(estimate.rho.within(deviations_.max_lag())),
       intervals_(rho_, grid_, deviations_, estimate.size.bias_of_lags()) {}
 
-// By the slope of ρ where too many of the drawn ρ have no such length.
+// By the slope of ρ where a mode leaves ρ without such a length on both sides.
 Estimate LengthErrors::length(double level, const Reach& reach, const AcfDeviations::Figure& figure,
                               const Interval& interval) const {
   const double relative = deviations_.relative(rho_, figure, threads_).error;

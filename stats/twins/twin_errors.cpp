@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -9,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "stats/sample/axes.hpp"
 
 namespace asperity {
 namespace {
@@ -36,6 +36,14 @@ bool is_height(Group group) {
 }
 
 bool is_angle(const Parameter& p) { return p.unit == "rad"; }
+
+// √(-½ ln |mean exp(2iθ)|), the standard deviation of axes if it is small, and large without a preferred one:
+// K. V. Mardia, P. E. Jupp, Directional statistics, Wiley (2000), section 2.3.
+double axial_spread(const std::vector<double>& angles) {
+  std::complex<double> sum = 0;
+  for (const double angle : angles) sum += std::polar(1.0, 2 * angle);
+  return 0.5 * std::sqrt(-2 * std::log(std::min(1.0, std::abs(sum) / static_cast<double>(angles.size()))));
+}
 
 struct Spread {
   double mean = 0, deviation = 0;

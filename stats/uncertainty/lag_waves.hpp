@@ -9,8 +9,8 @@
 /// which is small where z' hardly differs from z. R(0,0) is the mean over the field, Q that over the pairs;
 /// they differ by the points near the edges, which makes ρ deviate by ρ (Q/R(0,0) - 1) beside (2).
 ///
-/// J² is 5 at least, and as f is not known point by point, the loss (3) there is 1.4/√N_eff here, 0.4 at
-/// most.
+/// J² is 5 at least. As the variance of f at one point is not known, the loss L is 1.4/√N_eff, 0.4 at most,
+/// an empirical value.
 ///
 /// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
 /// wave of the shortest; a block's products at all lags are a correlation by the FFT.

@@ -186,3 +186,18 @@ TEST_CASE("a field whose holes are at its edge has the statistics of what they l
   const LagField S = structure_function(z, g, {9, 8}), S_alone = structure_function(inner, h, {9, 8});
   CHECK((S.half_plane() - S_alone.half_plane()).abs().maxCoeff() <= 40 * epsilon * inner.square().sum());
 }
+
+// Of few pairs an estimated correlation exceeds 1, whose 512th power gave Sa an error of 1e43. Of 200 points, some
+// independent, Sa is known to half of itself at least.
+TEST_CASE("few pairs of points leave the errors of moments finite", "[missing][effective-size][law]") {
+  const Grid g = grid(64, 64);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Field chance = random_field(g.shape, 400 + seed);
+    const Field z = (chance < 0.9).select(none, remove_form(moving_average(g.shape, {6, 6}, seed)));
+    const Pairs pairs = Pairs::of(z, g);
+    const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(g)});
+    const MomentErrors errors = standard_errors({.sq = 1}, EffectiveSampleSize::of_estimate(acf, pairs));
+    CAPTURE(seed, errors.sa);
+    CHECK(errors.sa <= 0.5);
+  }
+}
