@@ -16,7 +16,7 @@ namespace asperity {
 
 /// Of the density that moves with the mean of heights of this rms value.
 inline double mean_bandwidth(double sq, const FieldExtent& extent) {
-  return 0.53 * sq * std::pow(std::max(extent.n_eff, 1.0), -0.2);
+  return 0.53 * sq * std::pow(std::max(extent.patches, 1.0), -0.2);
 }
 
 class HeightClasses {

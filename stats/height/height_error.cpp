@@ -56,6 +56,11 @@ void QuantileErrors::add(const Field& rows, int) {
               [this](double z) { return std::ranges::lower_bound(ascending_, z) - ascending_.begin(); });
 }
 
+double QuantileErrors::left_by_mean() const {
+  const ShareErrors::Function none(errors_);
+  return asperity::left_by_mean(none.error(1), errors_.rms());
+}
+
 double QuantileErrors::with_mean(std::size_t k, double density) const {
   ShareErrors::Function below(errors_);
   below.add(std::ranges::lower_bound(ascending_, heights_[k]) - ascending_.begin(), 1);

@@ -6,7 +6,8 @@
 /// by the density φ at q: with the error e of the share, the field's own quantiles q(s), and the error e' of
 /// the mean of [1 if z ≤ q] + φ z, it has the error e'/φ, and Woodruff's interval, Student's t,
 ///     q(s - t e) … q(s + t e),                                                                          (1)
-/// wider by the factor e'/e on both sides.
+/// wider by the factor e'/e on both sides, and open where s ± t e is no share. Subtracting the field's own
+/// mean lowers all heights to √(1 - Var[z̄]/σ²), which intervals of Sq, Sa and quantiles allow for.
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 80 operations a point; another one for quantiles, of some 30.
@@ -15,6 +16,8 @@
 /// J. Am. Stat. Assoc. 47 (1952) 635-646.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -37,13 +40,18 @@ class HeightErrors {
 
   /// Of a function of mean, sa, sq, ssk and sku.
   double operator()(const Function& parameter) const;
-  Index degrees() const { return means_.degrees(); }  ///< of freedom
+  double degrees() const { return means_.degrees(); }  ///< of freedom
 
  private:
   double mean_, sq_;
   LocalSums sums_;
   LocalMeans means_ = {};
 };
+
+/// Part of the rms height that subtracting a mean of this error leaves; √½ at least.
+inline double left_by_mean(double error_of_mean, double sq) {
+  return std::sqrt(std::max(0.5, 1 - std::pow(error_of_mean / sq, 2)));
+}
 
 /// Standard errors of the shares of a field below some heights, and of these heights.
 class QuantileErrors {
@@ -57,7 +65,9 @@ class QuantileErrors {
   double operator()(std::size_t k) const { return with_mean(k, 0); }
   /// Of that share plus `density` times the mean of the field.
   double with_mean(std::size_t k, double density) const;
-  Index degrees() const { return errors_.degrees(); }  ///< of freedom
+  /// Part of the rms height that the field's own mean leaves.
+  double left_by_mean() const;
+  double degrees() const { return errors_.degrees(); }  ///< of freedom
 
  private:
   std::vector<double> heights_, ascending_;

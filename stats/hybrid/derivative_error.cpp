@@ -8,14 +8,29 @@ namespace {
 
 // Columns of LocalSums, less the first: means of z, of products of derivatives, and at summits.
 enum Local {
-  first, s00, s20, s11, s02, s40, s31, s22, s13, s04,  // as in spectral_moments.cpp
-  excess, summit, height, square, curvature, local
+  first,
+  s00,
+  s20,
+  s11,
+  s02,
+  s40,
+  s31,
+  s22,
+  s13,
+  s04,  // as in spectral_moments.cpp
+  excess,
+  summit,
+  height,
+  square,
+  curvature,
+  local
 };
 
 Derivatives derivatives(const Eigen::VectorXd& m, const Grid& grid) {
   Derivatives out;
   out.slopes = {.sdq = std::sqrt(m(s20) + m(s02)), .sdr = m(excess)};
-  out.moments = {m(s00) - m(first) * m(first), m(s20), m(s11), m(s02), m(s40), m(s31), m(s22), m(s13), m(s04)};
+  out.moments = {
+      m(s00) - m(first) * m(first), m(s20), m(s11), m(s02), m(s40), m(s31), m(s22), m(s13), m(s04)};
   out.summits.density = m(summit) / grid.cell_area();
   const double height_of = m(height) / m(summit);
   out.summits.mean_height = height_of - m(first);
@@ -58,6 +73,16 @@ void DerivativeErrors::add(const Strip& strip, double level, int threads) {
     const Row is = around.isNaN().select(around, (middle(here) > top).cast<double>());
     set(summit, is), set(height, is * z), set(square, is * z.square());
     set(curvature, -0.5 * is * (zxx + zyy));
+  });
+}
+
+double DerivativeErrors::left_by_mean(const Function& parameter) const {
+  return means_([&](const Eigen::VectorXd& means) {
+    const double of_mean = means_.error([](const Eigen::VectorXd&m) { return m(first); }),
+                 taken = std::min(of_mean * of_mean, means(s00));
+    Eigen::VectorXd freed = means;
+    freed(s00) += taken, freed(square) += means(summit) * taken;
+    return std::log(parameter(derivatives(means, grid_)) / parameter(derivatives(freed, grid_)));
   });
 }
 

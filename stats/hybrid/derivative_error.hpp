@@ -35,7 +35,9 @@ class DerivativeErrors {
   void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   double operator()(const Function& parameter) const;
-  Index degrees() const { return means_.degrees(); }  ///< of freedom
+  /// Logarithm of what subtracting the field's own mean leaves of a parameter.
+  double left_by_mean(const Function& parameter) const;
+  double degrees() const { return means_.degrees(); }  ///< of freedom
 
  private:
   Grid grid_;

@@ -35,12 +35,12 @@ AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) 
 }
 
 LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
-  return {heights, estimate.grid(), max_lag, estimate.basis.shape().extent, threads};
+  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads};
 }
 
 // At lags up to half the field, of seven waves at most: time and memory grow with their number.
 LagWaves few_waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
-  return {heights, estimate.grid(), max_lag, estimate.basis.shape().extent, threads, LagWaves::Number::few};
+  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads, LagWaves::Number::few};
 }
 
 // The lengths at one level, of a target or of the estimate; only the latter has errors.

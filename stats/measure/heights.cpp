@@ -67,10 +67,20 @@ constexpr Definition<Heights> height_table[] = {
     {"N_eff_Ssk", "1", "effective sample size for Ssk", worth<3>},
     {"N_eff_Sku", "1", "effective sample size for Sku", worth<4>}};
 
+// A large skewness has a large error: its inverse hyperbolic sine, and 1/Sku, vary more evenly.
+Interval of_skewness(double value, double half_width) {
+  const double middle = std::asinh(value), width = half_width / std::hypot(1, value);
+  return Interval::of(value, std::sinh(middle - width), std::sinh(middle + width));
+}
+Interval of_kurtosis(double value, double width) {
+  return Interval::of(value, value / (1 + width),
+                      width < 1 ? value / (1 - width) : std::numeric_limits<double>::infinity());
+}
+
 // From the field's own long waves, whatever its heights.
 Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
   const Moments& m = sample.moments();
-  const double t = student_quantile(0.025, static_cast<double>(errors.degrees()));
+  const double t = student_quantile(0.025, errors.degrees());
   Heights out{sample.surface().level, m, sample.size(), {}, {}};
   out.error = {.mean = errors([](const Moments& of) { return of.mean; }),
                .sa = errors([](const Moments& of) { return of.sa; }),
@@ -78,7 +88,7 @@ Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
                .ssk = errors([](const Moments& of) { return of.ssk; }),
                .sku = errors([](const Moments& of) { return of.sku; })};
   // Of heights that the field's own mean has lowered.
-  const double left = std::sqrt(std::max(0.5, 1 - std::pow(out.error.mean / m.sq, 2)));
+  const double left = left_by_mean(out.error.mean, m.sq);
   auto of_scale = [&](double value, double error) {
     const double width = t * error / value;
     return Interval::of(value, std::min(value, value / left * std::exp(-width)),
@@ -87,8 +97,8 @@ Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
   out.interval = {.mean = Interval::about(m.mean, t * out.error.mean),
                   .sa = of_scale(m.sa, out.error.sa),
                   .sq = of_scale(m.sq, out.error.sq),
-                  .ssk = Interval::about(m.ssk, t * out.error.ssk),
-                  .sku = Interval::of_ratio(m.sku, t * out.error.sku / m.sku)};
+                  .ssk = of_skewness(m.ssk, t * out.error.ssk),
+                  .sku = of_kurtosis(m.sku, t * out.error.sku / m.sku)};
   return out;
 }
 

@@ -41,9 +41,11 @@ struct Differentiated {
     const double value = parameter(values), error = errors ? (*errors)(parameter) : unknown;
     constexpr double round_off = 1e-12;
     if (!(error > round_off * value && value > 0)) return {value};
-    const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
-    const Interval ends = Interval::of_ratio(value, t * error / value);
-    return {value, error, Interval::of(value, std::max(std::min(least, value), ends.low), ends.high)};
+    const double t = student_quantile(0.025, errors->degrees());
+    const double freed = value * std::exp(-errors->left_by_mean(parameter)), width = t * error / value;
+    return {value, error,
+            Interval::of(value, std::max(std::min(least, value), std::min(value, freed * std::exp(-width))),
+                         std::max(value, freed * std::exp(width)))};
   }
 };
 

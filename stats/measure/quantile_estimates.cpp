@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stats/height/material_ratio.hpp"
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
                                          const std::vector<double>& heights, Origin origin) {
@@ -29,7 +35,7 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
   }
   std::vector<double> width;
   for (std::size_t k = 0; k < shares.size(); ++k) width.push_back((*errors)(k));
-  const double t = student_quantile(0.025, static_cast<double>(errors->degrees()));
+  const double t = student_quantile(0.025, errors->degrees());
   const std::vector<double> near = quantiles_beside(width);
   for (double& w : width) w *= t;
   const std::vector<double> ends = quantiles_beside(width);
@@ -40,8 +46,13 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
                  of_all = errors->with_mean(k, density) / share;
     out[k].standard_error = of_all * apart / 2;
-    out[k].interval = Interval::of(heights[k], heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
-                                   heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0));
+    // Of heights that the field's own mean has lowered; open where the field holds no such share.
+    const double left = origin == Origin::own_mean ? errors->left_by_mean() : 1,
+                 low = heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
+                 high = heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0);
+    out[k].interval =
+        Interval::of(heights[k], shares[k] > width[k] ? std::min(heights[k], low / left) : -unlimited,
+                     1 - shares[k] > width[k] ? std::max(heights[k], high / left) : unlimited);
   }
   return out;
 }

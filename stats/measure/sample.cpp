@@ -69,14 +69,10 @@ std::optional<Translation> Sample::distribution() const {
                                : evident_translation(moments(), standard_errors(moments(), size_));
 }
 
-const CorrelationShape& Sample::shape() const {
-  if (!shape_) shape_ = basis().shape();
-  return *shape_;
+const FieldExtent& Sample::extent() const {
+  if (!extent_) extent_ = basis().extent();
+  return *extent_;
 }
-
-const FieldExtent& Sample::extent() const { return shape().extent; }
-
-bool Sample::correlation_gives_errors() const { return shape().negative < 0.1 && size_.sum(1) > 0; }
 
 template <class Sums>
 void Sample::add_all(Sums& sums) const {

@@ -63,9 +63,8 @@ class Sample {
   CountedSummits summits() const { return sums_.derivatives.summits.summits(grid()); }
   /// The distribution that the field was drawn with or evidently has; none if that is a Gaussian's.
   std::optional<Translation> distribution() const;
-  /// Whether the errors of moments follow from the correlation: where it is known, or where the estimate has
-  /// less than a tenth of Σ ρ² at negative lags, and Σ ρ > 0. A lay has more, and Σ ρ vanishes in the noise.
-  bool correlation_gives_errors() const;
+  /// Whether the errors of moments follow from the correlation: where it is known, and Σ ρ > 0.
+  bool correlation_gives_errors() const { return !basis().estimated && size_.sum(1) > 0; }
 
   /// By the correlation that errors rest on.
   const FieldExtent& extent() const;
@@ -82,7 +81,6 @@ class Sample {
   ProfileAverages profiles(Axis1D along, double section) const;
 
  private:
-  const CorrelationShape& shape() const;
   const std::vector<HeightBin>& bins() const;
   template <class Sums>
   void add_all(Sums& sums) const;
@@ -94,7 +92,7 @@ class Sample {
   EffectiveSampleSize size_;
   int threads_;
   bool errors_ = true;
-  mutable std::optional<CorrelationShape> shape_ = {};
+  mutable std::optional<FieldExtent> extent_ = {};
   mutable std::optional<std::vector<HeightBin>> bins_ = {};
 };
 

@@ -53,19 +53,18 @@ ErrorBasis error_basis(const Surface& surface, int threads) {
   return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs};
 }
 
-CorrelationShape ErrorBasis::shape() const {
-  double negative = 0, all = 0, along_x = 0, along_y = 0;
+FieldExtent ErrorBasis::extent() const {
+  double all = 0, along_x = 0, along_y = 0;
   const LagField rho = known_lags().normalised();
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double square = weight * rho(p, q) * rho(p, q);
     all += square;
     along_x += square * static_cast<double>(std::abs(p));
     along_y += square * static_cast<double>(std::abs(q));
-    if (rho(p, q) < 0) negative += square;
   });
   const auto [nx, ny] = pairs.grid().shape;
   auto lengths = [all](Index n, double along) { return static_cast<double>(n) / (0.5 + along / all); };
-  return {{size().effective(2), lengths(nx, along_x) / lengths(ny, along_y)}, estimated ? negative / all : 0};
+  return {size().patches(), lengths(nx, along_x) / lengths(ny, along_y)};
 }
 
 std::string rounded(double independent) { return shortest(std::round(10 * independent) / 10); }

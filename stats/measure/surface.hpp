@@ -45,12 +45,6 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads = 
 /// Throws DataError(variable, …) if heights up to `largest` are round-off of values up to `size`.
 void refuse_round_off(double largest, double size, int degree, const std::string& variable);
 
-/// What the long waves of a field depend on (stats/uncertainty/long_waves.hpp).
-struct CorrelationShape {
-  FieldExtent extent;
-  double negative;  ///< share of Σ ρ² at negative lags of an estimate; 0 of a known correlation
-};
-
 /// The correlation that errors rest on, known or estimated, and the pairs of points that the field has.
 struct ErrorBasis {
   LagField correlation;
@@ -64,7 +58,8 @@ struct ErrorBasis {
   }
   /// The correlation; zero at lags where an estimate is not significant.
   LagField known_lags() const { return estimated ? significant_lags(correlation, pairs) : correlation; }
-  CorrelationShape shape() const;
+  /// What the long waves of the field depend on.
+  FieldExtent extent() const;
 };
 
 /// The known correlation, else the estimate up to half the field.

@@ -34,10 +34,21 @@ std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   return lags;
 }
 
+// ρ_1.
+double at_nearest_lag(const LagField& correlation) {
+  auto at = [&](Index p, Index q) {
+    const bool held = p <= correlation.max_p() && q <= correlation.max_q();
+    return held ? std::abs(correlation(p, q) / correlation(0, 0)) : 0;
+  };
+  return std::clamp(std::max(at(1, 0), at(0, 1)), 0.1, 1.0);
+}
+
 }  // namespace
 
 EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs)
-    : points_(pairs.points()), sums_(CorrelationAlgebra(correlation, pairs).power_sums()) {}
+    : points_(pairs.points()),
+      beside_(at_nearest_lag(correlation)),
+      sums_(CorrelationAlgebra(correlation, pairs).power_sums()) {}
 
 EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);

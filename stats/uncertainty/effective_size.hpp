@@ -25,6 +25,11 @@
 /// those for triangular (0, 7) and exponential (35, 17) correlations, which are added. ln S_2 then has a
 /// variance of 5 to 16 S_2/N, as a standard error with `degrees` = N/(8 S_2) degrees of freedom.
 ///
+/// Noise of single points, as of an instrument, raises N_eff = N/S_2 and tells nothing of long waves. Without
+/// it there are
+///     N_p = N/(1 + (S_2 - 1)/ρ_1²)                                                                  (7)
+/// independent patches, ρ_1 the larger |ρ| of the two nearest lags, 0.1 at least.
+///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for all. Heights of larger kurtosis have a larger Var[Sq].
 /// Accuracy  first order in S_2/N. 95 % intervals (stats/uncertainty/moment_interval.hpp) of 300 fields of 48
@@ -69,6 +74,7 @@ class EffectiveSampleSize {
   double taken_by_mean() const { return std::min(mean_power(1), 0.5); }            ///< w
   double bias_of_lags() const { return taken_by_mean() / (1 - taken_by_mean()); }  ///< b
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite for a known correlation
+  double patches() const { return points_ / (1 + (sum(2) - 1) / (beside_ * beside_)); }  ///< (7)
   /// Least N/S_2 for which errors are given: 5, or 10 for an estimate. Up to twice of it they are rough.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
   bool gives_errors() const { return effective(2) >= least_effective(); }
@@ -77,6 +83,7 @@ class EffectiveSampleSize {
 
  private:
   double points_, degrees_ = std::numeric_limits<double>::infinity();
+  double beside_;  // ρ_1
   std::array<double, powers + 1> sums_;
 };
 

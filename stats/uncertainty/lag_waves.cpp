@@ -12,8 +12,6 @@
 namespace asperity {
 namespace {
 
-constexpr double five = 160;  // N_eff from which J² is 5
-
 // Sums over the pairs whose first point lies in a block, in the layout of LagField.
 struct PairSums {
   Field products, squares, pairs;
@@ -131,8 +129,9 @@ class Blocks {
 
 LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads,
                    Number number)
-    : long_waves_(grid, {number == Number::few ? five : std::max(extent.n_eff, five), extent.elongation}),
-      n_eff_(extent.n_eff) {
+    : long_waves_(grid, extent,
+                  number == Number::few ? LongWaves::Range{5, 5} : LongWaves::Range{.least = 5}),
+      patches_(extent.patches) {
   std::vector<LongWaves::Wave> numbers{{0, 0}};
   numbers.insert(numbers.end(), long_waves_.all().begin(), long_waves_.all().end());
   Index most_x = 0, most_y = 0;
@@ -177,8 +176,8 @@ std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_sq
   };
   const Field& pairs = waves_[0].pairs;
   const Field mean = sum(waves_[0]) / pairs;
-  const double scale =
-      1 / (std::sqrt(static_cast<double>(waves_.size() - 1)) * (1 - std::min(0.4, 1.4 / std::sqrt(n_eff_))));
+  const double scale = 1 / (std::sqrt(static_cast<double>(waves_.size() - 1)) *
+                            (1 - std::min(0.4, 1.4 / std::sqrt(patches_))));
   std::vector<Field> out;
   for (std::size_t k = 1; k < waves_.size(); ++k) {
     const Wave& wave = waves_[k];

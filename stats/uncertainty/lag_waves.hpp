@@ -42,7 +42,7 @@ class LagWaves {
   LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads = 1,
            Number number = Number::all);
 
-  double degrees() const { return static_cast<double>(long_waves_.all().size()); }  ///< K
+  double degrees() const { return long_waves_.degrees(); }  ///< of freedom
   /// Of ρ, at least at these lags.
   AcfDeviations of_ratio(const LagField& rho) const;
   /// Standard errors of R and of S.
@@ -59,7 +59,7 @@ class LagWaves {
   LagField errors(double per_product, double per_square) const;
 
   LongWaves long_waves_;
-  double n_eff_, variance_;
+  double patches_, variance_;
   std::vector<Wave> waves_ = {};  // the first is u = 1
 };
 

@@ -10,8 +10,12 @@ namespace asperity {
 namespace {
 
 // (2).
-double largest_wave(double n_eff, Periodic periodic) {
-  const double free = n_eff < 160 ? 2 : n_eff < 640 ? 5 : n_eff < 2560 ? 10 : 20;
+double largest_wave(double patches, Periodic periodic, const LongWaves::Range& range) {
+  const double free = std::clamp(patches < 160    ? 2.0
+                                 : patches < 640  ? 5.0
+                                 : patches < 2560 ? 10.0
+                                                  : 20.0,
+                                 range.least, range.most);
   return periodic.any() ? std::max(free, 4.0) : free;
 }
 
@@ -28,8 +32,8 @@ Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count) {
   return out;
 }
 
-LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent)
-    : largest_(largest_wave(extent.n_eff, grid.periodic)) {
+LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, const Range& range)
+    : patches_(extent.patches), largest_(largest_wave(extent.patches, grid.periodic, range)) {
   const auto [nx, ny] = grid.shape;
   for (Index j = 0; j <= std::min(LongWaves::most, nx - 1); ++j)  // of more waves a row has none
     for (Index k = 0; k <= std::min(LongWaves::most, ny - 1); ++k) {
@@ -38,6 +42,11 @@ LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent)
                  nu = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
       if (nu > 0 && nu <= 1.1 * largest_) all_.push_back({j, k});
     }
+}
+
+double LongWaves::degrees() const {
+  constexpr double half = 18;  // N_p at which half are left
+  return static_cast<double>(all_.size()) * std::max(0.5, patches_ / (patches_ + half));
 }
 
 double LongWaves::loss(double independent) const {
@@ -59,7 +68,7 @@ double LocalMeans::error(const Function& g) const {
     };
     gradient(a) = step > 0 ? (at(step) - at(-step)) / (2 * step) : 0;
   }
-  const double variance = (waves_.transpose() * gradient).squaredNorm() / static_cast<double>(degrees());
+  const double variance = (waves_.transpose() * gradient).squaredNorm() / static_cast<double>(waves_.cols());
   return long_waves_.error(variance, gradient.dot(covariance_ * gradient));
 }
 

@@ -80,15 +80,15 @@ double ShareErrors::Function::error(double slope) const {
   const Eigen::VectorXd sums = sums_ + slope * of_.of_values_;
   const double mean = sums(0) / n,
                square = (squares_ + 2 * slope * products_ + slope * slope * of_.squares_) / n;
-  const Index K = of_.degrees();
+  const Index K = of_.waves_.rows() - 1;
   const double variance =
       (sums - mean * of_.at_all_).tail(K).squaredNorm() / (n * n * static_cast<double>(K));
   return of_.long_waves_.error(variance, square - mean * mean);
 }
 
-void set_intervals(std::vector<Frequency>& frequencies, double most, Index degrees) {
+void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees) {
   constexpr double few = 10;
-  const double t = student_quantile(0.025, static_cast<double>(degrees));
+  const double t = student_quantile(0.025, degrees);
   const auto top = std::ranges::max_element(frequencies, {}, &Frequency::points);
   auto set = [&](auto begin, auto end) {
     double independent = std::numeric_limits<double>::infinity();

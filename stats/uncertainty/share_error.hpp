@@ -36,6 +36,7 @@
 /// for (2).
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -53,8 +54,9 @@ class ShareErrors {
   void accumulate();
 
   double points() const { return at_all_(0); }
+  double rms() const { return std::sqrt(squares_ / points()); }  ///< of the values
   double share(Index b) const { return waves_(0, b) / points(); }
-  Index degrees() const { return waves_.rows() - 1; }  ///< K
+  double degrees() const { return long_waves_.degrees(); }  ///< of freedom
 
   /// A function of the height: so much in some classes, 0 in others.
   class Function {
@@ -89,6 +91,6 @@ struct Frequency {
 };
 
 /// Sets the intervals (2), and the errors of rare ones; `most` is 1 for shares, ∞ for densities.
-void set_intervals(std::vector<Frequency>& frequencies, double most, Index degrees);
+void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees);
 
 }  // namespace asperity

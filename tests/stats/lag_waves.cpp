@@ -29,7 +29,7 @@ double block_wave(Index i, Index n, Index number, bool periodic) {
 // One by one: the error of the mean over the pairs at a lag of f(z, z'), by the waves.
 template <class Function>
 double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index p, Index q, Function f) {
-  const LongWaves waves(g, {std::max(extent.n_eff, 160.0), extent.elongation});
+  const LongWaves waves(g, extent, {.least = 5});
   const auto [nx, ny] = g.shape;
   double mean = 0, pairs = 0;
   std::vector<double> sums(waves.all().size()), of_wave = sums, squares = sums;
@@ -56,7 +56,7 @@ double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index 
   double variance = 0;
   for (std::size_t k = 0; k < sums.size(); ++k)
     variance += sums[k] * sums[k] / (pairs * squares[k]) / static_cast<double>(sums.size());
-  return std::sqrt(variance) / (1 - std::min(0.4, 1.4 / std::sqrt(extent.n_eff)));
+  return std::sqrt(variance) / (1 - std::min(0.4, 1.4 / std::sqrt(extent.patches)));
 }
 
 }  // namespace
