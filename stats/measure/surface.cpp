@@ -63,8 +63,8 @@ CorrelationShape ErrorBasis::shape() const {
     along_y += square * static_cast<double>(std::abs(q));
     if (rho(p, q) < 0) negative += square;
   });
-  const auto [nx, ny] = pairs.grid().shape;
-  auto lengths = [all](Index n, double along) { return static_cast<double>(n) / (0.5 + along / all); };
+  const auto [nx, ny] = pairs.sides();
+  auto lengths = [all](double side, double along) { return side / (0.5 + along / all); };
   return {{size().effective(2), lengths(nx, along_x) / lengths(ny, along_y)}, estimated ? negative / all : 0};
 }
 

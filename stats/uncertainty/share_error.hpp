@@ -54,7 +54,7 @@ class ShareErrors {
 
   double points() const { return at_all_(0); }
   double share(Index b) const { return waves_(0, b) / points(); }
-  Index degrees() const { return waves_.rows() - 1; }  ///< K
+  Index degrees() const { return directions_.rows(); }  ///< K
 
   /// A function of the height: so much in some classes, 0 in others.
   class Function {
@@ -72,6 +72,9 @@ class ShareErrors {
 
  private:
   LongWaves long_waves_;
+  AxisWaves along_;
+  AxisWaves::Squares of_points_ = AxisWaves::none();
+  Eigen::MatrixXd directions_ = {};
   Eigen::MatrixXd x_, y_;               // a column a point of that axis, a row a wave; the first is 1
   Eigen::MatrixXd waves_;               // Σ u_k over a class, a column each
   Eigen::VectorXd at_all_, of_values_;  // over all points: Σ u_k, Σ u_k z
