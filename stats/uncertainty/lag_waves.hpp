@@ -13,9 +13,9 @@
 /// an empirical value.
 ///
 /// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
-/// wave of the shortest; a block's products at all lags are a correlation by the FFT. Where heights are missing
-/// they are made independent over the points of the blocks. At each lag they are divided by their deviation over
-/// its pairs, √(mean u² - ū²).
+/// wave of the shortest; a block's products at all lags are a correlation by the FFT. With missing heights
+/// they are made independent over the points of the blocks. At each lag they are divided by their deviation
+/// over its pairs, √(mean u² - ū²).
 ///
 /// Symbols   K  waves      ν  half waves      P, Q  longest lags
 /// Scope     long_waves.hpp; lags up to half the field.

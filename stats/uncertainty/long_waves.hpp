@@ -9,8 +9,8 @@
 ///     0 < ν_x²/e + ν_y² e ≤ 1.1 J²,     J² = 2, 5, 10, 20 from N_eff = 0, 160, 640, 2560 on,             (2)
 /// e the number of correlation lengths along x over that along y: K = 3, 7, 12, 21 at e = 1, 4 on a long
 /// field. Along a periodic axis they are sines and cosines of up to two whole waves, and J² is 4 at least.
-/// Over the points of a field with missing heights the cosines are neither of mean 0 nor of mean square 1, nor
-/// orthogonal. There u_k are instead the directions of their covariance over the points,
+/// Over the points of a field with missing heights the cosines are neither of mean 0 nor of mean square 1,
+/// nor orthogonal. There u_k are instead the directions of their covariance over the points,
 ///     C = 1/N Σ (u - ū)(u - ū)ᵀ = Σ_k λ_k e_k e_kᵀ,     u_k = e_kᵀ (u - ū)/√λ_k,                         (3)
 /// without those that hardly vary there, λ_k < λ_max/5, which are less and less like long waves: K is lower.
 /// Of a complete field C = 1.

@@ -1,6 +1,8 @@
 // Errors of means from the field's own long waves, and of the parameters that depend on such means.
 #include "stats/uncertainty/long_waves.hpp"
 
+#include <array>
+
 #include "fields.hpp"
 #include "stats/height/height_error.hpp"
 #include "stats/hybrid/derivative_error.hpp"
@@ -40,7 +42,7 @@ Field half_waves(Shape shape, double count, double phase = 0) {
 
 }  // namespace
 
-// One of K waves has all the power A²: Var = A²/K, ν = K, and (3) is at its bound of 0.4.
+// One of K waves has all the power A²: Var = A²/K, ν = K, and (4) is at its bound of 0.4.
 TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exact]") {
   const Shape shape{40, 40}, long_one{20, 400};
   const Grid free = grid(40, 40), periodic = grid(40, 40, true), along_y{shape, 1, 1, {false, true}};
@@ -99,8 +101,8 @@ Field points_of(int which, Index n) {
 }  // namespace
 
 // Once, waves had the variance that they have over the whole grid. Of white noise E[c_k²] = σ²/N exactly, whatever
-// the points; (4) takes L = ¾ (0.3/√N + 2.8/N) off at ν = N. Of 400 fields the rms is known to √(1/(2 · 400 K)), of
-// which four are allowed; ν strays by √(2/K) about N, which changes L by half of itself and more: a third of L.
+// the points. (4) adds L = ¾ (0.3/√N + 2.8/N) at ν = N, and by the spread of ν up to 1 + 2/K times that: E[x²] of
+// x = χ²/K. Of 400 fields the rms is known to √(1/(2 · 400 K)), of which four are allowed.
 TEST_CASE("the mean of white noise at any points has the error of so many heights",
           "[long-waves][statistics]") {
   constexpr Index n = 40;
@@ -115,11 +117,12 @@ TEST_CASE("the mean of white noise at any points has the error of so many height
       square += std::pow(of.error(itself), 2) / fields;
       K = of.degrees();
     }
-    const double L = 0.75 * (0.3 / std::sqrt(N) + 2.8 / N);
+    const double L = 0.75 * (0.3 / std::sqrt(N) + 2.8 / N), k = static_cast<double>(K),
+                 excess = std::sqrt(square * N) - 1, chance = 4 / std::sqrt(2.0 * fields * k);
     CAPTURE(which, N, K);
-    CHECK(K == (which == 1 ? 1 : which == 3 ? 2 : 3));
-    CHECK(std::abs(std::sqrt(square * N) * (1 - L) - 1) <=
-          4 / std::sqrt(2.0 * fields * static_cast<double>(K)) + L / 3);
+    CHECK(K == std::array{3, 1, 3, 2, 2}[static_cast<std::size_t>(which)]);
+    CHECK(excess >= -chance);
+    CHECK(excess <= L * (1 + 2 / k) + chance);
   }
 }
 
@@ -145,7 +148,7 @@ TEST_CASE("a single measured row has the errors of a field of one row", "[long-w
 }
 
 // Of n fields the mean square of the error has the relative deviation √(2/(K n)), that of the true one √(2/n).
-// What (3) takes too little or too much off is within a tenth (validation/error_coverage).
+// What (4) takes too little or too much off is within a tenth (validation/error_coverage).
 TEST_CASE("errors by long waves are the spread over an ensemble, whatever the heights",
           "[long-waves][statistics]") {
   const Shape shape{80, 64}, window{3, 4};
