@@ -75,9 +75,14 @@ TEST_CASE("which cells are counted is told, and that asperity-stats averages all
 
 // "1 cells that are" was printed.
 TEST_CASE("one cell in contact is told as one", "[pdf-tool][contract]") {
-  cli::CountedCells one{
-      .variable = "pressure", .units = "Pa", .grid = {{16, 16}, 1, 1, false}, .values = Field()};
-  one.cells = 256, one.counted = 1, one.which = "in contact", one.without = "open";
+  cli::CountedCells one{.variable = "pressure",
+                        .units = "Pa",
+                        .grid = {{16, 16}, 1, 1, false},
+                        .values = Field(),
+                        .cells = 256,
+                        .counted = 1,
+                        .which = "in contact",
+                        .without = "open"};
   CHECK_THAT(one.told(),
              ContainsSubstring("of the 1 cell that is in contact; the other 99.6 % of 256 cells"));
   CHECK_THAT(one.told_of_all(), ContainsSubstring("of which 1 is in contact"));
