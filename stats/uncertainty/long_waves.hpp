@@ -22,11 +22,11 @@
 ///
 /// Symbols   N  points      N_eff  independent heights, N/S_2 (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
-/// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage. Of 200 fields of 128 ×
-///           128 points with exponential and Gaussian correlation, N_eff 325, of which a half, a disc, a corner
-///           of 45 % of the sides, all but a quarter, one row or one in 64, or a random half was measured,
-///           errors of the mean, Sq, quantiles and shares are 0.91 to 1.39 of the true ones, and 87 to 98 % of
-///           the 95 % intervals hold the truth.
+/// Accuracy  the error itself is known to 1/√(2K); coverage: validation/error_coverage. Of 200 fields of
+///           128 × 128 points with exponential and Gaussian correlation, N_eff 325, of which a half, a disc,
+///           a corner of 45 % of the sides, all but a quarter, one row or one in 64, or a random half was
+///           measured, errors of the mean, Sq, quantiles and shares are 0.91 to 1.39 of the true ones, and
+///           87 to 98 % of the 95 % intervals hold the truth.
 /// Cost      for each of m functions 10 operations a point for the waves and m for Var[f]; 50 a point for (3)
 ///           where a row has missing heights.
 ///
