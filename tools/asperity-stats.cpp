@@ -110,7 +110,10 @@ class Surfaces {
   // As asked for by --errors.
   void settle_errors(const Sample& sample) {
     if (errors_ == "none")
-      for (Parameter& p : last_) p.standard_error = NAN, p.interval.reset(), p.why.clear();
+      for (Parameter& p : last_) {
+        p.standard_error = NAN, p.interval.reset();
+        if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
+      }
     const bool asked = errors_ == "twins";
     if (asked || (errors_ == "auto" && alone_ && sample.whole()))
       cli::errors_by_twins(tool_, sample, asked_, asked ? TwinUse::everywhere : TwinUse::where_quick, last_);

@@ -62,8 +62,8 @@ FieldExtent ErrorBasis::extent() const {
     along_x += square * static_cast<double>(std::abs(p));
     along_y += square * static_cast<double>(std::abs(q));
   });
-  const auto [nx, ny] = pairs.grid().shape;
-  auto lengths = [all](Index n, double along) { return static_cast<double>(n) / (0.5 + along / all); };
+  const auto [nx, ny] = pairs.sides();
+  auto lengths = [all](double side, double along) { return side / (0.5 + along / all); };
   return {size().patches(), lengths(nx, along_x) / lengths(ny, along_y)};
 }
 

@@ -35,6 +35,24 @@ double Pairs::pair_fraction(Index p, Index q) const {
   return (*counts_)(p, q) / points_;
 }
 
+std::array<double, 2> Pairs::sides() const {
+  const auto nx = static_cast<double>(grid_.shape.nx), ny = static_cast<double>(grid_.shape.ny);
+  if (complete()) return {nx, ny};
+  // Σ 1, Σ |p|, Σ |q|.
+  auto sums = [this](const Pairs& pairs) {
+    Eigen::Array3d out = Eigen::Array3d::Zero();
+    for_each_lag(*counts_, pairs, [&](Index p, Index q, double weight) {
+      out += weight * Eigen::Array3d(1, static_cast<double>(std::abs(p)), static_cast<double>(std::abs(q)));
+    });
+    return out;
+  };
+  const Eigen::Array3d own = sums(*this), all = sums(Pairs(grid_));
+  auto side = [&](Index axis, double n) {
+    return all(axis) > 0 ? std::max(1.0, n * (own(axis) / own(0)) / (all(axis) / all(0))) : n;
+  };
+  return {side(1, nx), side(2, ny)};
+}
+
 double Pairs::density(Index p, Index q) const {
   if (complete()) return 1;
   const double most = overlap(grid_, p, q);

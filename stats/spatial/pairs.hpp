@@ -10,6 +10,7 @@
 /// Cost      none for a complete field; else one pass over the field and one autocorrelation at all its lags.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 
@@ -30,6 +31,8 @@ class Pairs {
   const Grid& grid() const { return grid_; }
   bool complete() const { return !counts_; }  ///< nothing is missing
   double points() const { return points_; }   ///< not missing
+  /// The sides of a complete field whose pairs are as far apart as these, in points; about those of the grid.
+  std::array<double, 2> sides() const;
   /// n(p,q)/n(0,0); for a complete field its overlap with itself at the lag.
   double pair_fraction(Index p, Index q) const;
   /// n(p,q) / (n(0,0) overlap(p,q)): 1 if pairs end only at the edges of the field.

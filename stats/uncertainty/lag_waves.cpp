@@ -12,6 +12,9 @@
 namespace asperity {
 namespace {
 
+// Of a wave over the pairs at a lag. At lags of half a complete field it is 0.19.
+constexpr double least_variance = 0.05;
+
 // Sums over the pairs whose first point lies in a block, in the layout of LagField.
 struct PairSums {
   Field products, squares, pairs;
@@ -24,7 +27,9 @@ struct Range {
   Index length() const { return last - first; }
 };
 
-class Blocks {
+}  // namespace
+
+class LagWaves::Blocks {
  public:
   Blocks(const Field& d, const Grid& grid, Shape max_lag, Index along_x, Index along_y)
       : grid_(grid),
@@ -38,7 +43,18 @@ class Blocks {
                fast_length((grid.shape.ny + along_y - 1) / along_y + 2 * max_lag.ny)},
         transform_(torus_) {}
 
+  bool complete() const { return complete_; }
   Index count() const { return along_x_ * along_y_; }
+  // Of the blocks of a row of them.
+  Eigen::VectorXd points(Index row) const {
+    const Range x = block(row, along_x_, grid_.shape.nx);
+    Eigen::VectorXd out(along_y_);
+    for (Index b = 0; b < along_y_; ++b) {
+      const Range y = block(b, along_y_, grid_.shape.ny);
+      out(b) = valid_.block(x.first, y.first, x.length(), y.length()).sum();
+    }
+    return out;
+  }
   Index x_of(Index b) const { return b / along_y_; }
   Index y_of(Index b) const { return b % along_y_; }
 
@@ -125,27 +141,22 @@ class Blocks {
   RealTransform2D transform_;
 };
 
-}  // namespace
-
 LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads,
                    Number number)
     : long_waves_(grid, extent,
                   number == Number::few ? LongWaves::Range{5, 5} : LongWaves::Range{.least = 5}),
       patches_(extent.patches) {
-  std::vector<LongWaves::Wave> numbers{{0, 0}};
-  numbers.insert(numbers.end(), long_waves_.all().begin(), long_waves_.all().end());
   Index most_x = 0, most_y = 0;
-  for (const auto& [x, y] : numbers) {
+  for (const auto& [x, y] : long_waves_.all()) {
     most_x = std::max(most_x, half_waves(x, grid.periodic.x));
     most_y = std::max(most_y, half_waves(y, grid.periodic.y));
   }
   const auto [nx, ny] = grid.shape;
   const Index along_x = std::clamp(3 * most_x, Index{1}, nx), along_y = std::clamp(3 * most_y, Index{1}, ny);
   const Blocks blocks(d, grid, max_lag, along_x, along_y);
-  const Eigen::MatrixXd waves_x = axis_waves(along_x, grid.periodic.x, LongWaves::most),
-                        waves_y = axis_waves(along_y, grid.periodic.y, LongWaves::most);
+  const Eigen::MatrixXd of_blocks = waves_of(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
-  waves_.assign(numbers.size(), {none, none, none, none});
+  waves_.assign(static_cast<std::size_t>(of_blocks.rows()), {none, none, none, none});
   for (Index first = 0; first < blocks.count(); first += threads) {
     const Index count = std::min<Index>(threads, blocks.count() - first);
     std::vector<PairSums> sums(static_cast<std::size_t>(count));
@@ -155,10 +166,9 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
     parallel_ranges(static_cast<Index>(waves_.size()), threads, [&](Index begin, Index end, int) {
       for (Index k = begin; k < end; ++k) {
         Wave& wave = waves_[static_cast<std::size_t>(k)];
-        const auto [x, y] = numbers[static_cast<std::size_t>(k)];
         for (Index b = 0; b < count; ++b) {
           const PairSums& s = sums[static_cast<std::size_t>(b)];
-          const double u = waves_x(blocks.x_of(first + b), x) * waves_y(blocks.y_of(first + b), y);
+          const double u = of_blocks(k, first + b);
           wave.products += u * s.products;
           wave.squares += u * s.squares;
           wave.pairs += u * s.pairs;
@@ -168,6 +178,25 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
     });
   }
   variance_ = waves_[0].squares(0, max_lag.ny) / waves_[0].pairs(0, max_lag.ny);
+}
+
+// (3) of long_waves.hpp over the points of the blocks; of a complete field C = 1.
+Eigen::MatrixXd LagWaves::waves_of(const Blocks& blocks, const Grid& of_blocks) const {
+  const AxisWaves along(of_blocks);
+  const auto& all = long_waves_.all();
+  Eigen::MatrixXd waves(static_cast<Index>(all.size()), blocks.count());
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (Index b = 0; b < blocks.count(); ++b)
+      waves(static_cast<Index>(k), b) =
+          along.x()(blocks.x_of(b), all[k].x) * along.y()(blocks.y_of(b), all[k].y);
+  if (!blocks.complete()) {
+    AxisWaves::Squares squares = AxisWaves::none();
+    for (Index i = 0; i < of_blocks.shape.nx; ++i) along.add_row(squares, i, blocks.points(i));
+    waves = long_waves_.directions(squares) * waves;
+  }
+  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(waves.rows() + 1, waves.cols());
+  out.bottomRows(waves.rows()) = waves;
+  return out;
 }
 
 std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_square) const {
@@ -181,7 +210,9 @@ std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_sq
   std::vector<Field> out;
   for (std::size_t k = 1; k < waves_.size(); ++k) {
     const Wave& wave = waves_[k];
-    out.push_back(scale * (sum(wave) - mean * wave.pairs) / (pairs * wave.weights).sqrt());
+    const Field variance = wave.weights / pairs - (wave.pairs / pairs).square();
+    out.push_back(scale * (sum(wave) / pairs - mean * wave.pairs / pairs) /
+                  variance.max(least_variance).sqrt());
   }
   return out;
 }
@@ -199,7 +230,7 @@ AcfDeviations LagWaves::of_ratio(const LagField& rho) const {
 
 LagField LagWaves::errors(double per_product, double per_square) const {
   const Field one = Field::Ones(waves_[0].pairs.rows(), waves_[0].pairs.cols());
-  Field variance = 0 * one;
+  Field variance = Field::Constant(one.rows(), one.cols(), degrees() > 0 ? 0 : NAN);
   for (const Field& mode : modes(per_product * one, per_square * one)) variance += mode.square();
   return LagField(variance.sqrt());
 }

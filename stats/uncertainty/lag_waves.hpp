@@ -13,7 +13,9 @@
 /// an empirical value.
 ///
 /// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
-/// wave of the shortest; a block's products at all lags are a correlation by the FFT.
+/// wave of the shortest; a block's products at all lags are a correlation by the FFT. With missing heights
+/// they are made independent over the points of the blocks. At each lag they are divided by their deviation
+/// over its pairs, √(mean u² - ū²).
 ///
 /// Symbols   K  waves      ν  half waves      P, Q  longest lags
 /// Scope     long_waves.hpp; lags up to half the field.
@@ -42,7 +44,8 @@ class LagWaves {
   LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads = 1,
            Number number = Number::all);
 
-  double degrees() const { return long_waves_.degrees(); }  ///< of freedom
+  /// Of freedom.
+  double degrees() const { return long_waves_.degrees(static_cast<Index>(waves_.size()) - 1); }
   /// Of ρ, at least at these lags.
   AcfDeviations of_ratio(const LagField& rho) const;
   /// Standard errors of R and of S.
@@ -54,6 +57,9 @@ class LagWaves {
   struct Wave {
     Field products, squares, pairs, weights;
   };
+  class Blocks;
+  // On the blocks, a row a wave, the first of which is 1.
+  Eigen::MatrixXd waves_of(const Blocks& blocks, const Grid& of_blocks) const;
   // The modes of a mean of `per_product` z z' + `per_square` ½(z² + z'²).
   std::vector<Field> modes(const Field& per_product, const Field& per_square) const;
   LagField errors(double per_product, double per_square) const;

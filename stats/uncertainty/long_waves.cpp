@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/parallel.hpp"
+#include "math/linear_algebra.hpp"
 
 namespace asperity {
 namespace {
@@ -32,11 +33,25 @@ Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count) {
   return out;
 }
 
+AxisWaves::AxisWaves(const Grid& grid)
+    : x_(axis_waves(grid.shape.nx, grid.periodic.x, most)),
+      y_(axis_waves(grid.shape.ny, grid.periodic.y, most)),
+      of_complete_row_(y_.transpose() * y_) {}
+
+void AxisWaves::add_row(Squares& squares, Index i, const Eigen::VectorXd& points) const {
+  const bool complete = (points.array() == 1).all();
+  const Eigen::MatrixXd of_row =
+      complete ? of_complete_row_ : (y_.transpose() * points.asDiagonal() * y_).eval();
+  const Index m = most + 1;
+  for (Index j = 0; j < m; ++j)
+    for (Index l = 0; l < m; ++l) squares.block(j * m, l * m, m, m) += x_(i, j) * x_(i, l) * of_row;
+}
+
 LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, const Range& range)
     : patches_(extent.patches), largest_(largest_wave(extent.patches, grid.periodic, range)) {
   const auto [nx, ny] = grid.shape;
-  for (Index j = 0; j <= std::min(LongWaves::most, nx - 1); ++j)  // of more waves a row has none
-    for (Index k = 0; k <= std::min(LongWaves::most, ny - 1); ++k) {
+  for (Index j = 0; j <= std::min(AxisWaves::most, nx - 1); ++j)  // of more waves a row has none
+    for (Index k = 0; k <= std::min(AxisWaves::most, ny - 1); ++k) {
       const auto along_x = static_cast<double>(half_waves(j, grid.periodic.x)),
                  along_y = static_cast<double>(half_waves(k, grid.periodic.y)),
                  nu = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
@@ -44,9 +59,23 @@ LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, const Range& r
     }
 }
 
-double LongWaves::degrees() const {
+// Below `round_off` all points lie at one place.
+Eigen::MatrixXd LongWaves::directions(const AxisWaves::Squares& squares) const {
+  constexpr double least_share = 0.2, round_off = 1e-12;
+  std::vector<Index> own;
+  for (const Wave& wave : all_) own.push_back(AxisWaves::number(wave.x, wave.y));
+  const double n = squares(0, 0);
+  if (!(n > 0) || own.empty()) return Eigen::MatrixXd(0, static_cast<Index>(own.size()));
+  const Eigen::VectorXd mean = squares(own, 0) / n;
+  const Eigen::MatrixXd root = covariance_root(squares(own, own) / n - mean * mean.transpose());
+  const Eigen::VectorXd lambda = root.colwise().squaredNorm();  // ascending
+  const Index count = (lambda.array() >= std::max(least_share * lambda.maxCoeff(), round_off)).count();
+  return (root * lambda.cwiseInverse().asDiagonal()).rightCols(count).transpose();
+}
+
+double LongWaves::degrees(Index waves) const {
   constexpr double half = 18;  // N_p at which half are left
-  return static_cast<double>(all_.size()) * std::max(0.5, patches_ / (patches_ + half));
+  return static_cast<double>(waves) * std::max(0.5, patches_ / (patches_ + half));
 }
 
 double LongWaves::loss(double independent) const {
@@ -73,21 +102,18 @@ double LocalMeans::error(const Function& g) const {
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
-    : grid_(grid),
-      functions_(functions),
-      x_(axis_waves(grid.shape.nx, grid.periodic.x, LongWaves::most)),
-      y_(axis_waves(grid.shape.ny, grid.periodic.y, LongWaves::most)),
-      sums_(none()) {}
+    : grid_(grid), functions_(functions), along_(grid), sums_(none()) {}
 
 void LocalSums::Sums::operator+=(const Sums& other) {
   for (std::size_t j = 0; j < waves.size(); ++j) waves[j] += other.waves[j];
   products += other.products;
+  squares += other.squares;
 }
 
 LocalSums::Sums LocalSums::none() const {
   const Index m = functions_ + 1;
-  return {std::vector<Eigen::MatrixXd>(LongWaves::most + 1, Eigen::MatrixXd::Zero(m, LongWaves::most + 1)),
-          Eigen::MatrixXd::Zero(m, m)};
+  return {std::vector<Eigen::MatrixXd>(AxisWaves::most + 1, Eigen::MatrixXd::Zero(m, AxisWaves::most + 1)),
+          Eigen::MatrixXd::Zero(m, m), AxisWaves::none()};
 }
 
 void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
@@ -96,8 +122,10 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   if (all.isNaN().any())
     for (Index j = 0; j < values.rows(); ++j)
       if (std::isnan(all(j))) values.row(j).setZero();
-  const Eigen::MatrixXd along_y = values.transpose() * y_;
-  for (std::size_t j = 0; j < sums.waves.size(); ++j) sums.waves[j] += x_(i, static_cast<Index>(j)) * along_y;
+  const Eigen::MatrixXd along_y = values.transpose() * along_.y();
+  for (std::size_t j = 0; j < sums.waves.size(); ++j)
+    sums.waves[j] += along_.x()(i, static_cast<Index>(j)) * along_y;
+  along_.add_row(sums.squares, i, values.col(0));
   sums.products += values.transpose() * values;
 }
 
@@ -126,11 +154,12 @@ LocalMeans LocalSums::means(const FieldExtent& extent) const {
   const double n = count();
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
   const auto& waves = out.long_waves_.all();
-  out.waves_.resize(functions_, static_cast<Index>(waves.size()));
+  Eigen::MatrixXd of_waves(functions_, static_cast<Index>(waves.size()));
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const Eigen::VectorXd c = sums_.waves[static_cast<std::size_t>(waves[k].x)].col(waves[k].y) / n;
-    out.waves_.col(static_cast<Index>(k)) = (c - means * c(0)).tail(functions_);
+    of_waves.col(static_cast<Index>(k)) = (c - means * c(0)).tail(functions_);
   }
+  out.waves_ = of_waves * out.long_waves_.directions(sums_.squares).transpose();
   out.means_ = means.tail(functions_);
   const Eigen::MatrixXd second = sums_.products / n;
   const Eigen::VectorXd at = second.col(0);

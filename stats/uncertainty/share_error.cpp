@@ -30,12 +30,9 @@ Interval score_interval(double f, double independent, double most, double t) {
 }  // namespace
 
 ShareErrors::ShareErrors(const Grid& grid, const FieldExtent& extent, Index classes)
-    : long_waves_(grid, extent) {
-  auto along = [&](Index n, bool periodic, Index LongWaves::Wave::*axis) {
-    return chosen(axis_waves(n, periodic, LongWaves::most), long_waves_.all(), axis);
-  };
-  x_ = along(grid.shape.nx, grid.periodic.x, &LongWaves::Wave::x);
-  y_ = along(grid.shape.ny, grid.periodic.y, &LongWaves::Wave::y);
+    : long_waves_(grid, extent), along_(grid) {
+  x_ = chosen(along_.x(), long_waves_.all(), &LongWaves::Wave::x);
+  y_ = chosen(along_.y(), long_waves_.all(), &LongWaves::Wave::y);
   waves_.setZero(x_.rows(), classes);
   at_all_.setZero(x_.rows());
   of_values_.setZero(x_.rows());
@@ -44,7 +41,8 @@ ShareErrors::ShareErrors(const Grid& grid, const FieldExtent& extent, Index clas
 
 void ShareErrors::add(const Field& rows, const std::function<Index(double)>& class_of) {
   Eigen::VectorXd wave(x_.rows());
-  for (Index i = 0; i < rows.rows(); ++i)
+  for (Index i = 0; i < rows.rows(); ++i) {
+    along_.add_row(of_points_, rows_ + i, (!rows.row(i).isNaN()).cast<double>().matrix().transpose());
     for (Index j = 0; j < rows.cols(); ++j) {
       const double z = rows(i, j);
       if (std::isnan(z)) continue;
@@ -55,8 +53,10 @@ void ShareErrors::add(const Field& rows, const std::function<Index(double)>& cla
       values_(b) += z;
       squares_ += z * z;
     }
+  }
   rows_ += rows.rows();
   at_all_ = waves_.rowwise().sum();
+  directions_ = long_waves_.directions(of_points_);
 }
 
 void ShareErrors::accumulate() {
@@ -80,9 +80,9 @@ double ShareErrors::Function::error(double slope) const {
   const Eigen::VectorXd sums = sums_ + slope * of_.of_values_;
   const double mean = sums(0) / n,
                square = (squares_ + 2 * slope * products_ + slope * slope * of_.squares_) / n;
-  const Index K = of_.waves_.rows() - 1;
-  const double variance =
-      (sums - mean * of_.at_all_).tail(K).squaredNorm() / (n * n * static_cast<double>(K));
+  const Eigen::VectorXd waves =
+      of_.directions_ * (sums - mean * of_.at_all_).tail(of_.directions_.cols()) / n;
+  const double variance = waves.squaredNorm() / static_cast<double>(waves.size());
   return of_.long_waves_.error(variance, square - mean * mean);
 }
 

@@ -56,7 +56,7 @@ class ShareErrors {
   double points() const { return at_all_(0); }
   double rms() const { return std::sqrt(squares_ / points()); }  ///< of the values
   double share(Index b) const { return waves_(0, b) / points(); }
-  double degrees() const { return long_waves_.degrees(); }  ///< of freedom
+  double degrees() const { return long_waves_.degrees(directions_.rows()); }  ///< of freedom
 
   /// A function of the height: so much in some classes, 0 in others.
   class Function {
@@ -74,6 +74,9 @@ class ShareErrors {
 
  private:
   LongWaves long_waves_;
+  AxisWaves along_;
+  AxisWaves::Squares of_points_ = AxisWaves::none();
+  Eigen::MatrixXd directions_ = {};
   Eigen::MatrixXd x_, y_;               // a column a point of that axis, a row a wave; the first is 1
   Eigen::MatrixXd waves_;               // Σ u_k over a class, a column each
   Eigen::VectorXd at_all_, of_values_;  // over all points: Σ u_k, Σ u_k z

@@ -26,13 +26,34 @@ double block_wave(Index i, Index n, Index number, bool periodic) {
   return std::numbers::sqrt2 * (periodic && number % 2 == 0 ? std::sin(k * phase) : std::cos(k * phase));
 }
 
+// Of the blocks of the field, where some heights are missing: (3) of long_waves.hpp.
+Eigen::MatrixXd directions_of(const Field& z, const Grid& g, const LongWaves& waves) {
+  const auto K = static_cast<Index>(waves.all().size());
+  if (!z.isNaN().any()) return Eigen::MatrixXd::Identity(K, K);
+  const AxisWaves of_blocks({{blocks, blocks}, 1, 1, g.periodic});
+  AxisWaves::Squares squares = AxisWaves::none();
+  const auto [nx, ny] = g.shape;
+  for (Index b = 0; b < blocks; ++b) {
+    Eigen::VectorXd points(blocks);
+    const Index first = b * nx / blocks, last = (b + 1) * nx / blocks;
+    for (Index c = 0; c < blocks; ++c) {
+      const Index from = c * ny / blocks, to = (c + 1) * ny / blocks;
+      points(c) = static_cast<double>((!z.block(first, from, last - first, to - from).isNaN()).count());
+    }
+    of_blocks.add_row(squares, b, points);
+  }
+  return waves.directions(squares);
+}
+
 // One by one: the error of the mean over the pairs at a lag of f(z, z'), by the waves.
 template <class Function>
 double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index p, Index q, Function f) {
   const LongWaves waves(g, extent, {.least = 5});
   const auto [nx, ny] = g.shape;
+  const Eigen::MatrixXd directions = directions_of(z, g, waves);
+  const Index K = directions.rows();
   double mean = 0, pairs = 0;
-  std::vector<double> sums(waves.all().size()), of_wave = sums, squares = sums;
+  Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(K), means = sums, squares = sums;
   for (const bool second_pass : {false, true}) {
     for (Index i = 0; i < nx; ++i)
       for (Index j = 0; j < ny; ++j) {
@@ -45,17 +66,16 @@ double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index 
           mean += value, ++pairs;
           continue;
         }
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-          const double u = block_wave(i, nx, waves.all()[k].x, g.periodic.x) *
-                           block_wave(j, ny, waves.all()[k].y, g.periodic.y);
-          sums[k] += u * (value - mean), squares[k] += u * u;
-        }
+        Eigen::VectorXd products(directions.cols());
+        for (std::size_t k = 0; k < waves.all().size(); ++k)
+          products(static_cast<Index>(k)) = block_wave(i, nx, waves.all()[k].x, g.periodic.x) *
+                                            block_wave(j, ny, waves.all()[k].y, g.periodic.y);
+        const Eigen::ArrayXd u = directions * products;
+        sums += u * (value - mean), means += u, squares += u.square();
       }
     if (!second_pass) mean /= pairs;
   }
-  double variance = 0;
-  for (std::size_t k = 0; k < sums.size(); ++k)
-    variance += sums[k] * sums[k] / (pairs * squares[k]) / static_cast<double>(sums.size());
+  const double variance = (sums.square() / (pairs * squares - means.square())).sum() / static_cast<double>(K);
   return std::sqrt(variance) / (1 - std::min(0.4, 1.4 / std::sqrt(extent.patches)));
 }
 

@@ -1,6 +1,8 @@
 // Errors of means from the field's own long waves, and of the parameters that depend on such means.
 #include "stats/uncertainty/long_waves.hpp"
 
+#include <array>
+
 #include "fields.hpp"
 #include "stats/height/height_error.hpp"
 #include "stats/hybrid/derivative_error.hpp"
@@ -40,7 +42,7 @@ Field half_waves(Shape shape, double count, double phase = 0) {
 
 }  // namespace
 
-// One of K waves has all the power A²: Var = A²/K, ν = K, and (3) is at its bound of 0.4.
+// One of K waves has all the power A²: Var = A²/K, ν = K, and (4) is at its bound of 0.4.
 TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exact]") {
   const Shape shape{40, 40}, long_one{20, 400};
   const Grid free = grid(40, 40), periodic = grid(40, 40, true), along_y{shape, 1, 1, {false, true}};
@@ -80,8 +82,73 @@ TEST_CASE("the error of a mean does not depend on strips, threads, or an offset"
   }
 }
 
+namespace {
+
+// The points of a disc, of a row, of every second cell, of a corner, of three quarters of a field.
+Field points_of(int which, Index n) {
+  return Field::NullaryExpr(n, n, [=](Index i, Index j) {
+    const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(n),
+                 y = (static_cast<double>(j) + 0.5) / static_cast<double>(n);
+    const bool in = which == 0   ? std::hypot(x - 0.5, y - 0.5) < 0.4
+                    : which == 1 ? i == n / 3
+                    : which == 2 ? (i + j) % 2 == 0
+                    : which == 3 ? x < 0.25 && y < 0.25
+                                 : x > 0.5 || y > 0.5;
+    return in ? 1.0 : NAN;
+  });
+}
+
+}  // namespace
+
+// Once, waves had the variance that they have over the whole grid. Of white noise E[c_k²] = σ²/N exactly, whatever
+// the points. (4) adds L = ¾ (0.3/√N + 2.8/N) at ν = N, and by the spread of ν up to 1 + 2/K times that: E[x²] of
+// x = χ²/K. Of 400 fields the rms is known to √(1/(2 · 400 K)), of which four are allowed.
+TEST_CASE("the mean of white noise at any points has the error of so many heights",
+          "[long-waves][statistics]") {
+  constexpr Index n = 40;
+  constexpr int fields = 400;
+  for (int which = 0; which < 5; ++which) {
+    const Field points = points_of(which, n);
+    const double N = static_cast<double>((!points.isNaN()).count());
+    double square = 0;
+    Index K = 0;
+    for (unsigned seed = 0; seed < fields; ++seed) {
+      const LocalMeans of = sums_of(points * white_noise({n, n}, seed), grid(n, n), n).means({100, 1});
+      square += std::pow(of.error(itself), 2) / fields;
+      K = of.degrees();
+    }
+    const double L = 0.75 * (0.3 / std::sqrt(N) + 2.8 / N), k = static_cast<double>(K),
+                 excess = std::sqrt(square * N) - 1, chance = 4 / std::sqrt(2.0 * fields * k);
+    CAPTURE(which, N, K);
+    CHECK(K == std::array{3, 1, 3, 2, 2}[static_cast<std::size_t>(which)]);
+    CHECK(excess >= -chance);
+    CHECK(excess <= L * (1 + 2 / k) + chance);
+  }
+}
+
+// The waves along the row are those of a complete field of one row.
+TEST_CASE("a single measured row has the errors of a field of one row", "[long-waves][law]") {
+  const Field row = moving_average({1, 200}, {1, 4}, 3);
+  Field z = Field::Constant(60, 200, NAN);
+  z.row(17) = row;
+  const Grid g = grid(60, 200), of_row = grid(1, 200);
+  auto shape = [](const Field& of, const Grid& on, Shape reach) {
+    const LagField rho = LagField::of(reach, [](Index p, Index q) {
+      return std::exp(-std::hypot(static_cast<double>(p), static_cast<double>(q)) / 4);
+    });
+    return ErrorBasis{rho, false, Pairs::of(of, on)}.shape();
+  };
+  const CorrelationShape alone = shape(row, of_row, {0, 50}), within = shape(z, g, {30, 50});
+  CHECK(relative_error(within.extent.patches, alone.extent.patches) <= 1e-12);
+  CHECK(relative_error(within.extent.elongation, alone.extent.elongation) <= 1e-12);
+  const LocalMeans of = sums_of(z, g, 60).means(within.extent),
+                   expected = sums_of(row, of_row, 1).means(alone.extent);
+  CHECK(of.degrees() == expected.degrees());
+  CHECK(relative_error(of.error(itself), expected.error(itself)) <= 1e-10);
+}
+
 // Of n fields the mean square of the error has the relative deviation √(2/(K n)), that of the true one √(2/n).
-// What (3) takes too little or too much off is within a tenth (validation/error_coverage).
+// What (4) takes too little or too much off is within a tenth (validation/error_coverage).
 TEST_CASE("errors by long waves are the spread over an ensemble, whatever the heights",
           "[long-waves][statistics]") {
   const Shape shape{80, 64}, window{3, 4};

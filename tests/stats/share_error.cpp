@@ -90,7 +90,7 @@ TEST_CASE("the ends of a share's interval are t of their own errors away from it
 }
 
 // Of n independent cells a share f has the error √(f (1 - f)/n). An error of 12 degrees of freedom has the
-// spread 1/√24, and white noise loses (3), at ν = n ≈ 7300 a hundredth. The rms of 60 fields: 1 ± 3 · 0.02 + 0.01.
+// spread 1/√24, and white noise loses (4), at ν = n ≈ 7300 a hundredth. The rms of 60 fields: 1 ± 3 · 0.02 + 0.01.
 TEST_CASE("shares of independent cells have the binomial error", "[share-error][statistics]") {
   const std::vector<double> edges{0.2, 0.5, 1, 1.5};
   const Grid g = grid(160, 120);
@@ -133,7 +133,7 @@ TEST_CASE("95 % intervals of shares of a correlated part of a field cover the tr
 }
 
 // Of 300 fields the mean square of the error has the relative deviation √(2/(12 · 300)), that of the true one
-// √(2/300): 4 % of the ratio, three of these, and a tenth for what (3) of long_waves.hpp takes off too little
+// √(2/300): 4 % of the ratio, three of these, and a tenth for what (4) of long_waves.hpp takes off too little
 // or too much. Without (1) the errors of bins and densities about ±1 are 1.5 and more times the true ones.
 TEST_CASE("bins and densities of heights from their own mean stray by their errors",
           "[share-error][statistics]") {

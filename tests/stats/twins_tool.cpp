@@ -67,3 +67,12 @@ TEST_CASE("what is too large for quick twins says which option has them", "[stat
   CHECK((strips.exit == 2 && lines(strips.error) == 1));
   CHECK_THAT(strips.error, ContainsSubstring("--errors twins needs the whole field"));
 }
+
+// The slope from seven points does not fit into five. With the errors, the reason was left out.
+TEST_CASE("asperity-stats without errors still says why a value is missing", "[stats-tool][contract]") {
+  const std::string narrow = "asperity-generate --shape 5x64 --size 0.1mm,1mm --rq 0.4um --length 4px | ";
+  for (const char* errors : {"none", "auto"}) {
+    const std::string table = require(narrow + "asperity-stats --profile x --errors " + errors).out;
+    CHECK_THAT(table, ContainsSubstring("no value: no profile has this parameter"));
+  }
+}

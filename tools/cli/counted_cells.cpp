@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 
@@ -18,17 +19,19 @@ std::optional<Field> contact_of(const Dataset& data) {
   return std::nullopt;
 }
 
+const char* verb(double count) { return count == 1 ? "is" : "are"; }
+
 }  // namespace
 
 std::string CountedCells::told() const {
-  return fmt::format(
-      "{} of the {:.0f} cells that are {}; the other {:.3g} % of {:.0f} cells are {}, and not counted",
-      variable, counted, which, 100 * (1 - counted / cells), cells, without);
+  return fmt::format("{} of the {} that {} {}; the other {:.3g} % of {:.0f} cells are {}, and not counted",
+                     variable, asperity::counted(static_cast<std::int64_t>(counted), "cell"), verb(counted),
+                     which, 100 * (1 - counted / cells), cells, without);
 }
 
 std::string CountedCells::told_of_all() const {
-  return fmt::format("{} of all {:.0f} cells, of which {:.0f} are {}: asperity-pdf counts these alone",
-                     variable, cells, counted, which);
+  return fmt::format("{} of all {:.0f} cells, of which {:.0f} {} {}: asperity-pdf counts these alone",
+                     variable, cells, counted, verb(counted), which);
 }
 
 std::optional<CountedCells> counted_cells(const Dataset& data, const std::string& variable) {

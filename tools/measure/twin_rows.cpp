@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/stopwatch.hpp"
+#include "core/words.hpp"
 #include "tools/cli/progress.hpp"
 
 namespace asperity::cli {
@@ -21,8 +22,8 @@ void errors_by_twins(const Tool& tool, const Sample& sample, const MeasureOption
     tool.note("what lacks a standard error has one by asperity-stats --errors twins");
   const auto count = std::ranges::count_if(parameters, [](const Parameter& p) { return !p.source.empty(); });
   if (count > 0)
-    tool.detail(fmt::format("errors of {} parameters from {} twins in {:.2g} s", count, options.twins,
-                            watch.seconds()));
+    tool.detail(fmt::format("errors of {} from {} twins in {:.2g} s", counted(count, "parameter"),
+                            options.twins, watch.seconds()));
 }
 
 }  // namespace asperity::cli

@@ -138,10 +138,9 @@ Figure acf(const Cases& cases, const Request& request) {
     all.push_back(profiles_of(c));
     for (const auto& curves : {std::span(all.back().found), std::span(all.back().target)})
       for (const Curve& curve : curves)
-        for (const Point& p : curve) {
-          longest = std::max(longest, p.lag);
-          lowest = std::min(lowest, p.rho - 2 * p.error);
-        }
+        for (const Point& p : curve) lowest = std::min(lowest, p.rho - 2 * p.error);
+    for (const Curve& curve : all.back().found)  // a target may go on beyond
+      if (!curve.empty()) longest = std::max(longest, curve.back().lag);
   }
   longest = std::min(longest, request.x.high);
   const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};

@@ -139,11 +139,11 @@ void warn_if_shallow(const Tool& tool, const StressScene& scene, const StressPoi
   const auto shallow = std::ranges::count_if(points, [&](const auto& p) { return p[2] < accurate; });
   if (shallow == 0) return;
   tool.warn(fmt::format(
-      "{} of {} points lie less than {:.4g} um deep, the stress_accurate_depth: their stress is that of "
+      "{} of {} points {} less than {:.4g} um deep, the stress_accurate_depth: their stress is that of "
       "single cells, off by up to {:.0f} % of the maximum pressure below a cell's centre, and unbounded at "
       "the surface towards its edges and corners{}",
-      shallow, points.size(), accurate * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction),
-      infinite(scene, below, points)));
+      shallow, points.size(), shallow == 1 ? "lies" : "lie", accurate * 1e6,
+      100 * shallow_error(scene.body.poisson, scene.body.friction), infinite(scene, below, points)));
 }
 
 }  // namespace
