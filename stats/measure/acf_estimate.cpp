@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double unlimited = AcfDeviations::beyond;
 
 // Lags at which the upper end of an interval is looked for: two and a half times as far as ρ exceeds the
 // level, on an ellipse.
@@ -63,11 +63,13 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
     auto ratio = [&](const LagField& r) -> std::optional<double> {
       const auto over = first_crossing(r, grid, 0, level.value),
                  under = first_crossing(r, grid, std::numbers::pi / 2, level.value);
-      if (!over || !under) return std::nullopt;
+      if (!over && !under) return std::nullopt;
+      if (!over || !under) return over ? 0 : unlimited;
       return over->lag / under->lag;
     };
     out.add(prefix + "gamma_" + level.tag, "1", "ratio of lengths, x over y",
-            errors ? errors->ratio(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y});
+            errors ? errors->ratio(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y},
+            {.why_no_error = errors ? no_level : ""});
   }
   if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {
     const std::string name = prefix + "ellipticity_" + level.tag;
@@ -80,19 +82,18 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
 void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
                  const std::string& level_text, const std::array<std::string, 2>& names,
                  const LengthErrors* errors) {
-  auto of_lobe = [grid, level](auto value) {
-    return [=](const LagField& rho) -> std::optional<double> {
-      const auto found = central_lobe(rho, grid, level).ellipse;
-      if (!found) return std::nullopt;
-      return value(*found);
-    };
+  const auto gamma = [=](const LagField& rho) -> std::optional<double> {
+    const auto found = central_lobe(rho, grid, level).ellipse;
+    return found ? found->gamma() : unlimited;
   };
-  const auto gamma = of_lobe([](const LobeEllipse& e) { return e.gamma(); });
-  const auto axis = of_lobe([](const LobeEllipse& e) { return e.major.angle; });
+  const auto axis = [=](const LagField& rho) -> std::optional<double> {
+    const auto found = central_lobe(rho, grid, level).ellipse;
+    return found ? std::optional(found->major.angle) : std::nullopt;
+  };
   const Estimate ratio =
       errors ? errors->ratio(ellipse.gamma(), gamma, 1, unlimited) : Estimate{ellipse.gamma()};
   out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", ratio,
-          {.meaning = level_text});
+          {.meaning = level_text, .why_no_error = errors ? no_level : ""});
   constexpr double round_off = 1e-9;
   if (ellipse.gamma() <= 1 + round_off) return;  // a circle
   out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
@@ -193,11 +194,13 @@ Estimate LengthErrors::r_max(double level, const Reach& reach) const {
 
 Estimate LengthErrors::ratio(double value, const AcfDeviations::Figure& figure, double least,
                              double most) const {
-  const auto [error, bias] = deviations_.relative(rho_, figure, threads_);
-  const double half = deviations_.quantile(0.025) * error;
-  return {value, value * error,
-          Interval::of(value, std::max(least, value * std::exp(-bias - half)),
-                       std::min(most, value * std::exp(-bias + half)))};
+  const LagField& freed = intervals_.freed();
+  const auto [error, bias, falls, rises] = deviations_.relative(freed, figure, threads_);
+  if (std::isnan(error)) return {value};
+  const double half = deviations_.quantile(0.025) * error, centre = *figure(freed) * std::exp(-bias),
+               low = falls ? least : std::max(least, centre * std::exp(-half)),
+               high = rises ? most : std::min(most, centre * std::exp(half));
+  return {value, value * error, Interval::of(value, std::min(low, value), std::max(high, value))};
 }
 
 Estimate LengthErrors::axis(double angle, const AcfDeviations::Figure& figure, const Estimate& aspect,

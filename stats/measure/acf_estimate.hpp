@@ -62,7 +62,8 @@ class LengthErrors {
   Estimate along(double angle, double level, double length) const;
   Estimate r_min(double level, const Reach& reach) const;  ///< Sal
   Estimate r_max(double level, const Reach& reach) const;  ///< the slowest decay
-  /// A ratio of lengths between these bounds.
+  /// A ratio of lengths between these bounds. Its interval is about that of ρ' = (ρ + b)/(1 + b)
+  /// (stats/uncertainty/length_interval.hpp), less the bias, and holds the value; no error where ρ' has none.
   Estimate ratio(double value, const AcfDeviations::Figure& figure, double least, double most) const;
   /// A direction, found among some that are `resolution` apart [rad]; without an error unless the interval of
   /// the aspect ratio of the contour excludes 1.
