@@ -54,7 +54,7 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
     if (!crossing) return std::nullopt;
     out.add(prefix + "length_" + level.tag + "_" + name, "m", "lag at which the ACF falls to {}",
             errors ? errors->along(angle, level.value, crossing->lag) : Estimate{crossing->lag},
-            {.meaning = level.text});
+            {.meaning = level.text, .why_no_error = errors ? no_level : ""});
     return crossing->lag;
   };
   const auto x = along("x", 0), y = along("y", std::numbers::pi / 2);
@@ -154,18 +154,12 @@ LengthErrors::LengthErrors(const AcfEstimate& estimate, const Field& heights, do
       threads_(threads),
       deviations_(deviations_of(
           estimate, waves_of(estimate, heights, lags_about(estimate.rho, grid_, least_level), threads))),
-      errors_(deviations_.errors()),
       rho_(estimate.rho.within(deviations_.max_lag())),
       intervals_(rho_, grid_, deviations_, estimate.size.bias_of_lags()) {}
 
-// By the slope of ρ where a mode leaves ρ without such a length on both sides.
-Estimate LengthErrors::length(double level, const Reach& reach, const AcfDeviations::Figure& figure,
+Estimate LengthErrors::length(double found, const AcfDeviations::Figure& figure,
                               const Interval& interval) const {
-  const double relative = deviations_.relative(rho_, figure, threads_).error;
-  if (!std::isnan(relative)) return {reach.length, relative * reach.length, interval};
-  const auto crossing = first_crossing(rho_, grid_, reach.angle, level);
-  const auto [p, q] = nearest_lag(grid_, reach.angle, reach.length);
-  return {reach.length, crossing ? errors_(p, q) / -crossing->slope : unknown, interval};
+  return {found, deviations_.relative(rho_, figure, threads_).error * found, interval};
 }
 
 Estimate LengthErrors::along(double angle, double level, double found) const {
@@ -173,7 +167,7 @@ Estimate LengthErrors::along(double angle, double level, double found) const {
     const auto crossing = first_crossing(rho, grid_, angle, level);
     return crossing ? std::optional(crossing->lag) : std::nullopt;
   };
-  return length(level, {found, angle}, length_of, intervals_.along(angle, level));
+  return length(found, length_of, intervals_.along(angle, level));
 }
 
 Estimate LengthErrors::extreme(double level, const Reach& reach, Extreme which,
@@ -182,7 +176,7 @@ Estimate LengthErrors::extreme(double level, const Reach& reach, Extreme which,
     const auto found = central_lobe(rho, grid_, level).*which;
     return found ? std::optional(found->length) : std::nullopt;
   };
-  return length(level, reach, length_of, interval);
+  return length(reach.length, length_of, interval);
 }
 
 Estimate LengthErrors::r_min(double level, const Reach& reach) const {

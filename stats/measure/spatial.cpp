@@ -20,7 +20,7 @@ constexpr Definition<TextureDirection> texture_table[] = {
 
 void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const LengthErrors* errors) {
   const CentralLobe lobe = central_lobe(acf.rho, acf.grid(), level);
-  const Words words{.meaning = shortest(level)};
+  const Words words{.meaning = shortest(level), .why_no_error = errors ? no_level : ""};
   auto of_lobe = [grid = acf.grid(), level](auto value) {
     return
         [=](const LagField& rho) -> std::optional<double> { return value(central_lobe(rho, grid, level)); };
