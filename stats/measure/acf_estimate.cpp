@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double unlimited = AcfDeviations::beyond;
 
 // Lags at which the upper end of an interval is looked for: two and a half times as far as ρ exceeds the
 // level, on an ellipse.
@@ -54,7 +54,7 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
     if (!crossing) return std::nullopt;
     out.add(prefix + "length_" + level.tag + "_" + name, "m", "lag at which the ACF falls to {}",
             errors ? errors->along(angle, level.value, crossing->lag) : Estimate{crossing->lag},
-            {.meaning = level.text});
+            {.meaning = level.text, .why_no_error = errors ? no_level : ""});
     return crossing->lag;
   };
   const auto x = along("x", 0), y = along("y", std::numbers::pi / 2);
@@ -63,11 +63,13 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
     auto ratio = [&](const LagField& r) -> std::optional<double> {
       const auto over = first_crossing(r, grid, 0, level.value),
                  under = first_crossing(r, grid, std::numbers::pi / 2, level.value);
-      if (!over || !under) return std::nullopt;
+      if (!over && !under) return std::nullopt;
+      if (!over || !under) return over ? 0 : unlimited;
       return over->lag / under->lag;
     };
     out.add(prefix + "gamma_" + level.tag, "1", "ratio of lengths, x over y",
-            errors ? errors->ratio(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y});
+            errors ? errors->ratio(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y},
+            {.why_no_error = errors ? no_level : ""});
   }
   if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {
     const std::string name = prefix + "ellipticity_" + level.tag;
@@ -80,19 +82,18 @@ void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel
 void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
                  const std::string& level_text, const std::array<std::string, 2>& names,
                  const LengthErrors* errors) {
-  auto of_lobe = [grid, level](auto value) {
-    return [=](const LagField& rho) -> std::optional<double> {
-      const auto found = central_lobe(rho, grid, level).ellipse;
-      if (!found) return std::nullopt;
-      return value(*found);
-    };
+  const auto gamma = [=](const LagField& rho) -> std::optional<double> {
+    const auto found = central_lobe(rho, grid, level).ellipse;
+    return found ? found->gamma() : unlimited;
   };
-  const auto gamma = of_lobe([](const LobeEllipse& e) { return e.gamma(); });
-  const auto axis = of_lobe([](const LobeEllipse& e) { return e.major.angle; });
+  const auto axis = [=](const LagField& rho) -> std::optional<double> {
+    const auto found = central_lobe(rho, grid, level).ellipse;
+    return found ? std::optional(found->major.angle) : std::nullopt;
+  };
   const Estimate ratio =
       errors ? errors->ratio(ellipse.gamma(), gamma, 1, unlimited) : Estimate{ellipse.gamma()};
   out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", ratio,
-          {.meaning = level_text});
+          {.meaning = level_text, .why_no_error = errors ? no_level : ""});
   constexpr double round_off = 1e-9;
   if (ellipse.gamma() <= 1 + round_off) return;  // a circle
   out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
@@ -153,18 +154,12 @@ LengthErrors::LengthErrors(const AcfEstimate& estimate, const Field& heights, do
       threads_(threads),
       deviations_(deviations_of(
           estimate, waves_of(estimate, heights, lags_about(estimate.rho, grid_, least_level), threads))),
-      errors_(deviations_.errors()),
       rho_(estimate.rho.within(deviations_.max_lag())),
       intervals_(rho_, grid_, deviations_, estimate.size.bias_of_lags()) {}
 
-// By the slope of ρ where a mode leaves ρ without such a length on both sides.
-Estimate LengthErrors::length(double level, const Reach& reach, const AcfDeviations::Figure& figure,
+Estimate LengthErrors::length(double found, const AcfDeviations::Figure& figure,
                               const Interval& interval) const {
-  const double relative = deviations_.relative(rho_, figure, threads_).error;
-  if (!std::isnan(relative)) return {reach.length, relative * reach.length, interval};
-  const auto crossing = first_crossing(rho_, grid_, reach.angle, level);
-  const auto [p, q] = nearest_lag(grid_, reach.angle, reach.length);
-  return {reach.length, crossing ? errors_(p, q) / -crossing->slope : unknown, interval};
+  return {found, deviations_.relative(rho_, figure, threads_).error * found, interval};
 }
 
 Estimate LengthErrors::along(double angle, double level, double found) const {
@@ -172,7 +167,7 @@ Estimate LengthErrors::along(double angle, double level, double found) const {
     const auto crossing = first_crossing(rho, grid_, angle, level);
     return crossing ? std::optional(crossing->lag) : std::nullopt;
   };
-  return length(level, {found, angle}, length_of, intervals_.along(angle, level));
+  return length(found, length_of, intervals_.along(angle, level));
 }
 
 Estimate LengthErrors::extreme(double level, const Reach& reach, Extreme which,
@@ -181,7 +176,7 @@ Estimate LengthErrors::extreme(double level, const Reach& reach, Extreme which,
     const auto found = central_lobe(rho, grid_, level).*which;
     return found ? std::optional(found->length) : std::nullopt;
   };
-  return length(level, reach, length_of, interval);
+  return length(reach.length, length_of, interval);
 }
 
 Estimate LengthErrors::r_min(double level, const Reach& reach) const {
@@ -193,11 +188,13 @@ Estimate LengthErrors::r_max(double level, const Reach& reach) const {
 
 Estimate LengthErrors::ratio(double value, const AcfDeviations::Figure& figure, double least,
                              double most) const {
-  const auto [error, bias] = deviations_.relative(rho_, figure, threads_);
-  const double half = deviations_.quantile(0.025) * error;
-  return {value, value * error,
-          Interval::of(value, std::max(least, value * std::exp(-bias - half)),
-                       std::min(most, value * std::exp(-bias + half)))};
+  const LagField& freed = intervals_.freed();
+  const auto [error, bias, falls, rises] = deviations_.relative(freed, figure, threads_);
+  if (std::isnan(error)) return {value};
+  const double half = deviations_.quantile(0.025) * error, centre = *figure(freed) * std::exp(-bias),
+               low = falls ? least : std::max(least, centre * std::exp(-half)),
+               high = rises ? most : std::min(most, centre * std::exp(half));
+  return {value, value * error, Interval::of(value, std::min(low, value), std::max(high, value))};
 }
 
 Estimate LengthErrors::axis(double angle, const AcfDeviations::Figure& figure, const Estimate& aspect,

@@ -58,11 +58,12 @@ class LengthErrors {
   /// Of the prepared heights that the estimate is of.
   LengthErrors(const AcfEstimate& estimate, const Field& heights, double least_level, int threads = 1);
 
-  /// A length in a direction.
+  /// A length in a direction; without an error, as all others, if a mode on both sides leaves ρ without it.
   Estimate along(double angle, double level, double length) const;
   Estimate r_min(double level, const Reach& reach) const;  ///< Sal
   Estimate r_max(double level, const Reach& reach) const;  ///< the slowest decay
-  /// A ratio of lengths between these bounds.
+  /// A ratio of lengths between these bounds. Its interval is about that of ρ' = (ρ + b)/(1 + b)
+  /// (stats/uncertainty/length_interval.hpp), less the bias, and holds the value; no error where ρ' has none.
   Estimate ratio(double value, const AcfDeviations::Figure& figure, double least, double most) const;
   /// A direction, found among some that are `resolution` apart [rad]; without an error unless the interval of
   /// the aspect ratio of the contour excludes 1.
@@ -71,14 +72,13 @@ class LengthErrors {
 
  private:
   using Extreme = std::optional<Reach> CentralLobe::*;
-  Estimate length(double level, const Reach& reach, const AcfDeviations::Figure& figure,
-                  const Interval& interval) const;
+  Estimate length(double found, const AcfDeviations::Figure& figure, const Interval& interval) const;
   Estimate extreme(double level, const Reach& reach, Extreme which, const Interval& interval) const;
 
   Grid grid_;
   int threads_;
   AcfDeviations deviations_;
-  LagField errors_, rho_;
+  LagField rho_;
   LengthIntervals intervals_;
 };
 

@@ -55,6 +55,9 @@ class ParameterList {
   Parameters parameters_;
 };
 
+/// Why a length, or a ratio of two, has no error.
+inline constexpr const char* no_level =
+    "no error: the true ACF, without the field's own mean subtracted, may not fall that far within the lags";
 /// Why the direction of a contour has no error.
 inline constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
 

@@ -20,16 +20,18 @@ constexpr Definition<TextureDirection> texture_table[] = {
 
 void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const LengthErrors* errors) {
   const CentralLobe lobe = central_lobe(acf.rho, acf.grid(), level);
-  const Words words{.meaning = shortest(level)};
+  const Words words{.meaning = shortest(level), .why_no_error = errors ? no_level : ""};
   auto of_lobe = [grid = acf.grid(), level](auto value) {
     return
         [=](const LagField& rho) -> std::optional<double> { return value(central_lobe(rho, grid, level)); };
   };
   std::optional<Estimate> aspect;
-  if (const auto ratio = lobe.aspect_ratio())
-    aspect = errors
-                 ? errors->ratio(*ratio, of_lobe([](const CentralLobe& l) { return l.aspect_ratio(); }), 0, 1)
-                 : Estimate{*ratio};
+  if (const auto ratio = lobe.aspect_ratio()) {
+    auto of_reaches = [](const CentralLobe& l) {
+      return l.r_min && !l.r_max ? std::optional(0.0) : l.aspect_ratio();
+    };
+    aspect = errors ? errors->ratio(*ratio, of_lobe(of_reaches), 0, 1) : Estimate{*ratio};
+  }
   auto add_reach = [&](const char* length, const char* meaning, const char* direction,
                        const char* of_direction, std::optional<Reach> CentralLobe::*which,
                        auto error_of_length) {
@@ -48,7 +50,9 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const Le
             "direction of the fastest decay, from +x towards +y", &CentralLobe::r_min, &LengthErrors::r_min);
   add_reach("slowest_decay", "length of the slowest decay of the ACF to {}", "slowest_direction",
             "direction of the slowest decay, the lay", &CentralLobe::r_max, &LengthErrors::r_max);
-  if (aspect) out.add("Str", "1", "texture aspect ratio, fastest over slowest decay", *aspect);
+  if (aspect)
+    out.add("Str", "1", "texture aspect ratio, fastest over slowest decay", *aspect,
+            {.why_no_error = errors ? no_level : ""});
   if (lobe.ellipse)
     add_ellipse(out, *lobe.ellipse, acf.grid(), level, words.meaning, {"gamma", "gamma_direction"}, errors);
 }

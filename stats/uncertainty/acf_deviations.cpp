@@ -67,14 +67,23 @@ double AcfDeviations::error_of(const std::vector<Pair>& pairs, double here, cons
 
 AcfDeviations::Law AcfDeviations::relative(const LagField& rho, const Figure& figure, int threads) const {
   const auto here = figure(rho);
-  if (!here) return {NAN, NAN};
-  const double error =
-      error_of(displaced(rho, figure, 1, threads), *here, [](double a, double b) { return std::log(a / b); });
-  const double step = std::sqrt(static_cast<double>(modes_.size()));
-  double sum = 0, count = 0;
-  for (const auto& [above, below] : displaced(rho, figure, step, threads))
-    if (above && below) sum += std::log(*above / *here) + std::log(*below / *here), count += 2;
-  return {error, count > 0 ? sum / count : 0};
+  if (!here || !(*here > 0 && std::isfinite(*here))) return {};
+  const double step = quantile(0.025);
+  std::vector<Pair> pairs = displaced(rho, figure, step, threads);
+  Law out;
+  double curvature = 0;
+  for (auto& [above, below] : pairs) {
+    for (std::optional<double>* side : {&above, &below}) {
+      out.falls = out.falls || side->value_or(0) == 0;
+      out.rises = out.rises || std::isinf(side->value_or(INFINITY));
+      if (side->value_or(0) == 0 || std::isinf(**side)) side->reset();
+    }
+    if (above && below) curvature += std::log(*above / *here) + std::log(*below / *here);
+  }
+  auto apart = [](double a, double b) { return std::log(a / b); };
+  out.error = error_of(pairs, *here, apart) / step;
+  out.bias = curvature / (2 * step * step);
+  return out;
 }
 
 double AcfDeviations::of_axis(const LagField& rho, const Figure& figure, int threads) const {

@@ -4,17 +4,30 @@
 /// variance 1. Then
 ///     Var[ρ(h)] = Σ_k m_k(h)²,      Cov[ρ(h), ρ(g)] = Σ_k m_k(h) m_k(g),                              (1)
 /// and a figure F of the autocorrelation, as its texture aspect ratio, has the variance and the bias
-///     Var[F] = Σ_k [(F(ρ + m_k) - F(ρ - m_k))/2]²,                                                    (2)
-///     1/(2K) Σ_k [F(ρ + √K m_k) + F(ρ - √K m_k)] - F(ρ),                                              (3)
+///     Var[F] = Σ_k [(F(ρ + u m_k) - F(ρ - u m_k))/(2u)]²,                                             (2)
+///     1/(2u²) Σ_k [F(ρ + u m_k) - 2F(ρ) + F(ρ - u m_k)],                                              (3)
 /// however it depends on the lags, and though their errors are correlated; (3) also where F has a kink, as
-/// the least of many lengths has (the unscented transform).
+/// the least of many lengths has (an unscented transform). The step u is the quantile that 95 % intervals
+/// end at: a length changes by its mean slope up to there. With u = 1, where noise makes a shoulder of ρ, a
+/// tail of huge errors raised their rms: for ratios at 10 % it was 1.0 to 2.0 of the true error, and is 0.9
+/// to 1.3 (150 fields of each of eleven textures, N_eff 290 to 1230).
+///
+/// Where ρ ± u m_k does not fall to the level of a length, that length is beyond the lags, and a ratio with
+/// it zero or infinite: its interval is open on that side.
 ///
 /// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp).
+///
+/// Accuracy  of 200 fields of each of eleven textures, 95 % intervals of ratios (Str, gamma, those at 1/e and
+///           10 %) cover 86 to 98 % at N_eff 290 to 1230, the rms of stated errors 0.87 to 1.32 of the true
+///           ones; 82 to 100 % and 0.63 to 1.45 at N_eff 33 to 140, where an error is given in 5 % of the
+///           fields or more; 68 to 100 % at 8 to 35.
 ///
 /// S. J. Julier, J. K. Uhlmann, Unscented filtering and nonlinear estimation, Proc. IEEE 92 (2004) 401-422.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -42,10 +55,13 @@ class AcfDeviations {
   /// The correlation of the deviations of lags.
   Eigen::MatrixXd correlation(const std::vector<Shape>& lags) const;
 
-  /// A figure of ρ; none if this ρ has no such figure.
+  static constexpr double beyond = std::numeric_limits<double>::infinity();
+  /// A figure of ρ; none if this ρ has no such figure. Of a ratio with a length beyond the lags, 0 or
+  /// infinite.
   using Figure = std::function<std::optional<double>(const LagField& rho)>;
   struct Law {
-    double error, bias;  ///< NaN if ρ and both sides of a mode have no such figure
+    double error = NAN, bias = NAN;     ///< NaN if ρ, or a mode on both sides, has no such figure
+    bool falls = false, rises = false;  ///< no end below, above: a mode leads to 0, to infinity, or nowhere
   };
   /// Of the logarithm of a positive figure.
   Law relative(const LagField& rho, const Figure& figure, int threads = 1) const;

@@ -38,6 +38,7 @@ class LengthIntervals {
   /// `bias` is b.
   LengthIntervals(const LagField& rho, const Grid& grid, const AcfDeviations& deviations, double bias);
 
+  const LagField& freed() const { return freed_; }  ///< ρ'
   /// (1) in a direction, an angle from +x towards +y [rad], in metres; open above if it exceeds the lags.
   Interval along(double angle, double level, double confidence = 0.95) const;
   Interval r_min(double level, double confidence = 0.95) const;  ///< of Sal

@@ -72,7 +72,7 @@ The same of fields of few correlation lengths, N_eff 33 to 140:
 END
 table error_coverage@few-2
 text <<'END'
-Lengths at 10 % and the slowest decay have no upper end in most of these fields. What follows a few profiles or heights is known to
+Lengths at 10 % and the slowest decay, and ratios with them, have one end only in most of these fields. What follows a few profiles or heights is known to
 little more than its size.
 
 False alarms of `asperity-validate`, in per cent, at a stated 1 and 5 %; errors from theory if heights are Gaussian, else from
