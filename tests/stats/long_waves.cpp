@@ -132,17 +132,17 @@ TEST_CASE("a single measured row has the errors of a field of one row", "[long-w
   Field z = Field::Constant(60, 200, NAN);
   z.row(17) = row;
   const Grid g = grid(60, 200), of_row = grid(1, 200);
-  auto shape = [](const Field& of, const Grid& on, Shape reach) {
+  auto extent_of = [](const Field& of, const Grid& on, Shape reach) {
     const LagField rho = LagField::of(reach, [](Index p, Index q) {
       return std::exp(-std::hypot(static_cast<double>(p), static_cast<double>(q)) / 4);
     });
-    return ErrorBasis{rho, false, Pairs::of(of, on)}.shape();
+    return ErrorBasis{rho, false, Pairs::of(of, on)}.extent();
   };
-  const CorrelationShape alone = shape(row, of_row, {0, 50}), within = shape(z, g, {30, 50});
-  CHECK(relative_error(within.extent.patches, alone.extent.patches) <= 1e-12);
-  CHECK(relative_error(within.extent.elongation, alone.extent.elongation) <= 1e-12);
-  const LocalMeans of = sums_of(z, g, 60).means(within.extent),
-                   expected = sums_of(row, of_row, 1).means(alone.extent);
+  const FieldExtent alone = extent_of(row, of_row, {0, 50}), within = extent_of(z, g, {30, 50});
+  CHECK(relative_error(within.patches, alone.patches) <= 1e-12);
+  CHECK(relative_error(within.elongation, alone.elongation) <= 1e-12);
+  const LocalMeans of = sums_of(z, g, 60).means(within),
+                   expected = sums_of(row, of_row, 1).means(alone);
   CHECK(of.degrees() == expected.degrees());
   CHECK(relative_error(of.error(itself), expected.error(itself)) <= 1e-10);
 }
