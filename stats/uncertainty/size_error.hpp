@@ -1,8 +1,8 @@
 /// Standard errors of the effective sample sizes N/S_k of a field whose correlation is estimated.
 ///
-/// S_k is a figure of the estimated ρ (stats/uncertainty/effective_size.hpp), with its choice of lags. With the
-/// modes m of the deviation of ρ at all lags together (stats/uncertainty/acf_deviations.hpp), N_k = N/S_k has
-/// the standard error SE,
+/// S_k is a figure of the estimated ρ (stats/uncertainty/effective_size.hpp), with its choice of lags. By the
+/// modes m of the deviation of ρ at all lags together (stats/uncertainty/acf_deviations.hpp), N_k = N/S_k
+/// has the standard error SE,
 ///     (SE/N_k)² = Σ_m [½ ln N_k(ρ+m) - ½ ln N_k(ρ-m)]² · [(1 - L(N_2))/(1 - L(N_1))]²,                (1)
 ///     L(n) = 1.4/√n, 0.4 at most.
 /// The modes allow for the loss L(N_2) of single lags (stats/uncertainty/lag_waves.hpp). Sums over lags stray
@@ -20,8 +20,8 @@
 ///           98 %, of two scales and plateaus 0.79 to 0.91 and 82 to 89 %. Of 400 exponential fields of
 ///           N_2 = 9, 12 to 15 % of which have no errors: 1.05 to 1.17 and 91 to 96 %
 ///           (validation/error_coverage).
-/// Cost      the waves over lags up to twice those that hold 95 % of Σ ρ², and two estimates of S_k from these
-///           lags for each wave: a third of what the rest of the height parameters costs.
+/// Cost      the waves over lags up to twice those that hold 95 % of Σ ρ², and two estimates of S_k from them
+///           for each wave: a third of what the rest of the height parameters costs.
 #pragma once
 
 #include <Eigen/Core>
