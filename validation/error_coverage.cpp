@@ -24,8 +24,9 @@
 /// textures      that have an error in more than half of the fields, and of how many
 /// covered, ratio    least and greatest of these
 ///
-/// The truth is the mean over eight fields of four times the sides. Extremes, counts and means over profiles
-/// depend on the size: there it is the mean of the values, and the bias is NaN.
+/// The truth is the mean over eight fields of four times the sides, and of effective sample sizes that of the
+/// true correlation. Extremes, counts and means over profiles depend on the size: there it is the mean of the
+/// values, and the bias is NaN.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -236,6 +237,17 @@ struct Ranges {
   }
 };
 
+// The effective sample sizes of the true correlation.
+std::map<std::string, double> true_sizes(const textures::Texture& texture, const Setting& setting) {
+  const LagField rho =
+      textures::correlation_of_heights(texture, longest_lags(grid_of(setting.shape)), setting.reach());
+  const EffectiveSampleSize size(rho, grid_of(setting.shape));
+  return {{"N_eff_mean", size.effective(1)},
+          {"N_eff", size.effective(2)},
+          {"N_eff_Ssk", size.effective(3)},
+          {"N_eff_Sku", size.effective(4)}};
+}
+
 void judge(const textures::Texture& texture, const Setting& setting, Ranges& ranges) {
   const auto [nx, ny] = setting.shape;
   std::mt19937_64 random(2026);
@@ -253,8 +265,10 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
     for (const Parameter& p : measured(wide(random), 0, large)) truths[p.name].all.push_back(p);
   const double n_eff =
       static_cast<double>(setting.shape.cells()) / textures::correlated_points(texture, setting.reach());
+  const std::map<std::string, double> sizes = true_sizes(texture, setting);
   for (const std::string& name : names) {
     Column& column = columns[name];
+    if (sizes.contains(name)) column.truth = sizes.at(name);
     if (!depends_on_size(name) && truths.contains(name)) column.truth = truths[name].mean();
     const Row row = column.row();
     fmt::print("{}\t{:.0f}\t{}\t{:.0f}\t{:.1f}\t{:.1f}\t{:.2f}\t{:.2f}\n", texture.name, n_eff, name,

@@ -1,9 +1,12 @@
 #include "textures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace asperity::textures {
 namespace {
@@ -85,6 +88,42 @@ std::vector<Texture> all(double l) {
           {"Weibull", iso, [](double y) { return std::pow(-std::log(share(-y)), 1 / 1.5); }},
           {"plateau", iso, plateau},
           {"bimodal", iso, bimodal}};
+}
+
+namespace {
+
+// The share of the heights' variance in each orthonormal Hermite polynomial of the Gaussian height, from the
+// first on.
+std::array<double, 40> hermite_shares(const std::function<double(double)>& heights) {
+  constexpr double end = 8, step = 1e-3;
+  std::array<double, 40> c{};
+  for (double y = -end; y <= end; y += step) {
+    const double weighted = heights(y) * std::exp(-y * y / 2);
+    double before = 0, here = 1;
+    for (std::size_t k = 1; k <= c.size(); ++k) {
+      const double n = static_cast<double>(k);
+      before = std::exchange(here, (y * here - std::sqrt(n - 1) * before) / std::sqrt(n));
+      c[k - 1] += weighted * here;
+    }
+  }
+  double sum = 0;
+  for (double& value : c) sum += value *= value;
+  for (double& value : c) value /= sum;
+  return c;
+}
+
+}  // namespace
+
+LagField correlation_of_heights(const Texture& texture, Shape max_lag, Index reach) {
+  std::array<double, 40> shares{1};
+  if (texture.heights) shares = hermite_shares(texture.heights);
+  return LagField::of(max_lag, [&](Index p, Index q) {
+    if (std::max(p, std::abs(q)) > reach) return 0.0;
+    const double r = texture.correlation(static_cast<double>(p), static_cast<double>(q));
+    double sum = 0, power = 1;
+    for (const double share : shares) sum += share * (power *= r);
+    return sum;
+  });
 }
 
 double correlated_points(const Texture& texture, Index reach) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "stats/spatial/lag_field.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity::textures {
@@ -26,6 +27,10 @@ struct Texture {
 ///     two scales                   half white noise, the rest exponential
 ///     lognormal, Weibull, plateau, bimodal    heights of an exponential field
 std::vector<Texture> all(double length);
+
+/// Of the heights, at lags up to `reach` along each axis and zero beyond: by the Hermite series of the
+/// translation, 40 terms.
+LagField correlation_of_heights(const Texture& texture, Shape max_lag, Index reach);
 
 /// The sum of ρ² over all lags: N/N_eff of a long field.
 double correlated_points(const Texture& texture, Index reach);

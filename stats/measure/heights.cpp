@@ -1,6 +1,8 @@
 // Moments, quantiles, tests of Gaussianity, the material ratio.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/words.hpp"
@@ -32,10 +34,6 @@ template <auto value>
 Estimate extreme(const Heights& h) {
   return {h.m.*value};
 }
-template <int k>
-Estimate worth(const Heights& h) {
-  return {std::isfinite(h.size.effective(k)) ? h.size.effective(k) : unknown};
-}
 
 // The kurtosis of any distribution is 1 at least.
 template <>
@@ -61,11 +59,7 @@ constexpr Definition<Heights> height_table[] = {
     {"Sp", of_field, "maximum peak height of the whole field", extreme<&Moments::sp>},
     {"Sv", of_field, "maximum pit depth of the whole field", extreme<&Moments::sv>},
     {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
-    {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }},
-    {"N_eff_mean", "1", "effective sample size for the mean", worth<1>},
-    {"N_eff", "1", "effective sample size for Sq", worth<2>},
-    {"N_eff_Ssk", "1", "effective sample size for Ssk", worth<3>},
-    {"N_eff_Sku", "1", "effective sample size for Sku", worth<4>}};
+    {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }}};
 
 // A large skewness has a large error: its inverse hyperbolic sine, and 1/Sku, vary more evenly.
 Interval of_skewness(double value, double half_width) {
@@ -116,6 +110,37 @@ Heights heights_of(const Sample& sample) {
   return {level, m, size, errors.standard_errors(m.sq), confidence_intervals(m, errors, size)};
 }
 
+// ---- effective sample sizes ----
+
+// Why size k of an estimated correlation has no error; "" where it may have one.
+std::string why_no_error(const Sample& sample, int k) {
+  if (!sample.basis().estimated) return "";
+  if (const std::string few = too_few(sample.size()); !few.empty())
+    return "no standard error can be given: " + few;
+  if (k == 1) return "no standard error: it rests on lags at which noise hides the correlation";
+  if (!sample.whole()) return "no standard error: the surface is read in strips";
+  if (k == 2 && !sample.correlation_gives_errors())
+    return "no standard error: the correlation is negative at many lags";
+  return "";
+}
+
+void add_sizes(ParameterList& out, const Sample& sample) {
+  constexpr std::array names{"N_eff_mean", "N_eff", "N_eff_Ssk", "N_eff_Sku"},
+      of{"the mean", "Sq", "Ssk", "Sku"};
+  const EffectiveSampleSize& size = sample.size();
+  const auto errors = sample.size_errors();
+  for (int k = 1; k <= 4; ++k) {
+    const auto i = static_cast<std::size_t>(k - 1);
+    const double value = size.effective(k);
+    Estimate estimate{std::isfinite(value) ? value : unknown};
+    const std::string why = why_no_error(sample, k);
+    if (errors && why.empty()) estimate = {estimate.value, (*errors)(k), errors->interval(k)};
+    out.add(
+        names[i], "1", "effective sample size for {}", estimate,
+        {.meaning = of[i], .why = "no value: the estimated correlation sums to zero", .why_no_error = why});
+  }
+}
+
 // ---- the material ratio ----
 
 constexpr Definition<CoreParameters> core_table[] = {
@@ -143,7 +168,8 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
   ParameterList out(sample.surface().units);
-  out.add(height_table, heights_of(sample), {.why = "no value: the estimated correlation sums to zero"});
+  out.add(height_table, heights_of(sample));
+  add_sizes(out, sample);
   if (!sample.basis().pairs.complete())
     out.add("N_missing", "1", "number of missing points, left out of all parameters",
             {static_cast<double>(sample.grid().shape.cells()) - sample.size().points()});

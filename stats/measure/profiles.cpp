@@ -78,7 +78,10 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
             {.meaning = symbol, .why = why, .why_no_error = no_error});
   }
   out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});
-  out.add("profiles_eff", "1", "effective number of independent profiles", {averages.independent});
+  out.add("profiles_eff", "1", "effective number of independent profiles", {averages.independent},
+          {.why_no_error = sample.basis().estimated
+                               ? "no standard error: it rests on lags at which noise hides the correlation"
+                               : ""});
   return std::move(out).all();
 }
 

@@ -111,6 +111,11 @@ std::optional<DerivativeErrors> Sample::derivative_errors() const {
   return out;
 }
 
+std::optional<SizeErrors> Sample::size_errors() const {
+  if (!errors_ || !whole() || !basis().estimated || !size_.gives_errors()) return std::nullopt;
+  return SizeErrors(surface_.heights, basis().correlation, basis().pairs, extent(), size_, threads_);
+}
+
 MaterialRatioCurve Sample::material_ratio() const {
   return reader_ ? MaterialRatioCurve(bins()) : MaterialRatioCurve(surface_.heights, threads_);
 }

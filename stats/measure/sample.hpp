@@ -20,6 +20,7 @@
 #include "stats/measure/strips.hpp"
 #include "stats/measure/surface.hpp"
 #include "stats/profile/profile.hpp"
+#include "stats/uncertainty/size_error.hpp"
 
 namespace asperity {
 
@@ -73,6 +74,8 @@ class Sample {
   bool needs_errors() const { return errors_; }
   std::optional<HeightErrors> height_errors() const;
   std::optional<DerivativeErrors> derivative_errors() const;
+  /// None either of a surface in strips, of too small a size, or by a known correlation: that is exact.
+  std::optional<SizeErrors> size_errors() const;
   std::optional<QuantileErrors> quantile_errors(const std::vector<double>& heights) const;
   /// Heights below which these shares of the surface lie.
   std::vector<double> quantiles(const std::vector<double>& shares) const;

@@ -86,6 +86,23 @@ AcfDeviations::Law AcfDeviations::relative(const LagField& rho, const Figure& fi
   return out;
 }
 
+Eigen::ArrayXd AcfDeviations::relative_errors(const LagField& rho, const Figures& figures,
+                                              int threads) const {
+  const LagField here = rho.within(max_lag());
+  std::vector<Eigen::ArrayXd> squares(modes_.size());
+  parallel_ranges(static_cast<Index>(modes_.size()), threads, [&](Index begin, Index end, int) {
+    for (Index k = begin; k < end; ++k) {
+      const Field& by = modes_[static_cast<std::size_t>(k)].half_plane();
+      const Eigen::ArrayXd above = figures(LagField(here.half_plane() + by)),
+                           below = figures(LagField(here.half_plane() - by));
+      squares[static_cast<std::size_t>(k)] = (0.5 * (above / below).log()).square();
+    }
+  });
+  Eigen::ArrayXd variance = squares.front();
+  for (std::size_t k = 1; k < squares.size(); ++k) variance += squares[k];
+  return variance.sqrt();
+}
+
 double AcfDeviations::of_axis(const LagField& rho, const Figure& figure, int threads) const {
   const auto here = figure(rho);
   if (!here) return NAN;

@@ -65,6 +65,9 @@ class AcfDeviations {
   };
   /// Of the logarithm of a positive figure.
   Law relative(const LagField& rho, const Figure& figure, int threads = 1) const;
+  /// The errors of the logarithms of several positive figures; not finite where one is zero or infinite.
+  using Figures = std::function<Eigen::ArrayXd(const LagField& rho)>;
+  Eigen::ArrayXd relative_errors(const LagField& rho, const Figures& figures, int threads = 1) const;
   /// The error of an axis [rad], of period π; NaN also if no direction is preferred.
   double of_axis(const LagField& rho, const Figure& figure, int threads = 1) const;
 

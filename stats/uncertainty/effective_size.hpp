@@ -23,7 +23,8 @@
 ///     S_1 = Σ v ρ/(1 - K/N),     S_2 = Σ v [(ρ+b)/(1+b)]² / (1 + K/N),     v the weights of (2).   (6)
 /// The lags beyond lower S_1 by about the fraction 15 S_2/N and S_2 by 10 S_2/N, measured values between
 /// those for triangular (0, 7) and exponential (35, 17) correlations, which are added. ln S_2 then has a
-/// variance of 5 to 16 S_2/N, as a standard error with `degrees` = N/(8 S_2) degrees of freedom.
+/// variance of 5 to 16 S_2/N, as a standard error with `degrees` = N/(8 S_2) degrees of freedom. Errors of
+/// N/S_k are those of stats/uncertainty/size_error.hpp.
 ///
 /// Noise of single points, as of an instrument, raises N_eff = N/S_2 and tells nothing of long waves. Without
 /// it there are

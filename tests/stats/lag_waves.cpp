@@ -264,6 +264,11 @@ TEST_CASE("a figure of the autocorrelation has the error of the deviations of it
       LagField(rho), [](const LagField& r) { return std::optional(std::exp(r(1, 0))); }, 3);
   CHECK(exponential.error == Approx(0.05).epsilon(1e-12));
   CHECK(std::abs(exponential.bias) <= 1e-14);
+  const Eigen::ArrayXd several = of.relative_errors(
+      LagField(rho),
+      [](const LagField& r) { return Eigen::Array2d(std::exp(r(1, 0)), std::exp(2 * r(0, 1))); }, 2);
+  CHECK(several(0) == Approx(0.05).epsilon(1e-12));
+  CHECK(several(1) == Approx(0.04).epsilon(1e-12));
   // Of a convex function the logarithm is biased: (3) of 10 u times the modes.
   const auto cosh = of.relative(
       LagField(rho), [](const LagField& r) { return std::optional(std::cosh(10 * (r(1, 0) - 0.5))); });
