@@ -119,7 +119,7 @@ std::string why_no_error(const Sample& sample, int k) {
     return "no standard error can be given: " + few;
   if (k == 1) return "no standard error: it rests on lags at which noise hides the correlation";
   if (!sample.whole()) return "no standard error: the surface is read in strips";
-  if (k == 2 && !sample.correlation_gives_errors())
+  if (constexpr double lay = 0.05; k == 2 && sample.extent().negative > lay)
     return "no standard error: the correlation is negative at many lags";
   return "";
 }

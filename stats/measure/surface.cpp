@@ -54,17 +54,18 @@ ErrorBasis error_basis(const Surface& surface, int threads) {
 }
 
 FieldExtent ErrorBasis::extent() const {
-  double all = 0, along_x = 0, along_y = 0;
+  double all = 0, along_x = 0, along_y = 0, negative = 0;
   const LagField rho = known_lags().normalised();
   for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
     const double square = weight * rho(p, q) * rho(p, q);
     all += square;
     along_x += square * static_cast<double>(std::abs(p));
     along_y += square * static_cast<double>(std::abs(q));
+    if (rho(p, q) < 0) negative += square;
   });
   const auto [nx, ny] = pairs.sides();
   auto lengths = [all](double side, double along) { return side / (0.5 + along / all); };
-  return {size().patches(), lengths(nx, along_x) / lengths(ny, along_y)};
+  return {size().patches(), lengths(nx, along_x) / lengths(ny, along_y), negative / all};
 }
 
 std::string rounded(double independent) { return shortest(std::round(10 * independent) / 10); }

@@ -49,6 +49,7 @@ namespace asperity {
 struct FieldExtent {
   double patches = 0;     ///< independent ones (stats/uncertainty/effective_size.hpp)
   double elongation = 1;  ///< correlation lengths along x over those along y
+  double negative = 0;    ///< share of Σ ρ² where ρ < 0: hardly any but of a lay
 };
 
 /// The waves along an axis of n points, of mean square 1: 1, then the longest `count`, a column each.
