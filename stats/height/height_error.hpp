@@ -8,6 +8,14 @@
 ///     q(s - t e) … q(s + t e),                                                                          (1)
 /// wider by the factor e'/e on both sides.
 ///
+/// Above a form of degree d (stats/filter/form.hpp) the heights themselves lack the long waves, the modes
+/// P_a P_b that it took. The 2d + 5 modes of the next two degrees have the mean power
+///     P = 1/N mean (Σ P_a P_b z)²/Sq²,     d < a + b ≤ d + 2,                                         (2)
+/// of which the error of the mean is Sq √P/(1 - L), L = (1.2 + d)/√N_eff, and the form has taken
+///     b/(1 + b),     b = M P/(1 - L)²,     L = (1.2 + 0.35 d)/√N_eff,     M = (d+1)(d+2)/2            (3)
+/// of the variance, known to √(2/(2d + 5)); L, 0.4 at most, is about three quarters of what an exponential
+/// correlation loses to the next modes. Without a form the share is that of the mean, its squared error over Sq².
+///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 80 operations a point; another one for quantiles, of some 30.
 ///
@@ -28,19 +36,31 @@ class HeightErrors {
  public:
   using Function = std::function<double(const Moments&)>;
 
-  /// Of a field with this mean and rms height.
-  HeightErrors(const Grid& grid, double mean, double sq);
+  /// Of a field with this mean and rms height, measured from a form of this degree.
+  HeightErrors(const Grid& grid, double mean, double sq, int degree = 0);
   /// The next rows of the field.
   void add(const Field& rows, int threads = 1);
   /// Adds no more.
-  void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
+  void finish(const FieldExtent& extent);
 
-  /// Of a function of mean, sa, sq, ssk and sku.
+  /// Of a function of sa, sq, ssk and sku, and of the mean above a mean.
   double operator()(const Function& parameter) const;
   Index degrees() const { return means_.degrees(); }  ///< of freedom
+  double of_mean() const;
+  Index degrees_of_mean() const;  ///< 2d + 5
+  /// The share of the variance that the form took, (3).
+  double taken() const;
 
  private:
+  double next_power() const;         // P
+  double loss(double factor) const;  // L
+
   double mean_, sq_;
+  int degree_;
+  double n_eff_ = 0;
+  Eigen::MatrixXd along_x_ = {}, along_y_ = {};  // P_a along either axis, a column each
+  Eigen::MatrixXd modes_ = {};                   // Σ P_a P_b (z - mean)/Sq
+  Index rows_ = 0;                               // so far
   LocalSums sums_;
   LocalMeans means_ = {};
 };

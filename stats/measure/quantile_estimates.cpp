@@ -7,13 +7,26 @@
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
+namespace {
+
+// About a height that is lower by the factor `left` than without the form.
+Interval beside(double height, double left, double below, double above) {
+  const double freed = height / left;
+  return Interval::of(height, std::min(height, freed - below), std::max(height, freed + above));
+}
+
+}  // namespace
 
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
                                          const std::vector<double>& heights, Origin origin) {
   std::vector<Estimate> out;
+  const double left = origin == Origin::own_mean ? std::sqrt(1 - sample.size().taken_by_form()) : 1;
   if (origin == Origin::own_mean && sample.correlation_gives_errors() && !sample.distribution()) {
-    for (std::size_t i = 0; i < shares.size(); ++i)
-      out.push_back({heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())});
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double error = material_height_error(1 - shares[i], sample.moments(), sample.size()),
+                   half = half_width_95 * error;
+      out.push_back({heights[i], error, beside(heights[i], left, half, half)});
+    }
     return out;
   }
   const auto errors = shares.empty() ? std::nullopt : sample.quantile_errors(heights);
@@ -40,8 +53,8 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
                  of_all = errors->with_mean(k, density) / share;
     out[k].standard_error = of_all * apart / 2;
-    out[k].interval = Interval::of(heights[k], heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
-                                   heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0));
+    out[k].interval = beside(heights[k], left, of_all * std::max(heights[k] - ends[2 * k], 0.0),
+                             of_all * std::max(ends[2 * k + 1] - heights[k], 0.0));
   }
   return out;
 }

@@ -30,7 +30,8 @@ SurfaceSums summed(const StripReader& reader, const Surface& surface, bool deriv
   });
   const Moments m = moments.moments(surface.variable);
   refuse_round_off(std::max(m.sp, m.sv), reader.largest(), reader.degree(), surface.variable);
-  const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs()};
+  const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs(),
+                         FormModes(grid, reader.degree())};
   return {m, sums, basis, needs_lags && correlation.reaches_beyond(basis.known_lags())};
 }
 
@@ -62,6 +63,7 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
       size_(basis().size()),
       threads_(threads) {
   surface_.level = reader.level();
+  surface_.degree = reader.degree();
 }
 
 std::optional<Translation> Sample::distribution() const {
@@ -88,7 +90,7 @@ void Sample::add_all(Sums& sums) const {
 
 std::optional<HeightErrors> Sample::height_errors() const {
   if (!errors_) return std::nullopt;
-  HeightErrors out(grid(), moments().mean, moments().sq);
+  HeightErrors out(grid(), moments().mean, moments().sq, surface_.degree);
   add_all(out);
   out.finish(extent());
   return out;

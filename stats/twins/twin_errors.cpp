@@ -63,12 +63,11 @@ bool differs(const Parameter& p) {
 
 }  // namespace
 
-TwinScope::TwinScope(const Sample& sample, const MeasureOptions& asked)
+TwinScope::TwinScope(const Sample& sample)
     : known_(!sample.basis().estimated),
       complete_(sample.basis().pairs.complete()),
       given_(sample.surface().distribution),
-      gaussian_(!sample.distribution()),
-      level_(repeated(asked.preparation).degree == 0) {}
+      gaussian_(!sample.distribution()) {}
 
 bool TwinScope::holds(const Parameter& p) const {
   if (p.name.starts_with("N") || p.name.starts_with("profiles")) return false;
@@ -78,9 +77,7 @@ bool TwinScope::holds(const Parameter& p) const {
 }
 
 bool TwinScope::needs_none(const Parameter& p) const {
-  if (!std::isfinite(p.standard_error)) return !p.why.empty();
-  if (differs(p) || p.name.starts_with("P") || p.name.starts_with("R")) return true;
-  return level_;
+  return std::isfinite(p.standard_error) || !p.why.empty();
 }
 
 namespace {
@@ -242,7 +239,7 @@ double seconds_of_twins(const Sample& sample, const MeasureOptions& asked) {
 
 bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
                      const TwinOptions& options, Parameters& parameters) {
-  const TwinScope scope(sample, asked);
+  const TwinScope scope(sample);
   auto wanted = [&](const Parameter& p) {
     return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));
   };
