@@ -14,7 +14,7 @@
 /// of which the error of the mean is Sq √P/(1 - L), L = (1.2 + d)/√N_eff, and the form has taken
 ///     b/(1 + b),     b = M P/(1 - L)²,     L = (1.2 + 0.35 d)/√N_eff,     M = (d+1)(d+2)/2            (3)
 /// of the variance, known to √(2/(2d + 5)); L, 0.4 at most, is about three quarters of what an exponential
-/// correlation loses to the next modes. Without a form the share is that of the mean, its squared error over Sq².
+/// correlation loses to the next modes. Without a form the share is (error of the mean)²/Sq².
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 80 operations a point; another one for quantiles, of some 30.

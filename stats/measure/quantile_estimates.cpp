@@ -20,8 +20,9 @@ Interval beside(double height, double left, double below, double above) {
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
                                          const std::vector<double>& heights, Origin origin) {
   std::vector<Estimate> out;
-  const double left = origin == Origin::own_mean ? std::sqrt(1 - sample.size().taken_by_form()) : 1;
-  if (origin == Origin::own_mean && sample.correlation_gives_errors() && !sample.distribution()) {
+  const bool lowered = origin == Origin::own_mean && !sample.distribution();
+  const double left = lowered ? std::sqrt(1 - sample.size().taken_by_form()) : 1;
+  if (lowered && sample.correlation_gives_errors()) {
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const double error = material_height_error(1 - shares[i], sample.moments(), sample.size()),
                    half = half_width_95 * error;

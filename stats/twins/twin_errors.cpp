@@ -244,12 +244,8 @@ bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse 
     return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));
   };
   if (!sample.size().gives_errors() || std::ranges::none_of(parameters, wanted)) return true;
-  if (constexpr double quick = 2.5; use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) {
-    for (Parameter& p : parameters)
-      if (wanted(p) && std::isfinite(p.standard_error))
-        p.why = "theory does not hold for this texture, and twins take long";
-    return false;
-  }
+  constexpr double quick = 2.5;
+  if (use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) return false;
   TwinErrors(sample, asked, options).apply(parameters, wanted);
   return true;
 }

@@ -18,10 +18,10 @@
 ///           (stats/height/height_error.hpp), median of 24 fields of 128 × 128 points, N_eff 340, degree 1,
 ///           2, 4: exponential 0.029, 0.049, 0.086 (true: 0.030, 0.055, 0.115), Gaussian 0.018, 0.034, 0.071
 ///           (0.017, 0.032, 0.074), a lay 0.015, 0.027, 0.056 (0.006, 0.011, 0.026).
-/// @@1
-/// @@2
-/// @@3
-/// @@4
+///           95 % intervals, 100 fields of each of 11 textures, N_eff 290 to 1230, degree 2
+///           (validation/error_coverage): those of Sq cover 90 to 94 %, 85 to 87 % for plateaus and two
+///           levels (81 to 94 % and 56 to 87 % if nothing is put back), of Sal 88 to 100 % (76 to 100 %), of
+///           lengths at 1/e 82 to 97 % (78 to 98 %), of ρ 79 to 96 % (78 to 96 %), least for plateaus.
 /// Cost      nothing for the mean; else n²(d+1)/2 products for (2) and d products a lag for B.
 #pragma once
 
