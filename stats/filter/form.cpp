@@ -13,19 +13,6 @@ namespace {
 
 constexpr double least_pivot = 1e-10;  // of (3), of the largest: three passes then reach round-off
 
-// Column a is P_a over n points: xP_{a-1} without what the columns before it hold, twice for the last digits.
-Eigen::MatrixXd gram_polynomials(Index n, int degree) {
-  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(n, -1, 1);
-  Eigen::MatrixXd p(n, std::min<Index>(degree + 1, n));
-  p.col(0).setConstant(1 / std::sqrt(static_cast<double>(n)));
-  for (Index a = 1; a < p.cols(); ++a) {
-    Eigen::VectorXd next = x * p.col(a - 1).array();
-    for (int pass = 0; pass < 2; ++pass) next -= p.leftCols(a) * (p.leftCols(a).transpose() * next).eval();
-    p.col(a) = next.normalized();
-  }
-  return p;
-}
-
 double first_valid(const Field& z) {
   for (const double height : z.reshaped<Eigen::RowMajor>())
     if (!std::isnan(height)) return height;
@@ -39,6 +26,19 @@ Mean mean_of_valid(const Field& z) {
 }
 
 }  // namespace
+
+// xP_{a-1} without what the columns before it hold, twice for the last digits.
+Eigen::MatrixXd gram_polynomials(Index n, int degree) {
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(n, -1, 1);
+  Eigen::MatrixXd p(n, std::min<Index>(degree + 1, n));
+  p.col(0).setConstant(1 / std::sqrt(static_cast<double>(n)));
+  for (Index a = 1; a < p.cols(); ++a) {
+    Eigen::VectorXd next = x * p.col(a - 1).array();
+    for (int pass = 0; pass < 2; ++pass) next -= p.leftCols(a) * (p.leftCols(a).transpose() * next).eval();
+    p.col(a) = next.normalized();
+  }
+  return p;
+}
 
 void MeanSum::add(const Field& strip) {
   if (!base_) {

@@ -24,12 +24,17 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/field.hpp"
 #include "stats/filter/missing.hpp"
 
 namespace asperity {
 
 inline constexpr int largest_form_degree = 20;
+
+/// P_0, P_1, … up to the degree, or n - 1, over n points: a column each.
+Eigen::MatrixXd gram_polynomials(Index n, int degree);
 
 /// A mean as the sum of a height of the field and a small difference, which has more digits than one double.
 struct Mean {

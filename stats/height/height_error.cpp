@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "stats/filter/form.hpp"
+
 namespace asperity {
 namespace {
 
@@ -23,10 +25,20 @@ Moments moments_of(const Eigen::VectorXd& m) {
 
 }  // namespace
 
-HeightErrors::HeightErrors(const Grid& grid, double mean, double sq)
-    : mean_(mean), sq_(sq), sums_(grid, local) {}
+HeightErrors::HeightErrors(const Grid& grid, double mean, double sq, int degree)
+    : mean_(mean), sq_(sq), degree_(degree), sums_(grid, local) {
+  if (degree == 0) return;
+  along_x_ = gram_polynomials(grid.shape.nx, degree + 2);
+  along_y_ = gram_polynomials(grid.shape.ny, degree + 2);
+  modes_ = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+}
 
 void HeightErrors::add(const Field& rows, int threads) {
+  if (degree_ > 0) {
+    const Eigen::MatrixXd x = zero_filled((rows - mean_) / sq_).matrix() * along_y_;
+    modes_ += along_x_.middleRows(rows_, rows.rows()).transpose() * x;
+    rows_ += rows.rows();
+  }
   sums_.add_rows(rows.rows(), threads, [&](Index i, LocalSums::Values& values) {
     const Eigen::ArrayXd x = (rows.row(i).transpose() - mean_) / sq_, square = x.square();
     auto set = [&](Local a, const auto& value) { values.col(a + 1) = value.matrix(); };
@@ -34,6 +46,37 @@ void HeightErrors::add(const Field& rows, int threads) {
     set(absolute, x.abs()), set(sign, x.sign());
   });
 }
+
+void HeightErrors::finish(const FieldExtent& extent) {
+  means_ = sums_.means(extent);
+  patches_ = extent.patches;
+}
+
+double HeightErrors::next_power() const {
+  const Index last = degree_ + 2;
+  double sum = 0;
+  for (Index a = 0; a < modes_.rows(); ++a)
+    for (Index b = std::max<Index>(last - 1 - a, 0); b < std::min(last + 1 - a, modes_.cols()); ++b)
+      sum += modes_(a, b) * modes_(a, b);
+  const double points = sums_.count(), cells = static_cast<double>(along_x_.rows() * along_y_.rows());
+  return sum / degrees_of_mean() * cells / (points * points);
+}
+
+double HeightErrors::degrees_of_mean() const { return degree_ == 0 ? degrees() : 2.0 * degree_ + 5; }
+
+double HeightErrors::of_mean() const {
+  if (degree_ == 0) return (*this)([](const Moments& of) { return of.mean; });
+  return sq_ * std::sqrt(next_power()) / (1 - loss(1.2 + degree_));
+}
+
+double HeightErrors::taken() const {
+  if (degree_ == 0) return std::min(0.5, std::pow(of_mean() / sq_, 2));
+  const double m = 0.5 * (degree_ + 1) * (degree_ + 2),
+               b = m * next_power() / std::pow(1 - loss(1.2 + 0.35 * degree_), 2);
+  return std::min(0.5, b / (1 + b));
+}
+
+double HeightErrors::loss(double factor) const { return std::min(0.4, factor / std::sqrt(patches_)); }
 
 double HeightErrors::operator()(const Function& parameter) const {
   return means_.error([&](const Eigen::VectorXd& means) {
@@ -54,11 +97,6 @@ QuantileErrors::QuantileErrors(const Grid& grid, const FieldExtent& extent, std:
 void QuantileErrors::add(const Field& rows, int) {
   errors_.add(rows,
               [this](double z) { return std::ranges::lower_bound(ascending_, z) - ascending_.begin(); });
-}
-
-double QuantileErrors::left_by_mean() const {
-  const ShareErrors::Function none(errors_);
-  return asperity::left_by_mean(none.error(1), errors_.rms());
 }
 
 double QuantileErrors::with_mean(std::size_t k, double density) const {

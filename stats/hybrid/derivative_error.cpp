@@ -76,12 +76,11 @@ void DerivativeErrors::add(const Strip& strip, double level, int threads) {
   });
 }
 
-double DerivativeErrors::left_by_mean(const Function& parameter) const {
+double DerivativeErrors::left(const Function& parameter, double taken) const {
   return means_([&](const Eigen::VectorXd& means) {
-    const double of_mean = means_.error([](const Eigen::VectorXd&m) { return m(first); }),
-                 taken = std::min(of_mean * of_mean, means(s00));
+    const double square_taken = taken / (1 - taken) * means(s00);
     Eigen::VectorXd freed = means;
-    freed(s00) += taken, freed(square) += means(summit) * taken;
+    freed(s00) += square_taken, freed(square) += means(summit) * square_taken;
     return std::log(parameter(derivatives(means, grid_)) / parameter(derivatives(freed, grid_)));
   });
 }

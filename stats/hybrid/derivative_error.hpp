@@ -35,8 +35,8 @@ class DerivativeErrors {
   void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   double operator()(const Function& parameter) const;
-  /// Logarithm of what subtracting the field's own mean leaves of a parameter.
-  double left_by_mean(const Function& parameter) const;
+  /// Logarithm of what a form leaves of a parameter that has taken a share of the variance of the heights.
+  double left(const Function& parameter, double taken) const;
   double degrees() const { return means_.degrees(); }  ///< of freedom
 
  private:

@@ -111,7 +111,9 @@ AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool 
 AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& parameters) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, parameters.threads);
   const LagField acf = estimate_autocorrelation(surface.heights, pairs, parameters);
-  return {acf, {surface.correlation.value_or(acf), !surface.correlation, pairs}, parameters.biased};
+  return {acf,
+          {surface.correlation.value_or(acf), !surface.correlation, pairs, {surface.grid, surface.degree}},
+          parameters.biased};
 }
 
 namespace {
@@ -141,10 +143,9 @@ ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, 
   ProfileErrors out{profile(acf_errors(estimate, waves, absolute)), profile(waves.of_structure()),
                     student_quantile(0.025, waves.degrees()), Eigen::ArrayXd()};
   out.structure(0) = 0;
-  const double b = estimate.size.bias_of_lags();
-  const Eigen::ArrayXd rho = profile(estimate.rho);
-  out.bias = absolute ? Eigen::ArrayXd::Constant(rho.size(), -b * estimate.variance)
-                      : (-b / (1 + b) * (1 - rho)).eval();
+  const double left = 1 - estimate.size.taken_by_form();
+  const Eigen::ArrayXd rho = profile(estimate.rho), freed = profile(estimate.size.freed(estimate.rho));
+  out.bias = absolute ? (estimate.variance * (rho - freed / left)).eval() : (rho - freed).eval();
   if (!estimate.size.gives_errors()) out.structure.setConstant(unknown);
   return out;
 }
@@ -155,7 +156,7 @@ LengthErrors::LengthErrors(const AcfEstimate& estimate, const Field& heights, do
       deviations_(deviations_of(
           estimate, waves_of(estimate, heights, lags_about(estimate.rho, grid_, least_level), threads))),
       rho_(estimate.rho.within(deviations_.max_lag())),
-      intervals_(rho_, grid_, deviations_, estimate.size.bias_of_lags()) {}
+      intervals_(rho_, grid_, deviations_, estimate.size.freed(rho_)) {}
 
 Estimate LengthErrors::length(double found, const AcfDeviations::Figure& figure,
                               const Interval& interval) const {

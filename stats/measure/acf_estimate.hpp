@@ -37,7 +37,7 @@ struct ProfileErrors {
   Eigen::ArrayXd acf;        ///< of ρ, or of R if asked for
   Eigen::ArrayXd structure;  ///< of the structure function
   double quantile;           ///< half the 95 % interval in errors
-  Eigen::ArrayXd bias;       ///< that the field's own mean leaves, in ρ or R
+  Eigen::ArrayXd bias;       ///< that the form leaves, in ρ or R
 
   /// Of the value at a lag, corrected for the bias.
   Interval interval(double value, Index lag) const {

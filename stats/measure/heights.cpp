@@ -76,19 +76,20 @@ Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
   const Moments& m = sample.moments();
   const double t = student_quantile(0.025, errors.degrees());
   Heights out{sample.surface().level, m, sample.size(), {}, {}};
-  out.error = {.mean = errors([](const Moments& of) { return of.mean; }),
+  out.error = {.mean = errors.of_mean(),
                .sa = errors([](const Moments& of) { return of.sa; }),
                .sq = errors([](const Moments& of) { return of.sq; }),
                .ssk = errors([](const Moments& of) { return of.ssk; }),
                .sku = errors([](const Moments& of) { return of.sku; })};
-  // Of heights that the field's own mean has lowered.
-  const double left = left_by_mean(out.error.mean, m.sq);
+  const double taken = errors.taken(), left = std::sqrt(1 - taken),
+               of_taken = taken / std::sqrt(2 * errors.degrees_of_mean());
   auto of_scale = [&](double value, double error) {
-    const double width = t * error / value;
+    const double width = t * std::hypot(error / value, of_taken);
     return Interval::of(value, std::min(value, value / left * std::exp(-width)),
                         value / left * std::exp(width));
   };
-  out.interval = {.mean = Interval::about(m.mean, t * out.error.mean),
+  const double t_of_mean = student_quantile(0.025, errors.degrees_of_mean());
+  out.interval = {.mean = Interval::about(m.mean, t_of_mean * out.error.mean),
                   .sa = of_scale(m.sa, out.error.sa),
                   .sq = of_scale(m.sq, out.error.sq),
                   .ssk = of_skewness(m.ssk, t * out.error.ssk),
@@ -101,7 +102,7 @@ Heights heights_of(const Sample& sample) {
   const Moments& m = sample.moments();
   const EffectiveSampleSize& size = sample.size();
   if (!sample.correlation_gives_errors())
-    if (const auto errors = sample.height_errors()) return by_long_waves(sample, *errors);
+    if (const auto& errors = sample.height_errors()) return by_long_waves(sample, *errors);
   const double level = sample.surface().level;
   const auto heights = sample.distribution();
   if (!heights) return {level, m, size, standard_errors(m, size), confidence_intervals(m, size)};

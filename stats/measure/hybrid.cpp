@@ -34,6 +34,7 @@ Had<Value> had(const Sample& sample, Value (Sample::*compute)() const) try {
 struct Differentiated {
   const Derivatives& values;
   const std::optional<DerivativeErrors>& errors;
+  double taken;      // by the form, of the variance of the heights
   double angle = 0;  // of profiles
 
   // `least` bounds the parameter.
@@ -42,7 +43,7 @@ struct Differentiated {
     constexpr double round_off = 1e-12;
     if (!(error > round_off * value && value > 0)) return {value};
     const double t = student_quantile(0.025, errors->degrees());
-    const double freed = value * std::exp(-errors->left_by_mean(parameter)), width = t * error / value;
+    const double freed = value * std::exp(-errors->left(parameter, taken)), width = t * error / value;
     return {value, error,
             Interval::of(value, std::max(std::min(least, value), std::min(value, freed * std::exp(-width))),
                          std::max(value, freed * std::exp(width)))};
@@ -118,21 +119,22 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
   const auto summits = had(sample, &Sample::summits);
   const Derivatives values{slopes.value, moments.value, summits.value};
   const auto errors = had(sample, &Sample::derivative_errors).value;
+  const double taken = sample.taken_by_form();
   const std::string no_slope = moments.why_or("no value: the slope in this direction is zero");
   const std::string same = errors ? "no standard error: it is the same all over the field" : "";
   ParameterList out(sample.surface().units);
-  out.add(slope_table, {values, errors}, {.why = slopes.why, .why_no_error = same});
+  out.add(slope_table, {values, errors, taken}, {.why = slopes.why, .why_no_error = same});
   out.add("m0", "m2", "spectral moment of order 0, Sq squared",
           moments.why.empty() ? square_of_sq(sample, options) : Estimate{unknown}, {.why = no_slope});
   auto add_profiles = [&](double angle, const std::string& name, const std::string& words) {
-    out.add(moment_table, {values, errors, angle}, {name, words, no_slope, same});
+    out.add(moment_table, {values, errors, taken, angle}, {name, words, no_slope, same});
   };
   add_profiles(0, "x", "along x");
   add_profiles(std::numbers::pi / 2, "y", "along y");
   if (options.direction) add_profiles(options.direction->angle, "direction", "at " + options.direction->text);
-  out.add(summit_table, {values, errors},
+  out.add(summit_table, {values, errors, taken},
           {.why = summits.why_or("no value: the field has no summit"), .why_no_error = same});
-  out.add(nayak_table, {values, errors},
+  out.add(nayak_table, {values, errors, taken},
           {.why = moments.why_or("no value: no Gaussian surface has these spectral moments"),
            .why_no_error = same});
   return std::move(out).with_known_errors(sample.size());

@@ -12,14 +12,24 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
+// Of heights that the form has lowered by the factor `left`.
+Interval freed(double height, double left, double low, double high) {
+  return Interval::of(height, std::min(height, low / left), std::max(height, high / left));
+}
+
 }  // namespace
 
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
                                          const std::vector<double>& heights, Origin origin) {
   std::vector<Estimate> out;
-  if (origin == Origin::own_mean && sample.correlation_gives_errors() && !sample.distribution()) {
-    for (std::size_t i = 0; i < shares.size(); ++i)
-      out.push_back({heights[i], material_height_error(1 - shares[i], sample.moments(), sample.size())});
+  const bool lowered = origin == Origin::own_mean && !sample.distribution();
+  const double left = lowered ? std::sqrt(1 - sample.taken_by_form()) : 1;
+  if (lowered && sample.correlation_gives_errors()) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double error = material_height_error(1 - shares[i], sample.moments(), sample.size()),
+                   half = half_width_95 * error;
+      out.push_back({heights[i], error, freed(heights[i], left, heights[i] - half, heights[i] + half)});
+    }
     return out;
   }
   const auto errors = shares.empty() ? std::nullopt : sample.quantile_errors(heights);
@@ -46,13 +56,11 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
                  of_all = errors->with_mean(k, density) / share;
     out[k].standard_error = of_all * apart / 2;
-    // Of heights that the field's own mean has lowered; open where the field holds no such share.
-    const double left = origin == Origin::own_mean ? errors->left_by_mean() : 1,
-                 low = heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
+    // Open where the field holds no such share.
+    const double low = heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
                  high = heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0);
-    out[k].interval =
-        Interval::of(heights[k], shares[k] > width[k] ? std::min(heights[k], low / left) : -unlimited,
-                     1 - shares[k] > width[k] ? std::max(heights[k], high / left) : unlimited);
+    out[k].interval = freed(heights[k], left, shares[k] > width[k] ? low : -unlimited,
+                            1 - shares[k] > width[k] ? high : unlimited);
   }
   return out;
 }

@@ -1,7 +1,8 @@
 /// Heights below which given shares of a surface lie, with their errors.
 ///
 /// Errors of Gaussian heights follow from the correlation (stats/height/material_ratio.hpp), where it gives
-/// them; others from the field's own long waves (stats/height/height_error.hpp).
+/// them; others from the field's own long waves (stats/height/height_error.hpp). Intervals of Gaussian
+/// heights q are about q/√(1 - w), w what the form took (stats/uncertainty/form_modes.hpp), and hold q.
 #pragma once
 
 #include <vector>

@@ -30,7 +30,8 @@ SurfaceSums summed(const StripReader& reader, const Surface& surface, bool deriv
   });
   const Moments m = moments.moments(surface.variable);
   refuse_round_off(std::max(m.sp, m.sv), reader.largest(), reader.degree(), surface.variable);
-  const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs()};
+  const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs(),
+                         FormModes(grid, reader.degree())};
   return {m, sums, basis, needs_lags && correlation.reaches_beyond(basis.known_lags())};
 }
 
@@ -62,6 +63,7 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
       size_(basis().size()),
       threads_(threads) {
   surface_.level = reader.level();
+  surface_.degree = reader.degree();
 }
 
 std::optional<Translation> Sample::distribution() const {
@@ -82,12 +84,18 @@ void Sample::add_all(Sums& sums) const {
     sums.add(surface_.heights, threads_);
 }
 
-std::optional<HeightErrors> Sample::height_errors() const {
-  if (!errors_) return std::nullopt;
-  HeightErrors out(grid(), moments().mean, moments().sq);
-  add_all(out);
-  out.finish(extent());
-  return out;
+const std::optional<HeightErrors>& Sample::height_errors() const {
+  if (errors_ && !height_errors_) {
+    height_errors_.emplace(grid(), moments().mean, moments().sq, surface_.degree);
+    add_all(*height_errors_);
+    height_errors_->finish(extent());
+  }
+  return height_errors_;
+}
+
+double Sample::taken_by_form() const {
+  const bool from_waves = errors_ && !correlation_gives_errors();
+  return from_waves ? height_errors()->taken() : size_.taken_by_form();
 }
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
@@ -113,7 +121,8 @@ std::optional<DerivativeErrors> Sample::derivative_errors() const {
 
 std::optional<SizeErrors> Sample::size_errors() const {
   if (!errors_ || !whole() || !basis().estimated || !size_.gives_errors()) return std::nullopt;
-  return SizeErrors(surface_.heights, basis().correlation, basis().pairs, extent(), size_, threads_);
+  return SizeErrors(surface_.heights, basis().correlation, basis().pairs, basis().form, extent(), size_,
+                    threads_);
 }
 
 MaterialRatioCurve Sample::material_ratio() const {

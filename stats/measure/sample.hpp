@@ -72,7 +72,9 @@ class Sample {
 
   /// Errors from the field's own long waves; none if parameters need no errors.
   bool needs_errors() const { return errors_; }
-  std::optional<HeightErrors> height_errors() const;
+  const std::optional<HeightErrors>& height_errors() const;
+  /// The share of the variance of the heights that their form took.
+  double taken_by_form() const;
   std::optional<DerivativeErrors> derivative_errors() const;
   /// None either of a surface in strips, of too small a size, or by a known correlation: that is exact.
   std::optional<SizeErrors> size_errors() const;
@@ -96,6 +98,7 @@ class Sample {
   int threads_;
   bool errors_ = true;
   mutable std::optional<FieldExtent> extent_ = {};
+  mutable std::optional<HeightErrors> height_errors_ = {};
   mutable std::optional<std::vector<HeightBin>> bins_ = {};
 };
 

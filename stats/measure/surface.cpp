@@ -31,6 +31,7 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   const double size = largest_of(surface.heights);
   const auto [degree, shorter, longer] = preparation;
   surface.heights = remove_form(surface.heights, degree);
+  surface.degree = degree;
   if (!std::isnan(shorter)) surface.heights = mean_surface(surface, "lambda-s", shorter, threads);
   if (!std::isnan(longer)) surface.heights -= mean_surface(surface, "lambda-c", longer, threads);
   if (preparation.filters()) surface.correlation.reset(), surface.distribution.reset();
@@ -48,9 +49,10 @@ void refuse_round_off(double largest, double size, int degree, const std::string
 
 ErrorBasis error_basis(const Surface& surface, int threads) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
-  if (surface.correlation) return {*surface.correlation, false, pairs};
+  const FormModes form(surface.grid, surface.degree);
+  if (surface.correlation) return {*surface.correlation, false, pairs, form};
   const AcfParameters half{.max_lag = default_max_lag(surface.grid), .threads = threads};
-  return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs};
+  return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs, form};
 }
 
 FieldExtent ErrorBasis::extent() const {

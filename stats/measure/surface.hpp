@@ -33,6 +33,7 @@ struct Surface {
   Grid grid;
   Field heights = {};  ///< empty where the field is read in strips
   double level = 0;    ///< the mean that was subtracted
+  int degree = 0;      ///< of the form that was
   std::string variable = "heights", units = "m";
   std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
@@ -50,11 +51,13 @@ struct ErrorBasis {
   LagField correlation;
   bool estimated;
   Pairs pairs;
+  FormModes form = {};  ///< that heights were measured from
 
   EffectiveSampleSize size() const { return size(correlation); }
   /// For another correlation, known or estimated as this one.
   EffectiveSampleSize size(const LagField& rho) const {
-    return estimated ? EffectiveSampleSize::of_estimate(rho, pairs) : EffectiveSampleSize(rho, pairs);
+    return estimated ? EffectiveSampleSize::of_estimate(rho, pairs, form)
+                     : EffectiveSampleSize(rho, pairs, form);
   }
   /// The correlation; zero at lags where an estimate is not significant.
   LagField known_lags() const { return estimated ? significant_lags(correlation, pairs) : correlation; }

@@ -63,12 +63,11 @@ bool differs(const Parameter& p) {
 
 }  // namespace
 
-TwinScope::TwinScope(const Sample& sample, const MeasureOptions& asked)
+TwinScope::TwinScope(const Sample& sample)
     : known_(!sample.basis().estimated),
       complete_(sample.basis().pairs.complete()),
       given_(sample.surface().distribution),
-      gaussian_(!sample.distribution()),
-      level_(repeated(asked.preparation).degree == 0) {}
+      gaussian_(!sample.distribution()) {}
 
 bool TwinScope::holds(const Parameter& p) const {
   if (p.name.starts_with("N") || p.name.starts_with("profiles")) return false;
@@ -78,9 +77,7 @@ bool TwinScope::holds(const Parameter& p) const {
 }
 
 bool TwinScope::needs_none(const Parameter& p) const {
-  if (!std::isfinite(p.standard_error)) return !p.why.empty();
-  if (differs(p) || p.name.starts_with("P") || p.name.starts_with("R")) return true;
-  return level_;
+  return std::isfinite(p.standard_error) || !p.why.empty();
 }
 
 namespace {
@@ -242,17 +239,13 @@ double seconds_of_twins(const Sample& sample, const MeasureOptions& asked) {
 
 bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
                      const TwinOptions& options, Parameters& parameters) {
-  const TwinScope scope(sample, asked);
+  const TwinScope scope(sample);
   auto wanted = [&](const Parameter& p) {
     return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));
   };
   if (!sample.size().gives_errors() || std::ranges::none_of(parameters, wanted)) return true;
-  if (constexpr double quick = 2.5; use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) {
-    for (Parameter& p : parameters)
-      if (wanted(p) && std::isfinite(p.standard_error))
-        p.why = "theory does not hold for this texture, and twins take long";
-    return false;
-  }
+  constexpr double quick = 2.5;
+  if (use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) return false;
   TwinErrors(sample, asked, options).apply(parameters, wanted);
   return true;
 }

@@ -40,17 +40,16 @@ struct TwinOptions {
 /// Which parameters of a sample have errors by twins, and which have right ones without.
 class TwinScope {
  public:
-  TwinScope(const Sample& sample, const MeasureOptions& asked);
+  explicit TwinScope(const Sample& sample);
 
   /// False for counts; for slopes, curvatures and summits if the correlation is estimated and points are
   /// missing or heights are not Gaussian; and for extremes of heights whose distribution is measured.
   bool holds(const Parameter& parameter) const;
-  /// False without an error, unless it is said why; for all but slopes and parameters of profiles after a
-  /// plane or a polynomial was removed.
+  /// False without an error, unless it is said why.
   bool needs_none(const Parameter& parameter) const;
 
  private:
-  bool known_, complete_, given_, gaussian_, level_;  ///< given_: the distribution of the heights
+  bool known_, complete_, given_, gaussian_;  ///< given_: the distribution of the heights
 };
 
 class TwinErrors {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "marginal/measured.hpp"
+#include "stats/filter/missing.hpp"
 #include "stats/spatial/acf.hpp"
 
 namespace asperity {
@@ -44,12 +45,9 @@ struct Window {
   Window wider(double factor) const { return {factor * hx, factor * hy, power}; }
 };
 
-// The estimate with the mean's share put back; 0 where there is no pair of points.
-LagField without_mean(const Sample& sample) {
-  const LagField estimate = sample.basis().correlation.normalised();
-  const double b = sample.size().bias_of_lags();
-  return LagField(
-      estimate.half_plane().unaryExpr([b](double r) { return std::isnan(r) ? 0 : (r + b) / (1 + b); }));
+// The estimate with the form's share put back; 0 where there is no pair of points.
+LagField without_form(const Sample& sample) {
+  return LagField(zero_filled(sample.size().freed(sample.basis().correlation.normalised()).half_plane()));
 }
 
 // (2), (3).
@@ -90,7 +88,7 @@ double without_hann(double h, Index n, bool periodic) {
 
 // What slopes vary with where heights are not Gaussian, those about them, has long waves too.
 Window window_for_short_waves(const Sample& sample) {
-  if (sample.distribution()) return window_for(without_mean(sample), sample);
+  if (sample.distribution()) return window_for(without_form(sample), sample);
   const Pairs& pairs = sample.basis().pairs;
   const auto [wx, wy] = widths(significant_lags(sample.basis().correlation, pairs), pairs);
   return {std::max(1.5 * wx, 2.0), std::max(1.5 * wy, 2.0), 1};
@@ -113,7 +111,7 @@ LagField short_wave_correlation(const Sample& sample) {
 LagField correlation_of(const Sample& sample, TwinWaves waves) {
   if (!sample.basis().estimated) return sample.basis().correlation.normalised();
   if (waves == TwinWaves::short_ones) return short_wave_correlation(sample);
-  const LagField rho = without_mean(sample);
+  const LagField rho = without_form(sample);
   const Window window = window_for(rho, sample);
   return LagField::of(rho.max_lag(), [&](Index p, Index q) { return rho(p, q) * window(p, q); });
 }

@@ -1,10 +1,10 @@
 /// Random fields like a measured one: of its shape, its missing points, its heights and its correlation.
 ///
 /// A twin has the correlation ρ of the field (stats/uncertainty/random_fields.hpp). A known ρ is taken as it
-/// is. An estimate r(p,q) has the mean's share put back and its noise at long lags suppressed,
-///     ρ = (r + b)/(1 + b) · exp(-u²/2),   u = (p/hx)² + (q/hy)²,                                        (1)
-/// b as in stats/uncertainty/effective_size.hpp. The noise that passes a wide window g raises S_2 = Σ v ρ² by
-/// the factor 1 + Σ g²/N; a narrow one loses what it cuts off. The ratio of hx to hy is that of the lags |p|
+/// is. An estimate r(p,q) has the form's share put back and its noise at long lags suppressed,
+///     ρ = (r + b B)/(1 + b) · exp(-u²/2),   u = (p/hx)² + (q/hy)²,                                      (1)
+/// b, B as in stats/uncertainty/effective_size.hpp. The noise that passes a wide window g raises S_2 = Σ v ρ²
+/// by the factor 1 + Σ g²/N; a narrow one loses what it cuts off. The ratio of hx to hy is that of lags |p|
 /// and |q| that hold three quarters of Σ ρ² over the significant lags, p_75 and q_75; their size is such that
 /// both changes cancel,
 ///     S_2(h) = S_2(w)/(1 + Σ g_w²/N),   w = 2c p_75,   c = 4 (N_eff/218)^{1/4},                         (2)

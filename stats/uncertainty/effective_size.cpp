@@ -34,23 +34,37 @@ std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
   return lags;
 }
 
-// ρ_1.
-double at_nearest_lag(const LagField& correlation) {
+// ρ_0; a lag without pairs is NaN.
+double without_noise(const LagField& correlation) {
   auto at = [&](Index p, Index q) {
-    const bool held = p <= correlation.max_p() && q <= correlation.max_q();
-    return held ? std::abs(correlation(p, q) / correlation(0, 0)) : 0;
+    const bool held = p <= correlation.max_p() && q <= correlation.max_q() && !std::isnan(correlation(p, q));
+    return held ? correlation(p, q) / correlation(0, 0) : 0;
   };
-  return std::clamp(std::max(at(1, 0), at(0, 1)), 0.1, 1.0);
+  return std::clamp(std::max(2 * at(1, 0) - at(2, 0), 2 * at(0, 1) - at(0, 2)), 0.1, 1.0);
 }
 
 }  // namespace
 
-EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs)
+EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pairs& pairs,
+                                         const FormModes& form)
     : points_(pairs.points()),
-      beside_(at_nearest_lag(correlation)),
-      sums_(CorrelationAlgebra(correlation, pairs).power_sums()) {}
+      form_(form),
+      correlated_(without_noise(correlation)),
+      sums_(CorrelationAlgebra(correlation, pairs).power_sums()),
+      taken_(mean_power(1)) {
+  if (form.degree() > 0) {
+    const LagField rho = correlation.normalised().within(longest_lags(pairs.grid())),
+                   modes = form.correlation(rho.max_lag());
+    taken_ = 0;
+    for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
+      taken_ += form.count() / points_ * weight * modes(p, q) * rho(p, q);
+    });
+  }
+  taken_ = std::clamp(taken_, 0.0, 0.5);
+}
 
-EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs) {
+EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs,
+                                                     const FormModes& form) {
   const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
   const auto [p_end, q_end] = admitted.reach();
   const LagField tail = rho.within({2 * p_end + 1, 2 * q_end + 1});
@@ -60,25 +74,38 @@ EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, c
     });
   };
   const double n = pairs.points();
-  double weights = 0, lags = 0, sum = 0, squares = 0;
+  const LagField modes = form.correlation(rho.max_lag());
+  double of_modes = 0, kept = 0, weights = 0, lags = 0, sum = 0, squares = 0;
   for_each([&](Index p, Index q, double weight) {
-    weights += weight;
+    const double b = modes(p, q), of_mode = weight * b;
+    of_modes += of_mode * tail(p, q);
+    kept += of_mode * b;
+    weights += of_mode;
     sum += weight * tail(p, q);
     if (p != 0 || q != 0) lags += weight / pairs.pair_fraction(p, q);
   });
-  const double s1 = std::max(0.0, sum / (1 - std::min(weights / n, 0.5)));
-  const double w = std::min(s1 / n, 0.5), b = w / (1 - w);
-  for_each(
-      [&](Index p, Index q, double weight) { squares += weight * std::pow((tail(p, q) + b) / (1 + b), 2); });
+  const double m = form.count() / n;
+  const double taken = std::max(0.0, m * of_modes / (1 - std::min(m * kept, 0.5)));
+  const double s1 = std::max(0.0, sum + taken * std::min(weights, n / 2));
+  EffectiveSampleSize size(pairs, form, taken);
+  size.correlated_ = without_noise(rho);
+  const LagField freed = size.freed(rho);
+  for_each([&](Index p, Index q, double weight) { squares += weight * std::pow(freed(p, q), 2); });
   const double s2 = std::max(1.0, squares / (1 + lags / n));
-  const Field& values = admitted.half_plane();
   // Of few pairs, an estimate exceeds 1, and its powers all bounds.
-  const Field freed = ((values + b) / (1 + b)).min(1).max(-1);
-  EffectiveSampleSize size(LagField((values != 0).select(freed, 0)), pairs);
+  const Field bounded = freed.half_plane().min(1).max(-1);
+  const LagField known((admitted.half_plane() != 0).select(bounded, 0));
+  size.sums_ = CorrelationAlgebra(known, pairs).power_sums();
   size.sums_[1] = s1 * (1 + lost_of_first * (s2 / n));
   size.sums_[2] = s2 * (1 + lost_of_second * (s2 / n));
+  size.taken_ = std::min(taken * (1 + lost_of_first * (s2 / n)), 0.5);
   size.degrees_ = size.effective(2) / 8;
   return size;
+}
+
+LagField EffectiveSampleSize::freed(const LagField& rho) const {
+  const double b = taken_ / (1 - taken_);
+  return LagField((rho.half_plane() + b * form_.correlation(rho.max_lag()).half_plane()) / (1 + b));
 }
 
 double EffectiveSampleSize::variance_of_mean(const std::function<double(int)>& weight, double total) const {

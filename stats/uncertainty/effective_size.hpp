@@ -9,9 +9,10 @@
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
 ///     Var[Ssk] = 6 S_3/N           Var[Sku] = 24 S_4/N                                               (4)
 ///     Var[Sa]  = σ²/N Σ_m (2/π) ((2m-3)!!)²/(2m)! S_{2m}                                            (5)
-/// with the field's own mean and rms height allowed for. Subtracting the mean removes the share w = S_1/N of
-/// the variance: E[Sq²] is lower by the factor 1 - w, and ρ becomes (ρ - w)/(1 - w) at each lag, which
-/// (ρ + b)/(1 + b) with b = w/(1 - w) undoes. w is limited to ½, where N/S_2 ≤ 4 and no errors are given.
+/// with the field's own mean and rms height allowed for. The form that heights are measured from takes the
+/// share w of the variance, S_1/N for the mean (stats/uncertainty/form_modes.hpp): E[Sq²] is lower by the
+/// factor 1 - w, and ρ becomes (ρ - w B)/(1 - w), B = 1 for the mean, which (ρ + b B)/(1 + b) with
+/// b = w/(1 - w) undoes. w is limited to ½, and so is what (6) subtracts from 1.
 ///
 /// At long lags an estimated ρ is mostly noise, of standard error √(S_2/N), whose sum would be as large as
 /// S_2 itself. Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard
@@ -19,17 +20,19 @@
 ///      √(S_2/pairs)
 /// with S_2 of those admitted; 0.3 % of the noise passes. S_k, k ≥ 3, are summed over these. S_1 and S_2
 /// depend more on the tail and are summed over the K lags within twice the admitted reach (h such that h/2 is
-/// admitted), with b added and the noise S_2/N of each square subtracted:
-///     S_1 = Σ v ρ/(1 - K/N),     S_2 = Σ v [(ρ+b)/(1+b)]² / (1 + K/N),     v the weights of (2).   (6)
-/// The lags beyond lower S_1 by about the fraction 15 S_2/N and S_2 by 10 S_2/N, measured values between
-/// those for triangular (0, 7) and exponential (35, 17) correlations, which are added. ln S_2 then has a
-/// variance of 5 to 16 S_2/N, as a standard error with `degrees` = N/(8 S_2) degrees of freedom. Errors of
-/// N/S_k are those of stats/uncertainty/size_error.hpp.
+/// admitted), with what the form of M modes took put back and the noise S_2/N of each square subtracted:
+///     w = M/N Σ v B ρ / (1 - M/N Σ v B²),     S_1 = Σ v (ρ + w B),                                    (6)
+///     S_2 = Σ v [(ρ + b B)/(1 + b)]² / (1 + K/N),     v the weights of (2).                           (7)
+/// The lags beyond lower S_1 and w by about the fraction 15 S_2/N and S_2 by 10 S_2/N, measured values
+/// between those for triangular (0, 7) and exponential (35, 17) correlations, which are added. ln S_2 then
+/// has a variance of 5 to 16 S_2/N, as a standard error with `degrees` = N/(8 S_2) degrees of freedom. Errors
+/// of N/S_k are those of stats/uncertainty/size_error.hpp.
 ///
 /// Noise of single points, as of an instrument, raises N_eff = N/S_2 and tells nothing of long waves. Without
 /// it there are
-///     N_p = N/(1 + (S_2 - 1)/ρ_1²)                                                                  (7)
-/// independent patches, ρ_1 the larger |ρ| of the two nearest lags, 0.1 at least.
+///     N_p = N/(1 + (S_2 - 1)/ρ_0²)                                                                  (8)
+/// independent patches, ρ_0 the correlated part of the variance: the line through the two nearest lags along x
+/// or y, the larger of both, at lag zero; from 0.1 to 1.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for all. Heights of larger kurtosis have a larger Var[Sq].
@@ -56,6 +59,7 @@
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/correlation_algebra.hpp"
+#include "stats/uncertainty/form_modes.hpp"
 
 namespace asperity {
 
@@ -64,18 +68,20 @@ class EffectiveSampleSize {
   static constexpr int powers = CorrelationAlgebra::powers;
 
   /// The sums (2) of a known correlation, normalised or not.
-  EffectiveSampleSize(const LagField& correlation, const Pairs& pairs);
-  /// The sums (6) of an estimated one.
-  static EffectiveSampleSize of_estimate(const LagField& estimate, const Pairs& pairs);
+  EffectiveSampleSize(const LagField& correlation, const Pairs& pairs, const FormModes& form = {});
+  /// The sums (6), (7) of one estimated from heights above this form.
+  static EffectiveSampleSize of_estimate(const LagField& estimate, const Pairs& pairs,
+                                         const FormModes& form = {});
 
   double points() const { return points_; }                               ///< N
   double sum(int k) const { return sums_[static_cast<std::size_t>(k)]; }  ///< S_k, 1 ≤ k ≤ powers
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite if S_k = 0
   double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
-  double taken_by_mean() const { return std::min(mean_power(1), 0.5); }            ///< w
-  double bias_of_lags() const { return taken_by_mean() / (1 - taken_by_mean()); }  ///< b
+  double taken_by_form() const { return taken_; }              ///< w
+  /// (ρ + b B)/(1 + b) of an estimate, without what the form took.
+  LagField freed(const LagField& rho) const;
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite for a known correlation
-  double patches() const { return points_ / (1 + (sum(2) - 1) / (beside_ * beside_)); }  ///< (7)
+  double patches() const { return points_ / (1 + (sum(2) - 1) / (correlated_ * correlated_)); }  ///< (8)
   /// Least N/S_2 for which errors are given: 5, or 10 for an estimate. Up to twice of it they are rough.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
   bool gives_errors() const { return effective(2) >= least_effective(); }
@@ -83,9 +89,14 @@ class EffectiveSampleSize {
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
  private:
+  EffectiveSampleSize(const Pairs& pairs, const FormModes& form, double taken)
+      : points_(pairs.points()), form_(form), taken_(std::min(taken, 0.5)) {}
+
   double points_, degrees_ = std::numeric_limits<double>::infinity();
-  double beside_;  // ρ_1
-  std::array<double, powers + 1> sums_;
+  FormModes form_;
+  double correlated_ = 1;  // ρ_0
+  std::array<double, powers + 1> sums_ = {};
+  double taken_;
 };
 
 /// The normalised estimate, zero at lags that do not exceed its noise.

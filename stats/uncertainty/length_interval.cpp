@@ -18,7 +18,7 @@ constexpr int directions = 12;
 
 // Open above; none where even the lower end lies beyond the lags.
 Interval held(double length, double low, double high) {
-  return low < beyond ? Interval::of(length, low, high) : Interval();
+  return low < beyond ? Interval::of(length, std::min(length, low), std::max(length, high)) : Interval();
 }
 
 // The rms of the errors at lags of nearly the same ρ, linear between steps of ρ.
@@ -48,11 +48,11 @@ LagField as_function_of(const LagField& rho, const LagField& errors) {
 }  // namespace
 
 LengthIntervals::LengthIntervals(const LagField& rho, const Grid& grid, const AcfDeviations& deviations,
-                                 double bias)
+                                 LagField freed)
     : rho_(rho),
       grid_(grid),
       deviations_(deviations),
-      freed_((rho.half_plane() + bias) / (1 + bias)),
+      freed_(std::move(freed)),
       strays_(deviations.errors()),
       even_(as_function_of(freed_, strays_)) {}
 

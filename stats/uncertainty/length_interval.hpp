@@ -2,11 +2,11 @@
 ///
 /// A length is the lag at which the estimated correlation falls to a level t (stats/spatial/acf_length.hpp).
 /// At lag h the estimate has the standard error SE(h) (stats/uncertainty/acf_deviations.hpp), and it is low
-/// because the field's own mean is subtracted. With the correction ρ' = (ρ + b)/(1 + b)
+/// because a form is subtracted, the field's own mean at least. With the correction ρ' = (ρ + b B)/(1 + b)
 /// (stats/uncertainty/effective_size.hpp) the interval at the level 1 - 2a is
 ///     λ(ρ' - u SE) … λ(ρ' + u SE),                                                                     (1)
 /// u Student's quantile, open above if the upper band does not fall to t. λ rises with ρ, so that the ends
-/// are in order; they enclose λ(ρ) unless b exceeds the error u SE/(1 - t).
+/// are in order; where ρ' - ρ exceeds the error u SE, λ(ρ) is an end.
 ///
 /// Sal is the least of the lengths in all directions, and the least of many estimates is biased low. Its
 /// interval is (1) with Sal for λ, but for the upper end u is the quantile of the largest deviation, with the
@@ -35,8 +35,8 @@ namespace asperity {
 
 class LengthIntervals {
  public:
-  /// `bias` is b.
-  LengthIntervals(const LagField& rho, const Grid& grid, const AcfDeviations& deviations, double bias);
+  /// `freed` is ρ'.
+  LengthIntervals(const LagField& rho, const Grid& grid, const AcfDeviations& deviations, LagField freed);
 
   const LagField& freed() const { return freed_; }  ///< ρ'
   /// (1) in a direction, an angle from +x towards +y [rad], in metres; open above if it exceeds the lags.

@@ -74,7 +74,7 @@ Eigen::MatrixXd LongWaves::directions(const AxisWaves::Squares& squares) const {
 }
 
 double LongWaves::degrees(Index waves) const {
-  constexpr double half = 18;  // N_p at which half are left
+  constexpr double half = 20;  // N_p at which half are left
   return static_cast<double>(waves) * std::max(0.5, patches_ / (patches_ + half));
 }
 

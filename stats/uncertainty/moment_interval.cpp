@@ -19,7 +19,7 @@ constexpr double least_degrees = 15;
 Interval of_scale(double estimate, double left, double degrees, double tail) {
   const double value = estimate / left;
   if (std::isinf(degrees)) return Interval::of(estimate, estimate, value);
-  return Interval::of(estimate, value / std::sqrt(chi_squared_share(tail, degrees)),
+  return Interval::of(estimate, std::min(estimate, value / std::sqrt(chi_squared_share(tail, degrees))),
                       value / std::sqrt(chi_squared_share(1 - tail, degrees)));
 }
 
@@ -70,11 +70,14 @@ double kurtosis_error(const EffectiveSampleSize& size) {
 MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& error,
                                    const EffectiveSampleSize& size, double tail) {
   const double patches = size.effective(2);
-  const double left = std::sqrt(1 - size.taken_by_mean());
+  const double left = std::sqrt(1 - size.taken_by_form());
   const double t =
       patches > 2 ? student_quantile(tail, std::min(patches - 1, std::max(size.degrees(), least_degrees)))
                   : NAN;
-  auto degrees = [](double value, double error_of_it) { return 0.5 * std::pow(value / error_of_it, 2); };
+  const double of_taken = std::isinf(size.degrees()) ? 0 : 0.15 * size.taken_by_form();
+  auto degrees = [of_taken](double value, double error_of_it) {
+    return 0.5 / (std::pow(error_of_it / value, 2) + of_taken * of_taken);
+  };
   return {.mean = Interval::about(moments.mean, error.mean > 0 ? t * error.mean / left : 0),
           .sa = of_scale(moments.sa, left, degrees(moments.sa, error.sa), tail),
           .sq = of_scale(moments.sq, left, degrees(moments.sq, error.sq), tail),

@@ -1,15 +1,16 @@
 /// Confidence intervals of the moments of a Gaussian field.
 ///
 /// A symmetric interval in standard errors (stats/uncertainty/effective_size.hpp) is too short if few patches
-/// are independent: Sq is skewed to the right, and low because subtracting the field's own mean removes the
-/// share S_1/N of Sq². With ν_k = N/S_k independent heights instead of N, at the level 1 - 2a,
-///     mean   z̄ ± t(d; a) SE[z̄] / √(1 - S_1/N),    d = min(ν_2 - 1, max(15, degrees of the S_k))      (1)
-///     Sq     Sq' √(ν_2/χ²(ν_2; 1-a)) … Sq' √(ν_2/χ²(ν_2; a)),     Sq' = Sq/√(1 - S_1/N)            (2)
-///     Sa     likewise, with ν = ½ (Sa/SE[Sa])²                                                    (3)
+/// are independent: Sq is skewed to the right, and low because subtracting a form, the field's own mean at
+/// least, removes the share w of Sq². With ν_k = N/S_k independent heights instead of N, at the level 1 - 2a,
+///     mean   z̄ ± t(d; a) SE[z̄] / √(1 - w),    d = min(ν_2 - 1, max(15, degrees of the S_k))          (1)
+///     Sq     Sq' √(ν_2/χ²(ν_2; 1-a)) … Sq' √(ν_2/χ²(ν_2; a)),     Sq' = Sq/√(1 - w)                (2)
+///     Sa     likewise, with 1/ν = 2 (SE[Sa]/Sa)²                                                  (3)
 ///     Ssk    Ssk ± u √(f_3 6 (n-2)/((n+1)(n+3))),                      n = ν_3                    (4)
 ///     Sku    Sku + 6/ν_2 ± u √(f_4 24 n (n-2)(n-3)/((n+1)²(n+3)(n+5))), n = ν_4                    (5)
-/// with the quantiles t, χ² and u of Student's, the chi-squared and the normal distribution. (4) and (5) have
-/// the variances of n independent heights, times
+/// with the quantiles t, χ² and u of Student's, the chi-squared and the normal distribution. Sq and Sa lie in
+/// their intervals; an estimated w is known to 0.3 w, which adds 2 (0.15 w)² to 1/ν. (4) and (5) have the
+/// variances of n independent heights, times
 ///     f_3 = (1 + 6/ν_3)/(1 - L_3),     f_4 = (1 + 15/ν_4)/(1 - L_4),                               (6)
 /// because a longer correlation makes the field's own mean and rms height less certain. Expanding m_3 and m_4
 /// about the true values in Hermite components gives the relative second orders, with s_k = S_k/N,

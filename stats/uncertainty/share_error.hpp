@@ -36,7 +36,6 @@
 /// for (2).
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -54,7 +53,6 @@ class ShareErrors {
   void accumulate();
 
   double points() const { return at_all_(0); }
-  double rms() const { return std::sqrt(squares_ / points()); }  ///< of the values
   double share(Index b) const { return waves_(0, b) / points(); }
   double degrees() const { return long_waves_.degrees(directions_.rows()); }  ///< of freedom
 

@@ -39,13 +39,13 @@ double kept(double independent) { return 1 - std::min(0.4, 1.4 / std::sqrt(indep
 
 }  // namespace
 
-SizeErrors::SizeErrors(const Field& d, const LagField& estimate, const Pairs& pairs,
+SizeErrors::SizeErrors(const Field& d, const LagField& estimate, const Pairs& pairs, const FormModes& form,
                        const FieldExtent& extent, const EffectiveSampleSize& size, int threads)
     : values_(sizes(size)) {
   const LagField rho = estimate.normalised();
   const AcfDeviations deviations =
       LagWaves(d, pairs.grid(), lags_of_sums(rho, pairs), extent, threads).of_ratio(rho);
-  auto figures = [&](const LagField& of) { return sizes(EffectiveSampleSize::of_estimate(of, pairs)); };
+  auto figures = [&](const LagField& of) { return sizes(EffectiveSampleSize::of_estimate(of, pairs, form)); };
   errors_ = values_ * deviations.relative_errors(rho, figures, threads) * kept(size.effective(2)) /
             kept(size.effective(1));
   quantile_ = deviations.quantile(0.025);

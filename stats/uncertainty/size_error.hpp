@@ -35,8 +35,8 @@ namespace asperity {
 class SizeErrors {
  public:
   /// Of heights less their mean, NaN where missing, their estimated correlation and the size from it.
-  SizeErrors(const Field& d, const LagField& estimate, const Pairs& pairs, const FieldExtent& extent,
-             const EffectiveSampleSize& size, int threads = 1);
+  SizeErrors(const Field& d, const LagField& estimate, const Pairs& pairs, const FormModes& form,
+             const FieldExtent& extent, const EffectiveSampleSize& size, int threads = 1);
 
   /// Of size.effective(k), 2 ≤ k ≤ 4; not finite where S_k may be zero.
   double operator()(int k) const { return errors_(k - 2); }

@@ -145,9 +145,8 @@ TEST_CASE("the interval of a ratio allows for its bias and for the field's own m
   const Field d = remove_form(moving_average(g.shape, {5, 4}, 22));
   const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = d}, {.max_lag = {48, 48}});
   const LengthErrors errors(estimate, d, 0.2);
-  const double here = estimate.rho(3, 0), sigma = LagWaves(d, g, {8, 8}, estimate.basis.shape().extent)
-                                                      .of_ratio(estimate.rho)
-                                                      .errors()(3, 0);
+  const double here = estimate.rho(3, 0),
+               sigma = LagWaves(d, g, {8, 8}, estimate.basis.extent()).of_ratio(estimate.rho).errors()(3, 0);
   const Estimate ratio = errors.ratio(
       1,
       [here](const LagField& rho) {
@@ -157,7 +156,7 @@ TEST_CASE("the interval of a ratio allows for its bias and for the field's own m
       0, 100);
   REQUIRE(ratio.interval);
   const double shift = -0.5 * std::log(ratio.interval->low * ratio.interval->high),
-               b = estimate.size.bias_of_lags(), x = (here + b) / (1 + b) - here;
+               x = estimate.size.freed(estimate.rho)(3, 0) - here;
   CHECK(x > 0);
   CHECK(shift == Approx(100 * sigma * sigma - 10 * x - 100 * x * x).epsilon(1e-6));
 }
@@ -168,7 +167,7 @@ TEST_CASE("the interval of a ratio is open where a length may lie beyond the lag
   const Field d = remove_form(moving_average(g.shape, {5, 4}, 22));
   const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = d}, {.max_lag = {48, 48}});
   const LengthErrors errors(estimate, d, 0.2);
-  const double b = estimate.size.bias_of_lags(), freed = (estimate.rho(3, 0) + b) / (1 + b);
+  const double freed = estimate.size.freed(estimate.rho)(3, 0);
   auto ratio = [&](double below, double above) {
     return errors.ratio(
         1,
@@ -232,7 +231,7 @@ TEST_CASE("errors of lags are those of simulated fields, Gaussian or not", "[lag
       const AcfEstimate estimate =
           AcfEstimate::of({.grid = g, .heights = remove_form(z)}, {.max_lag = {48, 48}});
       const LagField errors =
-          LagWaves(remove_form(z), g, {20, 3}, estimate.basis.shape().extent).of_ratio(estimate.rho).errors();
+          LagWaves(remove_form(z), g, {20, 3}, estimate.basis.extent()).of_ratio(estimate.rho).errors();
       for (std::size_t k = 0; k < 5; ++k) {
         found[k].add(estimate.rho(lags[k].nx, lags[k].ny));
         squares[k] += std::pow(errors(lags[k].nx, lags[k].ny), 2) / 200;

@@ -19,7 +19,7 @@ LagField exponential(Index reach, double length) {
 LengthIntervals intervals_of(const LagField& rho, double error, double bias = 0) {
   const auto& lags = rho.half_plane();
   const AcfDeviations deviations({LagField(Field::Constant(lags.rows(), lags.cols(), error))}, 5);
-  return {rho, grid(512, 512), deviations, bias};
+  return {rho, grid(512, 512), deviations, LagField((lags + bias) / (1 + bias))};
 }
 
 }  // namespace

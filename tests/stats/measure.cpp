@@ -26,9 +26,11 @@ TEST_CASE("measure() has the moments of the field and their errors, points missi
   for (const bool holes : {false, true}) {
     const Field drawn = moving_average({64, 60}, {3, 2}, 401),
                 z = holes ? with_holes(drawn, 0.1, 402) : drawn;
-    const Parameters all = measure(surface_of(z));
+    Surface surface = surface_of(z);
+    surface.correlation = triangular_correlation({3, 2});
+    const Parameters all = measure(surface);
     const Moments m = moments(remove_form(z));
-    const ErrorBasis basis = error_basis(surface_of(remove_form(z)));
+    const ErrorBasis basis = error_basis(prepared(surface, {}));
     CHECK(named(all, "Sq").value == m.sq);
     CHECK(named(all, "Sku").value == m.sku);
     CHECK(named(all, "Sq").standard_error == standard_errors(m, basis.size()).sq);

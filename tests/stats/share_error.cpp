@@ -120,7 +120,7 @@ TEST_CASE("95 % intervals of shares of a correlated part of a field cover the tr
     const int fields = 300;
     for (unsigned seed = 0; seed < fields; ++seed) {
       const Field z = excess_of(moving_average(g.shape, {window, window}, seed), level);
-      const Sample sample({g, z, 0, "pressure", "Pa"}, false);
+      const Sample sample({.grid = g, .heights = z, .variable = "pressure", .units = "Pa"}, false);
       std::vector<Bin> bins = histogram(z, 2, HeightRange{0, 2 * edge});
       set_errors(bins, z, g, sample.extent());
       // The second bin holds all above the edge.

@@ -43,7 +43,8 @@ Distribution distribution_of(const cli::CountedCells& part) {
   if (!(range.highest > 0)) throw DataError(part.variable, "no value is above 0");
   Distribution out{.bins = histogram(part.values, 1, range), .points = part.counted};
   if (own.width() > 0) {
-    const Sample sample({part.grid, part.values, 0, part.variable, part.units}, false);
+    const Sample sample(
+        {.grid = part.grid, .heights = part.values, .variable = part.variable, .units = part.units}, false);
     const int bins = scott_bins({.sq = sample.moments().sq, .sp = range.highest}, part.counted);
     out = distribution_of(sample, range, bins, 0);
   }
