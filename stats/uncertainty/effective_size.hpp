@@ -31,8 +31,8 @@
 /// Noise of single points, as of an instrument, raises N_eff = N/S_2 and tells nothing of long waves. Without
 /// it there are
 ///     N_p = N/(1 + (S_2 - 1)/ρ_0²)                                                                  (8)
-/// independent patches, ρ_0 the correlated part of the variance: the line through the two nearest lags along x
-/// or y, the larger of both, at lag zero; from 0.1 to 1.
+/// independent patches. ρ_0, from 0.1 to 1, is the correlated part of the variance: at lag zero, the line
+/// through the two nearest lags, along x or y, whichever is larger.
 ///
 /// Symbols   N  points      S_k  sums (2), S_k ≥ 1 where ρ ≥ 0      σ  rms height [m]
 /// Scope     Gaussian heights; Var[z̄] holds for all. Heights of larger kurtosis have a larger Var[Sq].
