@@ -23,15 +23,19 @@ enum Local {
   height,
   square,
   curvature,
+  sloped,
+  surrounded,  // 1 where there are the slopes, and all neighbours
   local
 };
 
 Derivatives derivatives(const Eigen::VectorXd& m, const Grid& grid) {
   Derivatives out;
-  out.slopes = {.sdq = std::sqrt(m(s20) + m(s02)), .sdr = m(excess)};
-  out.moments = {
-      m(s00) - m(first) * m(first), m(s20), m(s11), m(s02), m(s40), m(s31), m(s22), m(s13), m(s04)};
-  out.summits.density = m(summit) / grid.cell_area();
+  const double slopes = m(sloped), curvatures = m(surrounded);
+  out.slopes = {.sdq = std::sqrt((m(s20) + m(s02)) / slopes), .sdr = m(excess) / slopes};
+  out.moments = {m(s00) - m(first) * m(first), m(s20) / slopes,     m(s11) / slopes,     m(s02) / slopes,
+                 m(s40) / curvatures,          m(s31) / curvatures, m(s22) / curvatures, m(s13) / curvatures,
+                 m(s04) / curvatures};
+  out.summits.density = m(summit) / curvatures / grid.cell_area();
   const double height_of = m(height) / m(summit);
   out.summits.mean_height = height_of - m(first);
   out.summits.height_deviation = std::sqrt(m(square) / m(summit) - height_of * height_of);
@@ -59,10 +63,14 @@ void DerivativeErrors::add(const Strip& strip, double level, int threads) {
               z = middle(here) - level, g2 = zx.square() + zy.square();
     auto set = [&](Local a, const auto& row) { values.col(a + 1).head(n) = row.matrix().transpose(); };
     set(first, z), set(s00, z.square());
-    set(s20, zx.square()), set(s11, zx * zy), set(s02, zy.square());
-    set(s40, zxx.square()), set(s31, zxx * zxy), set(s22, zxx * zyy), set(s13, zxy * zyy);
-    set(s04, zyy.square());
-    set(excess, g2 / (1 + (1 + g2).sqrt()));
+    // A point counts for none of what needs a neighbour that is missing.
+    auto set_where = [&](const Row& there, Local a, const Row& row) {
+      set(a, Row((there > 0).select(row, 0)));
+    };
+    const Row slopes = g2.isNaN().select(Row::Zero(g2.size()), Row::Ones(g2.size()));
+    set(sloped, slopes);
+    set_where(slopes, s20, zx.square()), set_where(slopes, s11, zx * zy), set_where(slopes, s02, zy.square());
+    set_where(slopes, excess, g2 / (1 + (1 + g2).sqrt()));
     const Row top = left(here)
                         .max(right(here))
                         .max(left(before).max(middle(before)).max(right(before)))
@@ -70,9 +78,13 @@ void DerivativeErrors::add(const Strip& strip, double level, int threads) {
     // Not a number where a neighbour is missing.
     const Row around = top + left(before) + middle(before) + right(before) + left(here) + right(here) +
                        left(after) + middle(after) + right(after);
-    const Row is = around.isNaN().select(around, (middle(here) > top).cast<double>());
-    set(summit, is), set(height, is * z), set(square, is * z.square());
-    set(curvature, -0.5 * is * (zxx + zyy));
+    const Row all = around.isNaN().select(Row::Zero(around.size()), Row::Ones(around.size()));
+    set(surrounded, all);
+    set_where(all, s40, zxx.square()), set_where(all, s31, zxx * zxy), set_where(all, s22, zxx * zyy);
+    set_where(all, s13, zxy * zyy), set_where(all, s04, zyy.square());
+    const Row is = all * (middle(here) > top).cast<double>();
+    set_where(all, summit, is), set_where(all, height, is * z), set_where(all, square, is * z.square());
+    set_where(all, curvature, -0.5 * is * (zxx + zyy));
   });
 }
 

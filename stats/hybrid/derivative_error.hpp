@@ -3,7 +3,8 @@
 /// Products of derivatives, z², and counts and products at summits are local functions of the field: their
 /// means have the errors of stats/uncertainty/long_waves.hpp, and a parameter is a function of these means.
 ///
-/// Scope     means over the points that have all eight neighbours.
+/// Means over the points that have the neighbours they need are ratios of two means over the measured ones.
+///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 200 operations a point.
 #pragma once

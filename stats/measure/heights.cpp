@@ -61,14 +61,18 @@ constexpr Definition<Heights> height_table[] = {
     {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
     {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }}};
 
-// A large skewness has a large error: its inverse hyperbolic sine, and 1/Sku, vary more evenly.
-Interval of_skewness(double value, double half_width) {
-  const double middle = std::asinh(value), width = half_width / std::hypot(1, value);
-  return Interval::of(value, std::sinh(middle - width), std::sinh(middle + width));
-}
+// A large kurtosis has a large error: 1/Sku varies more evenly.
 Interval of_kurtosis(double value, double width) {
   return Interval::of(value, value / (1 + width),
                       width < 1 ? value / (1 - width) : std::numeric_limits<double>::infinity());
+}
+
+// For the distribution that the field was drawn with or evidently has; none for a Gaussian's.
+std::optional<TranslationErrors> translation_errors(const Sample& sample) {
+  const auto heights = sample.distribution();
+  if (!heights) return std::nullopt;
+  const LagField rho = underlying_correlation(sample.basis().correlation, CorrelationMap(*heights));
+  return TranslationErrors(*heights, sample.basis().size(rho));
 }
 
 // From the field's own long waves, whatever its heights.
@@ -81,6 +85,12 @@ Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
                .sq = errors([](const Moments& of) { return of.sq; }),
                .ssk = errors([](const Moments& of) { return of.ssk; }),
                .sku = errors([](const Moments& of) { return of.sku; })};
+  // Heavy tails, of which the field may have few heights, are in the distribution that it evidently has.
+  if (const auto theory = translation_errors(sample)) {
+    const MomentErrors of_tails = theory->standard_errors(m.sq);
+    out.error.ssk = std::max(out.error.ssk, of_tails.ssk);
+    out.error.sku = std::max(out.error.sku, of_tails.sku);
+  }
   const double taken = errors.taken(), left = std::sqrt(1 - taken),
                of_taken = taken / std::sqrt(2 * errors.degrees_of_mean());
   auto of_scale = [&](double value, double error) {
@@ -92,7 +102,7 @@ Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
   out.interval = {.mean = Interval::about(m.mean, t_of_mean * out.error.mean),
                   .sa = of_scale(m.sa, out.error.sa),
                   .sq = of_scale(m.sq, out.error.sq),
-                  .ssk = of_skewness(m.ssk, t * out.error.ssk),
+                  .ssk = Interval::about(m.ssk, t * out.error.ssk),
                   .sku = of_kurtosis(m.sku, t * out.error.sku / m.sku)};
   return out;
 }
@@ -104,11 +114,9 @@ Heights heights_of(const Sample& sample) {
   if (!sample.correlation_gives_errors())
     if (const auto& errors = sample.height_errors()) return by_long_waves(sample, *errors);
   const double level = sample.surface().level;
-  const auto heights = sample.distribution();
-  if (!heights) return {level, m, size, standard_errors(m, size), confidence_intervals(m, size)};
-  const LagField rho = underlying_correlation(sample.basis().correlation, CorrelationMap(*heights));
-  const TranslationErrors errors(*heights, sample.basis().size(rho));
-  return {level, m, size, errors.standard_errors(m.sq), confidence_intervals(m, errors, size)};
+  const auto errors = translation_errors(sample);
+  if (!errors) return {level, m, size, standard_errors(m, size), confidence_intervals(m, size)};
+  return {level, m, size, errors->standard_errors(m.sq), confidence_intervals(m, *errors, size)};
 }
 
 // ---- effective sample sizes ----
@@ -134,8 +142,10 @@ void add_sizes(ParameterList& out, const Sample& sample) {
     const auto i = static_cast<std::size_t>(k - 1);
     const double value = size.effective(k);
     Estimate estimate{std::isfinite(value) ? value : unknown};
-    const std::string why = why_no_error(sample, k);
-    if (errors && why.empty()) estimate = {estimate.value, (*errors)(k), errors->interval(k)};
+    std::string why = why_no_error(sample, k);
+    const double half = 0.5 * size.points();  // beyond it hardly any lag tells of the sum
+    if (errors && why.empty() && value < half) estimate = {value, (*errors)(k), errors->interval(k)};
+    if (why.empty() && !(value < half)) why = "no standard error: neighbours are hardly correlated";
     out.add(
         names[i], "1", "effective sample size for {}", estimate,
         {.meaning = of[i], .why = "no value: the estimated correlation sums to zero", .why_no_error = why});

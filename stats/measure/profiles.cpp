@@ -35,9 +35,9 @@ constexpr std::array<Definition1D, profile_parameters_count> table{
      {"Sm", "m", "mean profile element spacing"}}};
 
 // With Student's interval: of the logarithm, where the parameter is positive, `least` at least.
-Estimate with_error(double value, double error, Index degrees, double least) {
+Estimate with_error(double value, double error, double degrees, double least) {
   if (!std::isfinite(error)) return {value};
-  const double width = student_quantile(0.025, static_cast<double>(degrees)) * error;
+  const double width = student_quantile(0.025, degrees) * error;
   if (least < 0) return {value, error, Interval::about(value, width)};
   const Interval ends = Interval::of_ratio(value, width / value);
   return {value, error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
@@ -71,10 +71,10 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
       of.mean_error = of.spread_error = unknown;
     const std::string why = "no value: no profile has this parameter", no_error = why_no_error(of);
     const double least = i == profile_sk ? -unlimited : i == profile_ku ? 1 : 0;
-    out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, of.degrees, least),
+    out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, static_cast<double>(of.degrees), least),
             {.why = why, .why_no_error = no_error});
     out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles",
-            with_error(of.spread, of.spread_error, of.degrees, 0),
+            with_error(of.spread, of.spread_error, of.spread_degrees, 0),
             {.meaning = symbol, .why = why, .why_no_error = no_error});
   }
   out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});

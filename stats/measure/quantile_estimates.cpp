@@ -36,7 +36,8 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
   auto quantiles_beside = [&](const std::vector<double>& widths) {
     std::vector<double> at;
     for (std::size_t k = 0; k < shares.size(); ++k)
-      for (const double sign : {-1, 1}) at.push_back(std::clamp(shares[k] + sign * widths[k], 0.0, 1.0));
+      for (const double sign : {-1, 1})
+        at.push_back(std::isnan(widths[k]) ? shares[k] : std::clamp(shares[k] + sign * widths[k], 0.0, 1.0));
     return sample.quantiles(at);
   };
   if (!errors) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "stats/sample/quantiles.hpp"
+
 namespace asperity {
 namespace {
 
@@ -59,7 +61,7 @@ PowerExcess excess(const Field& d, const Grid& grid, DataWindows windows, const 
     return std::fmax(own - gaussian.variance / (gaussian.mean * gaussian.mean), 0);
   };
   return {of(0, psd), of(1, of_differences(psd, grid, slopes)),
-          std::sqrt(means([](const Eigen::VectorXd& m) { return m(1) / m(0); }))};
+          std::sqrt(means([](const Eigen::VectorXd& m) { return m(1) / m(0); })), means.degrees()};
 }
 
 double inverse_square(double spacing) { return 1 / (spacing * spacing); }
@@ -79,10 +81,11 @@ PowerExcess radial_excess(const Field& d, const Grid& grid, DataWindows windows,
 }
 
 void add_excess(std::vector<SpectrumPoint>& points, const PowerExcess& excess) {
+  const double wider = student_quantile(0.025, excess.degrees) / student_quantile(0.025, 1e9);
   for (SpectrumPoint& point : points) {
     const double more = excess.at(point.wave_number);
     point.standard_error = std::hypot(point.standard_error, point.density * std::sqrt(more));
-    point.degrees = 1 / (1 / point.degrees + more / 2);
+    point.degrees = 1 / (1 / point.degrees + more / 2 * wider * wider);
   }
 }
 

@@ -9,7 +9,8 @@
 /// q = √(mean f₂/mean z²), and the square f₂ of the slopes beyond. Var[f̄] is the variance that the field's
 /// own long waves have (stats/uncertainty/long_waves.hpp), ∫w⁴ what the window makes of it, and Var_G the
 /// variance of Gaussian heights of the same power, both of windowed fields. Then
-///     Var/mean² → Var/mean² + E,     1/ν → 1/ν + E/2.                                                   (2)
+///     Var/mean² → Var/mean² + E,     1/ν → 1/ν + E/2 (t/1.96)²,                                         (2)
+/// Student's t at 97.5 % of the degrees of freedom that Var[f̄] is known to.
 ///
 /// Symbols   w  window of mean square 1      ν  degrees of freedom of a mean
 /// Scope     means over wave numbers in all directions, or over all those across one. Of Gaussian heights
@@ -34,6 +35,7 @@ namespace asperity {
 struct PowerExcess {
   double of_heights = 0, of_slopes = 0;
   double rms_wave_number = 0;  ///< [rad/m]
+  double degrees = 1;          ///< of freedom that it is known to
 
   double at(double wave_number) const { return wave_number > rms_wave_number ? of_slopes : of_heights; }
 };

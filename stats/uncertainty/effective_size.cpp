@@ -37,10 +37,11 @@ std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
 // ρ_0; a lag without pairs is NaN.
 double without_noise(const LagField& correlation) {
   auto at = [&](Index p, Index q) {
-    const bool held = p <= correlation.max_p() && q <= correlation.max_q() && !std::isnan(correlation(p, q));
+    const bool held = p <= correlation.max_p() && q <= correlation.max_q();
     return held ? correlation(p, q) / correlation(0, 0) : 0;
   };
-  return std::clamp(std::max(2 * at(1, 0) - at(2, 0), 2 * at(0, 1) - at(0, 2)), 0.1, 1.0);
+  const double most = std::fmax(2 * at(1, 0) - at(2, 0), 2 * at(0, 1) - at(0, 2));
+  return std::isnan(most) ? 1 : std::clamp(most, 0.1, 1.0);
 }
 
 }  // namespace
@@ -70,7 +71,8 @@ EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, c
   const LagField tail = rho.within({2 * p_end + 1, 2 * q_end + 1});
   auto for_each = [&](auto visit) {
     for_each_lag(tail, pairs, [&](Index p, Index q, double weight) {
-      if (admitted(p / 2, q / 2) != 0) visit(p, q, weight);
+      const bool held = p <= admitted.max_p() && std::abs(q) <= admitted.max_q();
+      if (admitted(p / 2, q / 2) != 0 || (held && admitted(p, q) != 0)) visit(p, q, weight);
     });
   };
   const double n = pairs.points();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stats/filter/form.hpp"
+#include "transform/plan.hpp"
 
 namespace asperity {
 namespace {
@@ -10,9 +11,18 @@ namespace {
 // α of (2); along a periodic axis the mean over both ways round.
 Eigen::MatrixXd autocorrelations(Index n, bool periodic, int degree) {
   const Eigen::MatrixXd modes = gram_polynomials(n, degree);
+  const RealTransform2D transform({1, fast_length(2 * n)});
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  AlignedVector<double> values(static_cast<std::size_t>(fast_length(2 * n)));
   Eigen::MatrixXd sums(n, modes.cols());
-  for (Index p = 0; p < n; ++p)
-    sums.row(p) = modes.topRows(n - p).cwiseProduct(modes.bottomRows(n - p)).colwise().sum();
+  for (Index a = 0; a < modes.cols(); ++a) {
+    std::ranges::fill(values, 0.0);
+    std::ranges::copy(modes.col(a), values.begin());
+    transform.forward(values.data(), spectrum.data());
+    for (Complex& c : spectrum) c = std::norm(c) / static_cast<double>(values.size());
+    transform.inverse(spectrum.data(), values.data());
+    std::copy_n(values.begin(), n, sums.col(a).begin());
+  }
   if (!periodic) {
     const Eigen::ArrayXd pairs = Eigen::ArrayXd::LinSpaced(n, static_cast<double>(n), 1);
     return (sums.array().colwise() * (static_cast<double>(n) / pairs)).matrix();

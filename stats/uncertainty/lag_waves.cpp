@@ -199,14 +199,13 @@ Eigen::MatrixXd LagWaves::waves_of(const Blocks& blocks, const Grid& of_blocks) 
   return out;
 }
 
-std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_square) const {
+std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_square, double loss) const {
   auto sum = [&](const Wave& wave) -> Field {
     return per_product * wave.products + per_square * wave.squares;
   };
   const Field& pairs = waves_[0].pairs;
   const Field mean = sum(waves_[0]) / pairs;
-  const double scale = 1 / (std::sqrt(static_cast<double>(waves_.size() - 1)) *
-                            (1 - std::min(0.4, 1.4 / std::sqrt(patches_))));
+  const double scale = 1 / (std::sqrt(static_cast<double>(waves_.size() - 1)) * (1 - std::min(0.4, loss)));
   std::vector<Field> out;
   for (std::size_t k = 1; k < waves_.size(); ++k) {
     const Wave& wave = waves_[k];
@@ -222,20 +221,21 @@ AcfDeviations LagWaves::of_ratio(const LagField& rho) const {
   const LagField lags = rho.within({all.pairs.rows() - 1, all.pairs.cols() / 2});
   const Field& ratio = lags.half_plane();
   std::vector<LagField> out;
-  for (Field& mode : modes(Field::Constant(ratio.rows(), ratio.cols(), 1 / variance_), -ratio / variance_))
+  for (Field& mode :
+       modes(Field::Constant(ratio.rows(), ratio.cols(), 1 / variance_), -ratio / variance_, loss()))
     out.emplace_back(std::move(mode));
   out.emplace_back(ratio * (all.squares / all.pairs / variance_ - 1));
   return {std::move(out), degrees()};
 }
 
-LagField LagWaves::errors(double per_product, double per_square) const {
+LagField LagWaves::errors(double per_product, double per_square, double loss) const {
   const Field one = Field::Ones(waves_[0].pairs.rows(), waves_[0].pairs.cols());
   Field variance = Field::Constant(one.rows(), one.cols(), degrees() > 0 ? 0 : NAN);
-  for (const Field& mode : modes(per_product * one, per_square * one)) variance += mode.square();
+  for (const Field& mode : modes(per_product * one, per_square * one, loss)) variance += mode.square();
   return LagField(variance.sqrt());
 }
 
-LagField LagWaves::of_covariance() const { return errors(1, 0); }
-LagField LagWaves::of_structure() const { return errors(-2, 2); }
+LagField LagWaves::of_covariance() const { return errors(1, 0, loss()); }
+LagField LagWaves::of_structure() const { return errors(-2, 2, 1 / std::sqrt(patches_)); }
 
 }  // namespace asperity

@@ -9,8 +9,9 @@
 /// which is small where z' hardly differs from z. R(0,0) is the mean over the field, Q that over the pairs;
 /// they differ by the points near the edges, which makes ρ deviate by ρ (Q/R(0,0) - 1) beside (2).
 ///
-/// J² is 5 at least. As the variance of f at one point is not known, the loss L is 1.4/√N_eff, 0.4 at most,
-/// an empirical value.
+/// J² is 5 at least. As the variance of f at one point is not known, the loss is empirical, with N_p patches
+///     L = 1.4/√N_p + 3/N_p of R and ρ,     L = 1/√N_p of S,     0.4 at most.                           (3)
+/// Intervals have K N_p/(N_p + 40) degrees of freedom.
 ///
 /// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
 /// wave of the shortest; a block's products at all lags are a correlation by the FFT. With missing heights
@@ -27,6 +28,7 @@
 ///           missing heights. Memory: 4K fields over the lags.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/field.hpp"
@@ -45,7 +47,7 @@ class LagWaves {
            Number number = Number::all);
 
   /// Of freedom.
-  double degrees() const { return long_waves_.degrees(static_cast<Index>(waves_.size()) - 1); }
+  double degrees() const { return long_waves_.degrees(static_cast<Index>(waves_.size()) - 1, 40); }
   /// Of ρ, at least at these lags.
   AcfDeviations of_ratio(const LagField& rho) const;
   /// Standard errors of R and of S.
@@ -61,8 +63,9 @@ class LagWaves {
   // On the blocks, a row a wave, the first of which is 1.
   Eigen::MatrixXd waves_of(const Blocks& blocks, const Grid& of_blocks) const;
   // The modes of a mean of `per_product` z z' + `per_square` ½(z² + z'²).
-  std::vector<Field> modes(const Field& per_product, const Field& per_square) const;
-  LagField errors(double per_product, double per_square) const;
+  std::vector<Field> modes(const Field& per_product, const Field& per_square, double loss) const;
+  LagField errors(double per_product, double per_square, double loss) const;
+  double loss() const { return 1.4 / std::sqrt(patches_) + 3 / patches_; }  // (3)
 
   LongWaves long_waves_;
   double patches_, variance_;

@@ -73,9 +73,10 @@ Eigen::MatrixXd LongWaves::directions(const AxisWaves::Squares& squares) const {
   return (root * lambda.cwiseInverse().asDiagonal()).rightCols(count).transpose();
 }
 
-double LongWaves::degrees(Index waves) const {
-  constexpr double half = 20;  // N_p at which half are left
-  return static_cast<double>(waves) * std::max(0.5, patches_ / (patches_ + half));
+double LongWaves::degrees(Index waves, double half) const {
+  constexpr double least = 1.6;
+  const double all = static_cast<double>(waves);
+  return std::min(all, std::max(least, all * patches_ / (patches_ + half)));
 }
 
 double LongWaves::loss(double independent) const {

@@ -19,8 +19,8 @@
 /// is three quarters of what an exponential correlation loses, and three halves of what a Gaussian one does.
 /// The error of a function g of several means is that of the local function Σ (∂g/∂f̄_a) f_a. On few patches
 /// c_k² is skewed, and low where f̄ is low. Intervals use Student's t of
-///     K N_p/(N_p + 20), K/2 at least,                                                                    (5)
-/// degrees of freedom, fitted to eleven textures of N_p = 9 to 330.
+///     K N_p/(N_p + 20), 1.6 at least,                                                                    (5)
+/// degrees of freedom, fitted to eleven textures of N_p = 9 to 330. A single wave gives no error.
 ///
 /// Symbols   N  points      N_p  independent patches (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
@@ -92,8 +92,8 @@ class LongWaves {
   const std::vector<Wave>& all() const { return all_; }
   /// The factors e_k/√λ_k of (3), a row each.
   Eigen::MatrixXd directions(const AxisWaves::Squares& squares) const;
-  double degrees(Index waves) const;      ///< (5), of so many
-  double loss(double independent) const;  ///< (4)
+  double degrees(Index waves, double half = 20) const;  ///< (5), of so many; half are left at N_p = half
+  double loss(double independent) const;                ///< (4)
   /// √(1), of 1/K Σ c_k² and the variance of the local function at one point.
   double error(double variance, double at_point) const;
 

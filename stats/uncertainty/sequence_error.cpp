@@ -37,6 +37,7 @@ SequenceMean sequence_mean(const Eigen::ArrayXd& values, double independent, boo
   out.independent = independent * out.count;
   if (!(out.independent >= SequenceMean::least_independent)) return out;
   out.degrees = waves_of(out.independent, periodic);
+  out.spread_degrees = static_cast<double>(out.degrees) * out.independent / (out.independent + 2);
   const Eigen::MatrixXd waves = axis_waves(values.size(), periodic, out.degrees).rightCols(out.degrees);
   out.mean_error = error_of(deviation, out.count, waves, 0);
   if (!(out.spread > 0)) return out;

@@ -9,7 +9,7 @@
 /// falls from wave number zero on, and s is fitted to the same values: with ν = K mean f²/Σ c_k² independent
 /// ones,
 ///     L = K/(6ν),  and 0.6/√ν more for the spread,  0.4 at most.                                        (3)
-/// Intervals use Student's t of K degrees of freedom.
+/// Intervals use Student's t of K degrees of freedom, for the spread of K n/(n + 2), n independent values.
 ///
 /// Symbols   v_j  values, in the order of their places; NaN where there is none     m  their number
 /// Scope     any correlation and distribution, three independent values or more; heavy tails need more.
@@ -30,6 +30,7 @@ struct SequenceMean {
   double independent = 0;                       ///< of them
   double mean_error = NAN, spread_error = NAN;  ///< NaN if fewer than `least_independent`
   Index degrees = 0;                            ///< K
+  double spread_degrees = 0;
 
   static constexpr double least_independent = 3;
 };

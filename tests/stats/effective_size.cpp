@@ -110,6 +110,39 @@ TEST_CASE("the estimated correlation of white noise leaves N_eff within 6 % of N
   }
 }
 
+// Of half the points, no other correlation is seen: lags without pairs once cut the sums short by a half. The
+// mean of 20 estimates, each known to some 15 %.
+TEST_CASE("a field of which every second row is missing is worth as much as the whole",
+          "[effective-size][statistics]") {
+  const Shape window{9, 4};
+  const Grid g = grid(144, 80);
+  const double known = EffectiveSampleSize(triangular_correlation(window), g).effective(2);
+  Spread size;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Field z = moving_average(g.shape, window, seed);
+    for (Index i = 1; i < z.rows(); i += 2) z.row(i) = NAN;
+    const Pairs pairs = Pairs::of(z, g);
+    const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = default_max_lag(g)});
+    size.add(EffectiveSampleSize::of_estimate(acf, pairs).effective(2));
+  }
+  CHECK(size.mean() == Approx(known).epsilon(0.15));
+}
+
+// ρ = c of a part, 1 at lag zero: N_p is that of the part alone.
+TEST_CASE("noise of single points does not add to the number of patches", "[effective-size][exact]") {
+  const Grid g = grid(60, 50);
+  const LagField part = triangular_correlation({8, 7});
+  const double patches = EffectiveSampleSize(part, g).patches();
+  CHECK(patches == Approx(EffectiveSampleSize(part, g).effective(2)).epsilon(1e-12));
+  for (const double c : {0.9, 0.5, 0.2}) {
+    const LagField both = LagField::of(
+        part.max_lag(), [&](Index p, Index q) { return p == 0 && q == 0 ? 1.0 : c * part(p, q); });
+    CAPTURE(c);
+    // The sum of ρ² beside lag zero over c², and 1.
+    CHECK(EffectiveSampleSize(both, g).patches() == Approx(patches).epsilon(1e-12));
+  }
+}
+
 // Without the choice of lags, noise alone would add lags/N ≈ 1 times S_2 and the errors would be √2 too
 // large; the admitted noise adds 3 % to S_2, the tail below 3√(S_2/N) = 0.12 takes as much away. S_1's window
 // of four times the lags has a noise of some √(2·4·80/7680) = 30 % a field, 3 % over 100 of them.

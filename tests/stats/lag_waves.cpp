@@ -47,7 +47,8 @@ Eigen::MatrixXd directions_of(const Field& z, const Grid& g, const LongWaves& wa
 
 // One by one: the error of the mean over the pairs at a lag of f(z, z'), by the waves.
 template <class Function>
-double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index p, Index q, Function f) {
+double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index p, Index q, Function f,
+                bool structure = false) {
   const LongWaves waves(g, extent, {.least = 5});
   const auto [nx, ny] = g.shape;
   const Eigen::MatrixXd directions = directions_of(z, g, waves);
@@ -76,7 +77,8 @@ double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index 
     if (!second_pass) mean /= pairs;
   }
   const double variance = (sums.square() / (pairs * squares - means.square())).sum() / static_cast<double>(K);
-  return std::sqrt(variance) / (1 - std::min(0.4, 1.4 / std::sqrt(extent.patches)));
+  const double N = extent.patches, loss = structure ? 1 / std::sqrt(N) : 1.4 / std::sqrt(N) + 3 / N;
+  return std::sqrt(variance) / (1 - std::min(0.4, loss));
 }
 
 }  // namespace
@@ -99,8 +101,8 @@ TEST_CASE("errors of lags are those of waves summed pair by pair", "[lag-waves][
           for (const auto [p, q] : {Shape{0, 3}, {1, 0}, {9, 7}, {9, -7}, {4, -2}}) {
             CAPTURE(periodic.x, periodic.y, share, threads, p, q);
             const double expected_R = error_of(d, g, extent, p, q, [](double a, double b) { return a * b; }),
-                         expected_S = error_of(d, g, extent, p, q,
-                                               [](double a, double b) { return (a - b) * (a - b); }),
+                         expected_S = error_of(
+                             d, g, extent, p, q, [](double a, double b) { return (a - b) * (a - b); }, true),
                          r = rho(p, q), of_pairs = error_of(d, g, extent, p, q, [&](double a, double b) {
                                           return (a * b - 0.5 * r * (a * a + b * b)) / variance;
                                         });

@@ -1,7 +1,10 @@
 // What heights that are not Gaussian add to the errors of spectra.
 #include "stats/spectrum/power_excess.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include "fields.hpp"
+#include "stats/sample/quantiles.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -24,15 +27,17 @@ void check_equal(const PowerExcess& a, const PowerExcess& b, double bound) {
 
 }  // namespace
 
+// Student's quantile of 1e9 degrees is the normal one to 1e-9.
 TEST_CASE("an excess adds to relative variances, and to what the degrees of freedom stand for",
           "[power-excess][exact]") {
   std::vector<SpectrumPoint> points{{.wave_number = 1, .density = 2, .standard_error = 0.6, .degrees = 20},
                                     {.wave_number = 3, .density = 5, .standard_error = 1, .degrees = 50}};
-  add_excess(points, {.of_heights = 0.16, .of_slopes = 0.01, .rms_wave_number = 2});
+  add_excess(points, {.of_heights = 0.16, .of_slopes = 0.01, .rms_wave_number = 2, .degrees = 3});
+  const double wider = std::pow(student_quantile(0.025, 3) / gsl_cdf_ugaussian_Qinv(0.025), 2);
   CHECK(relative_error(points[0].standard_error, std::sqrt(0.36 + 0.16 * 4)) <= 4 * epsilon);
-  CHECK(relative_error(points[0].degrees, 1 / (0.05 + 0.08)) <= 4 * epsilon);
+  CHECK(relative_error(points[0].degrees, 1 / (0.05 + 0.08 * wider)) <= 1e-8);
   CHECK(relative_error(points[1].standard_error, std::sqrt(1 + 0.01 * 25)) <= 4 * epsilon);
-  CHECK(relative_error(points[1].degrees, 1 / (0.02 + 0.005)) <= 4 * epsilon);
+  CHECK(relative_error(points[1].degrees, 1 / (0.02 + 0.005 * wider)) <= 1e-8);
 }
 
 // The sums are the same ones, in another order; a forward difference along a periodic axis reaches around it.

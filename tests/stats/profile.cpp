@@ -171,14 +171,16 @@ TEST_CASE("parameters of profiles have Student's intervals, if three profiles ar
   const Field z = moving_average({100, 60}, {4, 6}, 4);
   const Parameters all = parameters_of(z, rho);
   const ProfileAverages averages = average_profiles(z, grid(100, 60), Axis1D::x, whole, rho);
-  const double t = student_quantile(0.025, static_cast<double>(averages.of[profile_q].degrees));
+  const double t_of_mean = student_quantile(0.025, static_cast<double>(averages.of[profile_q].degrees)),
+               t_of_spread = student_quantile(0.025, averages.of[profile_sm].spread_degrees);
   for (const char* name : {"Pq", "Pku", "Pdq", "PSm_spread"}) {
     const Parameter& p = named(all, name);
+    const double t = p.name == "PSm_spread" ? t_of_spread : t_of_mean;
     CAPTURE(name);
     CHECK(std::log(p.interval_95().high / p.value) == Approx(t * p.standard_error / p.value).epsilon(1e-12));
   }
   const Parameter& psk = named(all, "Psk");
-  CHECK(psk.value - psk.interval_95().low == Approx(t * psk.standard_error).epsilon(1e-9));
+  CHECK(psk.value - psk.interval_95().low == Approx(t_of_mean * psk.standard_error).epsilon(1e-9));
   for (const Parameter& p : all) CHECK(std::isfinite(p.standard_error) == !p.name.starts_with("profiles"));
 
   const Field few = z.leftCols(8), equal = sine({60, 7}, 2, 3);

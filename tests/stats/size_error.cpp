@@ -70,8 +70,8 @@ TEST_CASE("errors of effective sample sizes do not depend on the unit of the hei
 TEST_CASE("the interval of an effective sample size is Student's about the value", "[size-error][exact]") {
   const Sample sample = sample_of(moving_average({80, 80}, {4, 4}, 72));
   const auto errors = sample.size_errors();
-  const LongWaves waves(sample.grid(), sample.extent());
-  const double degrees = waves.degrees(static_cast<Index>(waves.all().size()));
+  const LongWaves waves(sample.grid(), sample.extent(), {.least = 5});
+  const double degrees = waves.degrees(static_cast<Index>(waves.all().size()), 40);
   const double value = sample.size().effective(2), half = gsl_cdf_tdist_Pinv(0.975, degrees) * (*errors)(2);
   CHECK(errors->interval(2).high == Approx(value + half).epsilon(1e-12));
   CHECK(errors->interval(2).low == Approx(value - half).epsilon(1e-12));

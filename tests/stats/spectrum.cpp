@@ -4,6 +4,7 @@
 
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
+#include "stats/spectrum/leakage.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -215,4 +216,35 @@ TEST_CASE("white noise has hardly a texture, ridges have theirs across them", "[
   const TextureDirection found = texture_direction(power_spectrum(ridges, g, hann), g);
   CHECK(std::abs(found.angle) <= 4 * std::numbers::pi / 180);
   CHECK(found.contrast >= 3);
+}
+
+// κ(n) is the mean over a wave number of the power of the window's transform beyond its main lobe.
+TEST_CASE("densities below what leaks from other waves have no error", "[spectrum][exact]") {
+  constexpr double pi2 = std::numbers::pi * std::numbers::pi;
+  for (const DataWindow window : {DataWindow::none, DataWindow::hann})
+    for (const Index first : {0, 1}) {
+      auto kappa = [&](Index n) {
+        const double m = static_cast<double>(n * n);
+        if (window == DataWindow::none) return n == 0 ? 0 : 1 / (2 * pi2 * m);
+        return n < 2 ? 0 : 1 / (3 * pi2 * m * (m - 1) * (m - 1));
+      };
+      for (const Index at : {7, 20}) {
+        const double leaked = kappa(at - 3) + kappa(at + 3);
+        for (const double more : {0.99, 1.01}) {
+          std::vector<SpectrumPoint> points(40, {.density = 1e3, .standard_error = 1, .degrees = 10});
+          for (SpectrumPoint& p : points) p.density = 0;
+          points[static_cast<std::size_t>(3 - first)].density = 1;
+          points[static_cast<std::size_t>(at - first)].density = 4 * leaked * more;
+          withhold_leakage(points, first, window);
+          const SpectrumPoint& there = points[static_cast<std::size_t>(at - first)];
+          CAPTURE(first, at, more, leaked);
+          CHECK(std::isnan(there.standard_error) == (more < 1));
+          CHECK(there.interval().known() == (more > 1));
+          CHECK(points[static_cast<std::size_t>(3 - first)].standard_error == 1);
+        }
+      }
+      std::vector<SpectrumPoint> flat(60, {.density = 1, .standard_error = 1, .degrees = 10});
+      withhold_leakage(flat, first, window);
+      CHECK(std::ranges::none_of(flat, [](const SpectrumPoint& p) { return std::isnan(p.standard_error); }));
+    }
 }

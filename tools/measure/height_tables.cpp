@@ -22,8 +22,8 @@ std::vector<Column> with_error(Column value, const std::string& error = "standar
   const std::string unit = value.unit;
   return {std::move(value),
           {error, unit, Holds::unknown},
-          {"low_95", unit, Holds::unknown},
-          {"high_95", unit, Holds::unknown}};
+          {"low_95", unit, Holds::open},
+          {"high_95", unit, Holds::open}};
 }
 
 Table table_of(std::initializer_list<std::vector<Column>> columns) {
