@@ -130,3 +130,13 @@ TEST_CASE("effective sample sizes have an error, a reason why not, or are exact"
   CHECK(named(of_lay, "N_eff").why == "no standard error: the correlation is negative at many lags");
   CHECK(named(of_lay, "N_eff_Ssk").standard_error > 0);
 }
+
+// Hardly any lag is admitted, none of them twice, and N/S_k would not vary.
+TEST_CASE("sizes of white noise have no error, and say why", "[size-error][contract]") {
+  for (const Parameter& p : heights_of(sample_of(white_noise({64, 48}, 5)))) {
+    if (!p.name.starts_with("N_eff") || p.name == "N_eff_mean") continue;
+    CAPTURE(p.name, p.value, p.standard_error);
+    CHECK(std::isnan(p.standard_error));
+    CHECK(p.why == "no standard error: neighbours are hardly correlated");
+  }
+}
