@@ -5,7 +5,7 @@
 ///     statistics_coverage [FIELDS [TABLE]]     fields a row, 400 unless given; moments, lengths, alarms or cost alone
 ///
 /// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval
-/// (stats/uncertainty/moment_interval.hpp) that holds the truth, with the `correlation` known or estimated
+/// (asperity-stats) that holds the truth, with the `correlation` known or estimated
 /// from the same field. Fields are white noise averaged over w × w neighbours, w the `width`, of correlation
 /// (1 - |p|/w)(1 - |q|/w); and such with an exponential correlation of that length. The standard error of a
 /// count is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
@@ -34,6 +34,7 @@
 #include "marginal/prescribed.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/hypothesis/specification.hpp"
+#include "stats/measure.hpp"
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -84,14 +85,14 @@ LagField exponential_correlation(Index length) {
 // Of the mean, Sa, Sq, Ssk and Sku.
 using Coverage = std::array<double, 5>;
 
-void count(Coverage& covered, const Moments& m, const EffectiveSampleSize& size) {
-  auto holds = [](const Interval& i, double truth) { return i.low <= truth && truth <= i.high; };
-  const MomentIntervals i = confidence_intervals(m, size);
-  covered[0] += holds(i.mean, 0);
-  covered[1] += holds(i.sa, std::sqrt(2 / M_PI));
-  covered[2] += holds(i.sq, 1);
-  covered[3] += holds(i.ssk, 0);
-  covered[4] += holds(i.sku, 3);
+// Of the intervals of asperity-stats.
+void count(Coverage& covered, const Field& z, const Grid& grid, const std::optional<LagField>& correlation) {
+  const Parameters of = measure(Surface{.grid = grid, .heights = z, .correlation = correlation});
+  const double truths[] = {0, std::sqrt(2 / std::numbers::pi), 1, 0, 3};
+  for (std::size_t k = 0; k < covered.size(); ++k) {
+    const Interval i = of[k].interval_95();
+    covered[k] += i.low <= truths[k] && truths[k] <= i.high;
+  }
 }
 
 void print(const char* field, Index width, double n_eff, const char* correlation, const Coverage& covered,
@@ -109,10 +110,8 @@ void coverage(const char* field, const Grid& grid, Index width, const LagField& 
   Coverage with_known{}, with_estimate{};
   for (int f = 0; f < fields; ++f) {
     const Field z = draw(grid.shape, width, generator);
-    const Moments m = moments(z);
-    const LagField acf = estimate_autocorrelation(z, grid, {.max_lag = default_max_lag(grid)});
-    count(with_known, m, known);
-    count(with_estimate, m, EffectiveSampleSize::of_estimate(acf, grid));
+    count(with_known, z, grid, correlation);
+    count(with_estimate, z, grid, std::nullopt);
   }
   print(field, width, known.effective(2), "known", with_known, fields);
   print(field, width, known.effective(2), "estimated", with_estimate, fields);
