@@ -7,17 +7,23 @@
 namespace asperity {
 namespace {
 
-// (1)
+// (1), by the midpoint rule: W is smooth within a wave number.
 double leaked(Index n, DataWindow window) {
-  const double square = static_cast<double>(n * n), pi2 = std::numbers::pi * std::numbers::pi;
-  if (window == DataWindow::none) return n == 0 ? 0 : 1 / (2 * pi2 * square);
-  return square < 4 ? 0 : 1 / (3 * pi2 * square * (square - 1) * (square - 1));
+  constexpr int nodes = 16;
+  if (n < (window == DataWindow::none ? 1 : 2)) return 0;
+  double sum = 0;
+  for (int i = 0; i < nodes; ++i) {
+    const double f = static_cast<double>(n) - 0.5 + (i + 0.5) / nodes,
+                 sinc = std::sin(std::numbers::pi * f) / (std::numbers::pi * f);
+    sum += std::pow(window == DataWindow::none ? sinc : sinc / (1 - f * f), 2);
+  }
+  return sum / nodes / (window == DataWindow::none ? 1 : 1.5);
 }
 
 }  // namespace
 
 void withhold_leakage(std::vector<SpectrumPoint>& points, Index first, DataWindow window) {
-  constexpr double most = 0.25;
+  constexpr double most = 0.3;
   const auto count = static_cast<Index>(points.size());
   std::vector<double> share;
   for (Index n = 0; n <= 2 * (first + count); ++n) share.push_back(leaked(n, window));
