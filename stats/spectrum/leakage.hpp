@@ -1,8 +1,8 @@
 /// Wave numbers at which a spectrum holds nothing but what leaks from others.
 ///
-/// A field that is not periodic is cut off by its window, of transform W, which spreads each wave over all wave
-/// numbers. The n-th one beside it has on average, beyond the main lobe,
-///     κ(n) = ∫_{n-½}^{n+½} W² df / ∫ W² df,     W = sinc f,  n ≥ 1;     Hann's: sinc f/(1 - f²),  n ≥ 2.  (1)
+/// A field that is not periodic is cut off by its window, of transform W, which spreads each wave over all
+/// wave numbers. The n-th one beside it has on average, beyond the main lobe,
+///     κ(n) = ∫_{n-½}^{n+½} W² df / ∫ W² df,     W = sinc f, n ≥ 1;   Hann's sinc f/(1 - f²), n ≥ 2.   (1)
 /// A spectrum C that falls more steeply ends in the leakage
 ///     L(k) = Σ_j C(j) [κ(k - j) + κ(k + j)],                                                            (2)
 /// which says nothing of the surface. Where L exceeds three tenths of C, the density has no error; of a flat

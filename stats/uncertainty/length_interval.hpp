@@ -19,8 +19,8 @@
 ///
 /// Symbols   ρ  estimate, 1 at lag zero    λ(f)  where f = t
 /// Accuracy  of 200 fields of each of eleven textures, N_eff 290 to 1230, 95 % intervals cover 96 to 100 %
-///           (Sal), 89 to 98 % (lengths at 1/e) and 88 to 96 % (at 10 %); at N_eff 33 to 140 see
-///           validation/error_coverage.
+///           (Sal), 90 to 98 % (lengths at 1/e) and 89 to 98 % (at 10 %); of N_eff 33 to 140 91 to 100, 80
+///           to 100 and 88 to 100 % (validation/error_coverage).
 /// Cost      a pass over the lags per end; for Sal one to four simulations, 5 ms each.
 #pragma once
 

@@ -14,11 +14,9 @@
 ///
 /// Symbols   N  points      S_k  sums of ρᵏ      N_1, N_2  estimates
 /// Scope     k = 2, 3, 4; any distribution of the heights; for k = 2 no lay.
-/// Accuracy  Of 200 fields of 128 × 128 points of each of eleven textures, N_2 290 to 1230, errors are 0.86
-///           to 1.15 times the true ones, and 88 to 96 % of the 95 % intervals hold the truth; without
-///           plateaus 0.98 to 1.15 and 92 to 96 %. Of 64 × 64 points, N_2 33 to 140: 0.79 to 1.18 and 82 to
-///           98 %, of two scales and plateaus 0.79 to 0.91 and 82 to 89 %. Of 400 exponential fields of
-///           N_2 = 9, 12 to 15 % of which have no errors: 1.05 to 1.17 and 91 to 96 %
+/// Accuracy  Of 200 fields of 128 × 128 points of each of eleven textures, N_2 290 to 1230, errors are 0.89
+///           to 1.16 times the true ones, and 90 to 97 % of the 95 % intervals hold the truth; of N_2 33 to
+///           140 0.82 to 1.35 and 90 to 100 %, of N_2 8 to 35 1.03 to 1.61 and 95 to 100 %
 ///           (validation/error_coverage).
 /// Cost      the waves over lags up to twice those that hold 95 % of Σ ρ², and two estimates of S_k from them
 ///           for each wave: a third of what the rest of the height parameters costs.

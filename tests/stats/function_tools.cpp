@@ -1,5 +1,4 @@
 // asperity-acf, asperity-psd and asperity-pdf on a dataset whose correlation is known.
-#include <algorithm>
 #include <numeric>
 
 #include "drawn_surface.hpp"
@@ -274,7 +273,6 @@ TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-s
   CHECK(table["standard_error"]["values"][10] == median["quantile_0.5"]["standard_error"]);
 }
 
-// Of a share of a few per cent of so small a surface there may be none: the interval ends beyond its heights.
 TEST_CASE("asperity-pdf prints quantiles whose interval is open on one side", "[pdf-tool][contract]") {
   require("asperity-generate --shape 40x30 --size 400um,300um --rq 1um --length 30um --seed 3 -o small.nc");
   const std::string quantiles = "asperity-pdf --correlation estimate --estimate quantiles --rows 99 small.nc";
