@@ -44,7 +44,7 @@ void warn_of_leakage(const cli::Tool& tool, const std::vector<SpectrumPoint>& po
       points, [](const SpectrumPoint& p) { return std::isnan(p.standard_error) && p.wave_number > 0; });
   if (first == points.end()) return;
   tool.warn(fmt::format(
-      "{}: from wave number {:.3g} rad/m on three tenths of the density or more may be leakage of "
+      "{}: from wave number {:.3g} rad/m on a tenth of the density or more may be leakage of "
       "longer waves, and {} points have no errors{}",
       of, first->wave_number,
       std::ranges::count_if(points, [](const SpectrumPoint& p) { return std::isnan(p.standard_error); }),
@@ -209,7 +209,7 @@ void declare(cli::Tool& tool, Options& what) {
       "the field's own long waves; intervals are those of chi-squared. On 11 textures, Gaussian and not, "
       "standard errors were 0.88 to 1.10 times the true ones and 87 to 98 % of the intervals held the "
       "truth. Seen on 400 fields with Gaussian and exponential correlations: rings covered 92 to 98 %, "
-      "profiles 88 to 96 %. Where three tenths of the density or more may be leakage of longer waves, it has "
+      "profiles 88 to 96 %. Where a tenth of the density or more may be leakage of longer waves, it has "
       "no "
       "error. A single wave number of the "
       "dataset is uncertain by its own value (psd_relative_error 1, psd_degrees_of_freedom 2): 95 % from "

@@ -23,7 +23,7 @@ double leaked(Index n, DataWindow window) {
 }  // namespace
 
 void withhold_leakage(std::vector<SpectrumPoint>& points, Index first, DataWindow window) {
-  constexpr double most = 0.3;
+  const double most = window == DataWindow::none ? 0.3 : 0.1;
   const auto count = static_cast<Index>(points.size());
   std::vector<double> share;
   for (Index n = 0; n <= 2 * (first + count); ++n) share.push_back(leaked(n, window));

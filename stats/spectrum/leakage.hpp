@@ -5,9 +5,9 @@
 ///     κ(n) = ∫_{n-½}^{n+½} W² df / ∫ W² df,     W = sinc f, n ≥ 1;   Hann's sinc f/(1 - f²), n ≥ 2.   (1)
 /// A spectrum C that falls more steeply ends in the leakage
 ///     L(k) = Σ_j C(j) [κ(k - j) + κ(k + j)],                                                            (2)
-/// which says nothing of the surface. Where L exceeds three tenths of C, the density has no error; of a flat
-/// spectrum without a window it is 0.23, as much as leaks away. The same sum over rings stands for the
-/// lines of wave numbers through the origin, which leak most.
+/// which says nothing of the surface. Where L exceeds a tenth of C, three tenths without a window, the
+/// density has no error; of a flat spectrum without a window it is 0.23, as much as leaks away. The same sum
+/// over rings stands for the lines of wave numbers through the origin, which leak most.
 ///
 /// Scope     means over profiles and rings; not along a periodic axis, where nothing leaks.
 /// Cost      the square of the number of points, 10 operations each.
@@ -22,7 +22,7 @@
 namespace asperity {
 
 /// Takes the errors of points whose neighbours are one wave number apart, the first at wave number `first`,
-/// where more than three tenths may be leakage.
+/// where more may be leakage.
 void withhold_leakage(std::vector<SpectrumPoint>& points, Index first, DataWindow window);
 
 }  // namespace asperity

@@ -191,11 +191,16 @@ TEST_CASE("asperity-psd adds a PSD whose sum is Sq squared, and prints rings or 
   const Json profiles = json_of("asperity-psd drawn.nc --result profiles --json");
   CHECK(profiles["psd"]["unit"] == "m3");
   CHECK(profiles["psd"]["values"].size() == 49 + 41);
+  // The spectrum of a moving average has zeros, where there is only leakage, without an interval.
   for (const Json& table : {rings, profiles})
-    for (std::size_t i = 0; i < table["psd"]["values"].size(); ++i) {
+    for (std::size_t i = 0, missing = 0; i < table["psd"]["values"].size(); ++i) {
       const double value = table["psd"]["values"][i];
-      CHECK(table["low_95"]["values"][i].get<double>() < value);
-      CHECK(value < table["high_95"]["values"][i].get<double>());
+      const Json &low = table["low_95"]["values"][i], &high = table["high_95"]["values"][i];
+      CHECK(low.is_null() == high.is_null());
+      if (low.is_null())
+        CHECK(++missing <= 4);
+      else
+        CHECK((low.get<double>() < value && value < high.get<double>()));
     }
   for (const char* wrong : {"--window wide", "--correlation drawn"})
     CHECK(run_on_surface(std::string("asperity-psd drawn.nc ") + wrong).exit == 2);
