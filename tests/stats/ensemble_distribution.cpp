@@ -128,3 +128,13 @@ TEST_CASE("surfaces by pattern, list and partly on standard input have the same 
   CHECK(std::abs(total - 1) <= 1e-12);
   CHECK(column(pressed, "density_error")[0] > 0);
 }
+
+TEST_CASE("asperity-pdf prints quantiles whose interval is open on one side", "[pdf-tool][contract]") {
+  require("asperity-generate --shape 40x30 --size 400um,300um --rq 1um --length 30um --seed 3 -o small.nc");
+  const std::string quantiles = "asperity-pdf --correlation estimate --estimate quantiles --rows 99 small.nc";
+  CHECK_THAT(require(quantiles).out, ContainsSubstring("\t-inf\t"));
+  const Json table = json_of(quantiles + " --json");
+  CHECK(table["low_95"]["values"][0].is_null());
+  CHECK(table["high_95"]["values"][0].is_number());
+  CHECK(table["high_95"]["values"][98].is_null());
+}

@@ -278,16 +278,6 @@ TEST_CASE("asperity-pdf's quantiles rise, and their median is that of asperity-s
   CHECK(table["standard_error"]["values"][10] == median["quantile_0.5"]["standard_error"]);
 }
 
-TEST_CASE("asperity-pdf prints quantiles whose interval is open on one side", "[pdf-tool][contract]") {
-  require("asperity-generate --shape 40x30 --size 400um,300um --rq 1um --length 30um --seed 3 -o small.nc");
-  const std::string quantiles = "asperity-pdf --correlation estimate --estimate quantiles --rows 99 small.nc";
-  CHECK_THAT(require(quantiles).out, ContainsSubstring("\t-inf\t"));
-  const Json table = json_of(quantiles + " --json");
-  CHECK(table["low_95"]["values"][0].is_null());
-  CHECK(table["high_95"]["values"][0].is_number());
-  CHECK(table["high_95"]["values"][98].is_null());
-}
-
 TEST_CASE("options of another estimate, or beyond its bounds, are refused by name", "[pdf-tool][contract]") {
   for (const auto& [options, name] : {std::pair{"--bandwidth 0.2", "--bandwidth"},
                                       {"--rows 9", "--rows"},
