@@ -23,8 +23,8 @@ enum Local {
   height,
   square,
   curvature,
-  sloped,
-  surrounded,  // 1 where there are the slopes, and all neighbours
+  sloped,      // 1 where there are the slopes
+  surrounded,  // 1 where there are all neighbours
   local
 };
 
@@ -93,7 +93,7 @@ double DerivativeErrors::left(const Function& parameter, double taken) const {
     const double square_taken = taken / (1 - taken) * means(s00);
     Eigen::VectorXd freed = means;
     freed(s00) += square_taken, freed(square) += means(summit) * square_taken;
-    return std::log(parameter(derivatives(means, grid_)) / parameter(derivatives(freed, grid_)));
+    return parameter(derivatives(means, grid_)) / parameter(derivatives(freed, grid_));
   });
 }
 

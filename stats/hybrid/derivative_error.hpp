@@ -36,7 +36,7 @@ class DerivativeErrors {
   void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   double operator()(const Function& parameter) const;
-  /// Logarithm of what a form leaves of a parameter that has taken a share of the variance of the heights.
+  /// The factor by which a form that took this share of the variance of the heights changed a parameter.
   double left(const Function& parameter, double taken) const;
   double degrees() const { return means_.degrees(); }  ///< of freedom
 

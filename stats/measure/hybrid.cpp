@@ -43,7 +43,7 @@ struct Differentiated {
     constexpr double round_off = 1e-12;
     if (!(error > round_off * value && value > 0)) return {value};
     const double t = student_quantile(0.025, errors->degrees());
-    const double freed = value * std::exp(-errors->left(parameter, taken)), width = t * error / value;
+    const double freed = value / errors->left(parameter, taken), width = t * error / value;
     return {value, error,
             Interval::of(value, std::max(std::min(least, value), std::min(value, freed * std::exp(-width))),
                          std::max(value, freed * std::exp(width)))};

@@ -19,8 +19,8 @@
 /// is three quarters of what an exponential correlation loses, and three halves of what a Gaussian one does.
 /// The error of a function g of several means is that of the local function Σ (∂g/∂f̄_a) f_a. On few patches
 /// c_k² is skewed, and low where f̄ is low. Intervals use Student's t of
-///     K N_p/(N_p + 20), 1.6 at least,                                                                    (5)
-/// degrees of freedom, fitted to eleven textures of N_p = 9 to 330. A single wave gives no error.
+///     K N_p/(N_p + 20), 1.6 at least, K at most,                                                         (5)
+/// degrees of freedom, fitted to eleven textures of N_p = 9 to 330.
 ///
 /// Symbols   N  points      N_p  independent patches (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
