@@ -37,7 +37,9 @@ struct PowerExcess {
   double rms_wave_number = 0;  ///< [rad/m]
   double degrees = 1;          ///< of freedom that it is known to
 
-  double at(double wave_number) const { return wave_number > rms_wave_number ? of_slopes : of_heights; }
+  double at(double wave_number) const {
+    return wave_number > rms_wave_number ? of_slopes : 0.75 * of_heights;
+  }
 };
 
 /// Of profiles along one axis, or of rings, by a window.
