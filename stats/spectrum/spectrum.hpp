@@ -38,11 +38,8 @@
 /// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
 ///           C, its interval of 95 % runs from 0.271 C to 39.5 C (two degrees of freedom; one, 0.199 C to
 ///           1018 C, at its own mirror image, p and q 0 or half of an even nx, ny). Errors and degrees of
-///           freedom of means: shared_power.hpp, and of heights that are not Gaussian power_excess.hpp, which
-///           stats/measure/spectra.hpp puts together. Of 400 fields of 128 × 128 points with Gaussian and
-///           exponential correlations, intervals of rings cover 92 to 98 %, those of profiles 88 to 96 %,
-///           stated over true error 0.88 to 1.05; not where nothing but leakage is left, 10⁸ times below the
-///           top: 82 %, 0.74. Std within 0.5° for a wave that covers a few wave numbers; for an isotropic
+///           freedom of means: shared_power.hpp; what else an error holds, and what there is none of:
+///           stats/measure/spectra.hpp. Std within 0.5° for a wave that covers a few wave numbers; for an isotropic
 ///           surface it is random.
 /// Cost      one real transform; of (5) one pass over C.
 ///
