@@ -17,11 +17,10 @@
 /// Scope     means over wave numbers in all directions, or over all those across one. Of Gaussian heights
 ///           chance leaves an E above 0: leave it out where heights were drawn Gaussian. To see that heights
 ///           are not takes many correlation lengths, and their strays matter before that.
-/// Accuracy  of 200 fields of 32 × 32 points with lognormal heights, N_eff 9, at wave numbers 8 and 12, stated
-///           errors are 0.47 to 0.68 of the true ones without the excess and 0.87 to 1.12 with it, and
-///           intervals cover 69 to 79 % and 94 to 98 %; of Gaussian heights with the same exponential
-///           correlation 93 to 96 % and 95 to 98 %.
-///           More: stats/measure/spectra.hpp.
+/// Accuracy  of 200 fields of 32 × 32 points with lognormal heights, N_eff 9, at wave numbers 8 and 12,
+///           stated errors are 0.47 to 0.68 of the true ones without the excess and 0.87 to 1.12 with it,
+///           and intervals cover 69 to 79 % and 94 to 98 %; of Gaussian heights with the same exponential
+///           correlation 93 to 96 % and 95 to 98 %. More: stats/measure/spectra.hpp.
 /// Cost      one transform, a pass of 40 operations a point, and two over the spectrum: three times that of
 ///           a spectrum alone.
 #pragma once

@@ -12,16 +12,16 @@
 ///     k_0 = 2 + ⌈d/2⌉ with Hann's window, 1 + ⌈d/2⌉ without,                                           (3)
 /// d its degree. In (2) they continue the slope of the next three. A point has no error where, in this order,
 ///     form        k < k_0;
-///     leakage     κ(n) beyond the main lobe, n ≥ 2, n ≥ 1 without a window, brings more than a tenth of C from
-///                 other waves, three tenths without a window; of a flat spectrum without one it is 0.23;
+///     leakage     κ(n) beyond the main lobe, n ≥ 2, n ≥ 1 without a window, brings more than a tenth of C
+///                 from other waves, three tenths without a window; of a flat one without it is 0.23;
 ///     resolution  |b| is above half of the relative error of C.
 /// Elsewhere the interval of C is longer by |b| on the side that the surface's own density lies on.
 ///
 /// Scope     means over profiles and rings; not along a periodic axis, where nothing is cut off.
-/// Accuracy  of 200 fields of 64 × 64 points with a Gaussian correlation of lengths 12 and 6, profiles along y
-///           at wave numbers 3, 5, 7, 9, 12 are biased by -0.1, 0.4, 0.6, 0.8, 1.8 true errors; the median b
-///           is 0.2, 0.4, 0.8, 1.3, 2.3 of them, and 13, 36, 91, 100, 100 % of the points have no error.
-///           Coverage: stats/measure/spectra.hpp.
+/// Accuracy  of 200 fields of 64 × 64 points with a Gaussian correlation of lengths 12 and 6, profiles
+///           along y at wave numbers 3, 5, 7, 9, 12 are biased by -0.1, 0.4, 0.6, 0.8, 1.8 true errors; the
+///           median b is 0.2, 0.4, 0.8, 1.3, 2.3 of them, and 13, 36, 91, 100, 100 % of the points have no
+///           error. Coverage: stats/measure/spectra.hpp.
 /// Cost      the square of the number of points, 10 operations each.
 ///
 /// F. J. Harris, Proc. IEEE 66 (1978) 51-83, for the lobes of windows.

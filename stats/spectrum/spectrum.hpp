@@ -39,8 +39,8 @@
 ///           C, its interval of 95 % runs from 0.271 C to 39.5 C (two degrees of freedom; one, 0.199 C to
 ///           1018 C, at its own mirror image, p and q 0 or half of an even nx, ny). Errors and degrees of
 ///           freedom of means: shared_power.hpp; what else an error holds, and what there is none of:
-///           stats/measure/spectra.hpp. Std within 0.5° for a wave that covers a few wave numbers; for an isotropic
-///           surface it is random.
+///           stats/measure/spectra.hpp. Std within 0.5° for a wave that covers a few wave numbers; for an
+///           isotropic surface it is random.
 /// Cost      one real transform; of (5) one pass over C.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
