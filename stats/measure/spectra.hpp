@@ -14,7 +14,7 @@
 ///           37 × 37     43 to 174    200      92 to 100   0.88 to 1.34
 ///           64 × 64     33 to 141    200      90 to 99    0.81 to 1.31
 ///           60 × 200    214 to 899   100      89 to 100   0.86 to 1.25
-///           128 × 128   133 to 560   100      89 to 100   0.82 to 1.40
+///           128 × 128   131 to 564   100      89 to 100   0.82 to 1.40
 ///
 ///           A coverage is known to 1.5 % of 200 fields and to 2.2 % of 100, an error to 5 and 7 %. At
 ///           wave number 2, 85 to 100 %, 0.84 to 1.46. Intervals rather cover too much, for chance leaves an
