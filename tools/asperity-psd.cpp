@@ -1,6 +1,6 @@
 // Power spectral densities of a surface, of its profiles, and over rings.
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -38,35 +38,31 @@ std::string density_units(const Surface& surface, int lengths) {
 
 constexpr const char* per_length = "rad m-1";
 
-void warn_of_leakage(const cli::Tool& tool, const std::vector<SpectrumPoint>& points, const std::string& of,
-                     DataWindow window) {
-  const auto first = std::ranges::find_if(
-      points, [](const SpectrumPoint& p) { return std::isnan(p.standard_error) && p.wave_number > 0; });
-  if (first == points.end()) return;
-  tool.warn(fmt::format(
-      "{}: from wave number {:.3g} rad/m on a tenth of the density or more may be leakage of "
-      "longer waves, and {} points have no errors{}",
-      of, first->wave_number,
-      std::ranges::count_if(points, [](const SpectrumPoint& p) { return std::isnan(p.standard_error); }),
-      window == DataWindow::none ? "; --window hann leaks less" : ""));
+// Columns of the errors of a density.
+std::vector<cli::Column> of_errors(const std::string& unit) {
+  return {{"psd", unit},
+          {"standard_error", unit, cli::Holds::unknown},
+          {"low_95", unit, cli::Holds::unknown},
+          {"high_95", unit, cli::Holds::unknown},
+          {"no_error", ""}};
 }
 
-cli::Table radial(const cli::Tool& tool, const Sample& sample, const DataWindows& windows) {
+std::vector<cli::Cell> cells(const SpectrumPoint& point) {
+  const Interval ends = point.interval();
+  const bool known = point.no_error == NoError::none;
+  return {point.density, point.standard_error, ends.low, ends.high, known ? "-" : reason(point.no_error)};
+}
+
+cli::Table radial(const Sample& sample, const DataWindows& windows) {
   const Surface& surface = sample.surface();
-  const std::string unit = density_units(surface, 2);
-  cli::Table out{{{"wave_number", per_length},
-                  {"psd", unit},
-                  {"standard_error", unit, cli::Holds::unknown},
-                  {"low_95", unit, cli::Holds::unknown},
-                  {"high_95", unit, cli::Holds::unknown},
-                  {"count", "1"}},
-                 {}};
-  const std::vector<SpectrumPoint> rings = radial_spectrum(sample, windows);
-  warn_of_leakage(tool, rings, "rings", windows.x);
-  for (const SpectrumPoint& ring : rings) {
-    const Interval ends = ring.interval();
-    out.rows.push_back(
-        {ring.wave_number, ring.density, ring.standard_error, ends.low, ends.high, ring.count});
+  cli::Table out{{{"wave_number", per_length}}, {}};
+  std::ranges::copy(of_errors(density_units(surface, 2)), std::back_inserter(out.columns));
+  out.columns.push_back({"count", "1"});
+  for (const SpectrumPoint& ring : radial_spectrum(sample, windows)) {
+    std::vector<cli::Cell>& row = out.rows.emplace_back();
+    row.emplace_back(ring.wave_number);
+    std::ranges::copy(cells(ring), std::back_inserter(row));
+    row.emplace_back(ring.count);
   }
   if (out.rows.empty())
     throw DataError("heights",
@@ -76,22 +72,14 @@ cli::Table radial(const cli::Tool& tool, const Sample& sample, const DataWindows
   return out;
 }
 
-cli::Table profiles(const cli::Tool& tool, const Sample& sample, const DataWindows& windows) {
-  const std::string unit = density_units(sample.surface(), 1);
-  cli::Table out{{{"direction", ""},
-                  {"wave_number", per_length},
-                  {"psd", unit},
-                  {"standard_error", unit, cli::Holds::unknown},
-                  {"low_95", unit, cli::Holds::unknown},
-                  {"high_95", unit, cli::Holds::unknown}},
-                 {}};
+cli::Table profiles(const Sample& sample, const DataWindows& windows) {
+  cli::Table out{{{"direction", ""}, {"wave_number", per_length}}, {}};
+  std::ranges::copy(of_errors(density_units(sample.surface(), 1)), std::back_inserter(out.columns));
   auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
-    const std::vector<SpectrumPoint> points = profile_spectrum(sample, axis, window);
-    warn_of_leakage(tool, points, std::string("profiles along ") + direction, window);
-    for (const SpectrumPoint& point : points) {
-      const Interval ends = point.interval();
-      out.rows.push_back(
-          {direction, point.wave_number, point.density, point.standard_error, ends.low, ends.high});
+    for (const SpectrumPoint& point : profile_spectrum(sample, axis, window)) {
+      std::vector<cli::Cell>& row = out.rows.emplace_back();
+      row.emplace_back(direction), row.emplace_back(point.wave_number);
+      std::ranges::copy(cells(point), std::back_inserter(row));
     }
   };
   add("x", Axis1D::x, windows.x);
@@ -118,7 +106,7 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
 cli::Table table(const cli::Tool& tool, const Options& what, const Surface& surface) {
   const Sample sample(surface, false, tool.thread_count());
   const DataWindows windows = what.windows(surface.grid);
-  return what.result.result == "profiles" ? profiles(tool, sample, windows) : radial(tool, sample, windows);
+  return what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
 }
 
 // One surface: its dataset or table, with errors by theory.
@@ -205,13 +193,14 @@ void declare(cli::Tool& tool, Options& what) {
   tool.accuracy(
       "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
       "both signs, or sum / L for a profile. Standard errors and 95 % intervals allow for the power that "
-      "neighbouring wave numbers share under a window, and for heights that are evidently not Gaussian by "
-      "the field's own long waves; intervals are those of chi-squared. On 11 textures, Gaussian and not, "
-      "standard errors were 0.88 to 1.10 times the true ones and 87 to 98 % of the intervals held the "
-      "truth. Seen on 400 fields with Gaussian and exponential correlations: rings covered 92 to 98 %, "
-      "profiles 88 to 96 %. Where a tenth of the density or more may be leakage of longer waves, it has "
-      "no "
-      "error. A single wave number of the "
+      "neighbouring wave numbers share under a window, and for amplitudes that stray from place to place by "
+      "the field's own long waves, unless heights were drawn Gaussian; intervals are those of chi-squared. "
+      "Seen on 100 to 200 fields of each of 11 textures, Gaussian and not, N_eff 8 to 900: 89 to 100 % of "
+      "the intervals from wave number 3 on held the truth, and standard errors were 0.81 to 1.40 times the "
+      "true ones. A density without an error says why in the column no_error: form, one of the longest waves, "
+      "which the removed mean or form took; leakage, a tenth of it or more may come from other waves through "
+      "the window (three tenths without one); resolution, the window smooths the spectrum there by more than "
+      "half an error. A single wave number of the "
       "dataset is uncertain by its own value (psd_relative_error 1, psd_degrees_of_freedom 2): 95 % from "
       "0.271 to 39.5 times psd. Wave numbers are 2 pi / wavelength. Missing points are set to the mean, "
       "and the sum is divided by the squared window over the other points: a share g of scattered holes "

@@ -16,7 +16,7 @@
 /// known         share of the fields that have an error, per cent
 /// covered       share of these whose 95 % interval holds the truth, per cent; of the intervals
 /// open          share without an upper end, per cent
-/// ratio         rms of the stated errors over the true one, the standard deviation of the values
+/// ratio         rms of the stated errors over the true one, the standard deviation of the values with errors
 /// bias          mean of the values less the truth, in true errors
 ///
 /// Second table, one row a parameter, over the textures:
@@ -24,8 +24,8 @@
 /// textures      that have an error in more than half of the fields, and of how many
 /// covered, ratio    least and greatest of these
 ///
-/// The truth is the mean over eight fields of four times the sides, and of effective sample sizes that of the
-/// true correlation. Extremes, counts and means over profiles depend on the size: there it is the mean of the
+/// The truth is the mean over eight fields of four times the sides, of effective sample sizes that of the true
+/// correlation, and of spectra its transform. Extremes, counts and means over profiles depend on the size: there it is the mean of the
 /// values, and the bias is NaN.
 #include <algorithm>
 #include <cmath>
@@ -39,11 +39,11 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "spectrum_points.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
 #include "stats/measure.hpp"
 #include "stats/measure/acf_estimate.hpp"
-#include "stats/measure/spectra.hpp"
 #include "stats/twins/twin_errors.hpp"
 #include "textures.hpp"
 #include "timing.hpp"
@@ -68,17 +68,6 @@ struct Setting {
 
 Grid grid_of(Shape shape) { return {shape, micrometre, micrometre, false}; }
 
-void add(Parameters& out, const std::string& name, const std::vector<SpectrumPoint>& spectrum, Index times) {
-  for (const Index k : {3, 12, 40})
-    if (const auto at = static_cast<std::size_t>(k * times); at < spectrum.size())
-      out.push_back({.name = fmt::format("{}_{}", name, k),
-                     .value = spectrum[at].density,
-                     .unit = "",
-                     .standard_error = spectrum[at].standard_error,
-                     .meaning = "",
-                     .interval = spectrum[at].interval()});
-}
-
 // Densities and shares of heights in units of 1 µm, the Sq of a Gaussian field.
 void add_distribution(Parameters& out, const Sample& sample) {
   constexpr double bandwidth = 0.2 * micrometre, end = 20 * micrometre;
@@ -98,8 +87,8 @@ void add_distribution(Parameters& out, const Sample& sample) {
     add(fmt::format("share_{}", from), bins[static_cast<std::size_t>(40 + 2 * from)].share);
 }
 
-// All that has an error, of a field `times` as large.
-Parameters measured(const Field& heights, int degree, Index times, Index twins = 0) {
+// All that has an error; the truth of spectra is not measured.
+Parameters measured(const Field& heights, int degree, bool spectra, Index twins = 0) {
   const Grid grid = grid_of(shape_of(heights));
   MeasureOptions options;
   options.groups = {Group::height, Group::quantiles, Group::material,
@@ -130,19 +119,13 @@ Parameters measured(const Field& heights, int degree, Index times, Index twins =
     add_lag("acf", acf.rho(lag, 0), errors.acf(lag), errors.interval(acf.rho(lag, 0), lag));
     add_lag("structure", S, errors.structure(lag), Interval::about(S, half));
   }
-  const DataWindows windows = default_windows(grid);
-  add(out, "psd_x", profile_spectrum(sample, Axis1D::x, windows.x), times);
-  add(out, "psd_y", profile_spectrum(sample, Axis1D::y, windows.y), times);
-  if (times == 1) add(out, "psd_ring", radial_spectrum(sample, windows), times);
+  if (spectra) std::ranges::copy(spectrum_points(sample), std::back_inserter(out));
   return out;
 }
 
 bool depends_on_size(const std::string& name) {
-  for (const char* start : {"S", "N", "P", "p"})
-    if (name.starts_with(start))
-      return *start == 'S' ? name == "Sp" || name == "Sv" || name == "Sz"
-                           : !name.starts_with("psd_x") && !name.starts_with("psd_y");
-  return false;
+  if (name.starts_with("S")) return name == "Sp" || name == "Sv" || name == "Sz";
+  return name.starts_with("N") || name.starts_with("P");
 }
 
 // Of the first table.
@@ -169,6 +152,12 @@ struct Column {
     const double m = mean();
     return std::sqrt(mean_of([&](const Parameter& p) { return std::pow(difference(p.value, m), 2); }));
   }
+  Column with_errors() const {
+    Column out;
+    std::ranges::copy_if(all, std::back_inserter(out.all),
+                         [](const Parameter& p) { return std::isfinite(p.standard_error); });
+    return out;
+  }
   template <class Of>
   double mean_of(Of of) const {
     double sum = 0, count = 0;
@@ -192,7 +181,8 @@ struct Column {
     const double stated =
         std::sqrt(mean_of([](const Parameter& p) { return p.standard_error * p.standard_error; }));
     return {100 * out.known / static_cast<double>(all.size()), 100 * out.covered / out.known,
-            100 * out.open / out.known, stated / spread(), biased ? difference(mean(), aim) / spread() : NAN};
+            100 * out.open / out.known, out.known > 0 ? stated / with_errors().spread() : NAN,
+            biased ? difference(mean(), aim) / spread() : NAN};
   }
 };
 
@@ -255,14 +245,16 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
   std::vector<std::string> names;
   const textures::Draw draw(texture, setting.shape, setting.reach());
   for (int f = 0; f < setting.fields; ++f)
-    for (const Parameter& p : measured(draw(random), setting.degree, 1, setting.twins)) {
+    for (const Parameter& p : measured(draw(random), setting.degree, true, setting.twins)) {
       if (!columns.contains(p.name)) names.push_back(p.name);
       columns[p.name].all.push_back(p);
     }
   const textures::Draw wide(texture, {large * nx, large * ny}, setting.reach());
   std::map<std::string, Column> truths;
   for (int f = 0; f < large_fields; ++f)
-    for (const Parameter& p : measured(wide(random), 0, large)) truths[p.name].all.push_back(p);
+    for (const Parameter& p : measured(wide(random), 0, false)) truths[p.name].all.push_back(p);
+  for (const Parameter& p : true_spectrum_points(texture, setting.shape, micrometre, setting.reach()))
+    truths[p.name].all.push_back(p);
   const double n_eff =
       static_cast<double>(setting.shape.cells()) / textures::correlated_points(texture, setting.reach());
   const std::map<std::string, double> sizes = true_sizes(texture, setting);

@@ -1,28 +1,41 @@
 #include "stats/measure/spectra.hpp"
 
-#include "stats/spectrum/leakage.hpp"
+#include "stats/spectrum/pooled_degrees.hpp"
 #include "stats/spectrum/power_excess.hpp"
+#include "stats/spectrum/resolution.hpp"
 
 namespace asperity {
+namespace {
+
+// Whether local amplitudes may stray: not of heights that were drawn from a Gaussian field.
+bool may_stray(const Sample& sample) { return sample.basis().estimated || sample.distribution(); }
+
+}  // namespace
 
 std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window) {
-  const Field& z = sample.surface().heights;
-  auto out = profile_spectrum(z, sample.grid(), axis, window, sample.threads());
-  if (sample.distribution())
-    add_excess(out, profile_excess(z, sample.grid(), axis, window, sample.extent(), sample.threads()));
-  const Periodic periodic = sample.grid().periodic;
-  if (!(axis == Axis1D::x ? periodic.x : periodic.y)) withhold_leakage(out, 0, window);
+  const Surface& surface = sample.surface();
+  const Grid& grid = sample.grid();
+  auto out = profile_spectrum(surface.heights, grid, axis, window, sample.threads());
+  pool_degrees(out, PointKind::profile);
+  if (may_stray(sample))
+    add_excess(out, profile_excess(surface.heights, grid, axis, window, sample.extent(), sample.threads()));
+  const bool along_x = axis == Axis1D::x;
+  if (!(along_x ? grid.periodic.x : grid.periodic.y))
+    judge_resolution(out,
+                     {PointKind::profile, window, surface.degree, along_x ? grid.shape.nx : grid.shape.ny});
   return out;
 }
 
 std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows windows) {
-  const Field& z = sample.surface().heights;
-  auto out = radial_spectrum(power_spectrum(z, sample.grid(), windows, sample.threads()), sample.grid(),
-                             shared_power(z, windows));
-  if (sample.distribution())
-    add_excess(out, radial_excess(z, sample.grid(), windows, sample.extent(), sample.threads()));
-  const Periodic periodic = sample.grid().periodic;
-  if (!periodic.both()) withhold_leakage(out, 1, periodic.x ? windows.y : windows.x);
+  const Surface& surface = sample.surface();
+  const Grid& grid = sample.grid();
+  auto out = radial_spectrum(power_spectrum(surface.heights, grid, windows, sample.threads()), grid,
+                             shared_power(surface.heights, windows));
+  pool_degrees(out, PointKind::ring);
+  if (may_stray(sample))
+    add_excess(out, radial_excess(surface.heights, grid, windows, sample.extent(), sample.threads()));
+  if (!grid.periodic.both())
+    judge_resolution(out, {PointKind::ring, grid.periodic.x ? windows.y : windows.x, surface.degree});
   return out;
 }
 

@@ -84,6 +84,7 @@ void add_excess(std::vector<SpectrumPoint>& points, const PowerExcess& excess) {
   const double wider = student_quantile(0.025, excess.degrees) / student_quantile(0.025, 1e9);
   for (SpectrumPoint& point : points) {
     const double more = excess.at(point.wave_number);
+    if (!(more > 0)) continue;
     point.standard_error = std::hypot(point.standard_error, point.density * std::sqrt(more));
     point.degrees = 1 / (1 / point.degrees + more / 2 * wider * wider);
   }

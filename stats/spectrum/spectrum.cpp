@@ -84,10 +84,29 @@ SharedPower shared_power(const Field& d, DataWindows windows) {
   return {d, window_of(windows.x, d.rows()).square(), window_of(windows.y, d.cols()).square()};
 }
 
+const char* reason(NoError why) {
+  switch (why) {
+    case NoError::form:
+      return "form";
+    case NoError::leakage:
+      return "leakage";
+    case NoError::resolution:
+      return "resolution";
+    case NoError::none:
+      break;
+  }
+  return "";
+}
+
 Interval SpectrumPoint::interval(double level) const {
+  if (no_error != NoError::none) {
+    Interval none;
+    none.why = std::string("no interval: ") + reason(no_error);
+    return none;
+  }
   const double tail = (1 - level) / 2;
-  return Interval::of(density, density / chi_squared_share(tail, degrees),
-                      density / chi_squared_share(1 - tail, degrees));
+  return Interval::of(density, density / chi_squared_share(tail, degrees) * std::exp(std::min(-bias, 0.0)),
+                      density / chi_squared_share(1 - tail, degrees) * std::exp(std::max(-bias, 0.0)));
 }
 
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads) {

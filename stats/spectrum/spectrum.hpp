@@ -12,7 +12,9 @@
 ///
 /// A wave number midway between two rings belongs to the outer one, whatever the rounding of the spacing.
 /// With ν degrees of freedom, the interval of a mean C is
-///     C/χ²(ν; a) … C/χ²(ν; 1-a),     χ² divided by ν, a = (1 - level)/2 the chance to exceed it.       (6)
+///     C/χ²(ν; a) … C/χ²(ν; 1-a),     χ² divided by ν, a = (1 - level)/2 the chance to exceed it,       (6)
+/// and where a window biases C by b (resolution.hpp), it begins at e^-b of that if b > 0, and ends there if
+/// b < 0.
 ///
 /// A field that is not periodic leaks: its joined edges form a step, with C ~ 1/q². Hann's window
 /// 1 - cos(2πx/Lx), and the same in y, prevents this; resolution falls to 1.5 wave numbers.
@@ -36,12 +38,9 @@
 /// Accuracy  (2) to round-off. As an estimate: a single C(p,q) of a Gaussian field has the standard deviation
 ///           C, its interval of 95 % runs from 0.271 C to 39.5 C (two degrees of freedom; one, 0.199 C to
 ///           1018 C, at its own mirror image, p and q 0 or half of an even nx, ny). Errors and degrees of
-///           freedom of means: shared_power.hpp, and of heights that are not Gaussian power_excess.hpp, which
-///           stats/measure/spectra.hpp puts together. Of 400 fields of 128 × 128 points with Gaussian and
-///           exponential correlations, intervals of rings cover 92 to 98 %, those of profiles 88 to 96 %,
-///           stated over true error 0.88 to 1.05; not where nothing but leakage is left, 10⁸ times below the
-///           top: 82 %, 0.74. Std within 0.5° for a wave that covers a few wave numbers; for an isotropic
-///           surface it is random.
+///           freedom of means: shared_power.hpp; what else an error holds, and what there is none of:
+///           stats/measure/spectra.hpp. Std within 0.5° for a wave that covers a few wave numbers; for an
+///           isotropic surface it is random.
 /// Cost      one real transform; of (5) one pass over C.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
@@ -74,6 +73,11 @@ SharedPower shared_power(const Field& d, DataWindows windows);
 /// periodic grid.
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
 
+/// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp).
+enum class NoError { none, form, leakage, resolution };
+/// In one word; "" for none.
+const char* reason(NoError why);
+
 /// A PSD over one wave number.
 struct SpectrumPoint {
   double wave_number = 0;  ///< [rad/m]; for a ring the mean
@@ -81,6 +85,8 @@ struct SpectrumPoint {
   double standard_error = 0;
   double degrees = 0;  ///< ν of the χ² that density is distributed as
   double count = 0;    ///< number of wave numbers (qx,qy), of both signs
+  double bias = 0;     ///< ln of the density over that of the surface, by the window, as far as it is seen
+  NoError no_error = NoError::none;
 
   /// (6)
   Interval interval(double level = 0.95) const;

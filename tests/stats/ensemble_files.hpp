@@ -32,18 +32,18 @@ inline std::vector<double> column(const Json& table, const std::string& name) {
   return out;
 }
 
-// The single tables' mean, spread and rms error of a row, by plain sums.
+// The single tables' mean, spread and rms error of a row, by plain sums; of errors, those that are known.
 struct Sums {
-  double sum = 0, squares = 0, errors = 0;
+  double sum = 0, squares = 0, errors = 0, known = 0;
   void add(double value, double error) {
     sum += value;
     squares += value * value;
-    errors += error * error;
+    if (!std::isnan(error)) errors += error * error, ++known;
   }
   double mean() const { return sum / members; }
   double rms() const { return std::sqrt(squares / members); }
   double spread() const { return std::sqrt(std::max(squares - sum * sum / members, 0.0) / (members - 1)); }
-  double expected() const { return std::sqrt(errors / members); }
+  double expected() const { return std::sqrt(errors / known); }
 };
 
 }  // namespace asperity::test::eight

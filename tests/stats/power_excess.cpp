@@ -34,8 +34,8 @@ TEST_CASE("an excess adds to relative variances, and to what the degrees of free
                                     {.wave_number = 3, .density = 5, .standard_error = 1, .degrees = 50}};
   add_excess(points, {.of_heights = 0.16, .of_slopes = 0.01, .rms_wave_number = 2, .degrees = 3});
   const double wider = std::pow(student_quantile(0.025, 3) / gsl_cdf_ugaussian_Qinv(0.025), 2);
-  CHECK(relative_error(points[0].standard_error, std::sqrt(0.36 + 0.16 * 4)) <= 4 * epsilon);
-  CHECK(relative_error(points[0].degrees, 1 / (0.05 + 0.08 * wider)) <= 1e-8);
+  CHECK(relative_error(points[0].standard_error, std::sqrt(0.36 + 0.75 * 0.16 * 4)) <= 4 * epsilon);
+  CHECK(relative_error(points[0].degrees, 1 / (0.05 + 0.75 * 0.08 * wider)) <= 1e-8);
   CHECK(relative_error(points[1].standard_error, std::sqrt(1 + 0.01 * 25)) <= 4 * epsilon);
   CHECK(relative_error(points[1].degrees, 1 / (0.02 + 0.005 * wider)) <= 1e-8);
 }

@@ -4,7 +4,6 @@
 
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
-#include "stats/spectrum/leakage.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -216,44 +215,4 @@ TEST_CASE("white noise has hardly a texture, ridges have theirs across them", "[
   const TextureDirection found = texture_direction(power_spectrum(ridges, g, hann), g);
   CHECK(std::abs(found.angle) <= 4 * std::numbers::pi / 180);
   CHECK(found.contrast >= 3);
-}
-
-// κ(n) is the power of the window's transform in the n-th wave number: by Simpson's rule.
-TEST_CASE("densities below what leaks from other waves have no error", "[spectrum][exact]") {
-  for (const DataWindow window : {DataWindow::none, DataWindow::hann})
-    for (const Index first : {0, 1}) {
-      auto kappa = [&](Index n) {
-        auto power = [&](double f) {
-          const double phase = std::numbers::pi * f, sinc = std::sin(phase) / phase;
-          return window == DataWindow::none ? sinc * sinc : std::pow(sinc / (1 - f * f), 2) / 1.5;
-        };
-        constexpr int steps = 200;
-        double sum = 0;
-        for (int i = 0; i <= steps; ++i)
-          sum += (i == 0 || i == steps ? 1
-                  : i % 2 == 1         ? 4
-                                       : 2) *
-                 power(static_cast<double>(n) - 0.5 + static_cast<double>(i) / steps);
-        return sum / (3 * steps);
-      };
-      for (const Index at : {7, 20}) {
-        const double leaked = kappa(at - 3) + kappa(at + 3);
-        for (const double more : {0.99, 1.01}) {
-          std::vector<SpectrumPoint> points(40, {.density = 1e3, .standard_error = 1, .degrees = 10});
-          for (SpectrumPoint& p : points) p.density = 0;
-          points[static_cast<std::size_t>(3 - first)].density = 1;
-          points[static_cast<std::size_t>(at - first)].density =
-              leaked / (window == DataWindow::none ? 0.3 : 0.1) * more;
-          withhold_leakage(points, first, window);
-          const SpectrumPoint& there = points[static_cast<std::size_t>(at - first)];
-          CAPTURE(first, at, more, leaked);
-          CHECK(std::isnan(there.standard_error) == (more < 1));
-          CHECK(there.interval().known() == (more > 1));
-          CHECK(points[static_cast<std::size_t>(3 - first)].standard_error == 1);
-        }
-      }
-      std::vector<SpectrumPoint> flat(60, {.density = 1, .standard_error = 1, .degrees = 10});
-      withhold_leakage(flat, first, window);
-      CHECK(std::ranges::none_of(flat, [](const SpectrumPoint& p) { return std::isnan(p.standard_error); }));
-    }
 }

@@ -65,8 +65,7 @@ claim "Errors of the mean, Sq, quantiles, slopes, spectral moments, summits, lag
   '$c["least_ratio"] >= '"$(size 0.5 0.75)"' && $c["most_ratio"] <= '"$(size 2 1.33)"
 text <<'END'
 Shares and densities that rest on a few heights have errors that are too large: above a plateau, and beyond two populations.
-Where a tenth of a spectrum or more may be leakage of the window, as of a Gaussian correlation at the wave number 40, it has no
-error. Of the spreads over profiles, intervals of those with heavy tails cover too little: a few profiles decide the spread of Pku
+Where the window smooths or leaks too much of a spectrum, as of a Gaussian correlation at the wave number 40, it has no error. Of the spreads over profiles, intervals of those with heavy tails cover too little: a few profiles decide the spread of Pku
 and PSm. Lengths at 10 % lie near the noise of the lags: the upper end of their interval is often open. Where the texture has no
 direction, Str and the ellipticities are biased by up to 1.6 of their errors, which the intervals allow for.
 
@@ -82,7 +81,7 @@ open on one side. The bandwidth parameter and the deviation of summit heights of
 on the kurtosis of a few valleys.
 
 N_eff 8 to 35, the least with which there are errors. A Gaussian correlation is there three lengths wide along x, and its spectrum
-falls too steeply for the window's main lobe:
+falls too steeply for the window's main lobe: it has no errors there.
 END
 table error_coverage@fewest-2
 text <<'END'
