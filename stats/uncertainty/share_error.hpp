@@ -14,7 +14,8 @@
 ///     (p - f)² = t² p (1 - p)/n',     n' = f (1 - f)/e²,                                             (2)
 /// with the error e of (1), n' independent points, and Student's t of long_waves.hpp. Of a density,
 /// there is no 1 that bounds it: p for p (1 - p). Where fewer than ten points are in the class, n' is that
-/// of the nearest class towards the most frequent one that has more, and e follows from it.
+/// of the nearest class towards the most frequent one that has more, and e follows from it. Where fewer than
+/// two independent heights tell of a class, n' f < 2, it has its interval, but no error.
 ///
 /// Symbols   f  share      e  its error      u_k  long waves      z  height [unit of the field]
 /// Scope     of a part of a field, such as its cells in contact, the other points are NaN: the share is
@@ -86,12 +87,14 @@ class ShareErrors {
 /// A share or a density.
 struct Frequency {
   double value = 0;
-  double error = 0;   ///< (1)
+  double error = 0;   ///< (1); NaN where too few heights tell of it
   double points = 0;  ///< that it rests on
   Interval interval = {};
+  /// What the error of the mean adds at the ends besides (1) (stats/height/height_classes.hpp).
+  double fall = 0, rise = 0;
 };
 
-/// Sets the intervals (2), and the errors of rare ones; `most` is 1 for shares, ∞ for densities.
+/// Sets the intervals (2), and the errors; `most` is 1 for shares, ∞ for densities.
 void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees);
 
 }  // namespace asperity
