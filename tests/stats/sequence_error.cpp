@@ -114,7 +114,7 @@ TEST_CASE("errors of a sequence are the spread over an ensemble, and Student's i
 }
 
 // Lognormal values: a few decide the spread. Of 1000 sequences the covering share is known to 1 %. With the
-// degrees of all independent values, and about the logarithm, it is 85 %.
+// degrees of all independent values it is 85 %.
 TEST_CASE("intervals of the spread of a sequence hold it where heavy tails decide",
           "[sequence-error][statistics]") {
   constexpr int sequences = 1000;

@@ -182,8 +182,7 @@ TEST_CASE("bins and densities of heights from their own mean stray by their erro
 }
 
 // Two populations of steep flanks, z = 0.4 y + tanh 4y: the mean of a field strays over a flank, whose slope
-// changes there. Of 300 fields the covering share is known to 1.3 %; with one slope, smoothed over a sixth of
-// Sq, it is 84 to 88 %.
+// changes there. Of 300 fields the covering share is known to 1.3 %; with one slope over ± 2e alone it is 86 %.
 TEST_CASE("shares beside a flank of the distribution hold as the mean strays over it",
           "[share-error][statistics]") {
   const Grid g = grid(96, 80);
