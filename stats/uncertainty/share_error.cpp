@@ -96,12 +96,13 @@ void set_intervals(std::vector<Frequency>& frequencies, double most, double degr
       const double variance = it->value * (1 - it->value / most);
       if (it->points >= few || it == begin)
         independent = it->error > 0 ? variance / (it->error * it->error) : independent;
+      else
+        it->error = std::sqrt(variance / independent);
       const Interval score = score_interval(it->value, independent, most, t);
       it->interval =
           Interval::of(it->value, std::max(0.0, it->value - std::hypot(it->value - score.low, it->fall)),
                        std::min(most, it->value + std::hypot(score.high - it->value, it->rise)));
-      const bool known = it->value * independent >= least_independent;
-      it->error = known ? std::sqrt(variance / independent) : NAN;
+      if (!(it->value * independent >= least_independent)) it->error = NAN;
     }
   };
   set(top, frequencies.end());
