@@ -147,7 +147,7 @@ void document(cli::Tool& tool) {
       "For N_eff of 290 to 1230, height parameters, quantiles, slopes, curvatures, summits, means over "
       "profiles and effective sample sizes had 0.87 to 1.29 times the true errors, and 88 to 99 % of their "
       "95 % intervals held the true value; Sku of heavy tails 1.5 times. Sal had 0.89 to 1.06 times (96 to "
-      "100 %), Str and gamma 0.93 to 1.33 (90 to 98 %), spreads over profiles 0.79 to 1.22 (80 to 98 %). Of "
+      "100 %), Str and gamma 0.93 to 1.33 (90 to 98 %), spreads over profiles 0.79 to 1.22 (87 to 100 %). Of "
       "isotropic surfaces Sal and Str are low, by up to 1.7 errors. For N_eff of 33 to 140 heights had 0.81 "
       "to 1.39 times the true errors (90 to 100 %), Sku up to 1.8, slopes and summits 0.68 to 1.27 (76 to "
       "99 %, least for plateaus), Sal 0.71 to 1.14 (91 to 100 %), Str 0.65 to 1.22 (93 to 97 %); for 8 to "

@@ -82,17 +82,19 @@ void compare_with_gaussian(std::vector<Bin>& bins, const Moments& moments, const
 
 void set_errors(std::vector<Bin>& bins, const Field& z, const Grid& grid, const FieldExtent& extent,
                 double sq) {
-  const double width = bins.front().width(), bandwidth = mean_bandwidth(sq, extent);
-  const Index parts = bandwidth > 0 ? static_cast<Index>(std::min(std::ceil(2 * width / bandwidth), 1e3)) : 1;
+  // An error of the mean is Sq/√N_eff at least.
+  const double step = 0.5 * sq / std::sqrt(std::max(extent.patches, 1.0)), width = bins.front().width();
+  const Index parts = sq > 0 ? static_cast<Index>(std::min(std::ceil(width / step), 1e3)) : 1;
   const HeightClasses classes(
-      z, grid, extent, {bins.front().lower, bins.back().upper, parts * static_cast<Index>(bins.size())});
-  const SmoothDensity density(classes, bandwidth);
+      z, grid, extent, {bins.front().lower, bins.back().upper, parts * static_cast<Index>(bins.size())},
+      sq > 0);
   std::vector<Frequency> shares;
   for (std::size_t b = 0; b < bins.size(); ++b) {
     ShareErrors::Function in_bin(classes.errors());
     for (Index k = 0; k < parts; ++k) in_bin.add(static_cast<Index>(b) * parts + k, 1);
-    const double slope = bandwidth > 0 ? density(bins[b].upper) - density(bins[b].lower) : 0;
-    shares.push_back({in_bin.mean(), in_bin.error(slope), bins[b].count});
+    shares.push_back(classes.frequency(in_bin, bins[b].count, [&](double delta) {
+      return classes.below(bins[b].upper + delta) - classes.below(bins[b].lower + delta);
+    }));
   }
   set_intervals(shares, 1, classes.errors().degrees());
   for (std::size_t b = 0; b < bins.size(); ++b) bins[b].share = shares[b];

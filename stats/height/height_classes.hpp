@@ -1,23 +1,22 @@
-/// A field's points in classes of height of equal width, and what the field's mean does to them.
+/// A field's points in classes of height of equal width, and what the error of its mean does to shares.
 ///
-/// Shares of heights measured from the field's own mean z̄ move with it by the density of the heights
-/// (stats/uncertainty/share_error.hpp). It is estimated from the classes by a Gaussian kernel, of half the
-/// bandwidth that is the best one for N_eff Gaussian heights, 0.53 Sq N_eff^{-1/5}: 0.17 Sq at N_eff = 300.
-/// Wider ones blur the peaks of two populations, whose errors at 3 of their deviations apart come out at half
-/// of the true ones; the noise of narrow ones adds a tenth to the errors of densities at most.
+/// Heights are measured from the field's own mean, which is off by δ with the standard error e. A share of
+/// heights at fixed distances from it is G(δ), that of the heights δ further up. It moves by the slope
+///     s = [G(e) - G(-e)]/(2e),                                                                        (1)
+/// which the field itself tells, whatever the distribution. At the ends of the interval, δ = ± 2e, it has
+/// moved by G(δ) - G(0) - s δ besides, upwards or downwards: at an edge of the distribution, as that of a
+/// population or a plateau, by as much as the share itself strays.
+///
+/// Symbols   G  share or density, linear between classes
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "stats/uncertainty/share_error.hpp"
 
 namespace asperity {
-
-/// Of the density that moves with the mean of heights of this rms value.
-inline double mean_bandwidth(double sq, const FieldExtent& extent) {
-  return 0.53 * sq * std::pow(std::max(extent.patches, 1.0), -0.2);
-}
 
 class HeightClasses {
  public:
@@ -36,29 +35,33 @@ class HeightClasses {
         visit(b);
     }
   };
-  /// Values beyond the range belong to the outermost classes.
-  HeightClasses(const Field& z, const Grid& grid, const FieldExtent& extent, const Range& range);
+  /// Values beyond the range belong to the outermost classes. `own_mean`: they are measured from their mean.
+  HeightClasses(const Field& z, const Grid& grid, const FieldExtent& extent, const Range& range,
+                bool own_mean);
 
   const ShareErrors& errors() const { return errors_; }
   const Range& range() const { return range_; }
+  /// The share of the heights below this one.
+  double below(double height) const;
+  /// The mean of `of`, a function G of the displacement, with its error and what the ends add.
+  Frequency frequency(const ShareErrors::Function& of, double points, const auto& G) const {
+    Frequency out{of.mean(), of.error(), points};
+    if (!(of_mean_ > 0)) return out;
+    const double here = G(0), above = G(of_mean_), under = G(-of_mean_),
+                 slope = (above - under) / (2 * of_mean_);
+    out.error = of.error(slope);
+    for (const double delta : {-2 * of_mean_, 2 * of_mean_}) {
+      const double left = G(delta) - here - slope * delta;
+      out.rise = std::max(out.rise, left), out.fall = std::max(out.fall, -left);
+    }
+    return out;
+  }
 
  private:
   Range range_;
   ShareErrors errors_;
-};
-
-/// The density of the heights by a kernel of a bandwidth, from sums over some quarter of it.
-class SmoothDensity {
- public:
-  SmoothDensity(const HeightClasses& classes, double bandwidth);
-
-  double operator()(double height) const;
-  double slope(double height) const;
-
- private:
-  double bandwidth_;
-  HeightClasses::Range range_;
-  std::vector<double> shares_ = {};
+  double of_mean_ = 0;               // e
+  std::vector<double> below_ = {0};  // class b, of all
 };
 
 }  // namespace asperity

@@ -119,18 +119,25 @@ void set_errors(std::vector<DensityPoint>& curve, const Field& z, const Grid& gr
                 double bandwidth, double sq) {
   const auto [lowest, highest] = height_range(z);
   const auto cells = static_cast<Index>((highest - lowest) / (cell_width * bandwidth)) + 1;
-  const HeightClasses classes(z, grid, extent,
-                              {lowest, lowest + static_cast<double>(cells) * cell_width * bandwidth, cells});
-  const SmoothDensity density(classes, std::max(bandwidth, mean_bandwidth(sq, extent)));
+  const HeightClasses classes(
+      z, grid, extent, {lowest, lowest + static_cast<double>(cells) * cell_width * bandwidth, cells}, sq > 0);
+  auto for_each_near = [&](double height, const auto& visit) {
+    classes.range().for_each_near(height, reach * bandwidth, [&](Index b) {
+      visit(b, gsl_ran_gaussian_pdf(height - classes.range().centre(b), bandwidth));
+    });
+  };
   std::vector<Frequency> densities;
   for (const DensityPoint& point : curve) {
     ShareErrors::Function kernel(classes.errors());
-    classes.range().for_each_near(point.height, reach * bandwidth, [&](Index b) {
-      kernel.add(b, gsl_ran_gaussian_pdf(point.height - classes.range().centre(b), bandwidth));
-    });
+    for_each_near(point.height, [&](Index b, double value) { kernel.add(b, value); });
     const double heights = 2 * std::sqrt(std::numbers::pi) * bandwidth * point.density;
-    densities.push_back({point.density, kernel.error(sq > 0 ? density.slope(point.height) : 0),
-                         heights * classes.errors().points()});
+    densities.push_back(classes.frequency(kernel, heights * classes.errors().points(), [&](double delta) {
+      double sum = 0;
+      for_each_near(point.height + delta,
+                    [&](Index b, double value) { sum += value * classes.errors().share(b); });
+      return sum;
+    }));
+    densities.back().value = point.density;
   }
   set_intervals(densities, std::numeric_limits<double>::infinity(), classes.errors().degrees());
   for (std::size_t i = 0; i < curve.size(); ++i) curve[i].frequency = densities[i];

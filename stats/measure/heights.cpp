@@ -61,12 +61,6 @@ constexpr Definition<Heights> height_table[] = {
     {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
     {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }}};
 
-// A large kurtosis has a large error: 1/Sku varies more evenly.
-Interval of_kurtosis(double value, double width) {
-  return Interval::of(value, value / (1 + width),
-                      width < 1 ? value / (1 - width) : std::numeric_limits<double>::infinity());
-}
-
 // For the distribution that the field was drawn with or evidently has; none for a Gaussian's.
 std::optional<TranslationErrors> translation_errors(const Sample& sample) {
   const auto heights = sample.distribution();
@@ -103,7 +97,7 @@ Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
                   .sa = of_scale(m.sa, out.error.sa),
                   .sq = of_scale(m.sq, out.error.sq),
                   .ssk = Interval::about(m.ssk, t * out.error.ssk),
-                  .sku = of_kurtosis(m.sku, t * out.error.sku / m.sku)};
+                  .sku = Interval::of_inverse(m.sku, t * out.error.sku / m.sku)};
   return out;
 }
 

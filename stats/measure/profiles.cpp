@@ -43,6 +43,12 @@ Estimate with_error(double value, double error, double degrees, double least) {
   return {value, error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
 }
 
+Estimate spread_of(const SequenceMean& of) {
+  if (!std::isfinite(of.spread_error)) return {of.spread};
+  const double width = student_quantile(0.025, of.spread_degrees) * of.spread_error / of.spread;
+  return {of.spread, of.spread_error, Interval::of_inverse(of.spread, width)};
+}
+
 std::string why_no_error(const SequenceMean& of) {
   if (of.independent >= SequenceMean::least_independent)
     return "no standard error: it is the same in all profiles";
@@ -73,8 +79,7 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     const double least = i == profile_sk ? -unlimited : i == profile_ku ? 1 : 0;
     out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, static_cast<double>(of.degrees), least),
             {.why = why, .why_no_error = no_error});
-    out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles",
-            with_error(of.spread, of.spread_error, of.spread_degrees, 0),
+    out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", spread_of(of),
             {.meaning = symbol, .why = why, .why_no_error = no_error});
   }
   out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});

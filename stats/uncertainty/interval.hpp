@@ -34,6 +34,12 @@ class Interval {
     return of(estimate, estimate * std::exp(-half_width), std::min(most, estimate * std::exp(half_width)));
   }
 
+  /// Of a positive figure of heavy tails, where a large value has a large error: 1/value varies more evenly.
+  static Interval of_inverse(double estimate, double half_width) {
+    return of(estimate, estimate / (1 + half_width),
+              half_width < 1 ? estimate / (1 - half_width) : std::numeric_limits<double>::infinity());
+  }
+
   bool known() const { return !std::isnan(low); }
 
  private:

@@ -37,10 +37,11 @@ SequenceMean sequence_mean(const Eigen::ArrayXd& values, double independent, boo
   out.independent = independent * out.count;
   if (!(out.independent >= SequenceMean::least_independent)) return out;
   out.degrees = waves_of(out.independent, periodic);
-  out.spread_degrees = static_cast<double>(out.degrees) * out.independent / (out.independent + 2);
   const Eigen::MatrixXd waves = axis_waves(values.size(), periodic, out.degrees).rightCols(out.degrees);
   out.mean_error = error_of(deviation, out.count, waves, 0);
   if (!(out.spread > 0)) return out;
+  const double deciding = independent * std::pow(square.sum(), 2) / square.square().sum();
+  out.spread_degrees = std::max(1.0, static_cast<double>(out.degrees) * deciding / (deciding + 3));
   const Eigen::ArrayXd of_spread = missing.select(0, (square - out.spread * out.spread) / (2 * out.spread));
   out.spread_error = error_of(of_spread, out.count, waves, 0.6);
   return out;

@@ -87,7 +87,7 @@ double ShareErrors::Function::error(double slope) const {
 }
 
 void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees) {
-  constexpr double few = 10;
+  constexpr double few = 10, least_independent = 2;
   const double t = student_quantile(0.025, degrees);
   const auto top = std::ranges::max_element(frequencies, {}, &Frequency::points);
   auto set = [&](auto begin, auto end) {
@@ -98,8 +98,11 @@ void set_intervals(std::vector<Frequency>& frequencies, double most, double degr
         independent = it->error > 0 ? variance / (it->error * it->error) : independent;
       else
         it->error = std::sqrt(variance / independent);
-      it->interval = score_interval(it->value, independent, most, t);
-      if (it->value == 0) it->error = it->interval.high / (2 * t);
+      const Interval score = score_interval(it->value, independent, most, t);
+      it->interval =
+          Interval::of(it->value, std::max(0.0, it->value - std::hypot(it->value - score.low, it->fall)),
+                       std::min(most, it->value + std::hypot(score.high - it->value, it->rise)));
+      if (!(it->value * independent >= least_independent)) it->error = NAN;
     }
   };
   set(top, frequencies.end());

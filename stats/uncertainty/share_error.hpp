@@ -14,19 +14,19 @@
 ///     (p - f)² = t² p (1 - p)/n',     n' = f (1 - f)/e²,                                             (2)
 /// with the error e of (1), n' independent points, and Student's t of long_waves.hpp. Of a density,
 /// there is no 1 that bounds it: p for p (1 - p). Where fewer than ten points are in the class, n' is that
-/// of the nearest class towards the most frequent one that has more, and e follows from it.
+/// of the nearest class towards the most frequent one that has more, and e follows from it. Where fewer than
+/// two independent heights tell of a class, n' f < 2, it has its interval, but no error.
 ///
 /// Symbols   f  share      e  its error      u_k  long waves      z  height [unit of the field]
 /// Scope     of a part of a field, such as its cells in contact, the other points are NaN: the share is
 ///           then a ratio of two sums, both random.
-/// Accuracy  Of 200 fields of 128 × 128 points of each of 11 textures, N_eff 300 to 1230
-///           (validation/error_coverage): densities stated over true error 0.93 to 1.12, covered 91 to 98 %;
-///           shares of half a Sq 0.89 to 1.15, 89 to 99 %. Where a bin holds less than ten points in most
-///           fields the errors are larger than the true ones, up to 1.7 times, and 4.8 above a plateau; 97
-///           to 100 % are covered. Of 200 periodic contacts of 128 × 128 cells under one load, with
-///           correlation lengths of 1/32 and 1/16 of the side and some 15 % of the cells in contact,
-///           intervals of the quartiles of the pressure cover 93 to 99 %, stated over true error 0.94 to
-///           1.05, those of the gap 92 to 98 %, 0.94 to 1.25. Under one approach (80 contacts) the errors are
+/// Accuracy  Of 200 fields of 128 × 128 points of each of 11 textures, N_eff 300 to 1230, densities at five
+///           and shares of half a Sq at twelve heights, where most fields have an error: densities stated
+///           over true error 0.91 to 1.12, covered 92 to 98 %; shares 0.90 to 1.15, 91 to 99 %. Of 200
+///           periodic contacts of 128 × 128 cells under one load, with correlation lengths of 1/32 and 1/16
+///           of the side and some 15 % of the cells in contact, intervals of the quartiles of the pressure
+///           cover 93 to 99 %, stated over true error 0.94 to 1.05, those of the gap 92 to 98 %, 0.94 to
+///           1.25. Under one approach (80 contacts) the errors are
 ///           0.62 to 0.69 and 0.30 to 0.33 of the true ones: the bodies follow long waves, and so hide them,
 ///           but not the mean height, which moves both.
 /// Cost      one pass of K + 3 operations a point, K ≤ 24; K numbers a class.
@@ -86,12 +86,14 @@ class ShareErrors {
 /// A share or a density.
 struct Frequency {
   double value = 0;
-  double error = 0;   ///< (1)
+  double error = 0;   ///< (1); NaN where too few heights tell of it
   double points = 0;  ///< that it rests on
   Interval interval = {};
+  /// What the error of the mean adds at the ends besides (1) (stats/height/height_classes.hpp).
+  double fall = 0, rise = 0;
 };
 
-/// Sets the intervals (2), and the errors of rare ones; `most` is 1 for shares, ∞ for densities.
+/// Sets the intervals (2), and the errors; `most` is 1 for shares, ∞ for densities.
 void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees);
 
 }  // namespace asperity
