@@ -1,11 +1,12 @@
 /// Whether the errors printed beside parameters are those that simulation finds, whatever the texture.
 ///
-///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS]]]]]]
+///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS [OUTLINE]]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
 /// parameters are those of asperity-stats --errors theory, or of auto and so many TWINS
-/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone.
+/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone. Measured are the points within OUTLINE
+/// (outlines.hpp), all but for that.
 ///
 /// First table, one row a parameter and texture:
 ///
@@ -25,8 +26,7 @@
 /// covered, ratio    least and greatest of these
 ///
 /// The truth is the mean over eight fields of four times the sides, and of effective sample sizes that of the
-/// true correlation. Extremes, counts and means over profiles depend on the size: there it is the mean of the
-/// values, and the bias is NaN.
+/// true correlation; of what depends on the size (extremes, counts, profiles) the mean of the values.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -39,6 +39,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "outlines.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
 #include "stats/measure.hpp"
@@ -61,6 +62,7 @@ struct Setting {
   double length = 4;
   int degree = 0;
   Index twins = 0;
+  std::string outline = "rectangle";
 
   // Beyond which no texture is correlated.
   Index reach() const { return static_cast<Index>(40 * length); }
@@ -239,9 +241,9 @@ struct Ranges {
 
 // The effective sample sizes of the true correlation.
 std::map<std::string, double> true_sizes(const textures::Texture& texture, const Setting& setting) {
-  const LagField rho =
-      textures::correlation_of_heights(texture, longest_lags(grid_of(setting.shape)), setting.reach());
-  const EffectiveSampleSize size(rho, grid_of(setting.shape));
+  const Grid grid = grid_of(setting.shape);
+  const LagField rho = textures::correlation_of_heights(texture, longest_lags(grid), setting.reach());
+  const EffectiveSampleSize size(rho, Pairs::of(outlines::points(setting.outline, setting.shape), grid));
   return {{"N_eff_mean", size.effective(1)},
           {"N_eff", size.effective(2)},
           {"N_eff_Ssk", size.effective(3)},
@@ -254,8 +256,9 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
   std::map<std::string, Column> columns;
   std::vector<std::string> names;
   const textures::Draw draw(texture, setting.shape, setting.reach());
+  const Field points = outlines::points(setting.outline, setting.shape);
   for (int f = 0; f < setting.fields; ++f)
-    for (const Parameter& p : measured(draw(random), setting.degree, 1, setting.twins)) {
+    for (const Parameter& p : measured(points * draw(random), setting.degree, 1, setting.twins)) {
       if (!columns.contains(p.name)) names.push_back(p.name);
       columns[p.name].all.push_back(p);
     }
@@ -263,9 +266,9 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
   std::map<std::string, Column> truths;
   for (int f = 0; f < large_fields; ++f)
     for (const Parameter& p : measured(wide(random), 0, large)) truths[p.name].all.push_back(p);
-  const double n_eff =
-      static_cast<double>(setting.shape.cells()) / textures::correlated_points(texture, setting.reach());
   const std::map<std::string, double> sizes = true_sizes(texture, setting);
+  const double n_eff =
+      static_cast<double>((!points.isNaN()).count()) / textures::correlated_points(texture, setting.reach());
   for (const std::string& name : names) {
     Column& column = columns[name];
     if (sizes.contains(name)) column.truth = sizes.at(name);
@@ -292,6 +295,7 @@ int main(int argc, char** argv) {
   if (argc > 4) setting.length = std::atof(argv[4]);
   if (argc > 5) setting.degree = std::atoi(argv[5]);
   if (argc > 6) setting.twins = std::atol(argv[6]);
+  if (argc > 7) setting.outline = argv[7];
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
   Ranges ranges;
   for (const textures::Texture& texture : textures::all(setting.length))

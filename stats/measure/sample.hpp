@@ -75,6 +75,7 @@ class Sample {
   const std::optional<HeightErrors>& height_errors() const;
   /// The share of the variance of the heights that their form took.
   double taken_by_form() const;
+  double error_of_taken() const;  ///< relative to it
   std::optional<DerivativeErrors> derivative_errors() const;
   /// None either of a surface in strips, of too small a size, or by a known correlation: that is exact.
   std::optional<SizeErrors> size_errors() const;
@@ -86,6 +87,7 @@ class Sample {
   ProfileAverages profiles(Axis1D along, double section) const;
 
  private:
+  bool taken_from_waves() const { return errors_ && !correlation_gives_errors(); }
   const std::vector<HeightBin>& bins() const;
   template <class Sums>
   void add_all(Sums& sums) const;
