@@ -35,7 +35,7 @@ TEST_CASE("a figure of the autocorrelation has the error of the deviations of it
   // Of a convex function the logarithm is biased: (3) of 10 u times the modes.
   const auto cosh = of.relative(
       LagField(rho), [](const LagField& r) { return std::optional(std::cosh(10 * (r(1, 0) - 0.5))); });
-  const double u = of.quantile(0.025);
+  const double u = 2.5;  // the most: Student's quantile is 2.57
   CHECK(cosh.bias ==
         Approx((std::log(std::cosh(0.3 * u)) + std::log(std::cosh(0.4 * u))) / (u * u)).epsilon(1e-12));
   // Beyond the lags on one side: the difference on the other.
@@ -57,4 +57,16 @@ TEST_CASE("a figure of the autocorrelation has the error of the deviations of it
     return r(1, 0) > 0.5 ? std::optional(r(1, 0)) : std::nullopt;
   };
   CHECK(std::isnan(of.relative(LagField(rho), rare).error));
+}
+
+// Of 1.6 degrees of freedom Student's quantile is 5.4. A length that cannot fall below a half has the slope of
+// its first 2.5 deviations, ln 2/2.5; once it was ln 2/5.4, and errors on islands a half of the true ones.
+TEST_CASE("of few degrees of freedom a figure that saturates keeps its slope", "[acf-deviations][law]") {
+  Field values = Field::Zero(2, 3);
+  values(1, 1) = 1;
+  const AcfDeviations of({LagField(values)}, 1.6);
+  const auto law = of.relative(LagField(Field::Ones(2, 3)),
+                               [](const LagField& r) { return std::optional(std::max(0.5, r(1, 0))); });
+  const double above = std::log(3.5), below = std::log(2);
+  CHECK(law.error == Approx((above + below) / 2 / 2.5).epsilon(1e-12));
 }
