@@ -5,25 +5,22 @@
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
 /// parameters are those of asperity-stats --errors theory, or of auto and so many TWINS
-/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone. Measured are the points within OUTLINE
-/// (outlines.hpp), all but for that.
+/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone. OUTLINE is one of outlines.hpp.
 ///
 /// First table, one row a parameter and texture:
 ///
 /// texture       of the fields
 /// N_eff         of their true correlation
-/// parameter     all of asperity-stats with an error, correlation lengths, densities at -1, 0 and 1 µm and
-///               shares of half a µm (1 µm is Sq of the Gaussian ones), and some points of spectra
+/// parameter     all of asperity-stats with an error, correlation lengths, densities at -1, 0 and 1 µm,
+///               shares of half a µm (1 µm: Sq of Gaussian ones), some points of spectra
 /// known         share of the fields that have an error, per cent
 /// covered       share of these whose 95 % interval holds the truth, per cent; of the intervals
 /// open          share without an upper end, per cent
 /// ratio         rms of the stated errors over the true one, the standard deviation of the values
 /// bias          mean of the values less the truth, in true errors
 ///
-/// Second table, one row a parameter, over the textures:
-///
-/// textures      that have an error in more than half of the fields, and of how many
-/// covered, ratio    least and greatest of these
+/// Second table, one row a parameter: of the textures that have an error in more than half of the fields
+/// (`textures`, `of` how many), the least and the greatest `covered` and `ratio`.
 ///
 /// The truth is the mean over eight fields of four times the sides, and of effective sample sizes that of the
 /// true correlation; of what depends on the size (extremes, counts, profiles) the mean of the values.
@@ -224,7 +221,6 @@ struct Range {
   }
 };
 
-// Ranges in the order of their first appearance.
 struct Ranges {
   std::vector<std::string> names = {};
   std::map<std::string, Range> of = {};

@@ -11,7 +11,7 @@
 /// (stats/uncertainty/long_waves.hpp) are such products.
 ///
 /// Accuracy  ε λ_max/λ_k.
-/// Cost      of (1) for M terms M² a row, and (number of g_b)² a point of rows with missing heights; of (2) M³.
+/// Cost      of (1) for M terms M² a row, and (number of g)² a point of rows with missing heights; of (2) M³.
 #pragma once
 
 #include <vector>
