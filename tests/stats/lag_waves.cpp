@@ -136,7 +136,7 @@ TEST_CASE("errors of lags are those of waves summed pair by pair", "[lag-waves][
       }
 }
 
-// Once, a pair belonged to the block of its first point: errors of mirror images differed by up to a fifth.
+// Once, a pair belonged to the block of its first point: errors of mirror images differ by up to 28 % so.
 TEST_CASE("a field and its mirror images have the same errors of lags", "[lag-waves][law]") {
   for (const Shape shape : {Shape{45, 38}, Shape{64, 51}})
     for (const bool holes : {false, true}) {
