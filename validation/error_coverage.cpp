@@ -1,32 +1,30 @@
 /// Whether the errors printed beside parameters are those that simulation finds, whatever the texture.
 ///
-///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS]]]]]]
+///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS [OUTLINE]]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
 /// parameters are those of asperity-stats --errors theory, or of auto and so many TWINS
-/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone.
+/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone. OUTLINE is one of outlines.hpp.
 ///
 /// First table, one row a parameter and texture:
 ///
 /// texture       of the fields
 /// N_eff         of their true correlation
-/// parameter     all of asperity-stats with an error, correlation lengths, densities at -1, 0 and 1 µm and
-///               shares of half a µm (1 µm is Sq of the Gaussian ones), and some points of spectra
+/// parameter     all of asperity-stats with an error, correlation lengths, densities at -1, 0 and 1 µm,
+///               shares of half a µm (1 µm: Sq of Gaussian ones), some points of spectra
 /// known         share of the fields that have an error, per cent
 /// covered       share of these whose 95 % interval holds the truth, per cent; of the intervals
 /// open          share without an upper end, per cent
 /// ratio         rms of the stated errors over the true one, the standard deviation of the values with errors
 /// bias          mean of the values less the truth, in true errors
 ///
-/// Second table, one row a parameter, over the textures:
+/// Second table, one row a parameter: of the textures that have an error in more than half of the fields
+/// (`textures`, `of` how many), the least and the greatest `covered` and `ratio`.
 ///
-/// textures      that have an error in more than half of the fields, and of how many
-/// covered, ratio    least and greatest of these
-///
-/// The truth is the mean over eight fields of four times the sides, of effective sample sizes that of the true
-/// correlation, and of spectra its transform. Extremes, counts and means over profiles depend on the size: there it is the mean of the
-/// values, and the bias is NaN.
+/// The truth is the mean over eight fields of four times the sides, of effective sample sizes that of the
+/// true correlation, and of spectra its transform; of what depends on the size (extremes, counts, profiles)
+/// the mean of the values. Spectra are measured on rectangles only.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -39,6 +37,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "outlines.hpp"
 #include "spectrum_points.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
@@ -61,6 +60,7 @@ struct Setting {
   double length = 4;
   int degree = 0;
   Index twins = 0;
+  std::string outline = "rectangle";
 
   // Beyond which no texture is correlated.
   Index reach() const { return static_cast<Index>(40 * length); }
@@ -212,7 +212,6 @@ struct Range {
   }
 };
 
-// Ranges in the order of their first appearance.
 struct Ranges {
   std::vector<std::string> names = {};
   std::map<std::string, Range> of = {};
@@ -229,9 +228,9 @@ struct Ranges {
 
 // The effective sample sizes of the true correlation.
 std::map<std::string, double> true_sizes(const textures::Texture& texture, const Setting& setting) {
-  const LagField rho =
-      textures::correlation_of_heights(texture, longest_lags(grid_of(setting.shape)), setting.reach());
-  const EffectiveSampleSize size(rho, grid_of(setting.shape));
+  const Grid grid = grid_of(setting.shape);
+  const LagField rho = textures::correlation_of_heights(texture, longest_lags(grid), setting.reach());
+  const EffectiveSampleSize size(rho, Pairs::of(outlines::points(setting.outline, setting.shape), grid));
   return {{"N_eff_mean", size.effective(1)},
           {"N_eff", size.effective(2)},
           {"N_eff_Ssk", size.effective(3)},
@@ -244,8 +243,10 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
   std::map<std::string, Column> columns;
   std::vector<std::string> names;
   const textures::Draw draw(texture, setting.shape, setting.reach());
+  const Field points = outlines::points(setting.outline, setting.shape);
+  const bool complete = !has_missing(points);
   for (int f = 0; f < setting.fields; ++f)
-    for (const Parameter& p : measured(draw(random), setting.degree, true, setting.twins)) {
+    for (const Parameter& p : measured(points * draw(random), setting.degree, complete, setting.twins)) {
       if (!columns.contains(p.name)) names.push_back(p.name);
       columns[p.name].all.push_back(p);
     }
@@ -255,9 +256,9 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
     for (const Parameter& p : measured(wide(random), 0, false)) truths[p.name].all.push_back(p);
   for (const Parameter& p : true_spectrum_points(texture, setting.shape, micrometre, setting.reach()))
     truths[p.name].all.push_back(p);
-  const double n_eff =
-      static_cast<double>(setting.shape.cells()) / textures::correlated_points(texture, setting.reach());
   const std::map<std::string, double> sizes = true_sizes(texture, setting);
+  const double n_eff =
+      static_cast<double>((!points.isNaN()).count()) / textures::correlated_points(texture, setting.reach());
   for (const std::string& name : names) {
     Column& column = columns[name];
     if (sizes.contains(name)) column.truth = sizes.at(name);
@@ -284,6 +285,7 @@ int main(int argc, char** argv) {
   if (argc > 4) setting.length = std::atof(argv[4]);
   if (argc > 5) setting.degree = std::atoi(argv[5]);
   if (argc > 6) setting.twins = std::atol(argv[6]);
+  if (argc > 7) setting.outline = argv[7];
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
   Ranges ranges;
   for (const textures::Texture& texture : textures::all(setting.length))

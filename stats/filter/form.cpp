@@ -62,74 +62,49 @@ Mean mean_above_base(const Field& z) {
   return std::isnan(above) ? mean_of_valid(z) : Mean{base, above};
 }
 
+AxisProducts polynomials(Shape field, int degree) {
+  Eigen::MatrixXd along_x = gram_polynomials(field.nx, degree), along_y = gram_polynomials(field.ny, degree);
+  std::vector<AxisProducts::Term> terms;
+  for (Index a = 0; a < along_x.cols(); ++a)
+    for (Index b = 0; b < along_y.cols() && a + b <= degree; ++b) terms.push_back({a, b});
+  return {std::move(along_x), std::move(along_y), std::move(terms)};
+}
+
 FormFit::FormFit(Shape field, int degree) : degree_(degree) {
   if (degree < 0 || degree > largest_form_degree)
     throw ParameterError("remove-form", "'" + std::to_string(degree) + "' is not a degree from 0 to " +
                                             std::to_string(largest_form_degree));
-  along_x_ = gram_polynomials(field.nx, degree);
-  along_y_ = gram_polynomials(field.ny, degree);
-  for (Index a = 0; a < along_x_.cols(); ++a)
-    for (Index b = 0; b < along_y_.cols() && a + b <= degree; ++b) terms_.push_back({a, b});
-  gram_ = Eigen::MatrixXd::Zero(std::ssize(terms_), std::ssize(terms_));
-  sums_ = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+  products_ = polynomials(field, degree);
+  gram_ = products_.none();
+  sums_ = Eigen::VectorXd::Zero(products_.count());
 }
 
 void FormFit::add(const Field& strip, Index first) {
-  const auto rows = along_x_.middleRows(first, strip.rows());
-  Eigen::MatrixXd sums = rows.transpose() * (strip.matrix() * along_y_);
-  const bool complete = !sums.hasNaN();
-  if (!complete) {
-    sums = rows.transpose() * (zero_filled(strip).matrix() * along_y_);
+  Eigen::VectorXd sums = products_.sums(strip, first);
+  if (sums.hasNaN()) {
+    sums = products_.sums(zero_filled(strip), first);
     missing_ = true;
   }
   sums_ += sums;
-  if (steps_.empty()) gram_ += products(strip, first, complete);
-}
-
-// What a strip adds to (3), the sum over j of a row first.
-Eigen::MatrixXd FormFit::products(const Field& strip, Index first, bool complete) const {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
-  auto add = [&](auto&& of_x, const Eigen::MatrixXd& of_y) {
-    for (std::size_t s = 0; s < terms_.size(); ++s)
-      for (std::size_t t = 0; t <= s; ++t)
-        out(static_cast<Index>(s), static_cast<Index>(t)) +=
-            of_x(terms_[s].a, terms_[t].a) * of_y(terms_[s].b, terms_[t].b);
-  };
-  const auto rows = along_x_.middleRows(first, strip.rows());
-  if (complete) {
-    add(Eigen::MatrixXd(rows.transpose() * rows),
-        Eigen::MatrixXd::Identity(along_y_.cols(), along_y_.cols()));
-    return out;
-  }
-  const Field valid = validity(strip);
-  for (Index i = 0; i < strip.rows(); ++i) {
-    const auto weights = valid.row(i).matrix().transpose().asDiagonal();
-    add([&](Index a, Index a2) { return rows(i, a) * rows(i, a2); },
-        along_y_.transpose() * weights * along_y_);
-  }
-  return out;
+  if (steps_.empty()) products_.add(gram_, validity(strip), first);
 }
 
 void FormFit::end_pass() {
-  Eigen::VectorXd right(static_cast<Index>(terms_.size()));
-  for (Index t = 0; const Term& term : terms_) right(t++) = sums_(term.a, term.b);
+  Eigen::VectorXd step = sums_;
   if (missing_) {
-    const auto solution = solve_positive(gram_, right, least_pivot);
+    const auto solution = solve_positive(gram_, sums_, least_pivot);
     if (!solution)
       throw ParameterError("remove-form", "'" + std::to_string(degree_) +
                                               "' is too high a degree for the points that are not missing");
-    right = *solution;
+    step = *solution;
   }
-  Eigen::MatrixXd step = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
-  for (Index t = 0; const Term& term : terms_) step(term.a, term.b) = right(t++);
   steps_.push_back(std::move(step));
   sums_.setZero();
 }
 
 void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::size_t pass) const {
-  const auto along_x = along_x_.middleRows(row, heights.rows()),
-             along_y = along_y_.middleRows(column, heights.cols());
-  for (; pass < steps_.size(); ++pass) heights.matrix() -= along_x * (steps_[pass] * along_y.transpose());
+  for (; pass < steps_.size(); ++pass)
+    heights -= products_.combined(steps_[pass], row, column, {heights.rows(), heights.cols()});
 }
 
 Field remove_form(const Field& z, int degree) {

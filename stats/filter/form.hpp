@@ -16,7 +16,7 @@
 ///           remaining heights: within ε √(nx ny) of the form's rms. (2) is solved three times; points for
 ///           which a pivot of (3) is below 1e-10 of the largest are refused.
 /// Cost      degree 0: two passes over the data; else two of 4 (d+1) products a point; with missing heights
-///           three, (d+1)² more a point and (d+1)⁴/8 a row.
+///           three, (d+1)² more a point. Of any field (d+1)⁴/4 a row.
 ///
 /// J. P. Gram, J. reine angew. Math. 94 (1883) 41-73.
 #pragma once
@@ -27,6 +27,7 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
+#include "stats/filter/axis_products.hpp"
 #include "stats/filter/missing.hpp"
 
 namespace asperity {
@@ -35,6 +36,8 @@ inline constexpr int largest_form_degree = 20;
 
 /// P_0, P_1, … up to the degree, or n - 1, over n points: a column each.
 Eigen::MatrixXd gram_polynomials(Index n, int degree);
+/// The products P_a P_b with a + b ≤ degree.
+AxisProducts polynomials(Shape field, int degree);
 
 /// A mean as the sum of a height of the field and a small difference, which has more digits than one double.
 struct Mean {
@@ -69,21 +72,20 @@ class FormFit {
   void add(const Field& strip, Index first);
   /// Throws ParameterError("remove-form") if the measured points do not determine the form.
   void end_pass();
+  int degree() const { return degree_; }
+  bool complete() const { return !missing_; }
+  const AxisProducts& products() const { return products_; }
+  const Eigen::MatrixXd& gram() const { return gram_; }  ///< (3), after a pass
   bool done() const { return steps_.size() == (missing_ ? 3 : 2); }
   /// Subtracts the form found by the passes from `pass` on; the first height is the field's (row, column).
   void remove(Eigen::Ref<Field> heights, Index row, Index column = 0, std::size_t pass = 0) const;
 
  private:
-  struct Term {
-    Index a, b;
-  };
-  Eigen::MatrixXd products(const Field& strip, Index first, bool complete) const;
-
   int degree_;
-  Eigen::MatrixXd along_x_, along_y_;  ///< a column a polynomial
-  std::vector<Term> terms_;
-  Eigen::MatrixXd sums_, gram_;         ///< Σ P_a P_b z of the present pass, (3)
-  std::vector<Eigen::MatrixXd> steps_;  ///< what each pass added to c
+  AxisProducts products_;
+  Eigen::VectorXd sums_;                ///< Σ P_a P_b z of the present pass
+  Eigen::MatrixXd gram_;                ///< (3)
+  std::vector<Eigen::VectorXd> steps_;  ///< what each pass added to c
   bool missing_ = false;
 };
 

@@ -12,6 +12,8 @@ namespace {
 // Columns of LocalSums, less the first: means of functions of x = (z - mean)/Sq.
 enum Local { first, second, third, fourth, absolute, sign, local };
 
+constexpr double least_share = 1e-10;  // of the points' largest λ: modes that are hardly there
+
 Moments moments_of(const Eigen::VectorXd& m) {
   const double x = m(first), square = m(second) - x * x, sq = std::sqrt(square);
   Moments out;
@@ -28,15 +30,15 @@ Moments moments_of(const Eigen::VectorXd& m) {
 HeightErrors::HeightErrors(const Grid& grid, double mean, double sq, int degree)
     : mean_(mean), sq_(sq), degree_(degree), sums_(grid, local) {
   if (degree == 0) return;
-  along_x_ = gram_polynomials(grid.shape.nx, degree + 2);
-  along_y_ = gram_polynomials(grid.shape.ny, degree + 2);
-  modes_ = Eigen::MatrixXd::Zero(along_x_.cols(), along_y_.cols());
+  products_ = polynomials(grid.shape, degree + 2);
+  gram_ = products_.none();
+  modes_ = Eigen::VectorXd::Zero(products_.count());
 }
 
 void HeightErrors::add(const Field& rows, int threads) {
   if (degree_ > 0) {
-    const Eigen::MatrixXd x = zero_filled((rows - mean_) / sq_).matrix() * along_y_;
-    modes_ += along_x_.middleRows(rows_, rows.rows()).transpose() * x;
+    modes_ += products_.sums(zero_filled((rows - mean_) / sq_), rows_);
+    products_.add(gram_, validity(rows), rows_);
     rows_ += rows.rows();
   }
   sums_.add_rows(rows.rows(), threads, [&](Index i, LocalSums::Values& values) {
@@ -47,32 +49,27 @@ void HeightErrors::add(const Field& rows, int threads) {
   });
 }
 
+// The heights lack the modes of the form, so that their power is that of the others.
 void HeightErrors::finish(const FieldExtent& extent) {
   means_ = sums_.means(extent);
   patches_ = extent.patches;
+  if (degree_ == 0) return;
+  const Eigen::MatrixXd modes = orthonormal(gram_, least_share);
+  taken_ = std::ranges::count_if(products_.terms(), [&](const auto& t) { return t.a + t.b <= degree_; });
+  next_ = modes.rows() - taken_;
+  power_ = (modes * modes_).squaredNorm() / (static_cast<double>(next_) * sums_.count());
 }
 
-double HeightErrors::next_power() const {
-  const Index last = degree_ + 2;
-  double sum = 0;
-  for (Index a = 0; a < modes_.rows(); ++a)
-    for (Index b = std::max<Index>(last - 1 - a, 0); b < std::min(last + 1 - a, modes_.cols()); ++b)
-      sum += modes_(a, b) * modes_(a, b);
-  const double points = sums_.count(), cells = static_cast<double>(along_x_.rows() * along_y_.rows());
-  return sum / degrees_of_mean() * cells / (points * points);
-}
-
-double HeightErrors::degrees_of_mean() const { return degree_ == 0 ? degrees() : 2.0 * degree_ + 5; }
+double HeightErrors::degrees_of_mean() const { return degree_ == 0 ? degrees() : static_cast<double>(next_); }
 
 double HeightErrors::of_mean() const {
   if (degree_ == 0) return (*this)([](const Moments& of) { return of.mean; });
-  return sq_ * std::sqrt(next_power()) / (1 - loss(1.2 + degree_));
+  return sq_ * std::sqrt(power_) / (1 - loss(1.2 + degree_));
 }
 
 double HeightErrors::taken() const {
   if (degree_ == 0) return std::min(0.5, std::pow(of_mean() / sq_, 2));
-  const double m = 0.5 * (degree_ + 1) * (degree_ + 2),
-               b = m * next_power() / std::pow(1 - loss(1.2 + 0.35 * degree_), 2);
+  const double b = static_cast<double>(taken_) * power_ / std::pow(1 - loss(1.2 + 0.35 * degree_), 2);
   return std::min(0.5, b / (1 + b));
 }
 

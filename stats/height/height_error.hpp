@@ -10,11 +10,12 @@
 /// mean lowers all heights to √(1 - Var[z̄]/σ²), which intervals of Sq, Sa and quantiles allow for.
 ///
 /// Above a form of degree d (stats/filter/form.hpp) the heights themselves lack the long waves, the modes
-/// P_a P_b that it took. The 2d + 5 modes of the next two degrees have the mean power
-///     P = 1/N mean (Σ P_a P_b z)²/Sq²,     d < a + b ≤ d + 2,                                         (2)
+/// P_a P_b that it took. The m = 2d + 5 modes ψ of the next two degrees, orthonormal over the measured points
+/// to each other and to the form (stats/filter/axis_products.hpp), have the mean power
+///     P = 1/N mean (Σ ψ z)²/Sq²,                                                                      (2)
 /// of which the error of the mean is Sq √P/(1 - L), L = (1.2 + d)/√N_eff, and the form has taken
 ///     b/(1 + b),     b = M P/(1 - L)²,     L = (1.2 + 0.35 d)/√N_eff,     M = (d+1)(d+2)/2            (3)
-/// of the variance, known to √(2/(2d + 5)); L, 0.4 at most, is about three quarters of what an exponential
+/// of the variance, known to √(2/m); L, 0.4 at most, is about three quarters of what an exponential
 /// correlation loses to the next modes. Without a form the share is (error of the mean)²/Sq².
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
@@ -24,9 +25,11 @@
 /// J. Am. Stat. Assoc. 47 (1952) 635-646.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
+#include "stats/filter/form.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/long_waves.hpp"
 #include "stats/uncertainty/share_error.hpp"
@@ -53,15 +56,17 @@ class HeightErrors {
   double taken() const;
 
  private:
-  double next_power() const;         // P
   double loss(double factor) const;  // L
 
   double mean_, sq_;
   int degree_;
   double patches_ = 0;
-  Eigen::MatrixXd along_x_ = {}, along_y_ = {};  // P_a along either axis, a column each
-  Eigen::MatrixXd modes_ = {};                   // Σ P_a P_b (z - mean)/Sq
-  Index rows_ = 0;                               // so far
+  AxisProducts products_ = {};  // P_a P_b, a + b ≤ d + 2
+  Eigen::MatrixXd gram_ = {};   // of these over the points
+  Eigen::VectorXd modes_ = {};  // Σ P_a P_b (z - mean)/Sq
+  Index rows_ = 0;              // so far
+  Index taken_ = 0, next_ = 0;  // modes of the form, and beyond it
+  double power_ = NAN;          // P
   LocalSums sums_;
   LocalMeans means_ = {};
 };

@@ -112,7 +112,10 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, parameters.threads);
   const LagField acf = estimate_autocorrelation(surface.heights, pairs, parameters);
   return {acf,
-          {surface.correlation.value_or(acf), !surface.correlation, pairs, {surface.grid, surface.degree}},
+          {surface.correlation.value_or(acf),
+           !surface.correlation,
+           pairs,
+           {surface.heights, pairs, surface.degree, parameters.threads}},
           parameters.biased};
 }
 

@@ -52,8 +52,9 @@ Estimate spread_of(const SequenceMean& of) {
 std::string why_no_error(const SequenceMean& of) {
   if (of.independent >= SequenceMean::least_independent)
     return "no standard error: it is the same in all profiles";
-  return "no standard error can be given: " + rounded(of.independent) +
-         " profiles are independent, fewer than " + shortest(SequenceMean::least_independent);
+  const std::string count = rounded(of.independent);
+  return "no standard error can be given: " + count + (count == "1" ? " profile is" : " profiles are") +
+         " independent, fewer than " + shortest(SequenceMean::least_independent);
 }
 
 }  // namespace
@@ -73,8 +74,10 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     const auto& [name, unit, meaning] = table[k];
     const std::string symbol = prefix + name;
     SequenceMean of = averages.of[k];
-    if (constexpr double rounding = 1e-12; !(of.spread > rounding * (i == profile_sk ? 1 : of.mean)))
+    if (constexpr double rounding = 1e-12; !(of.spread > rounding * (i == profile_sk ? 1 : of.mean))) {
       of.mean_error = of.spread_error = unknown;
+      of.spread *= 0;
+    }
     const std::string why = "no value: no profile has this parameter", no_error = why_no_error(of);
     const double least = i == profile_sk ? -unlimited : i == profile_ku ? 1 : 0;
     out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, static_cast<double>(of.degrees), least),

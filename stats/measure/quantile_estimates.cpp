@@ -17,14 +17,46 @@ Interval freed(double height, double left, double low, double high) {
   return Interval::of(height, std::min(height, low / left), std::max(height, high / left));
 }
 
+// (1) of the header, of the field's quantiles at so many shares.
+class FormSmear {
+ public:
+  explicit FormSmear(const Sample& sample)
+      : taken_(sample.taken_by_form()), relative_error_(sample.error_of_taken()) {
+    std::vector<double> shares(400);
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      shares[k] = (static_cast<double>(k) + 0.5) / static_cast<double>(shares.size());
+    const std::vector<double> heights = sample.quantiles(shares);
+    kept_ = (1 - taken_) * Eigen::Map<const Eigen::ArrayXd>(heights.data(), std::ssize(heights));
+    width_ = sample.moments().sq * std::sqrt(2 * taken_ * (1 - taken_));
+  }
+  double relative_error() const { return relative_error_; }  // of w
+  // q' - q.
+  double shift(double share, double height) const {
+    if (!(taken_ > 0)) return 0;
+    double low = kept_.minCoeff() - 4 * width_, high = kept_.maxCoeff() + 4 * width_;
+    for (int step = 0; step < 50; ++step) {
+      const double middle = 0.5 * (low + high);
+      (below(middle) < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high) - height;
+  }
+
+ private:
+  double below(double height) const {
+    return ((height - kept_) / width_).unaryExpr([](double u) { return 0.5 * std::erfc(-u); }).mean();
+  }
+
+  double taken_, relative_error_, width_ = 0;
+  Eigen::ArrayXd kept_;
+};
+
 }  // namespace
 
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
                                          const std::vector<double>& heights, Origin origin) {
   std::vector<Estimate> out;
-  const bool lowered = origin == Origin::own_mean && !sample.distribution();
-  const double left = lowered ? std::sqrt(1 - sample.taken_by_form()) : 1;
-  if (lowered && sample.correlation_gives_errors()) {
+  if (origin == Origin::own_mean && !sample.distribution() && sample.correlation_gives_errors()) {
+    const double left = std::sqrt(1 - sample.taken_by_form());
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const double error = material_height_error(1 - shares[i], sample.moments(), sample.size()),
                    half = half_width_95 * error;
@@ -50,6 +82,8 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
   const std::vector<double> near = quantiles_beside(width);
   for (double& w : width) w *= t;
   const std::vector<double> ends = quantiles_beside(width);
+  const std::optional<FormSmear> form =
+      origin == Origin::own_mean ? std::optional<FormSmear>(sample) : std::nullopt;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     out.push_back({heights[k]});
     const double apart = near[2 * k + 1] - near[2 * k], share = width[k] / t;
@@ -57,11 +91,16 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
                  of_all = errors->with_mean(k, density) / share;
     out[k].standard_error = of_all * apart / 2;
+    const double shift = form ? form->shift(shares[k], heights[k]) : 0,
+                 of_form = form ? t * form->relative_error() * shift : 0;
+    auto half = [&](double apart_from_end) {
+      return std::hypot(of_all * std::max(apart_from_end, 0.0), of_form);
+    };
     // Open where the field holds no such share.
-    const double low = heights[k] - of_all * std::max(heights[k] - ends[2 * k], 0.0),
-                 high = heights[k] + of_all * std::max(ends[2 * k + 1] - heights[k], 0.0);
-    out[k].interval = freed(heights[k], left, shares[k] > width[k] ? low : -unlimited,
-                            1 - shares[k] > width[k] ? high : unlimited);
+    const double low = heights[k] - shift - half(heights[k] - ends[2 * k]),
+                 high = heights[k] - shift + half(ends[2 * k + 1] - heights[k]);
+    out[k].interval = Interval::of(heights[k], shares[k] > width[k] ? std::min(heights[k], low) : -unlimited,
+                                   1 - shares[k] > width[k] ? std::max(heights[k], high) : unlimited);
   }
   return out;
 }

@@ -1,8 +1,14 @@
 /// Heights below which given shares of a surface lie, with their errors.
 ///
 /// Errors of Gaussian heights follow from the correlation (stats/height/material_ratio.hpp), where it gives
-/// them; others from the field's own long waves (stats/height/height_error.hpp). Intervals of Gaussian
-/// heights q are about q/√(1 - w), w what the form took (stats/uncertainty/form_modes.hpp), and hold q.
+/// them; their intervals are about q/√(1 - w), w the share of the variance that the form took
+/// (stats/uncertainty/form_modes.hpp). Others come from the field's own long waves
+/// (stats/height/height_error.hpp). What the form took of a height z is about w z, and the rest, of the
+/// heights elsewhere, is nearly independent of z and Gaussian of the variance w (1 - w) σ²: it leaves heights
+///     (1 - w) z + √(w (1 - w)) σ ξ,                                                                   (1)
+/// whose quantiles differ from those of z by what skewed heights make of ξ too: a median moves towards the
+/// mean. (1) is done once more to the field's quantiles at 400 shares; the interval is shifted back by as
+/// much, and wider by the error of w. Intervals hold q.
 #pragma once
 
 #include <vector>

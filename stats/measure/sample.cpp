@@ -20,18 +20,20 @@ SurfaceSums summed(const StripReader& reader, const Surface& surface, bool deriv
   const Grid& grid = reader.grid();
   const bool known = surface.correlation.has_value(),
              needs_lags = !known || reader.points() < static_cast<double>(grid.shape.cells());
-  StripAutocorrelation correlation(grid, reader.rows(), threads);
+  StripAutocorrelation correlation(grid, reader.rows(), threads), modes = correlation;
+  const bool outline = reader.form() && !reader.form()->complete();
   MomentSums moments(Mean{});
   DerivativeSums sums;
-  reader.for_each_strip(derivatives ? 2 : 0, [&](const Field& strip, Index core, Index) {
+  reader.for_each_strip(derivatives ? 2 : 0, [&](const Field& strip, Index core, Index first) {
     moments.add(strip.topRows(core));
     if (derivatives) sums.add({strip, grid, core}, 0, threads);
     if (needs_lags) correlation.add(strip.topRows(core));
+    if (outline) FormModes::add(modes, *reader.form(), strip.topRows(core), first);
   });
   const Moments m = moments.moments(surface.variable);
   refuse_round_off(std::max(m.sp, m.sv), reader.largest(), reader.degree(), surface.variable);
   const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs(),
-                         FormModes(grid, reader.degree())};
+                         outline ? FormModes(grid, *reader.form(), modes) : FormModes(grid, reader.degree())};
   return {m, sums, basis, needs_lags && correlation.reaches_beyond(basis.known_lags())};
 }
 
@@ -64,6 +66,7 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
       threads_(threads) {
   surface_.level = reader.level();
   surface_.degree = reader.degree();
+  surface_.largest = reader.largest();
 }
 
 std::optional<Translation> Sample::distribution() const {
@@ -94,8 +97,11 @@ const std::optional<HeightErrors>& Sample::height_errors() const {
 }
 
 double Sample::taken_by_form() const {
-  const bool from_waves = errors_ && !correlation_gives_errors();
-  return from_waves ? height_errors()->taken() : size_.taken_by_form();
+  return taken_from_waves() ? height_errors()->taken() : size_.taken_by_form();
+}
+
+double Sample::error_of_taken() const {
+  return taken_from_waves() ? std::sqrt(2 / height_errors()->degrees_of_mean()) : 0;
 }
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
@@ -135,7 +141,8 @@ std::array<GoodnessOfFit, 4> Sample::goodness_of_fit() const {
 }
 
 ProfileAverages Sample::profiles(Axis1D along, double section) const {
-  ProfileSums sums(grid(), along, section);
+  const double largest = std::max({surface_.largest, moments().sp, moments().sv});
+  ProfileSums sums(grid(), along, section, round_off_of(largest));
   if (!reader_)
     sums.add(surface_.heights);
   else if (along == Axis1D::y)

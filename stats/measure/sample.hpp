@@ -2,7 +2,8 @@
 ///
 /// A whole surface is a single strip. Strips give approximations of two things: the correlation, from the
 /// pairs of points within a strip (stats/spatial/strip_acf.hpp), and the order of the heights
-/// (stats/height/order.hpp).
+/// (stats/height/order.hpp). All errors depend on the number of patches that the correlation tells, and so
+/// differ a little from those of the whole surface, of Smc by a part in 10³.
 #pragma once
 
 #include <array>
@@ -75,6 +76,7 @@ class Sample {
   const std::optional<HeightErrors>& height_errors() const;
   /// The share of the variance of the heights that their form took.
   double taken_by_form() const;
+  double error_of_taken() const;  ///< relative to it
   std::optional<DerivativeErrors> derivative_errors() const;
   /// None either of a surface in strips, of too small a size, or by a known correlation: that is exact.
   std::optional<SizeErrors> size_errors() const;
@@ -86,6 +88,7 @@ class Sample {
   ProfileAverages profiles(Axis1D along, double section) const;
 
  private:
+  bool taken_from_waves() const { return errors_ && !correlation_gives_errors(); }
   const std::vector<HeightBin>& bins() const;
   template <class Sums>
   void add_all(Sums& sums) const;

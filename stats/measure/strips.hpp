@@ -28,8 +28,9 @@ class StripReader {
   StripReader(FieldParts parts, int degree, std::size_t memory);
 
   const Grid& grid() const { return parts_.grid; }
-  Index rows() const { return rows_; }    ///< of every strip but the last
-  int degree() const { return degree_; }  ///< of the form
+  Index rows() const { return rows_; }                          ///< of every strip but the last
+  int degree() const { return degree_; }                        ///< of the form
+  const std::optional<FormFit>& form() const { return form_; }  ///< none but for the mean
   double level() const { return mean_.value(); }
   double points() const { return points_; }    ///< that are there
   double largest() const { return largest_; }  ///< the largest absolute value, form included

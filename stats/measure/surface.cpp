@@ -28,7 +28,7 @@ Field mean_surface(const Surface& surface, const char* name, double cutoff, int 
 
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.level = mean(surface.heights);
-  const double size = largest_of(surface.heights);
+  const double size = surface.largest = largest_of(surface.heights);
   const auto [degree, shorter, longer] = preparation;
   surface.heights = remove_form(surface.heights, degree);
   surface.degree = degree;
@@ -40,16 +40,15 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
 }
 
 void refuse_round_off(double largest, double size, int degree, const std::string& variable) {
-  constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
   if (!(largest > 0)) throw DataError(variable, "every value is the same");
-  if (largest <= round_off * size)
+  if (largest <= round_off_of(size))
     throw DataError(variable, "zero to round-off above its form (" + form_of(degree) + "): only " +
                                   shortest(largest) + " remains of values up to " + shortest(size));
 }
 
 ErrorBasis error_basis(const Surface& surface, int threads) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
-  const FormModes form(surface.grid, surface.degree);
+  const FormModes form(surface.heights, pairs, surface.degree, threads);
   if (surface.correlation) return {*surface.correlation, false, pairs, form};
   const AcfParameters half{.max_lag = default_max_lag(surface.grid), .threads = threads};
   return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs, form};

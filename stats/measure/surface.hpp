@@ -34,6 +34,7 @@ struct Surface {
   Field heights = {};  ///< empty where the field is read in strips
   double level = 0;    ///< the mean that was subtracted
   int degree = 0;      ///< of the form that was
+  double largest = 0;  ///< of the absolute values, form included; 0: not known
   std::string variable = "heights", units = "m";
   std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
@@ -43,6 +44,8 @@ struct Surface {
 /// DataError(variable) where only rounding remains (refuse_round_off).
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
+/// What subtraction may leave of values up to `size` that cancel.
+constexpr double round_off_of(double size) { return 32 * std::numeric_limits<double>::epsilon() * size; }
 /// Throws DataError(variable, …) if heights up to `largest` are round-off of values up to `size`.
 void refuse_round_off(double largest, double size, int degree, const std::string& variable);
 

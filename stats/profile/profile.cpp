@@ -123,11 +123,12 @@ double profiles_worth_one(const LagField& rho, const Pairs& pairs, Axis1D along)
 }  // namespace
 
 ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
-                                     bool periodic) {
+                                     bool periodic, double round_off) {
   ProfileParameters out = ProfileParameters::Constant(none);
   const ValidSum sum = sum_of_valid(heights);
   if (sum.count < 2) return out;
-  const Eigen::ArrayXd z = heights - sum.sum / sum.count;
+  Eigen::ArrayXd z = heights - sum.sum / sum.count;
+  if (!(z.abs() > round_off).any()) z = z.isNaN().select(z, 0.0);
   add_moments(out, z);
   add_extremes(out, z, section / step);
   out[profile_dq] = rms_slope(z, step, periodic);
@@ -135,8 +136,8 @@ ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step,
   return out;
 }
 
-ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section)
-    : grid_(grid), along_(along), section_(section) {
+ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section, double round_off)
+    : grid_(grid), along_(along), section_(section), round_off_(round_off) {
   const double length = along == Axis1D::x ? grid.size_x() : grid.size_y();
   if (std::isfinite(section) && section > length * (1 + 1e-12))
     throw ParameterError(
@@ -149,7 +150,7 @@ void ProfileSums::add(const Field& heights) {
   const bool periodic = x ? grid_.periodic.x : grid_.periodic.y;
   for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
     const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
-    profiles_.push_back(profile_parameters(profile, step, section_, periodic));
+    profiles_.push_back(profile_parameters(profile, step, section_, periodic, round_off_));
   }
 }
 

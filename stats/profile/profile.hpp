@@ -66,9 +66,9 @@ enum ProfileParameter {
 using ProfileParameters = Eigen::Array<double, profile_parameters_count, 1>;
 
 /// Of one profile of heights `step` apart; `section` is l_sc, infinite for one section; (2) wraps around if
-/// `periodic`.
+/// `periodic`. A profile whose heights above its mean are `round_off` at most is straight.
 ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
-                                     bool periodic);
+                                     bool periodic, double round_off = 0);
 
 struct ProfileAverages {
   std::array<SequenceMean, profile_parameters_count> of;
@@ -80,7 +80,7 @@ struct ProfileAverages {
 class ProfileSums {
  public:
   /// Throws ParameterError("lambda-c", …) if the section is longer than the profiles.
-  ProfileSums(const Grid& grid, Axis1D along, double section);
+  ProfileSums(const Grid& grid, Axis1D along, double section, double round_off = 0);
   /// Whole profiles: columns of heights along x, rows along y.
   void add(const Field& heights);
   /// ρ is a correlation that is zero beyond its lags.
@@ -89,7 +89,7 @@ class ProfileSums {
  private:
   Grid grid_;
   Axis1D along_;
-  double section_;
+  double section_, round_off_;
   std::vector<ProfileParameters> profiles_ = {};
 };
 

@@ -1,5 +1,6 @@
 #include "stats/uncertainty/acf_deviations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -8,6 +9,11 @@
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
+namespace {
+
+constexpr double furthest = 2.5;  // u
+
+}  // namespace
 
 AcfDeviations::AcfDeviations(std::vector<LagField> modes, double degrees)
     : modes_(std::move(modes)), degrees_(degrees) {}
@@ -68,16 +74,18 @@ double AcfDeviations::error_of(const std::vector<Pair>& pairs, double here, cons
 AcfDeviations::Law AcfDeviations::relative(const LagField& rho, const Figure& figure, int threads) const {
   const auto here = figure(rho);
   if (!here || !(*here > 0 && std::isfinite(*here))) return {};
-  const double step = quantile(0.025);
+  const double end = quantile(0.025), step = std::min(end, furthest);
   std::vector<Pair> pairs = displaced(rho, figure, step, threads);
   Law out;
+  for (const auto& [above, below] : step < end ? displaced(rho, figure, end, threads) : pairs)
+    for (const auto& side : {above, below}) {
+      out.falls = out.falls || side.value_or(0) == 0;
+      out.rises = out.rises || std::isinf(side.value_or(INFINITY));
+    }
   double curvature = 0;
   for (auto& [above, below] : pairs) {
-    for (std::optional<double>* side : {&above, &below}) {
-      out.falls = out.falls || side->value_or(0) == 0;
-      out.rises = out.rises || std::isinf(side->value_or(INFINITY));
+    for (std::optional<double>* side : {&above, &below})
       if (side->value_or(0) == 0 || std::isinf(**side)) side->reset();
-    }
     if (above && below) curvature += std::log(*above / *here) + std::log(*below / *here);
   }
   auto apart = [](double a, double b) { return std::log(a / b); };

@@ -8,9 +8,11 @@
 ///     1/(2u²) Σ_k [F(ρ + u m_k) - 2F(ρ) + F(ρ - u m_k)],                                              (3)
 /// however it depends on the lags, and though their errors are correlated; (3) also where F has a kink, as
 /// the least of many lengths has (an unscented transform). The step u is the quantile that 95 % intervals
-/// end at: a length changes by its mean slope up to there. With u = 1, where noise makes a shoulder of ρ, a
-/// tail of huge errors raised their rms: for ratios at 10 % it was 1.0 to 2.0 of the true error, and is 0.9
-/// to 1.3 (150 fields of each of eleven textures, N_eff 290 to 1230).
+/// end at, 2.5 at most: a length changes by its mean slope up to there. With u = 1, where noise makes a
+/// shoulder of ρ, a tail of huge errors raised their rms: for ratios at 10 % it was 1.0 to 2.0 of the true
+/// error, and is 0.9 to 1.3 (150 fields of each of eleven textures, N_eff 290 to 1230). On four patches of
+/// three lengths, where the quantile is 6, a length does not fall any more long before, and its slope up to
+/// there would be a half of what it is.
 ///
 /// Where ρ ± u m_k does not fall to the level of a length, that length is beyond the lags, and a ratio with
 /// it zero or infinite: its interval is open on that side.

@@ -1,12 +1,16 @@
 #include "stats/uncertainty/form_modes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "stats/filter/form.hpp"
+#include "stats/filter/missing.hpp"
+#include "transform/lag_sums.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {
 namespace {
+
+constexpr double round_off = 1e-12;
 
 // α of (2); along a periodic axis the mean over both ways round.
 Eigen::MatrixXd autocorrelations(Index n, bool periodic, int degree) {
@@ -32,6 +36,16 @@ Eigen::MatrixXd autocorrelations(Index n, bool periodic, int degree) {
   return out;
 }
 
+// visit(φ_k) at the points of a strip, 0 where heights are missing.
+template <class Visit>
+void for_each_mode(const AxisProducts& products, const Eigen::MatrixXd& gram, const Field& strip, Index first,
+                   Visit visit) {
+  const Eigen::MatrixXd modes = orthonormal(gram, round_off);
+  const Field points = validity(strip);
+  for (Index k = 0; k < modes.rows(); ++k)
+    visit(points * products.combined(modes.row(k).transpose(), first, 0, shape_of(strip)));
+}
+
 }  // namespace
 
 FormModes::FormModes(const Grid& grid, int degree) : degree_(degree) {
@@ -43,7 +57,39 @@ FormModes::FormModes(const Grid& grid, int degree) : degree_(degree) {
     count_ += static_cast<double>(std::min<Index>(degree - a + 1, along_y_.cols()));
 }
 
+FormModes::FormModes(const Field& z, const Pairs& pairs, int degree, int threads)
+    : FormModes(pairs.grid(), degree) {
+  if (degree == 0 || pairs.complete()) return;
+  const AxisProducts products = polynomials(shape_of(z), degree);
+  Eigen::MatrixXd gram = products.none();
+  products.add(gram, validity(z), 0);
+  const Shape lags = longest_lags(pairs.grid());
+  Field sums = Field::Zero(lags.nx + 1, 2 * lags.ny + 1);
+  for_each_mode(products, gram, z, 0,
+                [&](const Field& mode) { sums += lag_sums(mode, pairs.grid(), lags, threads); });
+  of_points_ = std::make_shared<const LagField>(LagField::of(lags, [&](Index p, Index q) {
+    const double share = pairs.pair_fraction(p, q);
+    return share > 0 ? sums(p, lags.ny + q) / (count_ * share) : 0;
+  }));
+}
+
+FormModes::FormModes(const Grid& grid, const FormFit& form, const StripAutocorrelation& modes)
+    : FormModes(grid, form.degree()) {
+  if (form.complete()) return;
+  of_points_ = std::make_shared<const LagField>(modes.estimate().normalised());
+}
+
+void FormModes::add(StripAutocorrelation& modes, const FormFit& form, const Field& strip, Index first) {
+  for_each_mode(form.products(), form.gram(), strip, first,
+                [&](const Field& mode) { modes.add(strip.isNaN().select(strip, mode)); });
+}
+
 LagField FormModes::correlation(Shape max_lag) const {
+  if (of_points_)
+    return LagField::of(max_lag, [this](Index p, Index q) {
+      const double b = (*of_points_)(p, q);
+      return std::isnan(b) ? 0 : b;
+    });
   if (degree_ == 0) return LagField(Field::Ones(max_lag.nx + 1, 2 * max_lag.ny + 1));
   Eigen::MatrixXd of_y(along_x_.cols(), 2 * max_lag.ny + 1);  // Σ_b α_b over b ≤ d - a, a row an a
   for (Index a = 0; a < of_y.rows(); ++a) {

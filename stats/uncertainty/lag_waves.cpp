@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/parallel.hpp"
@@ -15,7 +16,7 @@ namespace {
 // Of a wave over the pairs at a lag. At lags of half a complete field it is 0.19.
 constexpr double least_variance = 0.05;
 
-// Sums over the pairs whose first point lies in a block, in the layout of LagField.
+// Sums over the pairs whose first point lies in a block, at lags of the whole plane: row P + p, column Q + q.
 struct PairSums {
   Field products, squares, pairs;
 };
@@ -26,6 +27,25 @@ struct Range {
 
   Index length() const { return last - first; }
 };
+
+// First points x.first ≤ i < x.last whose partners a lag apart lie in the field; from x.first on.
+Range partnered(Range x, Index lag, Index n, bool periodic) {
+  if (periodic) return {0, x.length()};
+  const Index first = std::clamp(-lag - x.first, Index{0}, x.length());
+  return {first, std::max(first, std::clamp(n - lag - x.first, Index{0}, x.length()))};
+}
+
+// Blocks of n points that the mirror image shares: an odd number of an odd number.
+Index mirrored_blocks(Index half_waves, Index n) {
+  const Index blocks = std::max(2 * half_waves, Index{1});
+  return std::min(n, blocks + (n % 2 == 1 && blocks % 2 == 0));
+}
+
+// The mean over a lag and its opposite.
+Field folded(const Field& plane) {
+  const Index rows = plane.rows() / 2 + 1;
+  return 0.5 * (plane.bottomRows(rows) + plane.topRows(rows).reverse());
+}
 
 }  // namespace
 
@@ -39,11 +59,23 @@ class LagWaves::Blocks {
         complete_(!d.isNaN().any()),
         heights_(complete_ ? d : zero_filled(d)),
         valid_(complete_ ? Field() : validity(d)),
-        torus_{fast_length((grid.shape.nx + along_x - 1) / along_x + max_lag.nx),
+        torus_{fast_length((grid.shape.nx + along_x - 1) / along_x + 2 * max_lag.nx),
                fast_length((grid.shape.ny + along_y - 1) / along_y + 2 * max_lag.ny)},
         transform_(torus_) {}
 
   bool complete() const { return complete_; }
+  // The waves at the middles of a block's pairs, a row a lag.
+  AxisProducts waves(Index b, const std::vector<LongWaves::Wave>& all) const {
+    auto along = [](Range block, Index n, bool periodic, Index most) {
+      const double middle = 0.5 * static_cast<double>(block.first + block.last),
+                   half = 0.5 * static_cast<double>(most);
+      const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(2 * most + 1, middle - half, middle + half);
+      return axis_waves(std::numbers::pi / static_cast<double>(n) * at, periodic, AxisWaves::most);
+    };
+    const auto [nx, ny] = grid_.shape;
+    return {along(block(x_of(b), along_x_, nx), nx, grid_.periodic.x, max_lag_.nx),
+            along(block(y_of(b), along_y_, ny), ny, grid_.periodic.y, max_lag_.ny), all};
+  }
   Index count() const { return along_x_ * along_y_; }
   // Of the blocks of a row of them.
   Eigen::VectorXd points(Index row) const {
@@ -80,20 +112,25 @@ class LagWaves::Blocks {
     AlignedVector<Complex> near, far;
 
     Spectrum(const Blocks& blocks, const Field& surroundings, Range x, Range y)
-        : near(blocks.transformed(surroundings.block(0, blocks.max_lag_.ny, x.length(), y.length()))),
+        : near(blocks.transformed(
+              surroundings.block(blocks.max_lag_.nx, blocks.max_lag_.ny, x.length(), y.length()))),
           far(blocks.transformed(surroundings)) {}
   };
 
-  static Range block(Index b, Index blocks, Index n) { return {b * n / blocks, (b + 1) * n / blocks}; }
+  static Range block(Index b, Index blocks, Index n) {
+    auto end = [&](Index k) { return 2 * k <= blocks ? k * n / blocks : n - (blocks - k) * n / blocks; };
+    return {end(b), end(b + 1)};
+  }
 
-  // Of the block and all second points of its pairs; zero beyond the field.
+  // Of the block and all partners of its points; zero beyond the field.
   Field surroundings(const Field& f, Range x, Range y) const {
     const auto [nx, ny] = grid_.shape;
     auto inside = [](Index i, Index n, bool periodic) { return periodic ? ((i % n) + n) % n : i; };
-    return Field::NullaryExpr(x.length() + max_lag_.nx, y.length() + 2 * max_lag_.ny, [&](Index i, Index j) {
-      const Index row = inside(x.first + i, nx, grid_.periodic.x),
-                  column = inside(y.first + j - max_lag_.ny, ny, grid_.periodic.y);
-      return row < nx && column >= 0 && column < ny ? f(row, column) : 0.0;
+    const auto [p, q] = max_lag_;
+    return Field::NullaryExpr(x.length() + 2 * p, y.length() + 2 * q, [&, p = p, q = q](Index i, Index j) {
+      const Index row = inside(x.first + i - p, nx, grid_.periodic.x),
+                  column = inside(y.first + j - q, ny, grid_.periodic.y);
+      return row >= 0 && row < nx && column >= 0 && column < ny ? f(row, column) : 0.0;
     });
   }
   AlignedVector<Complex> transformed(const Field& f) const {
@@ -110,25 +147,24 @@ class LagWaves::Blocks {
     AlignedVector<double> out(static_cast<std::size_t>(torus_.cells()));
     transform_.inverse(product.data(), out.data());
     return Eigen::Map<const Field>(out.data(), torus_.nx, torus_.ny)
-               .topLeftCorner(max_lag_.nx + 1, 2 * max_lag_.ny + 1) /
+               .topLeftCorner(2 * max_lag_.nx + 1, 2 * max_lag_.ny + 1) /
            static_cast<double>(torus_.cells());
   }
   // Pairs and squares of a complete field.
   void squares_of_rectangles(const Field& far, Range x, Range y, PairSums& out) const {
     const auto [nx, ny] = grid_.shape;
+    const auto [P, Q] = max_lag_;
     const RectangleSums squares(far.square());
-    out.pairs = out.squares = Field(max_lag_.nx + 1, 2 * max_lag_.ny + 1);
-    for (Index p = 0; p <= max_lag_.nx; ++p)
-      for (Index column = 0; column <= 2 * max_lag_.ny; ++column) {
-        const Index q = column - max_lag_.ny;
-        const Range i{0, grid_.periodic.x ? x.length() : std::clamp(nx - p - x.first, Index{0}, x.length())},
-            j = grid_.periodic.y ? Range{0, y.length()}
-                                 : Range{std::clamp(-q - y.first, Index{0}, y.length()),
-                                         std::clamp(ny - q - y.first, Index{0}, y.length())};
-        const Index rows = i.length(), columns = std::max(j.length(), Index{0});
-        out.pairs(p, column) = static_cast<double>(rows * columns);
-        out.squares(p, column) = 0.5 * (squares(0, max_lag_.ny + j.first, rows, columns) +
-                                        squares(p, column + j.first, rows, columns));
+    out.pairs = out.squares = Field(2 * P + 1, 2 * Q + 1);
+    for (Index p = -P; p <= P; ++p)
+      for (Index q = -Q; q <= Q; ++q) {
+        const Range i = partnered(x, p, nx, grid_.periodic.x), j = partnered(y, q, ny, grid_.periodic.y);
+        const Index rows = i.length(), columns = j.length(), row = P + i.first, column = Q + j.first;
+        out.pairs(P + p, Q + q) = static_cast<double>(rows * columns);
+        out.squares(P + p, Q + q) =
+            rows * columns == 0
+                ? 0
+                : 0.5 * (squares(row, column, rows, columns) + squares(row + p, column + q, rows, columns));
       }
   }
 
@@ -152,11 +188,11 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
     most_y = std::max(most_y, half_waves(y, grid.periodic.y));
   }
   const auto [nx, ny] = grid.shape;
-  const Index along_x = std::clamp(3 * most_x, Index{1}, nx), along_y = std::clamp(3 * most_y, Index{1}, ny);
+  const Index along_x = mirrored_blocks(most_x, nx), along_y = mirrored_blocks(most_y, ny);
   const Blocks blocks(d, grid, max_lag, along_x, along_y);
-  const Eigen::MatrixXd of_blocks = waves_of(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
+  const Eigen::MatrixXd waves = directions(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
-  waves_.assign(static_cast<std::size_t>(of_blocks.rows()), {none, none, none, none});
+  waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});
   for (Index first = 0; first < blocks.count(); first += threads) {
     const Index count = std::min<Index>(threads, blocks.count() - first);
     std::vector<PairSums> sums(static_cast<std::size_t>(count));
@@ -167,12 +203,12 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
       for (Index k = begin; k < end; ++k) {
         Wave& wave = waves_[static_cast<std::size_t>(k)];
         for (Index b = 0; b < count; ++b) {
-          const PairSums& s = sums[static_cast<std::size_t>(b)];
-          const double u = of_blocks(k, first + b);
-          wave.products += u * s.products;
-          wave.squares += u * s.squares;
-          wave.pairs += u * s.pairs;
-          wave.weights += u * u * s.pairs;
+          const auto& [products, squares, pairs] = sums[static_cast<std::size_t>(b)];
+          const Shape lags = shape_of(pairs);
+          const Field u = k == 0 ? Field(Field::Ones(lags.nx, lags.ny))
+                                 : blocks.waves(first + b, long_waves_.all())
+                                       .combined(waves.row(k - 1).transpose(), 0, 0, lags);
+          wave.add(u, products, squares, pairs);
         }
       }
     });
@@ -180,23 +216,22 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
   variance_ = waves_[0].squares(0, max_lag.ny) / waves_[0].pairs(0, max_lag.ny);
 }
 
-// (3) of long_waves.hpp over the points of the blocks; of a complete field C = 1.
-Eigen::MatrixXd LagWaves::waves_of(const Blocks& blocks, const Grid& of_blocks) const {
+void LagWaves::Wave::add(const Field& u, const Field& of_products, const Field& of_squares,
+                         const Field& of_pairs) {
+  const Field weighted = u * of_pairs;
+  products += folded(u * of_products);
+  squares += folded(u * of_squares);
+  pairs += folded(weighted);
+  weights += folded(u * weighted);
+}
+
+Eigen::MatrixXd LagWaves::directions(const Blocks& blocks, const Grid& of_blocks) const {
+  const auto count = std::ssize(long_waves_.all());
+  if (blocks.complete()) return Eigen::MatrixXd::Identity(count, count);
   const AxisWaves along(of_blocks);
-  const auto& all = long_waves_.all();
-  Eigen::MatrixXd waves(static_cast<Index>(all.size()), blocks.count());
-  for (std::size_t k = 0; k < all.size(); ++k)
-    for (Index b = 0; b < blocks.count(); ++b)
-      waves(static_cast<Index>(k), b) =
-          along.x()(blocks.x_of(b), all[k].x) * along.y()(blocks.y_of(b), all[k].y);
-  if (!blocks.complete()) {
-    AxisWaves::Squares squares = AxisWaves::none();
-    for (Index i = 0; i < of_blocks.shape.nx; ++i) along.add_row(squares, i, blocks.points(i));
-    waves = long_waves_.directions(squares) * waves;
-  }
-  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(waves.rows() + 1, waves.cols());
-  out.bottomRows(waves.rows()) = waves;
-  return out;
+  AxisWaves::Squares squares = AxisWaves::none();
+  for (Index i = 0; i < of_blocks.shape.nx; ++i) along.add_row(squares, i, blocks.points(i));
+  return long_waves_.directions(squares);
 }
 
 std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_square, double loss) const {

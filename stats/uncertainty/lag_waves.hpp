@@ -13,19 +13,20 @@
 ///     L = 1.4/√N_p + 3/N_p of R and ρ,     L = 1/√N_p of S,     0.4 at most.                           (3)
 /// Intervals have K N_p/(N_p + 40) degrees of freedom.
 ///
-/// The waves are sums over blocks of the field that the first points of the pairs lie in, three blocks a half
-/// wave of the shortest; a block's products at all lags are a correlation by the FFT. With missing heights
-/// they are made independent over the points of the blocks. At each lag they are divided by their deviation
-/// over its pairs, √(mean u² - ū²).
+/// The waves are sums over blocks of the field, two a half wave of the shortest, and for odd sides one more;
+/// a block's products at all lags are a correlation by the FFT. A pair at the lag h whose first point lies in
+/// a block about x_b counts there with u(x_b + h/2), the place of its middle; each pair is met from both of
+/// its points, and counts a half each time, so that a field and its mirror images have the same errors.
+/// With missing heights the waves are made independent over the points of the blocks. At each lag they are
+/// divided by their deviation over its pairs, √(mean u² - ū²).
 ///
 /// Symbols   K  waves      ν  half waves      P, Q  longest lags
 /// Scope     long_waves.hpp; lags up to half the field.
 /// Accuracy  the error itself is known to 1/√(2K). Of 200 fields of each of eleven textures, N_eff 290 to
 ///           1230, errors of ρ are 0.87 to 1.17 times the true ones, those of S 0.92 to 1.14, and 90 to 98 %
 ///           of the 95 % intervals hold the truth; of N_eff 33 to 140 0.80 to 1.14, 0.85 to 1.22 and 84 to
-///           100 % (validation/error_coverage). A field and its mirror image
-///           differ in them by chance, as a pair belongs to the block of its first point.
-/// Cost      for B blocks of bx × by points three transforms of (bx + P)(by + 2Q) points each, nine with
+///           100 % (validation/error_coverage).
+/// Cost      for B blocks of bx × by points three transforms of (bx + 2P)(by + 2Q) points each, nine with
 ///           missing heights. Memory: 4K fields over the lags.
 #pragma once
 
@@ -59,10 +60,12 @@ class LagWaves {
   // Of a wave u, all over the pairs: Σ u z z', Σ ½u (z² + z'²), Σ u, Σ u².
   struct Wave {
     Field products, squares, pairs, weights;
+
+    void add(const Field& u, const Field& of_products, const Field& of_squares, const Field& of_pairs);
   };
   class Blocks;
-  // On the blocks, a row a wave, the first of which is 1.
-  Eigen::MatrixXd waves_of(const Blocks& blocks, const Grid& of_blocks) const;
+  // (3) of long_waves.hpp over the points of the blocks, a row a wave; of a complete field C = 1.
+  Eigen::MatrixXd directions(const Blocks& blocks, const Grid& of_blocks) const;
   // The modes of a mean of `per_product` z z' + `per_square` ½(z² + z'²).
   std::vector<Field> modes(const Field& per_product, const Field& per_square, double loss) const;
   LagField errors(double per_product, double per_square, double loss) const;

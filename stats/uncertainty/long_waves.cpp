@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/parallel.hpp"
-#include "math/linear_algebra.hpp"
 
 namespace asperity {
 namespace {
@@ -20,12 +19,24 @@ double largest_wave(double patches, Periodic periodic, const LongWaves::Range& r
   return periodic.any() ? std::max(free, 4.0) : free;
 }
 
+// In the order of AxisWaves::number.
+std::vector<AxisProducts::Term> all_products() {
+  std::vector<AxisProducts::Term> out;
+  for (Index j = 0; j <= AxisWaves::most; ++j)
+    for (Index k = 0; k <= AxisWaves::most; ++k) out.push_back({j, k});
+  return out;
+}
+
 }  // namespace
 
 Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count) {
   const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.5, static_cast<double>(n) - 0.5) *
                                (std::numbers::pi / static_cast<double>(n));
-  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(n, count + 1);
+  return axis_waves(phase, periodic, count);
+}
+
+Eigen::MatrixXd axis_waves(const Eigen::ArrayXd& phase, bool periodic, Index count) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Ones(phase.size(), count + 1);
   for (Index j = 1; j <= count; ++j) {
     const double quarter = periodic && j % 2 == 0 ? std::numbers::pi / 2 : 0;  // of a sine
     out.col(j) = std::numbers::sqrt2 * (static_cast<double>(half_waves(j, periodic)) * phase - quarter).cos();
@@ -34,18 +45,8 @@ Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count) {
 }
 
 AxisWaves::AxisWaves(const Grid& grid)
-    : x_(axis_waves(grid.shape.nx, grid.periodic.x, most)),
-      y_(axis_waves(grid.shape.ny, grid.periodic.y, most)),
-      of_complete_row_(y_.transpose() * y_) {}
-
-void AxisWaves::add_row(Squares& squares, Index i, const Eigen::VectorXd& points) const {
-  const bool complete = (points.array() == 1).all();
-  const Eigen::MatrixXd of_row =
-      complete ? of_complete_row_ : (y_.transpose() * points.asDiagonal() * y_).eval();
-  const Index m = most + 1;
-  for (Index j = 0; j < m; ++j)
-    for (Index l = 0; l < m; ++l) squares.block(j * m, l * m, m, m) += x_(i, j) * x_(i, l) * of_row;
-}
+    : products_(axis_waves(grid.shape.nx, grid.periodic.x, most),
+                axis_waves(grid.shape.ny, grid.periodic.y, most), all_products()) {}
 
 LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, const Range& range)
     : patches_(extent.patches), largest_(largest_wave(extent.patches, grid.periodic, range)) {
@@ -63,14 +64,11 @@ LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, const Range& r
 Eigen::MatrixXd LongWaves::directions(const AxisWaves::Squares& squares) const {
   constexpr double least_share = 0.2, round_off = 1e-12;
   std::vector<Index> own;
-  for (const Wave& wave : all_) own.push_back(AxisWaves::number(wave.x, wave.y));
+  for (const Wave& wave : all_) own.push_back(AxisWaves::number(wave.a, wave.b));
   const double n = squares(0, 0);
   if (!(n > 0) || own.empty()) return Eigen::MatrixXd(0, static_cast<Index>(own.size()));
   const Eigen::VectorXd mean = squares(own, 0) / n;
-  const Eigen::MatrixXd root = covariance_root(squares(own, own) / n - mean * mean.transpose());
-  const Eigen::VectorXd lambda = root.colwise().squaredNorm();  // ascending
-  const Index count = (lambda.array() >= std::max(least_share * lambda.maxCoeff(), round_off)).count();
-  return (root * lambda.cwiseInverse().asDiagonal()).rightCols(count).transpose();
+  return orthonormal(squares(own, own) / n - mean * mean.transpose(), least_share, round_off);
 }
 
 double LongWaves::degrees(Index waves, double half) const {
@@ -157,7 +155,7 @@ LocalMeans LocalSums::means(const FieldExtent& extent) const {
   const auto& waves = out.long_waves_.all();
   Eigen::MatrixXd of_waves(functions_, static_cast<Index>(waves.size()));
   for (std::size_t k = 0; k < waves.size(); ++k) {
-    const Eigen::VectorXd c = sums_.waves[static_cast<std::size_t>(waves[k].x)].col(waves[k].y) / n;
+    const Eigen::VectorXd c = sums_.waves[static_cast<std::size_t>(waves[k].a)].col(waves[k].b) / n;
     of_waves.col(static_cast<Index>(k)) = (c - means * c(0)).tail(functions_);
   }
   out.waves_ = of_waves * out.long_waves_.directions(sums_.squares).transpose();

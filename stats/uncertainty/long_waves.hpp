@@ -42,6 +42,7 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
+#include "stats/filter/axis_products.hpp"
 
 namespace asperity {
 
@@ -54,35 +55,37 @@ struct FieldExtent {
 
 /// The waves along an axis of n points, of mean square 1: 1, then the longest `count`, a column each.
 Eigen::MatrixXd axis_waves(Index n, bool periodic, Index count);
+/// The same at the places π (i + ½)/n = `phase`.
+Eigen::MatrixXd axis_waves(const Eigen::ArrayXd& phase, bool periodic, Index count);
 /// ν of its column j.
 inline Index half_waves(Index j, bool periodic) { return periodic ? j + j % 2 : j; }
 
-/// The waves along either axis of a grid, whose products are the waves of a field.
+/// The products of waves along either axis of a grid: the waves of a field.
 class AxisWaves {
  public:
   static constexpr Index most = 4;  ///< along an axis
 
   explicit AxisWaves(const Grid& grid);
-  const Eigen::MatrixXd& x() const { return x_; }  ///< a column each
-  const Eigen::MatrixXd& y() const { return y_; }
+  const Eigen::MatrixXd& x() const { return products_.x(); }  ///< a column each
+  const Eigen::MatrixXd& y() const { return products_.y(); }
   /// Where the product of waves j along x and k along y stands in `Squares`.
   static constexpr Index number(Index j, Index k) { return j * (most + 1) + k; }
   /// Σ u_k u_l over the points of a field.
   using Squares = Eigen::MatrixXd;
   static Squares none() { return Squares::Zero(number(most + 1, 0), number(most + 1, 0)); }
   /// Adds those of row i, whose points are 1, others 0.
-  void add_row(Squares& squares, Index i, const Eigen::VectorXd& points) const;
+  void add_row(Squares& squares, Index i, const Eigen::VectorXd& points) const {
+    products_.add_row(squares, i, points);
+  }
 
  private:
-  Eigen::MatrixXd x_, y_, of_complete_row_;
+  AxisProducts products_;
 };
 
 /// The waves (2).
 class LongWaves {
  public:
-  struct Wave {
-    Index x, y;  ///< columns of the axes' waves
-  };
+  using Wave = AxisProducts::Term;  ///< columns of the axes' waves
   /// Bounds of J².
   struct Range {
     double least = 0, most = 20;

@@ -31,8 +31,8 @@ Interval score_interval(double f, double independent, double most, double t) {
 
 ShareErrors::ShareErrors(const Grid& grid, const FieldExtent& extent, Index classes)
     : long_waves_(grid, extent), along_(grid) {
-  x_ = chosen(along_.x(), long_waves_.all(), &LongWaves::Wave::x);
-  y_ = chosen(along_.y(), long_waves_.all(), &LongWaves::Wave::y);
+  x_ = chosen(along_.x(), long_waves_.all(), &LongWaves::Wave::a);
+  y_ = chosen(along_.y(), long_waves_.all(), &LongWaves::Wave::b);
   waves_.setZero(x_.rows(), classes);
   at_all_.setZero(x_.rows());
   of_values_.setZero(x_.rows());

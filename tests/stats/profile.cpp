@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/measure.hpp"
+#include "stats/measure/groups.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "whole.hpp"
 
@@ -105,6 +106,23 @@ TEST_CASE("points that a profile lacks are left out, and no element reaches over
   const double slope = full[profile_dq];
   CHECK(std::abs(p[profile_dq] / slope - 1) <= 0.05);  // other phases of the wave count
   CHECK(profile_parameters(Eigen::ArrayXd::Constant(9, std::nan("")), 1, whole, false).isNaN().all());
+}
+
+// Once, Pp of a surface that varies along y only was -2e-24 m, with an error, and Pv as much.
+TEST_CASE("profiles that are straight to round-off have no heights", "[profile][contract]") {
+  Field z = white_noise({1, 60}, 3).replicate(40, 1);
+  for (const int degree : {0, 2}) {
+    const Surface surface = prepared({.grid = grid(40, 60), .heights = 1e-7 * z}, {.degree = degree});
+    const Sample sample(surface, false);
+    for (const Parameter& p : profile_averages(sample, {.profiles = Axis1D::x})) {
+      CAPTURE(degree, p.name, p.value);
+      if (p.name.starts_with("profiles")) continue;
+      const bool shape = p.name.starts_with("Psk") || p.name.starts_with("Pku") || p.name.starts_with("PSm");
+      if (shape) CHECK(std::isnan(p.value));
+      if (!shape) CHECK(p.value == 0);
+      CHECK(std::isnan(p.standard_error));
+    }
+  }
 }
 
 TEST_CASE("averages are over the profiles along one axis, and do not change when the surface is transposed",
