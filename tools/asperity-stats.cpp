@@ -35,8 +35,10 @@ bool larger_than_memory(const std::string& path, std::size_t memory) {
 std::string needs_whole_field(const MeasureOptions& asked, const std::string& errors) {
   if (errors == "twins") return "--errors twins";
   if (asked.groups.contains(Group::spatial)) return "--parameters spatial";
-  if (!std::isnan(asked.preparation.short_cutoff)) return "--lambda-s";
-  return std::isnan(asked.preparation.long_cutoff) ? "" : "--lambda-c";
+  const auto& [form, shorter, longer] = asked.preparation;
+  if (form.kind != Form::Kind::polynomial) return "--remove-form " + form.words();
+  if (shorter.given()) return "--lambda-s";
+  return longer.given() ? "--lambda-c" : "";
 }
 
 // The surfaces of the command line, measured one by one.
@@ -79,7 +81,7 @@ class Surfaces {
   Sample strips_of(const FieldFile& file) const {
     const StripReader reader({file.grid(), [&](Index first, Index count) { return file.rows(first, count); },
                               [&](Index first, Index count) { return file.columns(first, count); }},
-                             asked_.preparation.degree, tool_.memory());
+                             asked_.preparation.form.degree, tool_.memory());
     const Sample sample(reader, field_.without_heights(file.dataset()), asked_.groups.contains(Group::hybrid),
                         tool_.thread_count());
     const std::string rows = counted(reader.rows(), "row");

@@ -17,14 +17,14 @@ namespace {
 // What the field was prepared with, as far as it takes heights away from a twin. Filters would act twice: the
 // twin's correlation is that of the filtered field.
 Preparation repeated(const Preparation& preparation) {
-  return {.degree = preparation.filters() ? 0 : preparation.degree};
+  return {.form = preparation.filters() ? Form{} : preparation.form};
 }
 
 // The factor that gives twins the rms height of the field, after their form is removed.
 double scale_of(const TwinFields& twins, const Sample& sample, const MeasureOptions& asked, Index count) {
   double square = 0;
   for (Index k = 0; k < count; ++k) {
-    const Field z = remove_form(twins.heights(k), repeated(asked.preparation).degree);
+    const Field z = without_form(twins.heights(k), sample.grid(), repeated(asked.preparation).form).heights;
     square += z.isNaN().select(0, z).square().sum() / sample.size().points();
   }
   return sample.moments().sq / std::sqrt(square / static_cast<double>(count));

@@ -1,0 +1,72 @@
+// Form and waves.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "tools/filter/step.hpp"
+#include "tools/measure/preparation_words.hpp"
+
+namespace asperity::cli {
+namespace {
+
+std::string words_of(const CurvedForm& form) {
+  std::string out = (form.radius > 0 ? "a dome" : "a bowl") + std::string(" of radius ") +
+                    figure(std::abs(form.radius), "m");
+  if (form.shape == CurvedShape::cylinder) {
+    const double degrees = std::atan2(form.axis[1], form.axis[0]) * 180 / std::numbers::pi;
+    out += ", axis at " + shortest(std::round(10 * degrees) / 10) + "deg";
+  }
+  return out + "; ";
+}
+
+Act without_form(const std::string& value) {
+  return [form = parse_form("remove-form", value)](const Tool& tool, Surface& surface) -> Account {
+    const WithoutForm found =
+        asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
+    const Field former = std::exchange(surface.heights, found.heights);
+    surface.degree = std::max(surface.degree, form.modes());
+    return {(found.curved ? words_of(*found.curved) : "") + removed(former, surface.heights, surface.units)};
+  };
+}
+
+// The waves on one side of the cut-off stay.
+template <bool longer_stay>
+Account filtered(const std::string& option, const Cutoff& cutoff, const Tool& tool, Surface& surface) try {
+  check_cutoff(option, cutoff, surface.grid);
+  warn_of_cutoff(tool, cutoff, surface.grid);
+  LongWaves waves = long_waves(surface.heights, surface.grid, cutoff, tool.thread_count());
+  const Field former = std::exchange(
+      surface.heights, longer_stay ? std::move(waves.surface) : Field(surface.heights - waves.surface));
+  return {removed(former, surface.heights, surface.units), false, waves.doubt};
+} catch (const ParameterError& error) {
+  throw ParameterError(option, error.what());
+}
+
+Act short_waves_removed(const std::string& value) {
+  return [cutoff = parse_cutoff("lambda-s", value)](const Tool& tool, Surface& surface) {
+    return filtered<true>("lambda-s", cutoff, tool, surface);
+  };
+}
+
+Act long_waves_removed(const std::string& value) {
+  return [cutoff = parse_cutoff("lambda-c", value)](const Tool& tool, Surface& surface) {
+    return filtered<false>("lambda-c", cutoff, tool, surface);
+  };
+}
+
+}  // namespace
+
+std::vector<StepKind> form_steps() {
+  const char* group = "Form and waves";
+  return {{"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form},
+          {"lambda-s", cutoff_kind, "Keep the waves longer than this, by the S-filter. " + filter_words,
+           group, short_waves_removed},
+          {"lambda-c", cutoff_kind,
+           "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s", group,
+           long_waves_removed}};
+}
+
+}  // namespace asperity::cli
