@@ -22,7 +22,7 @@ WithoutForm without_form(const Field& z, const Grid& grid, const Form& form, int
   return {above_form(z, grid, found), found};
 }
 
-LongWaves long_waves(const Field& z, const Grid& grid, const Cutoff& cutoff, int threads) {
+MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff, int threads) {
   const double at = cutoff.wavelength;
   if (cutoff.filter == Cutoff::Filter::gaussian) return {gaussian_mean_surface(z, grid, at, threads)};
   if (cutoff.filter == Cutoff::Filter::spline) return {spline_mean_surface(z, grid, at, threads)};

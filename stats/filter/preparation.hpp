@@ -48,11 +48,11 @@ struct WithoutForm {
 /// Throws ParameterError("remove-form") where the measured points do not determine the form.
 WithoutForm without_form(const Field& z, const Grid& grid, const Form& form, int threads = 1);
 
-struct LongWaves {
+struct MeanSurface {
   Field surface;
   std::string doubt = {};  ///< of a filter that has not converged; "": none
 };
 /// The waves longer than the cut-off. Throws ParameterError("cut-off") as the filters do.
-LongWaves long_waves(const Field& z, const Grid& grid, const Cutoff& cutoff, int threads = 1);
+MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff, int threads = 1);
 
 }  // namespace asperity

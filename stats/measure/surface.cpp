@@ -17,7 +17,7 @@ namespace {
 double largest_of(const Field& z) { return z.abs().maxCoeff<Eigen::PropagateNumbers>(); }
 
 Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int threads) try {
-  LongWaves waves = long_waves(surface.heights, surface.grid, cutoff, threads);
+  MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, threads);
   if (!waves.doubt.empty()) surface.doubts.push_back("`" + std::string(name) + "`: " + waves.doubt);
   return std::move(waves.surface);
 } catch (const ParameterError& error) {

@@ -1,6 +1,7 @@
 // Form and waves.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -32,12 +33,25 @@ Act without_form(const std::string& value) {
   };
 }
 
+ActOnParts without_form_in_strips(const std::string& value) {
+  const Form form = parse_form("remove-form", value);
+  if (form.kind != Form::Kind::polynomial) return {};
+  return [form](FieldParts& parts, std::size_t memory, const std::string& units) -> Account {
+    const auto above = std::make_shared<StripReader>(parts, form.degree, memory);
+    Removal removal;
+    above->for_each_strip(
+        0, [&](const Field& strip, Index core, Index first) { removal.add(parts.rows(first, core), strip); });
+    parts.rows = [above](Index first, Index count) { return above->strip(first, count); };
+    return {removal.words(units)};
+  };
+}
+
 // The waves on one side of the cut-off stay.
 template <bool longer_stay>
 Account filtered(const std::string& option, const Cutoff& cutoff, const Tool& tool, Surface& surface) try {
   check_cutoff(option, cutoff, surface.grid);
   warn_of_cutoff(tool, cutoff, surface.grid);
-  LongWaves waves = long_waves(surface.heights, surface.grid, cutoff, tool.thread_count());
+  MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, tool.thread_count());
   const Field former = std::exchange(
       surface.heights, longer_stay ? std::move(waves.surface) : Field(surface.heights - waves.surface));
   return {removed(former, surface.heights, surface.units), false, waves.doubt};
@@ -61,12 +75,13 @@ Act long_waves_removed(const std::string& value) {
 
 std::vector<StepKind> form_steps() {
   const char* group = "Form and waves";
-  return {{"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form},
-          {"lambda-s", cutoff_kind, "Keep the waves longer than this, by the S-filter. " + filter_words,
-           group, short_waves_removed},
-          {"lambda-c", cutoff_kind,
-           "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s", group,
-           long_waves_removed}};
+  return {
+      {"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form,
+       without_form_in_strips},
+      {"lambda-s", cutoff_kind, "Keep the waves longer than this, by the S-filter. " + filter_words, group,
+       short_waves_removed},
+      {"lambda-c", cutoff_kind, "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s",
+       group, long_waves_removed}};
 }
 
 }  // namespace asperity::cli

@@ -69,8 +69,7 @@ Act outliers(const std::string& value) {
   const auto bound = to_number<double>(value.substr(0, comma));
   if (!bound || !(*bound > 0 && std::isfinite(*bound)))
     refuse("outliers", value, "does not begin with a number of deviations above 0");
-  const SampledLength width =
-      width_of("outliers", comma == value.size() ? "5px" : value.substr(comma + 1));
+  const SampledLength width = width_of("outliers", comma == value.size() ? "5px" : value.substr(comma + 1));
   return [bound = *bound, width](const Tool& tool, Surface& surface) -> Account {
     WithoutOutliers found = without_outliers(surface.heights, surface.grid, window_of(width, surface.grid),
                                              bound, tool.thread_count());
@@ -95,11 +94,24 @@ Act fill(const std::string& value) {
   };
 }
 
-Act scale(const std::string& value) {
+double factor_of(const std::string& value) {
   const auto factor = to_number<double>(value);
   if (!factor || *factor == 0 || !std::isfinite(*factor)) refuse("scale", value, "is not a number besides 0");
-  return [factor = *factor](const Tool&, Surface& surface) -> Account {
+  return *factor;
+}
+
+Act scale(const std::string& value) {
+  return [factor = factor_of(value)](const Tool&, Surface& surface) -> Account {
     surface.heights *= factor;
+    return {"multiplied by " + shortest(factor)};
+  };
+}
+
+ActOnParts scale_in_strips(const std::string& value) {
+  return [factor = factor_of(value)](FieldParts& parts, std::size_t, const std::string&) -> Account {
+    parts.rows = [factor, rows = parts.rows](Index first, Index count) -> Field {
+      return rows(first, count) * factor;
+    };
     return {"multiplied by " + shortest(factor)};
   };
 }
@@ -108,21 +120,23 @@ Act scale(const std::string& value) {
 
 std::vector<StepKind> point_steps() {
   const char *group = "Form and waves", *points = "Points";
-  return {{"closing", "RADIUS",
-           "Fill the valleys that a ball of this radius does not reach from above: morphological closing (ISO "
-           "16610-85)",
-           group, closed},
-          {"opening", "RADIUS", "Cut the summits that a ball does not reach from below", group, opened},
-          {"median", "WIDTH", "Put the median of a window in place of each height; 5px, 10um", group, median},
-          {"outliers", "K[,WIDTH]",
-           "Make points missing that lie further than K robust standard deviations from the median of the "
-           "window around them; 5, 5,10um. Default WIDTH: 5px",
-           points, outliers},
-          {"fill", "laplace|mean|least",
-           "Fill missing points; laplace: with a membrane over each hole (Laplace's equation), mean: with the "
-           "mean height, least: with the smallest height",
-           points, fill},
-          {"scale", "NUMBER", "Multiply the heights; -1 turns summits into valleys", points, scale}};
+  return {
+      {"closing", "RADIUS",
+       "Fill the valleys that a ball of this radius does not reach from above: morphological closing (ISO "
+       "16610-85)",
+       group, closed},
+      {"opening", "RADIUS", "Cut the summits that a ball does not reach from below", group, opened},
+      {"median", "WIDTH", "Put the median of a window in place of each height; 5px, 10um", group, median},
+      {"outliers", "K[,WIDTH]",
+       "Make points missing that lie further than K robust standard deviations from the median of the "
+       "window around them; 5, 5,10um. Default WIDTH: 5px",
+       points, outliers},
+      {"fill", "laplace|mean|least",
+       "Fill missing points; laplace: with a membrane over each hole (Laplace's equation), mean: with the "
+       "mean height, least: with the smallest height",
+       points, fill},
+      {"scale", "NUMBER", "Multiply the heights; -1 turns summits into valleys", points, scale,
+       scale_in_strips}};
 }
 
 }  // namespace asperity::cli

@@ -61,7 +61,8 @@ std::string close(Surface& surface, const Seam& seam, Axis1D axis) {
 }  // namespace
 
 const std::string seam_text =
-    "Let the map repeat along AXIS: x, y or both. The jump at the seam is told. HOW makes it smaller; tilt: by "
+    "Let the map repeat along AXIS: x, y or both. The jump at the seam is told. HOW makes it smaller; tilt: "
+    "by "
     "a tilt that removes its mean, taper=LENGTH: by fading the heights to their mean within LENGTH of both "
     "ends; x,tilt";
 

@@ -1,7 +1,7 @@
 #include "tools/filter/step.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,27 +9,49 @@
 #include "stats/filter/missing.hpp"
 
 namespace asperity::cli {
-namespace {
-
-// Mean, and rms about it, of the points that are there.
-std::pair<double, double> mean_and_rms(const Field& z) {
-  const auto [sum, count] = sum_of_valid(z);
-  if (count == 0) return {0, 0};
-  const double mean = sum / count;
-  return {mean, std::sqrt(sum_of_valid((z - mean).square()).sum / count)};
-}
-
-}  // namespace
 
 std::string figure(double value, const std::string& units) {
   const std::string four = in_digits(value, 4);
   return units == "m" ? format_quantity(to_number<double>(four).value_or(value), units) : four + " " + units;
 }
 
+// About the first value, so that an offset costs no digits.
+void Removal::Spread::add(const Field& z) {
+  if (z.isNaN().all()) return;
+  if (count == 0)
+    for (const double value : z.reshaped<Eigen::RowMajor>())
+      if (!std::isnan(value)) {
+        base = value;
+        break;
+      }
+  for (Index i = 0; i < z.rows(); ++i) {
+    const Eigen::ArrayXd above = z.row(i).transpose() - base;
+    const ValidSum row = sum_of_valid(above);
+    sum += row.sum;
+    count += row.count;
+    squares += sum_of_valid(above.square()).sum;
+  }
+}
+
+double Removal::Spread::rms() const {
+  const double mean = sum / count;
+  return count > 0 ? std::sqrt(std::max(0.0, squares / count - mean * mean)) : 0;
+}
+
+void Removal::add(const Field& before, const Field& after) {
+  gone_.add(before - after);
+  left_.add(after);
+}
+
+std::string Removal::words(const std::string& units) const {
+  return fmt::format("removed {} rms about a mean of {}; {} rms is left", figure(gone_.rms(), units),
+                     figure(gone_.mean(), units), figure(left_.rms(), units));
+}
+
 std::string removed(const Field& before, const Field& after, const std::string& units) {
-  const auto [mean, rms] = mean_and_rms(before - after);
-  const std::string left = figure(mean_and_rms(after).second, units) + " rms is left";
-  return fmt::format("removed {} rms about a mean of {}; {}", figure(rms, units), figure(mean, units), left);
+  Removal out;
+  out.add(before, after);
+  return out.words(units);
 }
 
 std::string share_of(Index points, Index all) {
