@@ -14,8 +14,9 @@
 namespace asperity {
 namespace {
 
-// What the field was prepared with, as far as it takes heights away from a twin: of a sphere or a cylinder, the
-// polynomial that takes as much. Filters would act twice: the twin's correlation is that of the filtered field.
+// What the field was prepared with, as far as it takes heights away from a twin: of a sphere or a cylinder,
+// the polynomial that takes as much. Filters would act twice: the twin's correlation is that of the filtered
+// field.
 Preparation repeated(const Preparation& preparation, const Sample& sample) {
   return {.form = {.degree = preparation.filters() ? 0 : sample.surface().degree}};
 }
