@@ -31,7 +31,7 @@ const char* name_of(CurvedShape shape) { return shape == CurvedShape::sphere ? "
   throw ParameterError("remove-form", "'" + std::string(name_of(shape)) + "': " + why);
 }
 
-// The root h of (1) that is zero where κ and n·(x, y, 0) are; a = 0 of a sphere. As κ/2 dᵀMd + n·d = A h² + B h + C.
+// The root h of (1), A h² + B h + C = 0, that stays finite as κ → 0; a = 0 of a sphere.
 double root(const Vector3d& a, const Vector3d& n, double curvature, double x, double y) {
   const Vector3d flat(x, y, 0);
   const double along = a.dot(flat), A = curvature / 2 * (1 - a.z() * a.z()),

@@ -46,12 +46,12 @@ class RankSet {
   Index count() const { return count_; }
   /// The k-th, from 0. Searches on from the run of the last answer.
   Index at(Index k) {
-    while (below_ > k) below_ -= runs_[size(--present_)];
+    for (; below_ > k; below_ -= runs_[size(present_)]) present_ -= 1;
     while (below_ + runs_[size(present_)] <= k) below_ += runs_[size(present_++)];
     Index left = k - below_, word = present_ * (run / 64);
     for (; std::popcount(bits_[size(word)]) <= left; ++word) left -= std::popcount(bits_[size(word)]);
     std::uint64_t rest = bits_[size(word)];
-    for (; left > 0; --left) rest &= rest - 1;
+    while (left-- > 0) rest &= rest - 1;
     return word * 64 + std::countr_zero(rest);
   }
 

@@ -23,7 +23,7 @@ double fourth_power_of_alpha(double step, double cutoff) {
   return std::pow(2 * std::sin(std::numbers::pi * step / cutoff), -4);
 }
 
-// (1) along the rows of a field of n rows, a free axis: 1 + α⁴ DᵀD = L diag(d) Lᵀ, two bands below the diagonal.
+// (1) along the rows of a field of n rows, a free axis: 1 + α⁴ DᵀD = L diag(d) Lᵀ with two bands in L.
 class FreeAxis {
  public:
   FreeAxis(Index n, double alpha4) : d_(n), first_(n), second_(n) {
