@@ -33,14 +33,16 @@ enum class CurvedShape { sphere, cylinder };
 struct CurvedForm {
   CurvedShape shape = CurvedShape::sphere;
   double radius = 0;  ///< [m]; above zero a dome, below a bowl
-  /// Of the sphere; of the cylinder the axis' point nearest to (0, 0, c) [m]. (0, 0) is the field's middle.
+  /// Of the sphere; of the cylinder the axis' point next to (0, 0, c) [m]. (0, 0) is the field's middle.
   std::array<double, 3> centre{};
-  std::array<double, 3> axis{};  ///< of the cylinder: a unit vector; zero for a sphere
-  double rms = 0;                ///< of the heights above the form [m]
-  int steps = 0;                 ///< of the iteration
+  std::array<double, 3> axis{};    ///< a: of the cylinder, zero for a sphere
+  std::array<double, 3> normal{};  ///< n
+  double level = 0, rise = 0;      ///< c = level + rise [m], level the mean of the heights
+  double rms = 0;                  ///< of the heights above the form [m]
+  int steps = 0;                   ///< of the iteration
 
-  /// The form's height at (x, y); NaN beyond its outline.
-  double height(double x, double y) const;
+  /// The form's height above `level` at (x, y) [m]; NaN beyond its outline.
+  double above_level(double x, double y) const;
 };
 
 /// Throws ParameterError("remove-form") where the points do not determine the form: fewer of them than it has
