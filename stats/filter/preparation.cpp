@@ -1,8 +1,11 @@
 #include "stats/filter/preparation.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/words.hpp"
+#include "stats/filter/curved_form.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/gaussian_filter.hpp"
 #include "stats/filter/robust_gaussian.hpp"
@@ -19,7 +22,8 @@ WithoutForm without_form(const Field& z, const Grid& grid, const Form& form, int
   if (form.kind == Form::Kind::polynomial) return {remove_form(z, form.degree)};
   const CurvedShape shape = form.kind == Form::Kind::sphere ? CurvedShape::sphere : CurvedShape::cylinder;
   const CurvedForm found = fit_curved_form(z, grid, shape, threads);
-  return {above_form(z, grid, found), found};
+  return {above_form(z, grid, found), found.radius,
+          std::remainder(std::atan2(found.axis[1], found.axis[0]), std::numbers::pi)};
 }
 
 MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff, int threads) {

@@ -13,11 +13,9 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "core/field.hpp"
-#include "stats/filter/curved_form.hpp"
 
 namespace asperity {
 
@@ -41,9 +39,11 @@ struct Cutoff {
   bool given() const { return !std::isnan(wavelength); }
 };
 
+/// Heights above a form; of a sphere or a cylinder what stats/filter/curved_form.hpp found.
 struct WithoutForm {
   Field heights;
-  std::optional<CurvedForm> curved = {};  ///< what was subtracted, where it is no polynomial
+  double radius = std::numeric_limits<double>::infinity();  ///< [m]; above zero a dome, below a bowl
+  double axis = 0;  ///< of a cylinder: angle from +x towards +y, at most π/2 either way [rad]
 };
 /// Throws ParameterError("remove-form") where the measured points do not determine the form.
 WithoutForm without_form(const Field& z, const Grid& grid, const Form& form, int threads = 1);

@@ -34,7 +34,10 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.degree = std::max(surface.degree, form.modes());
   if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);
   if (longer.given()) surface.heights -= waves_beyond(surface, "lambda-c", longer, threads);
-  if (preparation.filters()) surface.correlation.reset(), surface.distribution.reset();
+  if (preparation.filters()) {
+    surface.heights -= mean(surface.heights);
+    surface.correlation.reset(), surface.distribution.reset();
+  }
   refuse_round_off(largest_of(surface.heights), size, form, surface.variable);
   return surface;
 }

@@ -1,4 +1,5 @@
 // asperity-filter: what each step does and tells. The operators themselves are tested in tests/stats.
+#include <numbers>
 #include <utility>
 
 #include "stats/filter/form.hpp"
@@ -37,6 +38,32 @@ TEST_CASE("history tells the rms and the mean of a form that was removed, and wh
       EndsWith("\n  1. remove-form plane: removed 1.893um rms about a mean of 4um; 100nm rms is left"));
   CHECK(same_bits(heights_in("out.nc"), remove_form(heights_in("map.nc"), 1)));
   CHECK(read_dataset("out.nc").attributes.number("filter_form_degree", 0) == 1);
+}
+
+// Ripples of 1 nm leave an error of R of about 10 R² σ/(L² √N) = 0.6 nm/5 mm; the axis is at most a quarter off.
+TEST_CASE("history tells the radius of a ball or of a bowl that was removed, and the axis of a cylinder",
+          "[filter][exact]") {
+  const Grid square{{64, 48}, 1e-5, 1e-5};
+  const double r = 5e-3, turn = std::numbers::pi / 6;
+  const Field ripples =
+      sample(square, [](double x, double y) { return 1e-9 * std::sin(3e5 * x) * std::cos(2e5 * y); });
+  const auto cap = [&](double d) { return std::sqrt(r * r - d * d) - r; };
+  write_map(ripples + sample(square, [&](double x, double y) { return cap(std::hypot(x, y)); }), square,
+            "map.nc");
+  CHECK_THAT(filtered("--remove-form sphere"),
+             ContainsSubstring("1. remove-form sphere: a dome of radius 5mm; removed "));
+  CHECK(heights_in("out.nc").abs().maxCoeff() <= 2e-9);
+  CHECK(read_dataset("out.nc").attributes.number("filter_form_degree", 0) == 2);
+  const Field across =
+      sample(square, [&](double x, double y) { return -cap(y * std::cos(turn) - x * std::sin(turn)); });
+  write_map(ripples + across, square, "map.nc");
+  CHECK_THAT(filtered("--remove-form cylinder"),
+             ContainsSubstring("1. remove-form cylinder: a bowl of radius 5mm, axis at 30deg; removed "));
+  CHECK(heights_in("out.nc").abs().maxCoeff() <= 2e-9);
+  // The same surface by asperity-stats.
+  const auto sq = [](const std::string& line) { return shell(line + " --json | jq .Sq.value").out; };
+  CHECK(std::stod(sq("asperity-stats -q map.nc --errors none --remove-form cylinder")) ==
+        Catch::Detail::Approx(std::stod(sq("asperity-stats -q out.nc --errors none"))).epsilon(1e-9));
 }
 
 TEST_CASE("the steps of waves are the library's filters, and keep the waves on their side",
@@ -155,7 +182,7 @@ TEST_CASE("what a step cannot take is one line, exit 2 and no output", "[filter]
       {"map.nc --remove-form 21", "asperity-filter: --remove-form: '21' is not a degree from 0 to 20"},
       {"map.nc --lambda-c 8", "asperity-filter: --lambda-c: '8' has no unit"},
       {"map.nc --lambda-c 8um,best", "asperity-filter: --lambda-c: 'best' is none of gaussian|robust|spline"},
-      {"map.nc --lambda-c 1mm", "asperity-filter: --lambda-c 1mm: 1mm is longer than the field, 72um"},
+      {"map.nc --lambda-c 1mm", "asperity-filter: --lambda-c: 1mm is longer than the field, 72um"},
       {"map.nc --lambda-c 1um",
        "asperity-filter: --lambda-c: '1e-06 m' is not finite or is below two samples"},
       {"map.nc --lambda-s 30um --lambda-c 20um",

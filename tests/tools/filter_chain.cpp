@@ -66,7 +66,8 @@ TEST_CASE("a filtered map measures as the raw one does with the same options, to
   require(draw);
   for (const char* steps :
        {"--remove-form plane", "--remove-form 3", "--remove-form plane --lambda-s 4um",
-        "--remove-form plane --lambda-s 4um --lambda-c 40um", "--remove-form 2 --lambda-c 40um"}) {
+        "--remove-form plane --lambda-s 4um --lambda-c 40um", "--lambda-s 4um,spline --lambda-c 40um,robust",
+        "--remove-form 2 --lambda-c 40um"}) {
     CAPTURE(steps);
     const std::string measure = " --errors theory --parameters height,material,hybrid,spatial --json ";
     const Json raw = Json::parse(require("asperity-stats -q map.nc" + measure + steps).out);

@@ -13,23 +13,25 @@
 namespace asperity::cli {
 namespace {
 
-std::string words_of(const CurvedForm& form) {
-  std::string out = (form.radius > 0 ? "a dome" : "a bowl") + std::string(" of radius ") +
-                    figure(std::abs(form.radius), "m");
-  if (form.shape == CurvedShape::cylinder) {
-    const double degrees = std::atan2(form.axis[1], form.axis[0]) * 180 / std::numbers::pi;
-    out += ", axis at " + shortest(std::round(10 * degrees) / 10) + "deg";
-  }
+// "a dome of radius 5mm; ", of what is no polynomial.
+std::string words_of(const WithoutForm& found, Form::Kind kind) {
+  if (kind == Form::Kind::polynomial) return "";
+  std::string out = (found.radius > 0 ? "a dome" : "a bowl") + std::string(" of radius ") +
+                    figure(std::abs(found.radius), "m");
+  if (kind == Form::Kind::cylinder)
+    out += ", axis at " + in_digits(found.axis * 180 / std::numbers::pi, 4) + "deg";
   return out + "; ";
 }
 
 Act without_form(const std::string& value) {
   return [form = parse_form("remove-form", value)](const Tool& tool, Surface& surface) -> Account {
-    const WithoutForm found =
-        asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
-    const Field former = std::exchange(surface.heights, found.heights);
+    WithoutForm found = asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
+    const Field former = std::exchange(surface.heights, std::move(found.heights));
     surface.degree = std::max(surface.degree, form.modes());
-    return {(found.curved ? words_of(*found.curved) : "") + removed(former, surface.heights, surface.units)};
+    std::string words = words_of(found, form.kind) + removed(former, surface.heights, surface.units);
+    if (const Index lost = missing_in(surface.heights) - missing_in(former); lost > 0)
+      words += "; " + share_of(lost, former.size()) + " lie beyond it and are missing now";
+    return {words};
   };
 }
 
