@@ -8,8 +8,8 @@
 ///     x_m = (m + ½)/A - ½,   m = 0 … nA - 1,                                                          (2)
 /// so that the domain keeps its place and its size. Of an odd A every A-th from (A-1)/2 is one of the field's
 /// own points. What has waves of less than two points, or steps, rings as (1) does. Values of any other
-/// spacing about the same middle are (1) at their places; waves of less than two of them are left out, so that
-/// none is taken for a longer one.
+/// spacing about the same middle are (1) at their places; waves of less than two of them are left out, so
+/// that none is taken for a longer one.
 ///
 /// Accuracy  ε log2(2 n A) max|z|; the waves of (1) exactly, and forms of degree 2 on a free axis. Waves of a
 ///           free axis have an error near its ends, where the mirror bends them: of one of amplitude a and

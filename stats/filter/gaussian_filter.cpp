@@ -13,12 +13,10 @@
 namespace asperity {
 namespace {
 
-constexpr double reach = 1.65;  // of the weight in cut-offs: there exp(-π(1.65/α)²) is below 1e-16
-
 // The weights along one axis of n samples, 0, 1, … samples away, cut at the reach and where the axis ends.
 Eigen::ArrayXd weights(Index n, double step, double cutoff) {
   constexpr double ln2 = std::numbers::ln2, pi = std::numbers::pi;
-  const double count = std::min(std::ceil(reach * cutoff / step), static_cast<double>(n));
+  const double count = std::min(std::ceil(gaussian_reach * cutoff / step), static_cast<double>(n));
   Eigen::ArrayXd w = Eigen::ArrayXd::NullaryExpr(static_cast<Index>(count), [=](Index k) {
     const double x = static_cast<double>(k) * step / cutoff;
     return std::exp(-pi * pi * x * x / ln2);

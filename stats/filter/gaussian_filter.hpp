@@ -11,7 +11,8 @@
 ///
 /// Symbols   λ_c  cut-off wavelength [m]: λ_s of the S-filter, λ_c of the L-filter
 /// Accuracy  Along a periodic axis (2) to round-off. Along another (1) is a sum over samples, which passes a
-///           wave's aliases too, with the amplitude 2^{-(λ_c/Δ)² (1 - Δ/λ)²}, and is cut where it is below 1e-16.
+///           wave's aliases too, with the amplitude 2^{-(λ_c/Δ)² (1 - Δ/λ)²},
+///           and is cut where it is below 1e-16.
 /// Cost      one pruned transform there and back, padded by 1.65 λ_c; with missing heights two.
 ///
 /// ISO 16610-61:2015; ISO 16610-28:2016.
@@ -23,6 +24,9 @@
 #include "transform/convolution.hpp"
 
 namespace asperity {
+
+/// Of the weight in cut-offs: there exp(-π(1.65/α)²) is below 1e-16.
+inline constexpr double gaussian_reach = 1.65;
 
 /// Throws ParameterError("cut-off") unless 2 max(Δx, Δy) ≤ λ_c < ∞.
 void check_cutoff(const Grid& grid, double cutoff);
