@@ -17,19 +17,15 @@ const std::string draw =
 
 using Json = nlohmann::json;
 
-// Every number of two tables within a share of itself, but for the mean height, which is that of the form.
+// Every number of two answers within a share of itself.
 void check_equal(const Json& one, const Json& other, double share) {
+  if (one.is_number() && other.is_number())
+    return CHECK(std::abs(one.get<double>() - other.get<double>()) <= share * std::abs(one.get<double>()));
   REQUIRE(one.size() == other.size());
-  for (const auto& [name, row] : one.items()) {
-    if (name == "mean") continue;
-    for (const auto& [what, value] : row.items()) {
-      CAPTURE(name, what, value.dump(), other[name][what].dump());
-      if (value.is_number())
-        CHECK(std::abs(value.get<double>() - other[name][what].get<double>()) <=
-              share * std::max(1e-3, std::abs(value.get<double>())));
-      else
-        CHECK(value == other[name][what]);
-    }
+  if (!one.is_structured()) return CHECK(one == other);
+  for (auto at = one.begin(), its = other.begin(); at != one.end(); ++at, ++its) {
+    CAPTURE(at->dump(), its->dump());
+    check_equal(*at, *its, share);
   }
 }
 
@@ -70,9 +66,10 @@ TEST_CASE("a filtered map measures as the raw one does with the same options, to
         "--remove-form 2 --lambda-c 40um"}) {
     CAPTURE(steps);
     const std::string measure = " --errors theory --parameters height,material,hybrid,spatial --json ";
-    const Json raw = Json::parse(require("asperity-stats -q map.nc" + measure + steps).out);
-    const Json written = Json::parse(
+    Json raw = Json::parse(require("asperity-stats -q map.nc" + measure + steps).out);
+    Json written = Json::parse(
         require("asperity-filter -q map.nc " + std::string(steps) + " | asperity-stats -q" + measure).out);
+    raw.erase("mean"), written.erase("mean");  // that of the form
     check_equal(raw, written, 1e-9);
   }
 }
