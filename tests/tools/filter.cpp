@@ -69,7 +69,8 @@ TEST_CASE("history tells the radius of a ball or of a bowl that was removed, and
 TEST_CASE("the steps of waves are the library's filters, and keep the waves on their side",
           "[filter][exact]") {
   write_map(rough(), grid, "map.nc");
-  const Field z = heights_in("map.nc"), long_waves = gaussian_mean_surface(z, grid, 20e-6);
+  const Field z = heights_in("map.nc"),
+              long_waves = gaussian_mean_surface(z, grid_of(read_dataset("map.nc")), 20e-6);
   CHECK_THAT(filtered("--lambda-s 20um"), ContainsSubstring("\n  1. lambda-s 20um: removed "));
   CHECK(same_bits(heights_in("out.nc"), long_waves));
   filtered("--lambda-c 20um");
@@ -191,7 +192,7 @@ TEST_CASE("what a step cannot take is one line, exit 2 and no output", "[filter]
       {"map.nc --median 4px", "asperity-filter: --median: '4px' is not an odd number of points"},
       {"map.nc --outliers 0", "asperity-filter: --outliers: '0' does not begin with a number"},
       {"map.nc --scale 0", "asperity-filter: --scale: '0' is not a number besides 0"},
-      {"map.nc --rotate 30", "asperity-filter: --rotate: '30' has no unit"},
+      {"map.nc --rotate 30", "asperity-filter: --rotate: '30' needs a unit"},
       {"map.nc --mirror z", "asperity-filter: --mirror: 'z' is none of x|y|both"},
       {"map.nc --make-periodic x,glue", "asperity-filter: --make-periodic: 'glue' is neither tilt nor"},
       {"map.nc --closing -1um", "asperity-filter: --closing: '-1um' is not a positive length"},

@@ -19,13 +19,13 @@ using Json = nlohmann::json;
 
 // Every number of two answers within a share of itself.
 void check_equal(const Json& one, const Json& other, double share) {
-  if (one.is_number() && other.is_number())
-    return CHECK(std::abs(one.get<double>() - other.get<double>()) <= share * std::abs(one.get<double>()));
-  REQUIRE(one.size() == other.size());
-  if (!one.is_structured()) return CHECK(one == other);
-  for (auto at = one.begin(), its = other.begin(); at != one.end(); ++at, ++its) {
-    CAPTURE(at->dump(), its->dump());
-    check_equal(*at, *its, share);
+  if (one.is_number() && other.is_number()) {
+    CHECK(std::abs(one.get<double>() - other.get<double>()) <= share * std::abs(one.get<double>()));
+  } else if (one.is_structured() && one.size() == other.size()) {
+    for (auto at = one.begin(), its = other.begin(); at != one.end(); ++at, ++its)
+      check_equal(*at, *its, share);
+  } else {
+    CHECK(one == other);
   }
 }
 
@@ -53,10 +53,12 @@ TEST_CASE("the same command gives the same bytes, and a second level changes rou
   require(
       "asperity-filter -q map.nc --remove-form 3 | asperity-filter -q --remove-form 3 -o twice.nc; "
       "asperity-filter -q map.nc --remove-form 3 -o once.nc");
+  CHECK_THAT(last_run("twice.nc"), ContainsSubstring("remove-form 3: removed nothing but round-off; "));
   CHECK((heights_in("twice.nc") - heights_in("once.nc")).abs().maxCoeff() <= 1e3 * epsilon * 1e-6);
 }
 
 // What is measured is what is written: one code for both. Errors too, for the dataset knows the form's degree.
+// Ends of intervals are roots, found to some 1e-8 of themselves.
 TEST_CASE("a filtered map measures as the raw one does with the same options, to round-off",
           "[filter][law][slow]") {
   require(draw);
@@ -70,7 +72,7 @@ TEST_CASE("a filtered map measures as the raw one does with the same options, to
     Json written = Json::parse(
         require("asperity-filter -q map.nc " + std::string(steps) + " | asperity-stats -q" + measure).out);
     raw.erase("mean"), written.erase("mean");  // that of the form
-    check_equal(raw, written, 1e-9);
+    check_equal(raw, written, 1e-7);
   }
 }
 
@@ -85,7 +87,7 @@ TEST_CASE("history has the command, and a line for each step in its order", "[fi
              ContainsSubstring("asperity-convert drawn.gsf"));
   const Outcome verbose = require("asperity-filter -v map.nc --scale 2 --no-history -o out.nc");
   CHECK(verbose.error == "1. scale 2: multiplied by 2\n");
-  CHECK_FALSE(read_dataset("out.nc").attributes.find("history"));
+  CHECK_THAT(last_run("out.nc"), ContainsSubstring("asperity-convert"));
 }
 
 TEST_CASE("steps of a file or a variable keep their order, and those of the command line replace them",

@@ -44,8 +44,12 @@ void Removal::add(const Field& before, const Field& after) {
 }
 
 std::string Removal::words(const std::string& units) const {
-  return fmt::format("removed {} rms about a mean of {}; {} rms is left", figure(gone_.rms(), units),
-                     figure(gone_.mean(), units), figure(left_.rms(), units));
+  const double rms = gone_.rms(), mean = gone_.mean(), left = left_.rms();
+  const std::string rest = figure(left, units) + " rms is left";
+  if (rms + std::abs(mean) <= 1e-12 * (left + std::abs(left_.mean())))
+    return "removed nothing but round-off; " + rest;
+  return fmt::format("removed {} rms about a mean of {}; {}", figure(rms, units),
+                     figure(std::abs(mean) > 1e-9 * rms ? mean : 0, units), rest);
 }
 
 std::string removed(const Field& before, const Field& after, const std::string& units) {
