@@ -62,9 +62,9 @@ Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              std::string_view bytes) {
-  return options.map.applied(tool, format.netcdf(bytes)
-                                       ? map_of(decoded(tool, bytes), options.variable)
-                                       : format.map(bytes, tool.input_name(), tool.memory_bound()));
+  return options.map.applied(format.netcdf(bytes)
+                                 ? map_of(decoded(tool, bytes), options.variable)
+                                 : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
 // Everything except fields below the surface.
@@ -74,24 +74,14 @@ Dataset without_depth(Dataset data) {
   return data;
 }
 
-// Replaces the surface by its map, cropped, thinned, filled or refined.
-Dataset changed(const cli::Tool& tool, const Options& options, Dataset data) {
-  const cli::Inventory before(data);
-  Dataset map = dataset_of(options.map.applied(tool, map_of(data, options.variable)));
-  cli::drop_surface(data, "kernel");
-  for (const Dimension& d : map.dimensions) data.set_dimension(d.name, d.length);
-  for (Variable& v : map.variables) data.put(std::move(v));
-  before.tell(tool, data, "map");
-  return data;
-}
-
 // A dataset keeps everything unless its map changes.
 Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                      std::optional<cli::Bytes> bytes) {
   if (!format.netcdf(*bytes)) return dataset_of(map_from(tool, format, options, *bytes));
   Dataset data = decoded(tool, *bytes);
   bytes.reset();
-  if (options.map.changes()) data = changed(tool, options, std::move(data));
+  if (options.map.changes())
+    cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)));
   return options.surface ? without_depth(std::move(data)) : data;
 }
 
@@ -130,9 +120,9 @@ int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-convert",
       "Converts surface maps between file formats, and datasets for ParaView. Lengths and heights become "
-      "metres. Missing points stay missing unless --fill is given. A dataset keeps all its variables, but "
-      "when its map is cropped, thinned, filled, refined or resized, results of the former surface are "
-      "dropped.");
+      "metres. Missing points stay missing. A dataset keeps all its variables, but when its map gets another "
+      "size or unit, results of the former surface are dropped. asperity-filter levels, fills, crops or "
+      "resamples a map.");
   Options o;
   tool.input();
   o.map.declare(tool);
@@ -151,9 +141,9 @@ int main(int argc, char** argv) {
             "Result");
   tool.text("--variable", o.variable, "NAME", "Field on (x, y) to read; it becomes the map", "Result");
   tool.output_of_any_format();
-  tool.example("asperity-convert map.x3p --crop 0:256,0:256 --to gsf -o map.gsf");
+  tool.example("asperity-convert map.x3p -o map.gsf");
   tool.accuracy("All formats keep doubles exactly, except gsf, which holds 24 bits.");
-  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--crop", "--decimate", "--fill",
-                  "--refine", "--variable", "--matrix", "--xyz"});
+  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--variable", "--matrix",
+                  "--xyz"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

@@ -47,19 +47,20 @@ std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data,
   }
   warn_of_few(tool, sample->size());
   why_untold = too_few(sample->size());
-  const Preparation preparation = o.measured.preparation();
+  const Preparation preparation = o.measured.asked;
   return {group_of(tool, *sample, preparation, Group::height, "Height parameters"),
           group_of(tool, *sample, preparation, Group::spatial, "Spatial parameters"),
           group_of(tool, *sample, preparation, Group::hybrid, "Hybrid parameters")};
 }
 
-std::string reference_of(const cli::Tool& tool, const cli::FieldOptions& o) {
-  const bool word = o.level == "mean" || o.level == "plane";
-  std::string out = word ? "the " + o.level : "a polynomial of degree " + o.level;
-  if (tool.given("--lambda-s"))
-    out += ", waves below " + cli::format_quantity(o.short_cutoff, "m") + " removed";
-  if (tool.given("--lambda-c"))
-    out += ", waves above " + cli::format_quantity(o.long_cutoff, "m") + " removed";
+std::string reference_of(const Preparation& asked) {
+  const Form& form = asked.form;
+  const bool polynomial = form.kind == Form::Kind::polynomial && form.degree > 1;
+  std::string out = polynomial ? "a polynomial of " + form.words() : "the " + form.words();
+  if (asked.shorter.given())
+    out += ", waves below " + cli::format_quantity(asked.shorter.wavelength, "m") + " removed";
+  if (asked.longer.given())
+    out += ", waves above " + cli::format_quantity(asked.longer.wavelength, "m") + " removed";
   return out;
 }
 
@@ -85,7 +86,7 @@ int report_on(cli::Tool& tool, const Options& o) {
                     "give a dataset with one of them, or --variable NAME");
   const report::NoGridErrors no_grid_errors = report::add_grid_errors(tool, dataset[0].data);
   cli::write_all(o.output, report::page({dataset, title_of(tool, o.title), o.measured.variable,
-                                         reference_of(tool, o.measured), groups, untold, no_grid_errors}));
+                                         reference_of(o.measured.asked), groups, untold, no_grid_errors}));
   return cli::done;
 }
 

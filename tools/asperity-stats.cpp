@@ -1,10 +1,7 @@
 // Parameters of a surface with their standard errors.
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <system_error>
 
 #include "core/words.hpp"
 #include "dataset/field_file.hpp"
@@ -14,6 +11,7 @@
 #include "tools/cli/counted_cells.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
+#include "tools/cli/large_file.hpp"
 #include "tools/measure/stats_options.hpp"
 #include "tools/measure/twin_rows.hpp"
 
@@ -21,22 +19,14 @@ using namespace asperity;
 
 namespace {
 
-// Other formats than NetCDF are read whole.
-bool larger_than_memory(const std::string& path, std::size_t memory) {
-  namespace fs = std::filesystem;
-  std::error_code none;
-  if (!fs::is_regular_file(path, none) || fs::file_size(path, none) <= memory / 8) return false;
-  std::string first(8, '\0');
-  std::ifstream(path, std::ios::binary).read(first.data(), static_cast<std::streamsize>(first.size()));
-  return looks_like_netcdf(first);
-}
-
 // The option that needs the whole field in memory; "" if none does.
 std::string needs_whole_field(const MeasureOptions& asked, const std::string& errors) {
   if (errors == "twins") return "--errors twins";
   if (asked.groups.contains(Group::spatial)) return "--parameters spatial";
-  if (!std::isnan(asked.preparation.short_cutoff)) return "--lambda-s";
-  return std::isnan(asked.preparation.long_cutoff) ? "" : "--lambda-c";
+  const auto& [form, shorter, longer] = asked.preparation;
+  if (form.kind != Form::Kind::polynomial) return "--remove-form " + form.words();
+  if (shorter.given()) return "--lambda-s";
+  return longer.given() ? "--lambda-c" : "";
 }
 
 // The surfaces of the command line, measured one by one.
@@ -55,12 +45,9 @@ class Surfaces {
   /// Reads a file that is too large for memory in strips; false if it is not.
   bool add_in_strips(const std::string& path) {
     const std::string whole = needs_whole_field(asked_, errors_);
-    if ((!tool_.given("--memory") && !whole.empty()) || !larger_than_memory(path, tool_.memory()))
+    if ((!tool_.given("--memory") && !whole.empty()) || !cli::larger_than_memory(path, tool_.memory()))
       return false;
-    if (!whole.empty())
-      throw cli::UsageError("memory", "the file's " + std::to_string(std::filesystem::file_size(path)) +
-                                          " bytes are more than an eighth of it, but " + whole +
-                                          " needs the whole field; allow more");
+    if (!whole.empty()) cli::refuse_strips(path, whole);
     const FieldFile file(path, field_.variable, tool_.memory_bound());
     Dataset head = file.dataset();
     grids_.add(tool_, file.grid(), path, si_unit_of(head.at(field_.variable)));
@@ -79,7 +66,7 @@ class Surfaces {
   Sample strips_of(const FieldFile& file) const {
     const StripReader reader({file.grid(), [&](Index first, Index count) { return file.rows(first, count); },
                               [&](Index first, Index count) { return file.columns(first, count); }},
-                             asked_.preparation.degree, tool_.memory());
+                             asked_.preparation.form.degree, tool_.memory());
     const Sample sample(reader, field_.without_heights(file.dataset()), asked_.groups.contains(Group::hybrid),
                         tool_.thread_count());
     const std::string rows = counted(reader.rows(), "row");

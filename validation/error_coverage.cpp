@@ -94,13 +94,13 @@ Parameters measured(const Field& heights, int degree, bool spectra, Index twins 
   options.groups = {Group::height, Group::quantiles, Group::material,
                     Group::hybrid, Group::spatial,   Group::profiles};
   options.quantiles = {0.02, 0.5, 0.9};
-  const Surface surface = prepared({grid, micrometre * heights}, {.degree = degree});
+  const Surface surface = prepared({grid, micrometre * heights}, {.form = {.degree = degree}});
   const Sample sample(surface, true);
   Parameters out;
   for (const Group group : options.groups)
     std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
   if (twins != 0) {
-    options.preparation.degree = degree;
+    options.preparation.form.degree = degree;
     errors_by_twins(sample, options, twins > 0 ? TwinUse::where_needed : TwinUse::everywhere,
                     {.twins = std::abs(twins)}, out);
   }

@@ -13,6 +13,7 @@ using enum Role;
 constexpr KnownResult results[] = {
     {"kernel", "", "kernel_", "kernel acf_target acf_achieved kernel_quantiles"},
     {"heights", "kernel", "generate_", "heights values mask noise"},
+    {"filter", "heights", "filter_", ""},
     {"acf", "heights", "acf_", "acf acf_error structure_function acf_quantiles"},
     {"psd", "heights", "psd_", "psd psd_error"},
     {"contact", "heights", "contact_",
@@ -78,6 +79,7 @@ constexpr KnownAttribute attributes[] = {
     {"generate_kurtosis_expected", achieved, "1", "expected kurtosis"},
     {"generate_acf_error_expected", achieved, "1", "expected error of the autocorrelation", true},
     {"generate_seconds", achieved, "s", "time"},
+    {"filter_form_degree", parameter, "1", "degree of the form that was removed"},
     {"acf_variable", other, "", "measured field"},
     {"acf_surfaces", other, "1", "surfaces in the mean"},
     {"acf_variance", other, "m2", "variance"},

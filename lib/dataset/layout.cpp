@@ -112,7 +112,7 @@ void refuse_not_finite(const std::string& name, const Field& values, Missing mis
 void refuse_missing(const Dataset& dataset, const Variable& variable, const Field& values) {
   const auto refuse = [&](std::ptrdiff_t number, std::string_view how) {
     if (number > 0)
-      throw DataError(variable.name, fmt::format("{} {}: fill or crop the map with asperity-convert",
+      throw DataError(variable.name, fmt::format("{} {}: fill or crop the map with asperity-filter",
                                                  counted(number, "point"), how));
   };
   if (const Variable* mask = dataset.find("mask"))

@@ -4,24 +4,36 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "transform/chirp.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {
 namespace {
 
+// `count` values a step apart, in points, about the middle of the axis.
 struct Axis {
-  Index points, factor;
+  Index points, count;
+  double step;
   bool periodic;
 
-  Index refined() const { return points * factor; }
-  // Of the first refined point, in points from the first.
-  double first() const { return (1 / static_cast<double>(factor) - 1) / 2; }
+  // Whether the values fill the axis: theirs is then a transform too.
+  bool whole() const { return std::abs(excess()) <= 1e-12 * static_cast<double>(points); }
+  // Of the first value, in points from the first.
+  double first() const { return ((whole() ? 0 : excess()) + step - 1) / 2; }
+  double at(Index m) const { return first() + static_cast<double>(m) * step; }
+  bool same() const { return count == points && whole(); }
+
+ private:
+  double excess() const { return static_cast<double>(points) - static_cast<double>(count) * step; }
 };
 
-std::array<Axis, 2> axes_of(const Grid& grid, Shape factor) {
-  return {Axis{grid.shape.nx, factor.nx, grid.periodic.x}, Axis{grid.shape.ny, factor.ny, grid.periodic.y}};
+std::array<Axis, 2> axes_of(const Grid& grid, const Grid& target) {
+  return {Axis{grid.shape.nx, target.shape.nx, target.dx / grid.dx, grid.periodic.x},
+          Axis{grid.shape.ny, target.shape.ny, target.dy / grid.dy, grid.periodic.y}};
 }
 
 // ---- the form of degree 2 ----
@@ -76,12 +88,10 @@ class Form {
   };
 
   static Eigen::ArrayXd values(const Polynomials& p, int degree, Index count, const Axis& axis) {
-    return Eigen::ArrayXd::NullaryExpr(count, [&](Index m) {
-      return p.at(degree, axis.first() + static_cast<double>(m) / static_cast<double>(axis.factor));
-    });
+    return Eigen::ArrayXd::NullaryExpr(count, [&](Index m) { return p.at(degree, axis.at(m)); });
   }
   double projection(const Field& z, int a, int b) const {
-    const Eigen::ArrayXd along_y = values(y_, b, z.cols(), Axis{z.cols(), 1, false});
+    const Eigen::ArrayXd along_y = values(y_, b, z.cols(), Axis{z.cols(), z.cols(), 1, false});
     double sum = 0;
     for (Index i = 0; i < z.rows(); ++i)
       sum += x_.at(a, static_cast<double>(i)) * (z.row(i).transpose() * along_y).sum();
@@ -94,18 +104,27 @@ class Form {
 
 // ---- the waves ----
 
-// (2) of sequences, one at a time.
-class AxisRefinement {
+// The waves of sequences at other points, one sequence at a time. Where these lie further apart than the
+// sequence's own, waves of less than two of them are left out.
+class AxisWaves {
  public:
-  explicit AxisRefinement(const Axis& axis)
+  explicit AxisWaves(const Axis& axis)
       : axis_(axis),
         period_(axis.periodic ? axis.points : 2 * axis.points),
+        terms_(period_ / 2 + 1),
         coarse_({1, period_}),
-        fine_({1, period_ * axis.factor}),
         given_(size(period_)),
-        found_(size(period_ * axis.factor)),
-        spectrum_(size(coarse_.spectrum_size())),
-        padded_(size(fine_.spectrum_size())) {}
+        spectrum_(size(coarse_.spectrum_size())) {
+    const double longest = static_cast<double>(period_);
+    if (axis.step > 1)
+      terms_ = std::min(terms_, static_cast<Index>(std::ceil(longest / (2 * axis.step) - 1e-9)));
+    if (axis.whole())
+      fine_.emplace(Shape{1, period_ / axis.points * axis.count});
+    else
+      chirp_.emplace(terms_, axis.count, turn() * axis.step);
+    found_.resize(size(axis.whole() ? fine_->shape().ny : axis.count));
+    if (axis.whole()) padded_.resize(size(fine_->spectrum_size()));
+  }
 
   double* given() { return given_.data(); }              // the sequence
   const double* found() const { return found_.data(); }  // and what apply() makes of it
@@ -114,52 +133,75 @@ class AxisRefinement {
     if (!axis_.periodic)
       std::reverse_copy(given_.begin(), given_.begin() + axis_.points, given_.begin() + axis_.points);
     coarse_.forward(given_.data(), spectrum_.data());
-    const double scale = 1 / static_cast<double>(period_);
-    std::ranges::fill(padded_, 0);
-    const double turn = 2 * std::numbers::pi * axis_.first() * scale;
-    for (std::size_t k = 0; k < spectrum_.size(); ++k)
-      padded_[k] = spectrum_[k] * std::polar(scale, turn * static_cast<double>(k));
-    if (period_ % 2 == 0 && axis_.factor > 1) padded_[size(period_ / 2)] /= 2;  // it is there at -n/2 too
-    fine_.inverse(padded_.data(), found_.data());
+    if (fine_)
+      by_transform();
+    else
+      by_chirp();
   }
 
  private:
+  double turn() const { return 2 * std::numbers::pi / static_cast<double>(period_); }
+  // The k-th term of (1), turned to the first point.
+  Complex term(Index k) const {
+    return spectrum_[size(k)] *
+           std::polar(1 / static_cast<double>(period_), turn() * axis_.first() * static_cast<double>(k));
+  }
+  void by_transform() {
+    std::ranges::fill(padded_, 0);
+    for (Index k = 0; k < terms_; ++k) padded_[size(k)] = term(k);
+    if (2 * (terms_ - 1) == period_ && axis_.step < 1)
+      padded_[size(terms_ - 1)] /= 2;  // it is there at -n/2 too
+    fine_->inverse(padded_.data(), found_.data());
+  }
+  void by_chirp() {
+    for (Index k = 0; k < terms_; ++k)
+      chirp_->terms()[k] = (k == 0 || 2 * k == period_ ? 1.0 : 2.0) * term(k);
+    const Complex* sums = chirp_->apply();
+    for (Index m = 0; m < axis_.count; ++m) found_[size(m)] = sums[m].real();
+  }
+
   Axis axis_;
-  Index period_;
-  RealTransform2D coarse_, fine_;
+  Index period_, terms_;
+  RealTransform2D coarse_;
+  std::optional<RealTransform2D> fine_;
+  std::optional<ChirpTransform> chirp_;
   AlignedVector<double> given_, found_;
   AlignedVector<Complex> spectrum_, padded_;
 };
 
-Field refined_rows(const Field& z, const Axis& axis) {
-  if (axis.factor == 1) return z;
-  AxisRefinement refinement(axis);
-  Field out(z.rows(), axis.refined());
-  for (Index i = 0; i < z.rows(); ++i) {
-    std::copy_n(&z(i, 0), z.cols(), refinement.given());
-    refinement.apply();
-    std::copy_n(refinement.found(), out.cols(), &out(i, 0));
-  }
+Field resampled_rows(const Field& z, const Axis& axis, int threads) {
+  if (axis.same()) return z;
+  Field out(z.rows(), axis.count);
+  parallel_ranges(z.rows(), threads, [&](Index begin, Index end, int) {
+    AxisWaves waves(axis);
+    for (Index i = begin; i < end; ++i) {
+      std::copy_n(&z(i, 0), z.cols(), waves.given());
+      waves.apply();
+      std::copy_n(waves.found(), out.cols(), &out(i, 0));
+    }
+  });
   return out;
 }
 
 // Eight columns at a time, which share their lines of the cache.
-Field refined_columns(Field z, const Axis& axis) {
-  if (axis.factor == 1) return z;
+Field resampled_columns(const Field& z, const Axis& axis, int threads) {
+  if (axis.same()) return z;
   constexpr Index together = 8;
-  AxisRefinement refinement(axis);
-  Field out(axis.refined(), z.cols());
-  for (Index first = 0; first < z.cols(); first += together) {
-    const Index count = std::min(together, z.cols() - first);
-    const Field columns = z.middleCols(first, count).transpose();
-    Field found(count, out.rows());
-    for (Index c = 0; c < count; ++c) {
-      std::copy_n(&columns(c, 0), columns.cols(), refinement.given());
-      refinement.apply();
-      std::copy_n(refinement.found(), found.cols(), &found(c, 0));
+  Field out(axis.count, z.cols());
+  parallel_ranges((z.cols() + together - 1) / together, threads, [&](Index begin, Index end, int) {
+    AxisWaves waves(axis);
+    for (Index first = begin * together; first < std::min(end * together, z.cols()); first += together) {
+      const Index count = std::min(together, z.cols() - first);
+      const Field columns = z.middleCols(first, count).transpose();
+      Field found(count, out.rows());
+      for (Index c = 0; c < count; ++c) {
+        std::copy_n(&columns(c, 0), columns.cols(), waves.given());
+        waves.apply();
+        std::copy_n(waves.found(), found.cols(), &found(c, 0));
+      }
+      out.middleCols(first, count) = found.transpose();
     }
-    out.middleCols(first, count) = found.transpose();
-  }
+  });
   return out;
 }
 
@@ -171,9 +213,8 @@ void check(Shape factor) {
 
 Grid refined_grid(const Grid& grid, Shape factor) {
   check(factor);
-  const auto [x, y] = axes_of(grid, factor);
   Grid out = grid;
-  out.shape = {x.refined(), y.refined()};
+  out.shape = {grid.shape.nx * factor.nx, grid.shape.ny * factor.ny};
   out.dx /= static_cast<double>(factor.nx), out.dy /= static_cast<double>(factor.ny);
   return out;
 }
@@ -187,13 +228,16 @@ double refinement_memory(const Grid& grid, Shape factor) {
 }
 
 Field refined(const Field& field, const Grid& grid, Shape factor) {
-  check(factor);
+  return resampled_onto(field, grid, refined_grid(grid, factor));
+}
+
+Field resampled_onto(const Field& field, const Grid& grid, const Grid& target, int threads) {
   if (!field.allFinite()) throw DataError("heights", "a point is missing or not finite: fill it first");
-  const std::array<Axis, 2> axes = axes_of(grid, factor);
+  const std::array<Axis, 2> axes = axes_of(grid, target);
   const Form form(field, axes);
   Field out = field;
-  form.add(out, {Axis{field.rows(), 1, false}, Axis{field.cols(), 1, false}}, -1);
-  out = refined_columns(refined_rows(out, axes[1]), axes[0]);
+  form.add(out, {Axis{field.rows(), field.rows(), 1, false}, Axis{field.cols(), field.cols(), 1, false}}, -1);
+  out = resampled_columns(resampled_rows(out, axes[1], threads), axes[0], threads);
   form.add(out, axes, 1);
   return out;
 }

@@ -7,13 +7,16 @@
 /// behind the last: (1) of 2n points. A cells in place of each have their centres at
 ///     x_m = (m + ½)/A - ½,   m = 0 … nA - 1,                                                          (2)
 /// so that the domain keeps its place and its size. Of an odd A every A-th from (A-1)/2 is one of the field's
-/// own points. What has waves of less than two points, or steps, rings as (1) does.
+/// own points. What has waves of less than two points, or steps, rings as (1) does. Values of any other
+/// spacing about the same middle are (1) at their places; waves of less than two of them are left out, so
+/// that none is taken for a longer one.
 ///
 /// Accuracy  ε log2(2 n A) max|z|; the waves of (1) exactly, and forms of degree 2 on a free axis. Waves of a
 ///           free axis have an error near its ends, where the mirror bends them: of one of amplitude a and
 ///           wave number q about a qΔx/10 within a point or two, and less as 1/distance² inside.
 /// Cost      a transform there and one back of each row and column, of 2n points on a free axis: 0.1 s for
-///           1024² from 256² or so. Memory: the fine field and one of nx × nyB.
+///           1024² from 256² or so; three times that for values that do not fill the axis
+///           (transform/chirp.hpp). Memory: the fine field and one of nx × nyB.
 ///
 /// J. P. Boyd, Chebyshev and Fourier spectral methods, 2nd ed., Dover (2001), chapters 4 and 11.
 #pragma once
@@ -31,5 +34,8 @@ double refinement_memory(const Grid& grid, Shape factor);
 /// (2), on refined_grid; `field` has the grid's shape. Throws ParameterError("refine") for a factor below 1,
 /// DataError("heights") for values that are not finite.
 Field refined(const Field& field, const Grid& grid, Shape factor);
+
+/// (1) at the centres of the target's cells, which has the same middle. Throws as `refined` does.
+Field resampled_onto(const Field& field, const Grid& grid, const Grid& target, int threads = 1);
 
 }  // namespace asperity

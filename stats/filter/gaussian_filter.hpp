@@ -4,22 +4,52 @@
 ///     s(x,y) = exp(-π (x² + y²) / (α λ_c)²) / (α λ_c)²,   α = √(ln 2 / π) = 0.4697,                  (1)
 /// which passes the amplitude of a wave of wavelength λ by
 ///     H(λ) = exp(-π (α λ_c / λ)²) = 2^{-(λ_c/λ)²},                                                   (2)
-/// half of it at the cut-off λ_c. Heights minus the mean surface are the short waves. Near an edge of a
-/// surface that is not periodic, and near missing points, weights are divided by the sum of those that fall
-/// on points (regression of order zero, ISO 16610-28): a constant stays a constant, and results within λ_c of
-/// an edge are less exact. Missing points stay missing.
+/// half of it at the cut-off λ_c. Heights minus the mean surface are the short waves. Along a periodic axis
+/// weights run across the seam. Near another edge, and near missing points, they are divided by the sum of
+/// those that fall on points (regression of order zero, ISO 16610-28): a constant stays a constant, and
+/// results within λ_c of an edge are less exact. Missing points stay missing.
 ///
 /// Symbols   λ_c  cut-off wavelength [m]: λ_s of the S-filter, λ_c of the L-filter
-/// Accuracy  On a periodic surface (2) to round-off. Elsewhere (1) is a sum over samples, which also passes a
-///           wave's aliases, with the amplitude 2^{-(λ_c/Δ)² (1 - Δ/λ)²}, and is cut where it is below 1e-16.
+/// Accuracy  Along a periodic axis (2) to round-off. Along another (1) is a sum over samples, which passes a
+///           wave's aliases too, with the amplitude 2^{-(λ_c/Δ)² (1 - Δ/λ)²},
+///           and is cut where it is below 1e-16.
 /// Cost      one pruned transform there and back, padded by 1.65 λ_c; with missing heights two.
 ///
 /// ISO 16610-61:2015; ISO 16610-28:2016.
 #pragma once
 
+#include <optional>
+
 #include "core/field.hpp"
+#include "transform/convolution.hpp"
 
 namespace asperity {
+
+/// Of the weight in cut-offs: there exp(-π(1.65/α)²) is below 1e-16.
+inline constexpr double gaussian_reach = 1.65;
+
+/// Throws ParameterError("cut-off") unless 2 max(Δx, Δy) ≤ λ_c < ∞.
+void check_cutoff(const Grid& grid, double cutoff);
+
+/// Sums under the weight (1) over the points of a field, and along periodic axes over their images.
+class GaussianSums {
+ public:
+  /// Throws as check_cutoff.
+  GaussianSums(const Grid& grid, double cutoff, int threads = 1);
+
+  /// Σ s z about each point; no point is missing.
+  Field of(const Field& z) {
+    Field out;
+    sums_->apply(z, out);
+    return out;
+  }
+  /// Σ s: of a field of ones.
+  const Field& of_weights() const { return inside_; }
+
+ private:
+  std::optional<EvenConvolution> sums_;
+  Field inside_;
+};
 
 /// Throws ParameterError("cut-off") unless 2 max(Δx, Δy) ≤ λ_c < ∞.
 Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads = 1);

@@ -60,7 +60,7 @@ std::string why_no_error(const SequenceMean& of) {
 }  // namespace
 
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options) {
-  const double cutoff = options.preparation.long_cutoff;
+  const double cutoff = options.preparation.longer.wavelength;
   const std::string prefix = std::isnan(cutoff) ? "P" : "R";
   const std::string axis = options.profiles == Axis1D::x ? "x" : "y";
   if ((axis == "x" ? sample.grid().shape.nx : sample.grid().shape.ny) < 2)

@@ -31,9 +31,11 @@ SurfaceSums summed(const StripReader& reader, const Surface& surface, bool deriv
     if (outline) FormModes::add(modes, *reader.form(), strip.topRows(core), first);
   });
   const Moments m = moments.moments(surface.variable);
-  refuse_round_off(std::max(m.sp, m.sv), reader.largest(), reader.degree(), surface.variable);
+  refuse_round_off(std::max(m.sp, m.sv), reader.largest(), {.degree = reader.degree()}, surface.variable);
   const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs(),
-                         outline ? FormModes(grid, *reader.form(), modes) : FormModes(grid, reader.degree())};
+                         outline && surface.degree <= reader.degree()
+                             ? FormModes(grid, *reader.form(), modes)
+                             : FormModes(grid, std::max(surface.degree, reader.degree()))};
   return {m, sums, basis, needs_lags && correlation.reaches_beyond(basis.known_lags())};
 }
 
@@ -65,7 +67,7 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
       size_(basis().size()),
       threads_(threads) {
   surface_.level = reader.level();
-  surface_.degree = reader.degree();
+  surface_.degree = std::max(surface_.degree, reader.degree());
   surface_.largest = reader.largest();
 }
 

@@ -43,6 +43,8 @@ class StripReader {
       visit(strip(first, core, halo), core, first);
     }
   }
+  /// `core` rows from `first` on, and up to `halo` more.
+  Field strip(Index first, Index core, Index halo = 0) const;
   /// visit(columns): whole columns.
   template <class Visit>
   void for_each_columns(Visit visit) const {
@@ -51,7 +53,6 @@ class StripReader {
   }
 
  private:
-  Field strip(Index first, Index core, Index halo) const;
   Field columns(Index first, Index count) const;
 
   FieldParts parts_;

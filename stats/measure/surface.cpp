@@ -1,25 +1,25 @@
 #include "stats/measure/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/filter/form.hpp"
-#include "stats/filter/gaussian_filter.hpp"
 #include "stats/spatial/acf.hpp"
 
 namespace asperity {
 namespace {
 
-std::string form_of(int degree) {
-  return degree == 0 ? "mean" : degree == 1 ? "plane" : "degree " + std::to_string(degree);
-}
-
 double largest_of(const Field& z) { return z.abs().maxCoeff<Eigen::PropagateNumbers>(); }
 
-Field mean_surface(const Surface& surface, const char* name, double cutoff, int threads) try {
-  return gaussian_mean_surface(surface.heights, surface.grid, cutoff, threads);
+Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int threads) try {
+  MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, threads);
+  if (!waves.doubt.empty()) surface.doubts.push_back("`" + std::string(name) + "`: " + waves.doubt);
+  return std::move(waves.surface);
 } catch (const ParameterError& error) {
   throw ParameterError(name, error.what());
 }
@@ -29,20 +29,23 @@ Field mean_surface(const Surface& surface, const char* name, double cutoff, int 
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.level = mean(surface.heights);
   const double size = surface.largest = largest_of(surface.heights);
-  const auto [degree, shorter, longer] = preparation;
-  surface.heights = remove_form(surface.heights, degree);
-  surface.degree = degree;
-  if (!std::isnan(shorter)) surface.heights = mean_surface(surface, "lambda-s", shorter, threads);
-  if (!std::isnan(longer)) surface.heights -= mean_surface(surface, "lambda-c", longer, threads);
-  if (preparation.filters()) surface.correlation.reset(), surface.distribution.reset();
-  refuse_round_off(largest_of(surface.heights), size, degree, surface.variable);
+  const auto& [form, shorter, longer] = preparation;
+  surface.heights = without_form(surface.heights, surface.grid, form, threads).heights;
+  surface.degree = std::max(surface.degree, form.modes());
+  if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);
+  if (longer.given()) surface.heights -= waves_beyond(surface, "lambda-c", longer, threads);
+  if (preparation.filters()) {
+    surface.heights -= mean(surface.heights);
+    surface.correlation.reset(), surface.distribution.reset();
+  }
+  refuse_round_off(largest_of(surface.heights), size, form, surface.variable);
   return surface;
 }
 
-void refuse_round_off(double largest, double size, int degree, const std::string& variable) {
+void refuse_round_off(double largest, double size, const Form& form, const std::string& variable) {
   if (!(largest > 0)) throw DataError(variable, "every value is the same");
   if (largest <= round_off_of(size))
-    throw DataError(variable, "zero to round-off above its form (" + form_of(degree) + "): only " +
+    throw DataError(variable, "zero to round-off above its form (" + form.words() + "): only " +
                                   shortest(largest) + " remains of values up to " + shortest(size));
 }
 

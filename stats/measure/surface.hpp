@@ -1,18 +1,18 @@
 /// A field prepared for measurement: form removed, filtered, with the correlation that its errors rest on.
 ///
 /// Heights are measured from the form, the F-operation of ISO 25178-2 (stats/filter/form.hpp). The S-filter
-/// removes waves shorter than λs, the L-filter those longer than λc (stats/filter/gaussian_filter.hpp).
+/// removes waves shorter than λs, the L-filter those longer than λc (stats/filter/preparation.hpp).
 /// Errors rest on the autocorrelation that the field was drawn with, if it is known and the field unfiltered,
 /// and otherwise on an estimate.
 #pragma once
 
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/field.hpp"
 #include "marginal/translation.hpp"
+#include "stats/filter/preparation.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -21,11 +21,10 @@
 namespace asperity {
 
 struct Preparation {
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  int degree = 0;                                  ///< of the form: 0 the mean, 1 the plane
-  double short_cutoff = none, long_cutoff = none;  ///< λs, λc [m]
+  Form form = {};
+  Cutoff shorter = {}, longer = {};  ///< at λs, at λc
 
-  bool filters() const { return !std::isnan(short_cutoff) || !std::isnan(long_cutoff); }
+  bool filters() const { return shorter.given() || longer.given(); }
 };
 
 /// Missing heights are NaN.
@@ -33,11 +32,12 @@ struct Surface {
   Grid grid;
   Field heights = {};  ///< empty where the field is read in strips
   double level = 0;    ///< the mean that was subtracted
-  int degree = 0;      ///< of the form that was
+  int degree = 0;      ///< of the form that was, now or before
   double largest = 0;  ///< of the absolute values, form included; 0: not known
   std::string variable = "heights", units = "m";
   std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
+  std::vector<std::string> doubts = {};          ///< of filters that have not converged
 };
 
 /// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
@@ -47,7 +47,7 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads = 
 /// What subtraction may leave of values up to `size` that cancel.
 constexpr double round_off_of(double size) { return 32 * std::numeric_limits<double>::epsilon() * size; }
 /// Throws DataError(variable, …) if heights up to `largest` are round-off of values up to `size`.
-void refuse_round_off(double largest, double size, int degree, const std::string& variable);
+void refuse_round_off(double largest, double size, const Form& form, const std::string& variable);
 
 /// The correlation that errors rest on, known or estimated, and the pairs of points that the field has.
 struct ErrorBasis {

@@ -50,6 +50,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "stats/filter/axis.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spectrum/shared_power.hpp"
 #include "stats/uncertainty/interval.hpp"
@@ -91,8 +92,6 @@ struct SpectrumPoint {
   /// (6)
   Interval interval(double level = 0.95) const;
 };
-
-enum class Axis1D { x, y };
 
 /// (3) for wave numbers ≥ 0.
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,

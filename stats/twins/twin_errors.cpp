@@ -14,17 +14,18 @@
 namespace asperity {
 namespace {
 
-// What the field was prepared with, as far as it takes heights away from a twin. Filters would act twice: the
-// twin's correlation is that of the filtered field.
-Preparation repeated(const Preparation& preparation) {
-  return {.degree = preparation.filters() ? 0 : preparation.degree};
+// What the field was prepared with, as far as it takes heights away from a twin: of a sphere or a cylinder,
+// the polynomial that takes as much. Filters would act twice: the twin's correlation is that of the filtered
+// field.
+Preparation repeated(const Preparation& preparation, const Sample& sample) {
+  return {.form = {.degree = preparation.filters() ? 0 : sample.surface().degree}};
 }
 
 // The factor that gives twins the rms height of the field, after their form is removed.
 double scale_of(const TwinFields& twins, const Sample& sample, const MeasureOptions& asked, Index count) {
   double square = 0;
   for (Index k = 0; k < count; ++k) {
-    const Field z = remove_form(twins.heights(k), repeated(asked.preparation).degree);
+    const Field z = remove_form(twins.heights(k), repeated(asked.preparation, sample).form.degree);
     square += z.isNaN().select(0, z).square().sum() / sample.size().points();
   }
   return sample.moments().sq / std::sqrt(square / static_cast<double>(count));
@@ -99,7 +100,7 @@ class TwinMeasures {
   std::map<Group, Parameters> of(Index k) const try {
     Surface twin{.grid = sample_.grid(), .heights = scale_ * fields_.heights(k)};
     twin.variable = sample_.surface().variable, twin.units = sample_.surface().units;
-    const Sample of(prepared(std::move(twin), repeated(asked_.preparation)), basis_, size_,
+    const Sample of(prepared(std::move(twin), repeated(asked_.preparation, sample_)), basis_, size_,
                     asked_.groups.contains(Group::hybrid));
     std::map<Group, Parameters> out;
     for (const Group group : asked_.groups) out[group] = measure(of, group, asked_);

@@ -20,7 +20,7 @@ import numpy as np
 # A process begun by vfork has the greatest memory that this one ever had for its own peak; by fork, what this one has.
 subprocess._USE_VFORK = False
 
-TOOLS = ("acf", "contact", "convert", "generate", "kernel", "pdf", "plot", "psd", "report", "stats", "stress", "validate")
+TOOLS = ("acf", "contact", "convert", "filter", "generate", "kernel", "pdf", "plot", "psd", "report", "stats", "stress", "validate")
 RIGHT, REFUSED, TOLD, SKIPPED = "right", "refused", "told", "skipped"
 RUNTIME, USAGE, NOT_CONVERGED, BAD_DATA, DIFFERS = 1, 2, 3, 4, 5
 WALL_SECONDS = 120  # of a single command on a busy machine

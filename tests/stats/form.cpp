@@ -89,6 +89,19 @@ TEST_CASE("a wave on a periodic surface passes with the amplitude of ISO 16610-6
   }
 }
 
+// Two waves of λ = 10 along x and 18 along y. Along the free axis, 3 λc from its ends, the weight's aliases of
+// (λc/Δ)² = 25 pass.
+TEST_CASE("along its periodic axis a surface passes as a periodic one, up to the seam", "[filter][exact]") {
+  const Grid grid{{60, 90}, 0.5, 1, Periodic{true, false}};
+  const Field along = sine(grid.shape, 1, 3), across = sine({90, 60}, 1, 5).transpose();
+  const Field surface = gaussian_mean_surface(along + across, grid, 5);
+  const Field exact = std::exp2(-25.0 / 100) * along + std::exp2(-25.0 / 324) * across;
+  CHECK((surface - exact).middleCols(15, 60).abs().maxCoeff() <= 3 * std::exp2(-25 * 0.85) + 100 * epsilon);
+  const Field turned =
+      gaussian_mean_surface((along + across).transpose(), {{90, 60}, 1, 0.5, {false, true}}, 5);
+  CHECK((turned.transpose() - surface).abs().maxCoeff() <= 100 * epsilon);
+}
+
 // In the middle of a long field, 3 λc from its ends; the weight summed over samples lets the aliases of
 // (λc/Δ)² pass.
 TEST_CASE("a wave far from the edges passes with the same amplitude but for the aliases of the weight",

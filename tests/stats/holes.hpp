@@ -17,6 +17,12 @@ inline Field with_holes(Field z, double share, unsigned seed) {
   return z;
 }
 
+/// The largest difference, where neither is missing; NaN if one is missing where the other is not.
+inline double largest_difference(const Field& a, const Field& b) {
+  if ((a.isNaN() != b.isNaN()).any()) return none;
+  return (a.isNaN() || a == b).select(0, a - b).abs().maxCoeff();
+}
+
 /// visit(z, z') over the pairs of points at lag (p,q) that are there.
 template <class Visit>
 void for_each_pair(const Field& z, bool periodic, Index p, Index q, Visit visit) {

@@ -70,7 +70,7 @@ TEST_CASE("twins of white noise have the errors of independent heights, and the 
   const double n = 120;
   for (const int degree : {0, 2}) {
     const Sample sample = sample_of(white_noise(shape, 7), white, degree);
-    const MeasureOptions asked{.groups = {Group::height}, .preparation = {.degree = degree}};
+    const MeasureOptions asked{.groups = {Group::height}, .preparation = {.form = {.degree = degree}}};
     const Parameters parameters = with_twins(sample, asked, {.twins = 200});
     const double free = degree == 0 ? n - 1 : n - 6, known = 4 / std::sqrt(398.0);
     CAPTURE(degree);

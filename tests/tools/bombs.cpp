@@ -146,7 +146,7 @@ TEST_CASE("a number of things that takes memory or time without end is refused w
       {"asperity-pdf s.nc --estimate kernel --rows 100000000", "--rows: 100000000 is above 1048576"},
       {"asperity-plot s.nc --kind map --pixels 30000x30000 -o p.png", "10000, at which a picture takes"},
       {"asperity-acf s.nc --result lengths --max-lag 1000000000x1000000000", "--max-lag"},
-      {"asperity-convert s.nc --decimate 9000000000000000000x1 -o o.npy", "--decimate"},
+      {"asperity-filter s.nc --decimate 9000000000000000000x1 -o o.nc", "--decimate"},
       {"asperity-kernel --length 3px --lags 1000000x1000000 -o o.nc", "more than 16777216 in all"},
       {"asperity-kernel --length 1000000000px -o o.nc", "--memory"},
       {draw + "--shape 8x8 --count 2000000000", "--count: 2000000000 is above 1000000"},

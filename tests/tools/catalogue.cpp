@@ -33,6 +33,7 @@ TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]
       draw +
           "--length 3px | asperity-acf --add acf_quantiles | asperity-kernel --acf - --infeasible nearest "
           "--marginal measured",
+      draw + "--length 3px | asperity-filter --remove-form plane",
       draw + "--length 3px | asperity-psd",
       draw +
           "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --add "
@@ -63,7 +64,7 @@ TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]
 // A name that some run may write and no run above did.
 TEST_CASE("the table lists every name under a tool's prefix that stands in a source of the tools",
           "[lineage][contract]") {
-  const std::regex name("\"((kernel|generate|contact|stress|acf|psd)_[a-z0-9_]*[a-z0-9])\"");
+  const std::regex name("\"((kernel|generate|filter|contact|stress|acf|psd)_[a-z0-9_]*[a-z0-9])\"");
   int found = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ASPERITY_TEST_DATA "/../../tools")) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
@@ -107,7 +108,7 @@ TEST_CASE(
     "[lineage][contract]") {
   std::ifstream in(ASPERITY_TEST_DATA "/../../docs/dataset.md");
   const std::regex quoted("`([A-Za-z_]+)[^`]*`"),
-      attribute("(kernel|generate|contact|stress|acf|psd)_[a-z_]+[a-z]");
+      attribute("(kernel|generate|filter|contact|stress|acf|psd)_[a-z_]+[a-z]");
   const Words coordinates{"x", "y", "z", "p", "q"};
   bool open = false;
   int found = 0;

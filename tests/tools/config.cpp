@@ -28,7 +28,8 @@ TEST_CASE("what --dump-config prints gives the same run and the same print", "[c
       "asperity-stats s.nc --parameters height,hybrid --json",
       "asperity-acf acf.nc --result profiles --max-lag 4x3", "asperity-psd s.nc --result radial",
       "asperity-pdf s.nc --bins 5", "asperity-validate s.nc acf.nc --rq 0.4nm --significance 1e-09",
-      "asperity-convert s.nc --crop 2:9,:5 --to esri",
+      "asperity-convert s.nc --to esri",
+      "asperity-filter s.nc --remove-form plane --scale -1 --remove-form 2 --crop 2:9,:5 --no-history",
       "asperity-contact s.nc --radius 1mm,inf --young 208GPa --poisson 0.3,0.25 --load 1mN --yield 1.2GPa "
       "--no-history",
       "asperity-stress pressed.nc --depths 0:1um:3 --section y=0 --maximum --no-history",

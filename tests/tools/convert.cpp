@@ -52,32 +52,6 @@ TEST_CASE("a surface comes back from every format the same, with its spacing", "
   }
 }
 
-TEST_CASE("a map is cut, then thinned, with the spacing that follows", "[convert][exact]") {
-  write_numbers();
-  REQUIRE(shell("asperity-convert numbers.txt --crop 1:6,:3 --decimate 2x1 -o cut.nc").exit == 0);
-  const Field cut = heights_in("cut.nc");
-  REQUIRE(shape_of(cut) == Shape{3, 3});
-  CHECK(relative_error(cut(0, 0), 10e-6) <= 2 * epsilon);
-  CHECK(std::isnan(cut(1, 1)));
-  CHECK(relative_error(cut(2, 2), 52e-6) <= 2 * epsilon);
-  const Grid grid = grid_of(read_dataset("cut.nc"));
-  CHECK(relative_error(grid.dx, 2e-6) <= 4 * epsilon);
-  CHECK(relative_error(grid.dy, 2e-6) <= 4 * epsilon);
-}
-
-// About one missing point the membrane is (20 + 40 + (Δx/Δy)² (…)) of a plane: the plane itself, 31.
-TEST_CASE("a missing point is filled by a membrane, the mean or the least height", "[convert][exact]") {
-  write_numbers();
-  auto filled = [](const std::string& how) {
-    REQUIRE(shell("asperity-convert numbers.txt --fill " + how + " -o filled.nc").exit == 0);
-    CHECK(!read_dataset("filled.nc").has("mask"));
-    return heights_in("filled.nc")(3, 1) / 1e-6;
-  };
-  CHECK(std::abs(filled("laplace") - 31) <= 1e-12);
-  CHECK(std::abs(filled("mean") - (24 * 26.5 - 31) / 23) <= 1e-12);
-  CHECK(filled("least") == 0);
-}
-
 TEST_CASE("a matrix in text has the order, the size and the unit that it is given", "[convert][exact]") {
   write_text("matrix.txt", "1,2,3\n4,5,6\n");
   REQUIRE(shell("asperity-convert matrix.txt --from-order yx --size 6mm,4mm --unit nm -o m.nc").exit == 0);
@@ -249,11 +223,6 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
       {"numbers.txt --from gsf", {4, "asperity-convert: "}},
       {"numbers.txt --from word", {2, "asperity-convert: --from: "}},
       {"numbers.txt --to word", {2, "asperity-convert: --to: "}},
-      {"numbers.txt --crop 3:2,0:1",
-       {2, "asperity-convert: --crop: '3:2' is not a range A:B with 0 <= A < B <= 6"}},
-      {"numbers.txt --crop 0:7,0:1", {2, "asperity-convert: --crop: '0:7'"}},
-      {"numbers.txt --crop 0:2", {2, "asperity-convert: --crop: '0:2' is not of the form A:B,C:D"}},
-      {"numbers.txt --decimate 0x1", {2, "asperity-convert: --decimate: "}},
       {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file gives its own unit, m"}},
       {"matrix.txt --size 0mm", {2, "asperity-convert: --size 0mm: 0 is not a positive length"}},
   };

@@ -65,8 +65,9 @@ TEST_CASE("a length that is not that of the points is not taken, which every too
   CHECK(told.out == shell("asperity-stats whole.nc").out);
   CHECK_THAT(shell("asperity-stats -q stale.nc --parameters height --memory 12kB").error,
              ContainsSubstring(warning));
-  for (const std::string tool : {"asperity-acf stale.nc", "asperity-convert stale.nc",
-                                 "asperity-generate --kernel stale.nc --seed 1"}) {
+  for (const std::string tool :
+       {"asperity-acf stale.nc", "asperity-convert stale.nc", "asperity-filter stale.nc --scale 1",
+        "asperity-generate --kernel stale.nc --seed 1"}) {
     const Outcome run = shell(tool + " > mended.nc");
     CAPTURE(tool, run.error);
     CHECK(run.exit == 0);

@@ -19,7 +19,7 @@ TEST_CASE("all that tools print with --json and --report is of the schema", "[js
       "asperity-psd s.nc --result profiles --json > psd.json &&"
       "asperity-psd s.nc --result radial --json > radial.json && asperity-pdf s.nc --json > pdf.json &&"
       "asperity-validate s.nc --significance 1e-9 --json > validate.json &&"
-      "asperity-convert s.nc --crop 0:1,0:48 -o row.nc && asperity-stats row.nc --parameters all --json > "
+      "asperity-filter s.nc --crop 0:1,0:48 -o row.nc && asperity-stats row.nc --parameters all --json > "
       "row.json 2> /dev/null;"  // without slopes, and of few independent heights
       "press='asperity-contact --radius 50mm --young 208GPa --poisson 0.3';"
       "$press --load 50N --report contact.json s.nc -o p.nc && $press --sweep 10N,20N --json s.nc > "

@@ -31,6 +31,7 @@ void write_everything() {
     set_field(data, "own_field", random_field({16, 12}, 1), {"K", "of a user"});
     data.put({"own_number", {}, std::vector<float>{2.5F}, {}});
     data.put({"own_depths", {"z"}, std::vector<double>{1, 2, 3}, {}});
+    data.attributes.set("filter_form_degree", 1);
     data.attributes.set("operator", "a person");
     data.attributes.set("contact_person", "another");
     data.attributes.set("stress_relief", "600 degC, 2 h");
@@ -78,21 +79,21 @@ const std::vector<Case>& cases() {
       {"asperity-generate --seed 8 < all.nc",
        "asperity-generate",
        {"heights"},
-       {"acf", "psd", "contact", "residual", "stress"},
+       {"filter", "acf", "psd", "contact", "residual", "stress"},
        true},
       {"asperity-generate --acf all.nc --infeasible nearest --seed 8",
        "asperity-generate",
        {"kernel", "heights"},
-       {"acf", "psd", "contact", "residual", "stress"},
+       {"filter", "acf", "psd", "contact", "residual", "stress"},
        true},
       {"asperity-kernel --acf all.nc --infeasible nearest",
        "asperity-kernel",
        {"kernel"},
-       {"heights", "acf", "psd", "contact", "residual", "stress"},
+       {"heights", "filter", "acf", "psd", "contact", "residual", "stress"},
        true},
-      {"asperity-convert all.nc --crop 0:8,2:",
-       "asperity-convert",
-       {"heights"},
+      {"asperity-filter all.nc --crop 0:8,2:",
+       "asperity-filter",
+       {"heights", "filter"},
        {"kernel", "acf", "psd", "contact", "residual", "stress"},
        true},
       {"asperity-convert all.nc", "asperity-convert", {}, {}, false},
@@ -279,7 +280,7 @@ TEST_CASE("a user's volume stays at its depths, and goes when there are others",
 
 TEST_CASE("a map that is cut keeps what is not of the surface, its history too", "[lineage][contract]") {
   write_everything();
-  REQUIRE(shell("asperity-convert all.nc --decimate 2x2 -o cut.nc").exit == 0);
+  REQUIRE(shell("asperity-filter all.nc --decimate 2x2 -o cut.nc").exit == 0);
   const Dataset cut = read_dataset("cut.nc");
   CHECK(cut.attributes.text("operator") == "a person");
   CHECK(cut.has("own_number"));

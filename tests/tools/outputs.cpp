@@ -197,8 +197,8 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
        {std::string("asperity-acf own -o own"), std::string("asperity-acf own -o link"),
         std::string("asperity-psd -o own < own"), "asperity-contact own" + bodies + "-o own",
         std::string("asperity-stress own --poisson 0.3 --depths 0:0.1mm:3 -o own -q"),
-        std::string("asperity-convert own --crop 0:8,0:8 -o own -q"),
-        std::string("asperity-convert text --crop 0:1,0:2 --to text -o text"),
+        std::string("asperity-filter own --crop 0:8,0:8 -o own -q"),
+        std::string("asperity-convert text --to text -o text"),
         std::string("asperity-kernel --acf acf -q -o acf")}) {
     const Outcome out = shell(run);
     CAPTURE(run, out.error);

@@ -1,4 +1,4 @@
-// asperity-convert --refine, as it is typed; the interpolation itself is tested in transform/refinement.cpp.
+// asperity-filter --refine, as it is typed; the interpolation itself is tested in transform/refinement.cpp.
 #include "dataset/layout.hpp"
 #include "tools/files.hpp"
 
@@ -16,7 +16,7 @@ Field heights_in(const std::string& name) { return field_of(read_dataset(name), 
 
 TEST_CASE("the option --refine keeps the points of a periodic surface and its period, and may be repeated",
           "[refine][exact]") {
-  require(draw + "--periodic -o s.nc; asperity-convert -q s.nc --refine 5x3 -o fine.nc");
+  require(draw + "--periodic -o s.nc; asperity-filter -q s.nc --refine 5x3 -o fine.nc");
   const Field z = heights_in("s.nc"), fine = heights_in("fine.nc");
   const Grid coarse = grid_of(read_dataset("s.nc")), grid = grid_of(read_dataset("fine.nc"));
   CHECK(grid.shape == Shape{120, 48});
@@ -28,14 +28,14 @@ TEST_CASE("the option --refine keeps the points of a periodic surface and its pe
       CHECK(std::abs(fine(5 * i + 2, 3 * j + 1) - z(i, j)) <= 100 * epsilon * 1e-6);
   // What lies between is by the same waves, at once or in two steps.
   require(
-      "asperity-convert -q s.nc --refine 2 | asperity-convert -q --refine 2 -o twice.nc; "
-      "asperity-convert -q s.nc --refine 4 -o once.nc");
+      "asperity-filter -q s.nc --refine 2 | asperity-filter -q --refine 2 -o twice.nc; "
+      "asperity-filter -q s.nc --refine 4 -o once.nc");
   CHECK((heights_in("twice.nc") - heights_in("once.nc")).abs().maxCoeff() <= 100 * epsilon * 1e-6);
   CHECK_THAT(read_dataset("once.nc").attributes.text("history"), ContainsSubstring("--refine 4"));
 }
 
 TEST_CASE("the option --refine keeps the coordinates of a surface that is not periodic", "[refine][exact]") {
-  require(draw + "-o s.nc; asperity-convert -q s.nc --refine 3x5 -o fine.nc");
+  require(draw + "-o s.nc; asperity-filter -q s.nc --refine 3x5 -o fine.nc");
   const Field z = heights_in("s.nc"), fine = heights_in("fine.nc");
   const Grid coarse = grid_of(read_dataset("s.nc")), grid = grid_of(read_dataset("fine.nc"));
   CHECK(grid.shape == Shape{72, 80});
@@ -50,22 +50,22 @@ TEST_CASE(
     "the option --refine drops the results of the former grid and says so, and --refine 1 changes nothing",
     "[refine][contract]") {
   require(draw + "--periodic | asperity-contact -q --young 200GPa --poisson 0.3 --load 10N -o c.nc");
-  const Outcome run = require("asperity-convert c.nc --refine 2 -o fine.nc");
+  const Outcome run = require("asperity-filter c.nc --refine 2 -o fine.nc");
   CHECK_THAT(run.error, ContainsSubstring("dropped results of the former map"));
   const Dataset fine = read_dataset("fine.nc");
   for (const char* gone : {"pressure", "gap", "kernel", "acf_target"}) CHECK_FALSE(fine.has(gone));
   CHECK(fine.attributes.find("contact_load") == nullptr);
-  CHECK(require("asperity-convert c.nc --refine 1 -o same.nc").error.empty());
+  CHECK(require("asperity-filter c.nc --refine 1 -o same.nc").error.empty());
   CHECK(read_dataset("same.nc").has("pressure"));
   // The order is crop, then refine; a part of a period is not periodic.
-  require("asperity-convert -q c.nc --crop 0:5,0:1 --refine 2 -o part.nc");
+  require("asperity-filter -q c.nc --crop 0:5,0:1 --refine 2 -o part.nc");
   CHECK(grid_of(read_dataset("part.nc")).shape == Shape{10, 2});
 }
 
 TEST_CASE("a period that is thinned without a rest remains one", "[refine][contract]") {
   require(draw +
-          "--periodic -o s.nc; asperity-convert -q s.nc --refine 3 | asperity-convert -q --decimate 3x3 -o "
-          "back.nc; asperity-convert -q s.nc --decimate 5x1 -o cut.nc");
+          "--periodic -o s.nc; asperity-filter -q s.nc --refine 3 | asperity-filter -q --decimate 3x3 -o "
+          "back.nc; asperity-filter -q s.nc --decimate 5x1 -o cut.nc");
   CHECK(shape_of(heights_in("back.nc")) == shape_of(heights_in("s.nc")));
   CHECK(grid_of(read_dataset("back.nc")).periodic.both());
   CHECK_FALSE(grid_of(read_dataset("cut.nc")).periodic.any());
@@ -83,7 +83,7 @@ TEST_CASE("what --refine cannot do is one line and exit 2", "[refine][contract]"
         {"s.nc --refine 2x2x2", "--refine"},
         {"s.nc --refine 64 --memory 20MB", "a map of 1536x1024 points needs"},
         {"holes.txt --size 1mm --refine 2", "--refine: the map has missing points: fill them first"}}) {
-    const Outcome run = shell("asperity-convert -o absent.nc " + std::string(options));
+    const Outcome run = shell("asperity-filter -o absent.nc " + std::string(options));
     CAPTURE(options, run.error);
     CHECK(run.exit == 2);
     CHECK(lines(run.error) == 1);

@@ -236,7 +236,7 @@ TEST_CASE("a surface that is worth too few points to be validated is refused in 
   CHECK(run.error.find("asperity-validate: warning") == run.error.npos);
 }
 
-// All twelve on what is as narrow as can be: an answer, or a line.
+// All thirteen on what is as narrow as can be: an answer, or a line.
 TEST_CASE("every tool takes a row, a column, a point and four points, or refuses them in a line",
           "[narrow][contract][slow]") {
   for (const Shape shape : {Shape{1, 40}, Shape{40, 1}, Shape{2, 40}, Shape{1, 1}, Shape{2, 2}}) {
@@ -248,8 +248,10 @@ TEST_CASE("every tool takes a row, a column, a point and four points, or refuses
          {std::string("stats s.nc --parameters all"), std::string("acf s.nc -o a.nc"),
           std::string("psd s.nc -o p.nc"), std::string("pdf s.nc"), std::string("pdf s.nc --estimate kernel"),
           std::string("report t.nc -o r.html"), std::string("convert s.nc -o s.vti"),
-          std::string("convert s.nc -o s.gsf"), std::string("convert s.nc -o s.x3p"),
-          std::string("convert s.nc -o s.npy"), std::string("kernel --acf s.nc -o k.nc"),
+          std::string("convert s.nc -o s.gsf"), std::string("filter s.nc --remove-form plane -o l.nc"),
+          std::string("filter s.nc --opening 3um --fill mean --mirror both -o l.nc"),
+          std::string("convert s.nc -o s.x3p"), std::string("convert s.nc -o s.npy"),
+          std::string("kernel --acf s.nc -o k.nc"),
           std::string("generate --acf s.nc --shape 8x8 --seed 1 -o g.nc"),
           std::string("plot t.nc --kind map -o f.png"), std::string("plot t.nc --kind surface -o f.png"),
           std::string("plot t.nc --kind pdf -o f.png"), std::string("plot t.nc --kind acf -o f.png"),

@@ -221,7 +221,8 @@ std::string argument(const CLI::Option& option) {
   if (value == Value::file) rest += ":file:_files";
   if (value == Value::word) rest += ":word:(" + words_of(option) + ")";
   if (value == Value::other) rest += ":" + described(option.get_type_name()) + ": ";
-  return names.size() == 1 ? fmt::format("'{}{}'", names[0], rest)
+  const char* repeated = option.get_items_expected_max() > 1 ? "*" : "";  // Tool::step
+  return names.size() == 1 ? fmt::format("'{}{}{}'", repeated, names[0], rest)
                            : fmt::format("'({})'{{{}}}'{}'", all, fmt::join(names, ","), rest);
 }
 

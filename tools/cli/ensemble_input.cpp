@@ -201,7 +201,7 @@ void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& fi
     throw DataError(file,
                     both +
                         ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
-                        "separately, or thin the finer one (asperity-convert --decimate)");
+                        "separately, or thin the finer one (asperity-filter --decimate)");
   if (warned_ || same_grid(grid, *first_)) return;
   if (!alike_.empty()) throw DataError(file, both + ": " + alike_ + " needs surfaces of one grid");
   warned_ = true;

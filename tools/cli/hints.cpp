@@ -117,7 +117,13 @@ std::string in_words(const CLI::Error& error) {
 }
 
 std::string in_words(const CLI::App& app, const CLI::ConfigError& error) {
-  const std::string what = error.what(), unknown = "INI was not able to parse ";
+  const std::string what = error.what(), unknown = "INI was not able to parse ",
+                    shut = ": This option is not allowed in a configuration file";
+  const std::string key = what.substr(0, what.find(shut));
+  const CLI::Option* option = key == what ? nullptr : app.get_option_no_throw("--" + key);
+  if (option && option->get_items_expected_max() > 1)  // Tool::step
+    return key + ": is a step, and a file has no order: write steps = \"--" + key +
+           " ...\" with all of them, in theirs";
   return what.starts_with(unknown) ? unknown_option(app, what.substr(unknown.size())) : what;
 }
 

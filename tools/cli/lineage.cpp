@@ -1,6 +1,7 @@
 #include "tools/cli/lineage.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -90,6 +91,18 @@ void drop_surface(Dataset& data, std::string_view result) {
     return !is_coordinate(v) &&
            std::ranges::any_of(v.dimensions, [](const std::string& d) { return d == "x" || d == "y"; });
   });
+}
+
+void replace_surface(const Tool& tool, Dataset& data, const Map& map) {
+  const Inventory before(data);
+  const Attributes former = data.attributes;
+  Dataset now = dataset_of(map);
+  drop_surface(data, "kernel");
+  for (const Attribute& a : former)  // what was removed from the heights is removed from the map too
+    if (a.name.starts_with("filter_")) data.attributes.set_values(a.name, a.values);
+  for (const Dimension& d : now.dimensions) data.set_dimension(d.name, d.length);
+  for (Variable& v : now.variables) data.put(std::move(v));
+  before.tell(tool, data, "map");
 }
 
 Inventory::Inventory(const Dataset& data) {

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/map.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -24,6 +25,9 @@ namespace asperity::cli {
 void drop_results(Dataset& data, std::string_view result, std::string_view input = {});
 /// The same before a new surface: every variable on (x, y) belongs to the former one.
 void drop_surface(Dataset& data, std::string_view result = "heights");
+
+/// Puts a new map in place of the surface: drops what belonged to the former one, and notes it.
+void replace_surface(const Tool& tool, Dataset& data, const Map& map);
 
 /// The names in a dataset, without coordinates, so that a tool can list at the end which of them were
 /// dropped.

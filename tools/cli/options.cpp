@@ -30,14 +30,6 @@ std::size_t half_of_memory() {
   return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page);
 }
 
-// What is given for an option as the value of a variable; `parse` may want more than the option and its text.
-template <class T, class Parse, class... More>
-auto into(T& value, Parse parse, More... more) {
-  return [&value, parse, more...](const std::string& key, const std::string& given) {
-    value = static_cast<T>(parse(key, given, more...));
-  };
-}
-
 }  // namespace
 
 Tool::Tool(std::string name, std::string description)

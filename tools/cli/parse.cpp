@@ -76,6 +76,10 @@ void Tool::check_environment() const {
     std::ranges::transform(option, option.begin(),
                            [](unsigned char c) { return c == '_' ? '-' : std::tolower(c); });
     const CLI::Option* known = app_->get_option_no_throw("--" + option);
+    if (known && std::ranges::find(step_options_, known) != step_options_.end())
+      throw ParameterError(std::string(variable),
+                           "is a step, and its place among others is not known: set " +
+                               environment_name(name_, "steps") + " to all of them, in order");
     if (!known || !(known->get_configurable() || option == "config"))
       throw ParameterError(std::string(variable), unknown_option(*app_, "--" + option));
   }
@@ -108,6 +112,7 @@ void Tool::parse(int argc, char** argv) {
   std::ranges::copy(with_empty_values(arguments_), std::back_inserter(all));
   std::ranges::reverse(all);
   app_->parse(std::move(all));
+  settle_steps();
 }
 
 // "--counter=" as two arguments: CLI11 would take the next for its value. Behind "--" are no options.

@@ -226,7 +226,10 @@ void Tool::write(Dataset& dataset, const std::string& name) {
 void Tool::sign(Dataset& dataset) const {
   dataset.attributes.set("Conventions", "CF-1.8");
   dataset.attributes.set("source", source());
-  if (!no_history_) add_history(dataset, timestamp() + ": " + command_line_);
+  if (no_history_) return;
+  std::string entry = timestamp() + ": " + command_line_;
+  for (const std::string& line : remembered_) entry += "\n  " + line;
+  add_history(dataset, entry);
 }
 
 void Tool::write_report(const Dataset& dataset) const {

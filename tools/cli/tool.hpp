@@ -25,6 +25,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -74,6 +75,14 @@ struct Option {
 /// A command line whose options contradict each other: "TOOL: --OPTION: message", exit 2.
 using UsageError = ParameterError;
 
+/// For Tool::parsed: what is given becomes the value; `parse` may want more than the option and its text.
+template <class T, class Parse, class... More>
+auto into(T& value, Parse parse, More... more) {
+  return [&value, parse, more...](const std::string& key, const std::string& given) {
+    value = static_cast<T>(parse(key, given, more...));
+  };
+}
+
 class Tool {
  public:
   /// One of the toolbox (cli/toolbox.hpp).
@@ -118,11 +127,26 @@ class Tool {
   /// "AxB", each within the bounds.
   Option counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
                 const std::string& group);
+  /// What `read` makes of a text; it throws ParameterError(key, …). `shown` is the default.
+  using Read = std::function<void(const std::string& key, const std::string& given)>;
+  Option parsed(const std::string& name, const std::string& kind, const std::string& text,
+                const std::string& group, const std::string& shown, const Read& read);
   /// A word, or several of them, known by its place: INPUT.
   Option argument(const std::string& name, std::string& value, const std::string& kind,
                   const std::string& text);
   Option arguments(const std::string& name, std::vector<std::string>& values, const std::string& kind,
                    const std::string& text);
+
+  /// An option of which the order among others counts, and that may come again; steps() has its values.
+  Option step(const std::string& name, const std::string& kind, const std::string& text,
+              const std::string& group);
+  /// --steps, the same as one text, for what has no order: --config and the environment.
+  void steps_in_a_text(const std::string& group);
+  struct Step {
+    std::string option, value;  ///< its name without hyphens
+  };
+  /// In the order of the command line; without any there, those of --steps.
+  std::vector<Step> steps() const;
 
   /// The one option that may have an empty value.
   void may_be_empty(Option option) { may_be_empty_ = option.of; }
@@ -187,6 +211,8 @@ class Tool {
   void write(Dataset& dataset, const std::string& name);  ///< to another file
   /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", needs more than --memory allows.
   void require_memory(double bytes, const std::string& option, const std::string& what) const;
+  /// What the run did, a line each: behind its command in the history of what is written from here on.
+  void remember(std::vector<std::string> lines) { remembered_ = std::move(lines); }
   // The parts of write(), for a tool that writes its dataset piece by piece.
   void sign(Dataset& dataset) const;                ///< Conventions, source and history
   void write_report(const Dataset& dataset) const;  ///< to --report, if given
@@ -203,9 +229,9 @@ class Tool {
   void about(const std::string& surface) const;
 
  private:
-  using Read = std::function<void(const std::string& key, const std::string& given)>;
-  Option parsed(const std::string& name, const std::string& kind, const std::string& text,
-                const std::string& group, const std::string& shown, const Read& read);
+  std::vector<Step> steps_of_command_line() const;
+  std::vector<Step> steps_of_text() const;
+  void settle_steps();
   void add_common();
   void add_seed();
   void add_running();
@@ -233,6 +259,9 @@ class Tool {
   };
   std::map<std::string, Output> outputs_;  ///< by what they are (cli/place.hpp)
   const CLI::Option* may_be_empty_ = nullptr;
+  std::vector<const CLI::Option*> step_options_;
+  std::string steps_text_;
+  std::vector<std::string> remembered_;
   InputFormat format_;
   std::size_t memory_;
   Stopwatch clock_;

@@ -15,6 +15,7 @@ inline constexpr Summary toolbox[] = {
     {"asperity-kernel", "solve the autocorrelation equations for a kernel"},
     {"asperity-generate", "draw random rough surfaces"},
     {"asperity-convert", "import and export maps of other programs"},
+    {"asperity-filter", "level, filter, fill, cut and resample maps"},
     {"asperity-stats", "surface and profile parameters with standard errors"},
     {"asperity-acf", "autocorrelation and correlation lengths of a surface"},
     {"asperity-psd", "power spectral density of a surface"},

@@ -1,4 +1,4 @@
-/// Options for converting a map: how to read a text, size and unit, cropping, thinning, filling, refining.
+/// Options for converting a map: how to read a text, its size and its unit.
 #pragma once
 
 #include <array>
@@ -17,16 +17,15 @@ class MapOptions {
   Reading reading(std::string_view bytes, std::string_view format) const;
   /// Whether any option changes the map.
   bool changes() const;
-  /// In this order: unit and size, --crop, --decimate, --fill, --refine.
-  Map applied(const Tool& tool, Map map) const;
+  /// With the unit and the size.
+  Map applied(Map map) const;
 
  private:
   static constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
   std::array<double, 2> size_{absent, absent};
-  std::string unit_, crop_, fill_ = "none", separator_ = "auto", decimal_ = "auto", points_, refine_;
+  std::string unit_, separator_ = "auto", decimal_ = "auto", points_;
   bool matrix_ = false;
-  Shape decimate_{1, 1};
 };
 
 }  // namespace asperity::cli

@@ -11,6 +11,7 @@
 #include "dataset/units.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/measure/preparation_words.hpp"
 #include "tools/surface/marginal_dataset.hpp"
 
 namespace asperity::cli {
@@ -18,30 +19,14 @@ namespace {
 
 std::string metres(double length) { return format_quantity(length, "m"); }
 
-int form_degree(const std::string& level) {
-  if (level == "mean" || level == "plane") return level == "plane";
-  if (const auto degree = to_number<int>(level)) return *degree;
-  throw UsageError("remove-form", "'" + level + "' is not mean, plane or a degree from 0 to 20");
-}
-
 // λs < λc, both within the longer side of the field, beyond which a filter separates nothing.
 void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid) {
-  if (asked.short_cutoff >= asked.long_cutoff)
-    throw UsageError("lambda-s", metres(asked.short_cutoff) + " is not below --lambda-c, " +
-                                     metres(asked.long_cutoff) + ": no wave passes both filters");
-  auto longer = [](double cutoff, double side) { return cutoff > side * (1 + 1e-12); };
-  const double side = std::max(grid.size_x(), grid.size_y());
-  for (const auto& [option, cutoff] :
-       {std::pair{"lambda-s", asked.short_cutoff}, {"lambda-c", asked.long_cutoff}})
-    if (longer(cutoff, side))
-      throw UsageError(option, metres(cutoff) + " is longer than the field, " + metres(side) +
-                                   ": it holds no such waves; leave the filter out");
-  const double cutoff = std::isnan(asked.long_cutoff) ? asked.short_cutoff : asked.long_cutoff;
-  for (const auto& [axis, size, points] :
-       {std::tuple{"x", grid.size_x(), grid.shape.nx}, {"y", grid.size_y(), grid.shape.ny}})
-    if (points > 1 && longer(cutoff, size))
-      tool.warn("the cut-off, " + metres(cutoff) + ", is longer than the field in " + axis + ", " +
-                metres(size) + ": in that direction it separates little more than the mean");
+  if (asked.shorter.wavelength >= asked.longer.wavelength)
+    throw UsageError("lambda-s", metres(asked.shorter.wavelength) + " is not below --lambda-c, " +
+                                     metres(asked.longer.wavelength) + ": no wave passes both filters");
+  check_cutoff("lambda-s", asked.shorter, grid);
+  check_cutoff("lambda-c", asked.longer, grid);
+  warn_of_cutoff(tool, asked.longer.given() ? asked.longer : asked.shorter, grid);
 }
 
 }  // namespace
@@ -57,22 +42,23 @@ void FieldOptions::declare(Tool& tool) {
 void FieldOptions::declare_field(Tool& tool) {
   tool.text("--variable", variable, "NAME",
             "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
-  tool.text("--remove-form", level, "FORM",
-            "Form to subtract first: mean, plane, or the degree of a polynomial, 0 to 20", "Field");
-  tool.quantity(
-      "--lambda-s", short_cutoff, "m",
-      "Cut-off of the S-filter, which removes shorter waves; Gaussian (ISO 16610-61), below --lambda-c",
-      "Field");
-  tool.quantity("--lambda-c", long_cutoff, "m",
-                "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field",
-                "Field");
+  tool.parsed("--remove-form", form_kind, "Form to subtract first: " + form_words, "Field", "mean",
+              into(asked.form, parse_form));
+  tool.parsed("--lambda-s", cutoff_kind,
+              "Cut-off of the S-filter, which removes shorter waves; below --lambda-c. " + filter_words, "Field",
+              "", into(asked.shorter, parse_cutoff));
+  tool.parsed("--lambda-c", cutoff_kind,
+              "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field. "
+              "FILTER as of --lambda-s",
+              "Field", "", into(asked.longer, parse_cutoff));
 }
 
-Preparation FieldOptions::preparation() const { return {form_degree(level), short_cutoff, long_cutoff}; }
-
 Surface FieldOptions::without_heights(const Dataset& data) const {
-  Surface out{.grid = grid_of(data), .variable = variable, .units = si_unit_of(data.at(variable))};
-  const bool as_drawn = !preparation().filters();
+  Surface out{.grid = grid_of(data),
+              .degree = removed_degree(data, variable),
+              .variable = variable,
+              .units = si_unit_of(data.at(variable))};
+  const bool as_drawn = !asked.filters();
   if (variable == "heights" && as_drawn && correlation != "estimate") {
     out.correlation = carried_correlation(data, "acf_achieved", out.grid);
     if (!out.correlation) out.correlation = carried_correlation(data, "acf_target", out.grid);
@@ -90,8 +76,10 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
 Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   Surface surface = without_heights(data);
   surface.heights = field_of(data, variable, Missing::not_a_number);
-  check_cutoffs(tool, preparation(), surface.grid);
-  return prepared(std::move(surface), preparation(), tool.thread_count());
+  check_cutoffs(tool, asked, surface.grid);
+  surface = prepared(std::move(surface), asked, tool.thread_count());
+  for (const std::string& doubt : surface.doubts) tool.warn(doubt);
+  return surface;
 }
 
 void direction_option(Tool& tool, std::string& direction, const std::string& group) {

@@ -16,15 +16,13 @@
 namespace asperity::cli {
 
 struct FieldOptions {
-  std::string variable = "heights", level = "mean", correlation = "auto";
-  double short_cutoff = Preparation::none, long_cutoff = Preparation::none;  ///< λs, λc [m]
+  std::string variable = "heights", correlation = "auto";
+  Preparation asked = {};
 
   void declare(Tool& tool);
   /// Without --correlation, for a tool whose errors do not need one.
   void declare_field(Tool& tool);
 
-  /// Throws UsageError("remove-form", …) for an unknown word.
-  Preparation preparation() const;
   /// All but the heights of a surface.
   Surface without_heights(const Dataset& data) const;
   /// Throws UsageError for cut-offs that no wave of the field passes; warns where a side is shorter than one.

@@ -70,7 +70,7 @@ void StatsOptions::declare(Tool& tool) {
 MeasureOptions StatsOptions::checked(const Tool& tool) const {
   MeasureOptions out = measured;
   out.groups = asked_groups();
-  out.preparation = field.preparation();
+  out.preparation = field.asked;
   out.profiles = profile == "y" ? Axis1D::y : Axis1D::x;
   out.threads = tool.thread_count();
   check_belonging(tool, out.groups);

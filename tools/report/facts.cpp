@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -140,15 +142,20 @@ std::string other_attributes(const Dataset& data) {
 
 std::string history(const std::string& text) {
   std::istringstream lines(text);
-  std::string out;
+  std::vector<std::string> runs;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) continue;
+    if (line.starts_with("  ") && !runs.empty()) {  // a step of the run above
+      runs.back() += "<br>" + escaped(line.substr(2));
+      continue;
+    }
     const auto colon = line.find(": ");
     const bool timed = colon != line.npos && line.find(' ') > colon;
     const std::string when = timed ? fmt::format("<time>{}</time>", escaped(line.substr(0, colon))) : "";
-    out +=
-        element("li", when + fmt::format("<code>{}</code>", escaped(timed ? line.substr(colon + 2) : line)));
+    runs.push_back(when + fmt::format("<code>{}</code>", escaped(timed ? line.substr(colon + 2) : line)));
   }
+  std::string out;
+  for (const std::string& run : runs) out += element("li", run);
   return element("ol", out, "history");
 }
 

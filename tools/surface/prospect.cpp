@@ -116,7 +116,7 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
         fmt::format(
             "the correlation is too long for the surface: {:.0f} % of the variance would be one offset of "
             "all "
-            "heights; choose a shorter length, or draw a larger surface and cut it (asperity-convert --crop)",
+            "heights; choose a shorter length, or draw a larger surface and cut it (asperity-filter --crop)",
             100 * mean));
   const double along_x = mean_correlation(target, {surface.nx, 1}),
                along_y = mean_correlation(target, {1, surface.ny});

@@ -10,7 +10,7 @@ from classes.options import BASE, without
 from classes.streams import inputs
 
 STILL = {"SOURCE_DATE_EPOCH": "1000000000"}
-DATASETS = ("acf", "contact", "convert", "generate", "kernel", "psd", "stress")
+DATASETS = ("acf", "contact", "convert", "filter", "generate", "kernel", "psd", "stress")
 THREADED = [t for t in TOOLS if t not in ("convert", "kernel", "plot", "report")]
 
 

@@ -17,6 +17,7 @@ from classes.streams import inputs
 BASE = {"acf": ["g.nc", "-o", "out.nc"],
         "contact": ["g.nc", "--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN", "-o", "out.nc"],
         "convert": ["g.nc", "-o", "out.nc"],
+        "filter": ["g.nc", "--remove-form", "plane", "--lambda-c", "10um", "-o", "out.nc"],
         "generate": ["--shape", "24x20", "--size", "24um,20um", "--rq", "0.1um", "--length", "4px", "--seed", "1", "-o",
                      "out.nc"],
         "kernel": ["--length", "4px", "--spacing", "1um", "--rq", "0.1um", "-o", "out.nc"],
@@ -334,7 +335,7 @@ def strange_config(case):
 
 def told_and_obeyed(case):
     """What --dump-config prints is what the same options do."""
-    tool = case.one_of("stats", "acf", "psd", "pdf", "generate", "contact")
+    tool = case.one_of("stats", "acf", "psd", "pdf", "generate", "contact", "filter")
     named_inputs(case, BASE[tool])
     case.path("file.toml").write_bytes(case.done(tool, *BASE[tool], "--dump-config").out)
     env = {"SOURCE_DATE_EPOCH": "0"}

@@ -15,7 +15,7 @@ from bench import BAD_DATA, REFUSED, RIGHT, RUNTIME, USAGE, Skipped, check
 DRAW = ("generate", "--shape", "32x24", "--size", "32um,24um", "--rq", "0.1um", "--length", "4px", "--seed", "1")
 PRESS = ("--radius", "1mm", "--young", "200GPa", "--poisson", "0.3", "--load", "10mN")
 WRITES_DATASET = [("generate", *DRAW[1:]), ("kernel", "--length", "4px"), ("contact", "g.nc", *PRESS), ("acf", "g.nc"),
-                  ("psd", "g.nc"), ("convert", "g.nc"), ("stress", "c.nc", "--depths", "1um,2um")]
+                  ("psd", "g.nc"), ("convert", "g.nc"), ("filter", "g.nc", "--scale", "2"), ("stress", "c.nc", "--depths", "1um,2um")]
 WRITES_TEXT = [("stats", "g.nc"), ("acf", "g.nc", "--result", "lengths"), ("psd", "g.nc", "--result", "radial"),
                ("pdf", "g.nc"), ("report", "g.nc"), ("plot", "g.nc", "--kind", "map", "--to", "svg"), ("validate", "s.nc")]
 

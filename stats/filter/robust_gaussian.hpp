@@ -1,0 +1,37 @@
+/// The robust areal Gaussian regression filter of ISO 16610-71: a mean surface that scratches, pores and
+/// spikes do not draw towards themselves.
+///
+/// The mean surface w is the Gaussian regression of order p, 0 as in stats/filter/gaussian_filter.hpp or 2 as
+/// in stats/filter/local_quadratic.hpp, with an additional weight of each point that depends on how far it
+/// lies from w,
+///     min Σ_k s(x_k - x) δ_k (z_k - P(x_k - x))²  over polynomials P of degree p,   w(x) = P(0),      (1)
+///     δ_k = (1 - (r_k/c)²)²  where |r_k| < c, otherwise 0,   r = z - w,                              (2)
+///     c = 4.4478 median|r|:  3 standard deviations of Gaussian roughness,                            (3)
+/// s the weight of the Gaussian filter. (1) to (3) repeat, beginning with δ = 1, until no point of w moves by
+/// more than 10⁻⁴ c, or `most` times.
+///
+/// Symbols   λ_c cut-off [m]   δ Tukey's biweight   c its width [m]
+/// Accuracy  of the iteration 10⁻⁴ c divided by 1 - its rate, which is 0.2 to 0.5.
+/// Cost      each step two convolutions with order 0; a median.
+///
+/// ISO 16610-71:2014. A. E. Beaton, J. W. Tukey, Technometrics 16 (1974) 147-185.
+#pragma once
+
+#include "core/field.hpp"
+
+namespace asperity {
+
+struct RobustMeanSurface {
+  Field surface;  ///< missing where heights are
+  int steps = 0;  ///< of (1) to (3), the first with δ = 1 included
+  bool converged = false;
+  double change = 0;   ///< the largest move of a point in the last step [m]
+  double width = 0;    ///< c [m]
+  double ignored = 0;  ///< share of the points with δ = 0
+};
+
+/// Throws ParameterError("cut-off") as the Gaussian filter, ParameterError("order") unless 0 or 2.
+RobustMeanSurface robust_gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int order = 0,
+                                               int threads = 1, int most = 100);
+
+}  // namespace asperity

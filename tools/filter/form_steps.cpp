@@ -1,0 +1,89 @@
+// Form and waves.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "tools/filter/step.hpp"
+#include "tools/measure/preparation_words.hpp"
+
+namespace asperity::cli {
+namespace {
+
+// "a dome of radius 5mm; ", of what is no polynomial.
+std::string words_of(const WithoutForm& found, Form::Kind kind) {
+  if (kind == Form::Kind::polynomial) return "";
+  std::string out = (found.radius > 0 ? "a dome" : "a bowl") + std::string(" of radius ") +
+                    figure(std::abs(found.radius), "m");
+  if (kind == Form::Kind::cylinder)
+    out += ", axis at " + in_digits(found.axis * 180 / std::numbers::pi, 4) + "deg";
+  return out + "; ";
+}
+
+Act without_form(const std::string& value) {
+  return [form = parse_form("remove-form", value)](const Tool& tool, Surface& surface) -> Account {
+    WithoutForm found = asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
+    const Field former = std::exchange(surface.heights, std::move(found.heights));
+    surface.degree = std::max(surface.degree, form.modes());
+    std::string words = words_of(found, form.kind) + removed(former, surface.heights, surface.units);
+    if (const Index lost = missing_in(surface.heights) - missing_in(former); lost > 0)
+      words += "; " + share_of(lost, former.size()) + " lie beyond it and are missing now";
+    return {words};
+  };
+}
+
+ActOnParts without_form_in_strips(const std::string& value) {
+  const Form form = parse_form("remove-form", value);
+  if (form.kind != Form::Kind::polynomial) return {};
+  return [form](FieldParts& parts, std::size_t memory, const std::string& units) -> Account {
+    const auto above = std::make_shared<StripReader>(parts, form.degree, memory);
+    Removal removal;
+    above->for_each_strip(
+        0, [&](const Field& strip, Index core, Index first) { removal.add(parts.rows(first, core), strip); });
+    parts.rows = [above](Index first, Index count) { return above->strip(first, count); };
+    return {removal.words(units)};
+  };
+}
+
+// The waves on one side of the cut-off stay.
+template <bool longer_stay>
+Account filtered(const std::string& option, const Cutoff& cutoff, const Tool& tool, Surface& surface) try {
+  check_cutoff(option, cutoff, surface.grid);
+  warn_of_cutoff(tool, cutoff, surface.grid);
+  MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, tool.thread_count());
+  const Field former = std::exchange(
+      surface.heights, longer_stay ? std::move(waves.surface) : Field(surface.heights - waves.surface));
+  return {removed(former, surface.heights, surface.units), false, waves.doubt};
+} catch (const ParameterError& error) {
+  throw ParameterError(option, error.what());
+}
+
+Act short_waves_removed(const std::string& value) {
+  return [cutoff = parse_cutoff("lambda-s", value)](const Tool& tool, Surface& surface) {
+    return filtered<true>("lambda-s", cutoff, tool, surface);
+  };
+}
+
+Act long_waves_removed(const std::string& value) {
+  return [cutoff = parse_cutoff("lambda-c", value)](const Tool& tool, Surface& surface) {
+    return filtered<false>("lambda-c", cutoff, tool, surface);
+  };
+}
+
+}  // namespace
+
+std::vector<StepKind> form_steps() {
+  const char* group = "Form and waves";
+  return {
+      {"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form,
+       without_form_in_strips},
+      {"lambda-s", cutoff_kind, "Keep the waves longer than this, by the S-filter. " + filter_words, group,
+       short_waves_removed},
+      {"lambda-c", cutoff_kind, "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s",
+       group, long_waves_removed}};
+}
+
+}  // namespace asperity::cli

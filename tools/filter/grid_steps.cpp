@@ -1,0 +1,222 @@
+// Parts of a map, and maps on other grids.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "stats/filter/resampling.hpp"
+#include "stats/filter/rotation.hpp"
+#include "tools/cli/grid_words.hpp"
+#include "tools/filter/seam_step.hpp"
+#include "tools/filter/step.hpp"
+#include "transform/refinement.hpp"
+
+namespace asperity::cli {
+namespace {
+
+Account now_has(const Grid& grid) { return {"now " + described(grid)}; }
+
+// The factor, and what the steps that add points need.
+void refuse_holes(const char* option, const Surface& surface) {
+  if (surface.heights.hasNaN())
+    throw UsageError(option, "the map has missing points: fill them first (--fill laplace)");
+}
+
+// ---- crop ----
+
+struct Range {
+  Index begin = 0;
+  std::optional<Index> end = {};  ///< none: that of the map
+  std::string word = {};
+
+  auto of(Index n) const {
+    if (begin >= end.value_or(n) || end.value_or(n) > n)
+      throw UsageError("crop", "'" + word + "' is not a range A:B with 0 <= A < B <= " + std::to_string(n));
+    return Eigen::seqN(begin, end.value_or(n) - begin);
+  }
+};
+
+// "A:B"; either may be omitted.
+Range range_of(const std::string& word) {
+  const std::size_t colon = std::min(word.find(':'), word.size());
+  const std::string first = word.substr(0, colon), second = word.substr(std::min(colon + 1, word.size()));
+  const auto a = to_number<Index>(first), b = to_number<Index>(second);
+  const bool wrong = colon == word.size() || (!a && !first.empty()) || (!b && !second.empty());
+  if (wrong || a.value_or(0) < 0) throw UsageError("crop", "'" + word + "' is not a range A:B of points");
+  return {a.value_or(0), b, word};
+}
+
+struct Crop {
+  Range x, y;
+
+  explicit Crop(const std::string& value) {
+    const std::vector<std::string> words = split(value, ',');
+    if (words.size() != 2) throw UsageError("crop", "'" + value + "' is not of the form A:B,C:D");
+    x = range_of(words[0]), y = range_of(words[1]);
+  }
+  // A part of a period is not periodic.
+  Grid of(Grid grid) const {
+    const Shape now{x.of(grid.shape.nx).size(), y.of(grid.shape.ny).size()};
+    grid.periodic = {grid.periodic.x && now.nx == grid.shape.nx, grid.periodic.y && now.ny == grid.shape.ny};
+    grid.shape = now;
+    return grid;
+  }
+};
+
+Act crop(const std::string& value) {
+  return [crop = Crop(value)](const Tool&, Surface& surface) {
+    const auto [nx, ny] = surface.grid.shape;
+    surface.grid = crop.of(surface.grid);
+    surface.heights = surface.heights(crop.x.of(nx), crop.y.of(ny)).eval();
+    return now_has(surface.grid);
+  };
+}
+
+ActOnParts crop_in_strips(const std::string& value) {
+  return [crop = Crop(value)](FieldParts& parts, std::size_t, const std::string&) {
+    const auto columns = crop.y.of(parts.grid.shape.ny);
+    parts.grid = crop.of(parts.grid);
+    parts.rows = [columns, begin = crop.x.begin, rows = parts.rows](Index first, Index count) -> Field {
+      return rows(begin + first, count)(Eigen::all, columns);
+    };
+    return now_has(parts.grid);
+  };
+}
+
+// ---- fewer points, and more ----
+
+// A period has whole steps.
+Grid thinned(const Grid& grid, Shape step) {
+  const auto [nx, ny] = grid.shape;
+  return {{(nx + step.nx - 1) / step.nx, (ny + step.ny - 1) / step.ny},
+          grid.dx * static_cast<double>(step.nx),
+          grid.dy * static_cast<double>(step.ny),
+          {grid.periodic.x && nx % step.nx == 0, grid.periodic.y && ny % step.ny == 0}};
+}
+
+Act decimate(const std::string& value) {
+  return [step = parse_counts("decimate", value, 1)](const Tool&, Surface& surface) {
+    surface.grid = thinned(surface.grid, step);
+    const auto [nx, ny] = surface.grid.shape;
+    surface.heights = surface.heights(Eigen::seqN(0, nx, step.nx), Eigen::seqN(0, ny, step.ny)).eval();
+    return now_has(surface.grid);
+  };
+}
+
+ActOnParts decimate_in_strips(const std::string& value) {
+  return [step = parse_counts("decimate", value, 1)](FieldParts& parts, std::size_t, const std::string&) {
+    parts.grid = thinned(parts.grid, step);
+    parts.rows = [step, ny = parts.grid.shape.ny, rows = parts.rows](Index first, Index count) {
+      Field out(count, ny);
+      for (Index i = 0; i < count; ++i)
+        out.row(i) = rows((first + i) * step.nx, 1)(0, Eigen::seqN(0, ny, step.ny));
+      return out;
+    };
+    return now_has(parts.grid);
+  };
+}
+
+Act refine(const std::string& value) {
+  const Shape factor =
+      parse_counts("refine", value.find('x') == value.npos ? value + "x" + value : value, {1, 1024});
+  return [factor, value](const Tool& tool, Surface& surface) {
+    refuse_holes("refine", surface);
+    const Grid fine = refined_grid(surface.grid, factor);
+    constexpr double written = 16;  // bytes a point, in a dataset and as it is encoded
+    tool.require_memory(refinement_memory(surface.grid, factor) +
+                            written * static_cast<double>(fine.shape.nx) * static_cast<double>(fine.shape.ny),
+                        "refine", value + ": a map of " + text(fine.shape) + " points");
+    surface.heights = refined(surface.heights, surface.grid, factor);
+    surface.grid = fine;
+    return now_has(surface.grid);
+  };
+}
+
+Act respace(const std::string& value) {
+  const auto spacing = parse_quantities("spacing", value, "m");
+  return [spacing](const Tool& tool, Surface& surface) {
+    refuse_holes("spacing", surface);
+    const Grid grid = resampled_grid(surface.grid, spacing[0], spacing[1]);
+    constexpr double taken = 48;  // bytes a point, with a transform and as it is encoded
+    tool.require_memory(taken * static_cast<double>(grid.shape.nx) * static_cast<double>(grid.shape.ny),
+                        "spacing", "a map of " + text(grid.shape) + " points");
+    surface.heights = resampled(surface.heights, surface.grid, spacing[0], spacing[1], tool.thread_count());
+    surface.grid = grid;
+    return now_has(surface.grid);
+  };
+}
+
+// ---- turned, mirrored ----
+
+Act rotate(const std::string& value) {
+  return [angle = parse_angle("rotate", value)](const Tool& tool, Surface& surface) -> Account {
+    const Grid grid = rotated_grid(surface.grid, angle);
+    surface.heights = rotated(surface.heights, surface.grid, angle, tool.thread_count());
+    surface.grid = grid;
+    const Index outside = missing_in(surface.heights);
+    return {now_has(surface.grid).words + ", " + share_of(outside, surface.heights.size()) + " missing"};
+  };
+}
+
+struct Mirror {
+  bool x, y;
+
+  explicit Mirror(const std::string& value)
+      : x(value == "x" || value == "both"), y(value == "y" || value == "both") {
+    if (!x && !y) refuse("mirror", value, "is none of x|y|both");
+  }
+  Account told() const { return {x && y ? "x and y reversed" : x ? "x reversed" : "y reversed"}; }
+};
+
+Act mirror(const std::string& value) {
+  return [mirror = Mirror(value)](const Tool&, Surface& surface) {
+    if (mirror.x) surface.heights = mirrored(surface.heights, Axis1D::x);
+    if (mirror.y) surface.heights = mirrored(surface.heights, Axis1D::y);
+    return mirror.told();
+  };
+}
+
+ActOnParts mirror_in_strips(const std::string& value) {
+  return [mirror = Mirror(value)](FieldParts& parts, std::size_t, const std::string&) {
+    parts.rows = [mirror, nx = parts.grid.shape.nx, rows = parts.rows](Index first, Index count) {
+      Field out = rows(mirror.x ? nx - first - count : first, count);
+      if (mirror.x) out = mirrored(out, Axis1D::x);
+      return mirror.y ? mirrored(out, Axis1D::y) : out;
+    };
+    return mirror.told();
+  };
+}
+
+}  // namespace
+
+std::vector<StepKind> grid_steps() {
+  const char* group = "Grid";
+  return {
+      {"crop", "A:B,C:D",
+       "Keep points A to B-1 in x and C to D-1 in y; the first point is 0, an omitted end is the map's edge",
+       group, crop, crop_in_strips},
+      {"decimate", "AxB", "Keep every A-th point in x and every B-th in y", group, decimate,
+       decimate_in_strips},
+      {"refine", "AxB",
+       "Put A times as many points in x and B times in y, or A for both, between those of the map, by its "
+       "own waves: trigonometric interpolation of a periodic map, mirrored cosines above a form of degree 2 "
+       "of any other. The domain stays; of an odd A every A-th point is one of the map's",
+       group, refine},
+      {"spacing", "A[,B]",
+       "Resample to this spacing, by the map's own waves as --refine; waves shorter than two new points are "
+       "left out. A periodic axis takes the nearest spacing that divides it",
+       group, respace},
+      {"rotate", "ANGLE",
+       "Turn the map counter-clockwise, from +x towards +y: 30deg. Its corners are missing then, except at "
+       "quarter turns",
+       group, rotate},
+      {"mirror", "x|y|both", "Reverse the order of the points along x, y or both", group, mirror,
+       mirror_in_strips},
+      {"make-periodic", "AXIS[,HOW]", seam_text, group, make_periodic}};
+}
+
+}  // namespace asperity::cli

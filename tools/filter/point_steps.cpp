@@ -1,0 +1,142 @@
+// What a step does to single points by those around them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "formats/fill.hpp"
+#include "stats/filter/median_filter.hpp"
+#include "stats/filter/morphology.hpp"
+#include "tools/filter/step.hpp"
+
+namespace asperity::cli {
+namespace {
+
+// "moved 31 of 1024 points, by 0.2um at most; removed …"
+std::string moved(const Field& before, const Surface& now) {
+  const Field difference = (now.heights - before).abs();
+  const double most = std::max(0.0, difference.maxCoeff<Eigen::PropagateNumbers>());
+  return fmt::format("moved {}, by {} at most; {}", share_of((difference > 0).count(), difference.size()),
+                     figure(most, now.units), removed(before, now.heights, now.units));
+}
+
+template <auto filter>
+Act by_ball(const char* option, const std::string& value) {
+  const double radius = parse_quantity(option, value, "m");
+  if (!(radius > 0 && std::isfinite(radius))) refuse(option, value, "is not a positive length");
+  return [radius](const Tool& tool, Surface& surface) -> Account {
+    const StructuringElement ball{StructuringElement::Kind::ball, radius};
+    Field now = filter(surface.heights, surface.grid, ball, tool.thread_count());
+    const Field former = std::exchange(surface.heights, std::move(now));
+    return {moved(former, surface)};
+  };
+}
+
+Act closed(const std::string& value) { return by_ball<closing>("closing", value); }
+Act opened(const std::string& value) { return by_ball<opening>("opening", value); }
+
+// The window of a width in samples, or in metres.
+Shape window_of(const SampledLength& width, const Grid& grid) {
+  if (!width.samples) return median_window(grid, width.value);
+  const auto count = [&](Index n) { return std::min(static_cast<Index>(width.value), (n - 1) / 2 * 2 + 1); };
+  return {count(grid.shape.nx), count(grid.shape.ny)};
+}
+
+// "5px" are whole and odd.
+SampledLength width_of(const std::string& option, const std::string& text) {
+  const SampledLength width = parse_length(option, text);
+  const bool odd = std::fmod(width.value, 2) == 1 && width.value >= 3 && width.value <= 1 << 20;
+  if (width.samples && !odd) refuse(option, text, "is not an odd number of points, 3px or more");
+  if (!(width.value > 0 && std::isfinite(width.value))) refuse(option, text, "is not a positive length");
+  return width;
+}
+
+Act median(const std::string& value) {
+  return [width = width_of("median", value)](const Tool& tool, Surface& surface) -> Account {
+    const Shape window = window_of(width, surface.grid);
+    Field now = median_surface(surface.heights, surface.grid, window, tool.thread_count());
+    const Field former = std::exchange(surface.heights, std::move(now));
+    return {"windows of " + text(window) + " points; " + moved(former, surface)};
+  };
+}
+
+Act outliers(const std::string& value) {
+  const std::size_t comma = std::min(value.find(','), value.size());
+  const auto bound = to_number<double>(value.substr(0, comma));
+  if (!bound || !(*bound > 0 && std::isfinite(*bound)))
+    refuse("outliers", value, "does not begin with a number of deviations above 0");
+  const SampledLength width = width_of("outliers", comma == value.size() ? "5px" : value.substr(comma + 1));
+  return [bound = *bound, width](const Tool& tool, Surface& surface) -> Account {
+    WithoutOutliers found = without_outliers(surface.heights, surface.grid, window_of(width, surface.grid),
+                                             bound, tool.thread_count());
+    surface.heights = std::move(found.heights);
+    std::string words = share_of(found.removed, surface.heights.size()) + " made missing";
+    if (found.removed > 0)
+      words += fmt::format(", up to {} from the median of their window, where a deviation is {}",
+                           figure(found.furthest, surface.units), figure(found.deviation, surface.units));
+    return {words};
+  };
+}
+
+constexpr std::array fillings{"laplace", "mean", "least"};  // in the order of Filling
+
+Act fill(const std::string& value) {
+  const auto* word = std::ranges::find(fillings, value);
+  if (word == fillings.end()) refuse("fill", value, "is none of laplace|mean|least");
+  return [filling = static_cast<Filling>(word - fillings.begin())](const Tool&, Surface& surface) -> Account {
+    const Index holes = missing_in(surface.heights);
+    surface.heights = filled(std::move(surface.heights), surface.grid, filling);
+    return {"filled " + share_of(holes, surface.heights.size())};
+  };
+}
+
+double factor_of(const std::string& value) {
+  const auto factor = to_number<double>(value);
+  if (!factor || *factor == 0 || !std::isfinite(*factor)) refuse("scale", value, "is not a number besides 0");
+  return *factor;
+}
+
+Act scale(const std::string& value) {
+  return [factor = factor_of(value)](const Tool&, Surface& surface) -> Account {
+    surface.heights *= factor;
+    return {"multiplied by " + shortest(factor)};
+  };
+}
+
+ActOnParts scale_in_strips(const std::string& value) {
+  return [factor = factor_of(value)](FieldParts& parts, std::size_t, const std::string&) -> Account {
+    parts.rows = [factor, rows = parts.rows](Index first, Index count) -> Field {
+      return rows(first, count) * factor;
+    };
+    return {"multiplied by " + shortest(factor)};
+  };
+}
+
+}  // namespace
+
+std::vector<StepKind> point_steps() {
+  const char *group = "Form and waves", *points = "Points";
+  return {
+      {"closing", "RADIUS",
+       "Fill the valleys that a ball of this radius does not reach from above: morphological closing (ISO "
+       "16610-85)",
+       group, closed},
+      {"opening", "RADIUS", "Cut the summits that a ball does not reach from below", group, opened},
+      {"median", "WIDTH", "Put the median of a window in place of each height; 5px, 10um", group, median},
+      {"outliers", "K[,WIDTH]",
+       "Make points missing that lie further than K robust standard deviations from the median of the "
+       "window around them; 5, 5,10um. Default WIDTH: 5px",
+       points, outliers},
+      {"fill", "laplace|mean|least",
+       "Fill missing points; laplace: with a membrane over each hole (Laplace's equation), mean: with the "
+       "mean height, least: with the smallest height",
+       points, fill},
+      {"scale", "NUMBER", "Multiply the heights; -1 turns summits into valleys", points, scale,
+       scale_in_strips}};
+}
+
+}  // namespace asperity::cli

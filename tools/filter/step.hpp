@@ -1,0 +1,65 @@
+/// The steps of asperity-filter: what each does to a map, and how it tells of it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "stats/measure/strips.hpp"
+#include "stats/measure/surface.hpp"
+#include "tools/cli/tool.hpp"
+
+namespace asperity::cli {
+
+/// What a step did, "removed 3.2um rms", for the history.
+struct Account {
+  std::string words;
+  bool told = false;       ///< to the user too, even without --verbose
+  std::string doubt = {};  ///< a solver has not converged; "": none
+};
+
+using Act = std::function<Account(const Tool&, Surface&)>;
+
+/// Of a map that stays in its file: what its parts become.
+using ActOnParts = std::function<Account(FieldParts&, std::size_t memory, const std::string& units)>;
+
+struct StepKind {
+  const char *option, *kind;  ///< "crop", "A:B,C:D"
+  std::string text;
+  const char* group;
+  /// Reads the value before the map is there; throws ParameterError(option, …).
+  Act (*act)(const std::string& value);
+  ActOnParts (*act_on_parts)(const std::string& value) = nullptr;  ///< none: needs the whole map
+};
+
+std::vector<StepKind> form_steps();   ///< form and waves
+std::vector<StepKind> point_steps();  ///< closing, opening, median, outliers, fill, scale
+std::vector<StepKind> grid_steps();   ///< crop, decimate, refine, spacing, rotate, mirror, make-periodic
+
+// ---- figures of an account ----
+
+/// "3.2um" to four digits; of a field in other units "3.2 V".
+std::string figure(double value, const std::string& units);
+/// What left a map, and what is left of it, by its mean and its rms about that: sums over strips.
+class Removal {
+ public:
+  void add(const Field& before, const Field& after);
+  /// "removed 3.2um rms about a mean of 12um; 0.4um rms is left".
+  std::string words(const std::string& units) const;
+
+ private:
+  struct Spread {
+    double base = 0, sum = 0, squares = 0, count = 0;
+    void add(const Field& z);
+    double mean() const { return count > 0 ? base + sum / count : 0; }
+    double rms() const;
+  };
+  Spread gone_, left_;
+};
+std::string removed(const Field& before, const Field& after, const std::string& units);
+/// "31 of 1024 points".
+std::string share_of(Index points, Index all);
+/// Points that are missing.
+Index missing_in(const Field& z);
+
+}  // namespace asperity::cli
