@@ -13,6 +13,12 @@ bool has_extension(const Format& format, std::string_view extension) {
          fmt::format(" {} ", format.extensions).find(fmt::format(" {} ", extension)) != std::string::npos;
 }
 
+// No text has them, unless it is UTF-16 with its mark.
+bool has_zeros(std::string_view bytes) {
+  const bool marked = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+  return !marked && bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
 }  // namespace
 
 std::span<const Format> formats() {
@@ -50,7 +56,9 @@ const Format* format_by_extension(std::string_view file_name) {
 const Format* known_format(std::string_view bytes, std::string_view file_name) {
   for (const Format& format : formats())
     if (format.recognises && format.recognises(bytes)) return &format;
-  if (const Format* format = format_by_extension(file_name); format && !format->recognises) return format;
+  if (const Format* format = format_by_extension(file_name);
+      format && !format->recognises && !has_zeros(bytes))
+    return format;
   return is_text(bytes) ? &format::text : nullptr;
 }
 

@@ -1,7 +1,7 @@
 /// The formats of maps, and how the format of a file is found.
 ///
 /// The first bytes decide. If they do not, the extension of the name decides among the formats without
-/// typical first bytes. Any other text is read as a matrix of numbers.
+/// typical first bytes, unless there are zeros among them. Any other text is read as a matrix of numbers.
 #pragma once
 
 #include <span>

@@ -27,7 +27,6 @@ float single(double value, bool positive) {
 
 Steps steps_of(const Field& values) {
   const double half = std::ldexp(1.0, 30);
-  const auto present = values.isNaN().select(0.0, values);
   if (values.isNaN().all()) return {Field::Zero(values.rows(), values.cols())};
   const double low = values.minCoeff<Eigen::PropagateNumbers>(),
                high = values.maxCoeff<Eigen::PropagateNumbers>();
@@ -36,7 +35,8 @@ Steps steps_of(const Field& values) {
   const double reach = std::max(high - out.zero, out.zero - low);
   constexpr float least_step = std::numeric_limits<float>::min(), largest = std::numeric_limits<float>::max();
   if (reach > 0) out.step = std::max(std::nextafter(single(reach / half, false), largest), least_step);
-  out.numbers = ((present - out.zero) / out.step).round();
+  const double zero = out.zero;  // of what is missing, too: within the range
+  out.numbers = ((values.isNaN().select(zero, values) - zero) / out.step).round();
   return out;
 }
 

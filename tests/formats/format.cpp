@@ -14,6 +14,9 @@ TEST_CASE("a format is known by its first bytes, then by its name, then as text"
   CHECK(format_of("1 2\n", "-").name == "text");
   CHECK_THROWS_AS(format_of(std::string("\x01\x02\0", 3), "a.unknown"), DataError);
   CHECK_THROWS_AS(format_of("", "a.txt"), DataError);
+  CHECK_THROWS_AS(format_of(std::string("1 2\n\0\1", 6), "a.txt"),
+                  DataError);  // many instruments write .dat, .txt
+  CHECK(format_of("1 2\n\x1b", "a.txt").name == "text");
   CHECK_THROWS_AS(format_named("word", "from"), ParameterError);
 }
 

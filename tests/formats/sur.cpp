@@ -153,6 +153,17 @@ TEST_CASE("what is written as SUR is read again the same to half a step, missing
   CHECK(again.units == "V");
 }
 
+// The number of a missing point once was that of the height 0, far outside the range.
+TEST_CASE("heights far from zero with a missing point are written as SUR", "[formats][exact]") {
+  Map map{
+      .values = Field::Constant(3, 2, 1) + 1e-6 * random_field({3, 2}, 4), .spacing = {1, 1}, .units = "m"};
+  map.values(1, 1) = std::nan("");
+  const Map again = read(format::sur.encode(map, Order::xy));
+  CHECK(again.values.isNaN().count() == 1);
+  CHECK(map.values.isNaN().select(0.0, (again.values - map.values).abs()).maxCoeff() <=
+        std::ldexp(1e-5, -32) + 4 * epsilon);  // half a step of a range below 10 µm; roundings of 1 m
+}
+
 TEST_CASE("a map that SUR cannot hold is not written as one", "[formats][contract]") {
   Map map = small_map();
   map.spacing[1] = Map::unknown;

@@ -62,7 +62,8 @@ std::string InputFormat::reason(std::string_view bytes, const std::string& name)
     return file + "its first bytes are of that format";
   const std::string none = "its first bytes are of none of " + names_of_formats();
   if (out == through_gwyddion) return file + none + ", its extension is of no format, and it is no text";
-  if (format_by_extension(name) != nullptr) return file + none + ", its extension is of that format";
+  if (const Format* other = format_by_extension(name); other != nullptr && other->name == out)
+    return file + none + ", its extension is of that format";
   return file + none + ", its extension is of no format, and it is text; Gwyddion is not asked";
 }
 
