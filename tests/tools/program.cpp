@@ -108,12 +108,12 @@ TEST_CASE("a file that no reader knows is read through Gwyddion, and history and
     CAPTURE(line, run.error);
     REQUIRE(run.exit == 0);
     CHECK_THAT(run.error,
-               ContainsSubstring("read through another program: gwyddion 9.87 --convert-to-gwy=- "));
+               ContainsSubstring("read through another program: gwyddion 9.87 --convert-to-gwy=OUT.gwy "));
     const Dataset data = read_dataset("a.nc");
     CHECK((field_of(data, "heights") == map.values).all());
     const std::string history = data.attributes.text("history");
     CHECK_THAT(history, ContainsSubstring("asperity-convert "));
-    CHECK_THAT(history, ContainsSubstring(": gwyddion 9.87 --convert-to-gwy=- "));
+    CHECK_THAT(history, ContainsSubstring(": gwyddion 9.87 --convert-to-gwy=OUT.gwy "));
     CHECK(history.find("asperity-convert") < history.find("gwyddion 9.87"));
   }
   const Outcome run = shell(first + "asperity-stats scan.dat -v");
