@@ -62,9 +62,10 @@ Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              std::string_view bytes) {
-  return options.map.applied(format.netcdf(bytes)
-                                 ? map_of(decoded(tool, bytes), options.variable)
-                                 : format.map(bytes, tool.input_name(), tool.memory_bound()));
+  if (format.netcdf(bytes)) return options.map.applied(map_of(decoded(tool, bytes), options.variable));
+  Map map = format.map(bytes, tool.input_name(), tool.memory_bound());
+  if (const std::string note = note_of(map); !note.empty()) tool.note(note);
+  return options.map.applied(std::move(map));
 }
 
 // Everything except fields below the surface.
@@ -101,6 +102,7 @@ int convert(cli::Tool& tool, const Options& options) {
   std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name(), tool.memory_bound());
   cli::InputFormat format = tool.format();
   tool.reads(tool.input_name(), format.found(*bytes, tool.input_name()) == target);
+  tool.detail(format.reason(*bytes, tool.input_name()));
   format.reading = options.map.reading(*bytes, format.found(*bytes, tool.input_name()));
   if (target == "netcdf") {
     Dataset data = dataset_from(tool, format, options, std::move(bytes));
@@ -142,8 +144,9 @@ int main(int argc, char** argv) {
   tool.text("--variable", o.variable, "NAME", "Field on (x, y) to read; it becomes the map", "Result");
   tool.output_of_any_format();
   tool.example("asperity-convert map.x3p -o map.gsf");
-  tool.accuracy("All formats keep doubles exactly, except gsf, which holds 24 bits.");
-  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--variable", "--matrix",
-                  "--xyz"});
+  tool.accuracy(
+      "All formats keep doubles exactly, except gsf, which holds 24 bits, and sur: the nearest of 2^31 steps "
+      "from the lowest to the highest, and 24 bits of a spacing.");
+  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--variable", "--matrix", "--xyz"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

@@ -13,12 +13,19 @@ bool has_extension(const Format& format, std::string_view extension) {
          fmt::format(" {} ", format.extensions).find(fmt::format(" {} ", extension)) != std::string::npos;
 }
 
+// No text has them, unless it is UTF-16 with its mark.
+bool has_zeros(std::string_view bytes) {
+  const bool marked = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+  return !marked && bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
 }  // namespace
 
 std::span<const Format> formats() {
   using namespace format;
   // Formats recognised by their first bytes come first.
-  static const Format all[] = {gwyddion_text, gsf, nrrd, npy, sdf, sdf_ascii, esri, x3p, format::text};
+  static const Format all[] = {gwyddion_text, gsf, gwy,  nrrd, npy,         sdf,
+                               sdf_ascii,     sur, esri, x3p,  format::text};
   return all;
 }
 
@@ -46,12 +53,18 @@ const Format* format_by_extension(std::string_view file_name) {
   return nullptr;
 }
 
+const Format* known_format(std::string_view bytes, std::string_view file_name) {
+  for (const Format& format : formats())
+    if (format.recognises && format.recognises(bytes)) return &format;
+  if (const Format* format = format_by_extension(file_name);
+      format && !format->recognises && !has_zeros(bytes))
+    return format;
+  return is_text(bytes) ? &format::text : nullptr;
+}
+
 const Format& format_of(std::string_view bytes, std::string_view file_name) {
   if (bytes.empty()) refuse("the file is empty");
-  for (const Format& format : formats())
-    if (format.recognises && format.recognises(bytes)) return format;
-  if (const Format* format = format_by_extension(file_name); format && !format->recognises) return *format;
-  if (is_text(bytes)) return format::text;
+  if (const Format* format = known_format(bytes, file_name)) return *format;
   refuse("unknown format: neither the first bytes nor the file extension identifies it");
 }
 

@@ -1,7 +1,7 @@
 /// The formats of maps, and how the format of a file is found.
 ///
 /// The first bytes decide. If they do not, the extension of the name decides among the formats without
-/// typical first bytes. Any other text is read as a matrix of numbers.
+/// typical first bytes, unless there are zeros among them. Any other text is read as a matrix of numbers.
 #pragma once
 
 #include <span>
@@ -11,6 +11,10 @@
 #include "formats/map.hpp"
 
 namespace asperity {
+
+/// What a format keeps of a number: all of it, 24 bits, or the nearest of 2^31 steps from the least value to
+/// the greatest.
+enum class Numbers { doubles, singles, steps };
 
 struct Format {
   std::string_view name;                       ///< as on the command line
@@ -22,12 +26,13 @@ struct Format {
   Map (*decode)(std::string_view bytes, const Reading& reading);
   /// Throws DataError for a map that the format cannot hold.
   std::string (*encode)(const Map& map, Order order);
-  bool single = false;  ///< writes numbers in single precision, 24 bits
+  Numbers numbers = Numbers::doubles;  ///< as they are written
+  bool channels = false;               ///< a file may hold several maps (formats/channels.hpp)
 };
 
 /// Each is defined in the source file of its name, which begins with a description of the supported features.
 namespace format {
-extern const Format esri, gsf, gwyddion_text, npy, nrrd, sdf, sdf_ascii, text, x3p;
+extern const Format esri, gsf, gwy, gwyddion_text, npy, nrrd, sdf, sdf_ascii, sur, text, x3p;
 }
 
 std::span<const Format> formats();
@@ -39,7 +44,9 @@ bool is_text(std::string_view bytes);
 const Format& format_named(std::string_view name, const std::string& option);
 /// The format with the extension of the name; null when there is none.
 const Format* format_by_extension(std::string_view file_name);
-/// The format of a file with these bytes and this name. Throws DataError("map", …) when it is unknown.
+/// The format of a file with these bytes and this name; null when it is unknown.
+const Format* known_format(std::string_view bytes, std::string_view file_name);
+/// The same. Throws DataError("map", …) when it is unknown, or the file is empty.
 const Format& format_of(std::string_view bytes, std::string_view file_name);
 
 }  // namespace asperity

@@ -62,7 +62,7 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::gsf{"gsf",  "gsf", "Gwyddion Simple Field, 32-bit floats", recognises, decode,
-                         encode, true};
+const Format format::gsf{"gsf",  "gsf",           "Gwyddion Simple Field, 32-bit floats", recognises, decode,
+                         encode, Numbers::singles};
 
 }  // namespace asperity

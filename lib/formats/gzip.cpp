@@ -14,8 +14,10 @@ constexpr std::size_t piece = 1 << 16;
 
 class Inflater {
  public:
-  explicit Inflater(std::string_view bytes) : rest_(bytes) {
-    if (inflateInit2(&stream_, 15 + 16) != Z_OK) throw std::bad_alloc();
+  Inflater(std::string_view bytes, Wrapper wrapper) : rest_(bytes) {
+    constexpr int largest_window = 15, of_gzip = 16;
+    const int kind = wrapper == Wrapper::gzip ? largest_window + of_gzip : largest_window;
+    if (inflateInit2(&stream_, kind) != Z_OK) throw std::bad_alloc();
   }
   ~Inflater() { inflateEnd(&stream_); }
   Inflater(const Inflater&) = delete;
@@ -32,7 +34,7 @@ class Inflater {
     return state_ == Z_OK || state_ == Z_STREAM_END ? size - stream_.avail_out : 0;
   }
 
-  // Whether the stream ends here with a correct gzip checksum.
+  // Whether the stream ends here with a correct checksum.
   bool ends() {
     char next;
     return take(&next, 1) == 0 && state_ == Z_STREAM_END;
@@ -57,20 +59,21 @@ class Inflater {
 
 }  // namespace
 
-std::string inflated(std::string_view bytes, std::size_t size) {
+std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper) {
+  const std::string_view name = wrapper == Wrapper::gzip ? "gzip" : "zlib";
   if (size / most_inflated > bytes.size())
-    refuse("the file is cut short: {} bytes of gzip cannot hold {}", bytes.size(), size);
-  Inflater inflater(bytes);
+    refuse("the file is cut short: {} bytes of {} cannot hold {}", bytes.size(), name, size);
+  Inflater inflater(bytes, wrapper);
   std::string out;
   out.reserve(size);  // address space only, until it is filled
   while (out.size() < size) {
     const std::size_t before = out.size();
     out.resize(std::min(size, before + piece));
     const std::size_t got = inflater.take(out.data() + before, out.size() - before);
-    if (got == 0) refuse("the gzip data are damaged or cut short");
+    if (got == 0) refuse("the {} data are damaged or cut short", name);
     out.resize(before + got);
   }
-  if (!inflater.ends()) refuse("the gzip data are damaged, or hold more points than the header gives");
+  if (!inflater.ends()) refuse("the {} data are damaged, or hold more points than the header gives", name);
   refuse_rest(inflater.rest(), "map");
   return out;
 }

@@ -1,4 +1,4 @@
-/// Gzip in memory; no other code calls zlib.
+/// Deflated bytes in memory; no other code calls zlib.
 #pragma once
 
 #include <string>
@@ -9,9 +9,12 @@ namespace asperity {
 /// Largest expansion by deflate: bytes from one compressed byte.
 inline constexpr std::size_t most_inflated = 1032;
 
+/// What is around the deflated bytes.
+enum class Wrapper { gzip, zlib };
+
 /// Inflates `bytes` to `size` bytes. Throws DataError("map", …) before allocation when `bytes` are too few
 /// for this size, and when they are damaged, give another size, or are followed by other bytes
 /// (dataset/bytes.hpp). Memory: the bytes inflated so far.
-std::string inflated(std::string_view bytes, std::size_t size);
+std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper = Wrapper::gzip);
 
 }  // namespace asperity

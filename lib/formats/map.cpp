@@ -79,12 +79,21 @@ void check_heights(const Map& map, const std::string& format) {
            one_line(map.units, 24));
 }
 
+std::string note_of(const Map& map) {
+  if (map.history.empty()) return {};
+  return "read through another program: " + map.history.substr(map.history.find(": ") + 2);
+}
+
 Dataset dataset_of(const Map& map) {
   Dataset out;
   set_grid(out, grid_of(map));
   const bool heights = map.units.empty() || map.units == "m";
   const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
                     words = map.title.empty() ? name : one_line(map.title);
+  if (!map.history.empty()) {
+    out.attributes.set("history", map.history);
+    out.notes.push_back(note_of(map));
+  }
   if (map.values.isInf().any()) throw DataError(name, "a value is infinite");
   if (map.values.isNaN().all()) throw DataError(name, "all points are missing");
   if (map.values.hasNaN())

@@ -34,9 +34,10 @@ struct Reading {
   Order order;
   Separator separator = Separator::any;
   DecimalMark decimal = DecimalMark::any;
-  bool matrix = false;      ///< a text is a bare matrix of heights, even if columns look like coordinates
-  double coordinate = 0;    ///< metres per unit of x and y in a text of points x z or x y z; 0: heights
-  MemoryBound memory = {};  ///< without the file's bytes, if the caller counts them as taken
+  bool matrix = false;       ///< a text is a bare matrix of heights, even if columns look like coordinates
+  double coordinate = 0;     ///< metres per unit of x and y in a text of points x z or x y z; 0: heights
+  std::string channel = {};  ///< of a file of several maps: its name or number (formats/channels.hpp)
+  MemoryBound memory = {};   ///< without the file's bytes, if the caller counts them as taken
 };
 
 struct Map {
@@ -47,6 +48,7 @@ struct Map {
   std::string units = {};  ///< "m", or a unit that is not a length; "": not in the file
   std::string title = {};  ///< the channel's name, or ""
   decltype(Grid::periodic) periodic = {};
+  std::string history = {};  ///< "time: command" of another program that read the file, or ""
 };
 
 /// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.
@@ -59,6 +61,8 @@ void check_size(const Map& map, const std::string& format);
 /// Also for a quantity that is not a length, which `format` cannot hold.
 void check_heights(const Map& map, const std::string& format);
 
+/// That another program read the file, or "".
+std::string note_of(const Map& map);
 /// As a dataset with x, y and `heights`, or `values` if the quantity is not a length; missing points become
 /// `mask` and _FillValue. Without a unit, metres are assumed. Throws DataError("x", …) when the map has no
 /// size, DataError(name, …) when a point is infinite or all are missing.

@@ -4,6 +4,7 @@ import hashlib
 import io
 import struct
 import zipfile
+import zlib
 
 import netCDF4
 import numpy as np
@@ -243,8 +244,48 @@ def x3p(surface, rng):
                    "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}), []
 
 
+def gwy(surface, rng):
+    """Gwyddion's own: an object is a name, NUL, a size and components, each a name, NUL, a letter and a value."""
+    def part(name, kind, value):
+        return name.encode() + b"\0" + kind + value
+
+    def thing(name, *parts):
+        return name + b"\0" + struct.pack("<I", len(b"".join(parts))) + b"".join(parts)
+
+    (nx, ny), unit = surface.shape, thing(b"GwySIUnit", part("unitstr", b"s", b"m\0"))
+    field = thing(b"GwyDataField", part("xres", b"i", struct.pack("<i", nx)), part("yres", b"i", struct.pack("<i", ny)),
+                  part("xreal", b"d", struct.pack("<d", nx * surface.dx)),
+                  part("yreal", b"d", struct.pack("<d", ny * surface.dy)),
+                  part("si_unit_xy", b"o", unit), part("si_unit_z", b"o", unit),
+                  part("data", b"D", struct.pack("<I", nx * ny) + surface.z.T.astype("<f8").tobytes()))
+    others = part("/0/data/title", b"s", b"z\0") if rng.random() < 0.5 else b""
+    return b"GWYP" + thing(b"GwyContainer", part("/0/data", b"o", field), others), []
+
+
+def sur(surface, rng):
+    """Digital Surf's: whole numbers of a step, above a height of zero."""
+    code, bits, most = (("<i4", 32, 2**30), ("<i2", 16, 2**14))[int(rng.integers(2))]
+    step = np.float32(abs(surface.z).max() / 1e-6 / most or 1)
+    zero = np.float32(step * int(rng.integers(-99, 99)))
+    stored = ((surface.z / 1e-6 - zero) / step).round().astype(code)
+    surface.z = (stored.astype(float) * float(step) + float(zero)) * 1e-6
+    surface.dx, surface.dy = float(np.float32(surface.dx / 1e-6)) * 1e-6, float(np.float32(surface.dy / 1e-6)) * 1e-6
+    head = bytearray(512)
+    deflated = rng.random() < 0.5
+    head[:12] = b"DSCOMPRESSED" if deflated else b"DIGITAL SURF"
+    struct.pack_into("<hhhh", head, 12, 0, 1, 1, 2)
+    struct.pack_into("<hiiiii", head, 98, bits, int(stored.min()), int(stored.max()), *surface.shape, stored.size)
+    struct.pack_into("<fff", head, 120, surface.dx / 1e-6, surface.dy / 1e-6, step)
+    for place in range(180, 276, 16):
+        head[place:place + 2] = b"\xb5m"
+    struct.pack_into("<f", head, 474, zero)
+    values = stored.T.tobytes()
+    packed = zlib.compress(values)
+    return bytes(head) + (struct.pack("<III", 1, len(values), len(packed)) + packed if deflated else values), []
+
+
 FORMATS = {"txt": text, "npy": npy, "gsf": gsf, "nrrd": nrrd, "sdf-ascii": sdf_ascii, "sdf": sdf, "asc": esri,
-           "gwyddion": gwyddion_text, "x3p": x3p}
+           "gwyddion": gwyddion_text, "x3p": x3p, "gwy": gwy, "sur": sur}
 
 
 def mutated(case, content):

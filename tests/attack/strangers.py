@@ -141,7 +141,7 @@ def written_and_read(case):
     """What one format is written to comes back the same."""
     surface = maps.random_surface(case.rng, least=2)
     maps.write_netcdf(case.path("in.nc"), surface)
-    to = case.one_of("npy", "nrrd", "sdf", "sdf-ascii", "esri", "x3p", "text", "gwyddion-text", "gsf")
+    to = case.one_of("npy", "nrrd", "sdf", "sdf-ascii", "esri", "x3p", "text", "gwyddion-text", "gsf", "gwy")
     name = "out." + {"sdf-ascii": "sdf", "esri": "asc", "text": "txt", "gwyddion-text": "txt"}.get(to, to)
     run = case.run("convert", "in.nc", "--to", to, "-o", name)
     if run.code != 0:

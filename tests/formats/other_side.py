@@ -11,6 +11,7 @@ import tempfile
 
 SKIPPED = 77
 CONVERT = sys.argv[1]
+DATA = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data")
 NX, NY, DX, DY = 5, 4, 6e-4, 5e-4  # of --size 3mm,2mm
 
 
@@ -137,30 +138,72 @@ def gwy_object(file, at):
     return parts, end
 
 
-def check_gwyddion():
-    if not shutil.which("gwyddion"):
-        skip("gwyddion")
-    np.save("z.npy", heights())
-    np.save("whole.npy", heights(missing=False))
-    heights_of = ("--size", "3mm,2mm", "--unit", "m")
-    files = [convert("z.npy", name, *heights_of) for name in ("a.gsf", "b.sdf", "c.nrrd", "d.x3p")]
-    files += [convert("whole.npy", "e.sdf", *heights_of, "--to", "sdf-ascii")]
+def read_by_gwyddion(*files):
+    """Their channels of these files, as this script reads them: for each the field and the points that are masked."""
     at_home_here = {**os.environ, "HOME": os.getcwd()}
     subprocess.run(["gwyddion", "--convert-to-gwy=all.gwy", *files], check=True, env=at_home_here)
     with open("all.gwy", "rb") as file:
         bytes_ = file.read()
     assert bytes_[:4] == b"GWYP"
     channels, _ = gwy_object(bytes_, 4)
-    for number, name in enumerate(files):
+    for number in range(len(files)):
         field = channels[f"/{number}/data"]
-        assert (field["xres"], field["yres"]) == (NX, NY), name
-        assert np.allclose([field["xreal"], field["yreal"]], [3e-3, 2e-3], rtol=1e-12), name
+        shape = field["yres"], field["xres"]
+        field["values"] = np.array(field["data"]).reshape(shape).T
+        mask = channels.get(f"/{number}/mask")
+        field["masked"] = np.array(mask["data"]).reshape(shape).T > 0 if mask else np.zeros(shape[::-1], bool)
+        yield field
+
+
+def check_gwyddion():
+    if not shutil.which("gwyddion"):
+        skip("gwyddion")
+    np.save("z.npy", heights())
+    np.save("whole.npy", heights(missing=False))
+    heights_of = ("--size", "3mm,2mm", "--unit", "m")
+    files = [convert("z.npy", name, *heights_of) for name in ("a.gsf", "b.sdf", "c.nrrd", "d.x3p", "f.gwy")]
+    files += [convert("whole.npy", "e.sdf", *heights_of, "--to", "sdf-ascii")]
+    files += [convert("whole.npy", "g.sur", *heights_of)]
+    half_a_step = np.ptp(heights(missing=False)) / 2**32 * 1.001
+    for number, (name, field) in enumerate(zip(files, read_by_gwyddion(*files))):
+        expected = heights(missing=name not in ("e.sdf", "g.sur"))
+        exact = expected.astype("f4").astype(float) if name == "a.gsf" else expected
+        assert field["values"].shape == (NX, NY), name
+        assert np.allclose([field["xreal"], field["yreal"]], [3e-3, 2e-3], rtol=6e-8 if name == "g.sur" else 1e-12), name
         assert field["si_unit_xy"]["unitstr"] == field["si_unit_z"]["unitstr"] == "m", name
-        read = np.array(field["data"]).reshape(NY, NX).T
-        if f"/{number}/mask" in channels:
-            read[np.array(channels[f"/{number}/mask"]["data"]).reshape(NY, NX).T > 0] = np.nan
-        expected = heights(missing=name != "e.sdf")
-        assert same(read, expected.astype("f4").astype(float) if name == "a.gsf" else expected), name
+        theirs = np.where(field["masked"], np.nan, field["values"])
+        if name == "g.sur":
+            assert np.allclose(theirs, exact, rtol=1e-15, atol=half_a_step), name
+        else:
+            assert same(theirs, exact), name
+        # And back: what they wrote, as this project reads it.
+        again = np.load(convert("all.gwy", "ours.npy", "--channel", str(number)))
+        assert same(again, theirs), name
+        spacing = [field["xreal"] / NX, field["yreal"] / NY]
+        convert("all.gwy", "ours.nrrd", "--channel", str(number))
+        assert np.allclose(our_spacing("ours.nrrd"), spacing, rtol=4e-16, atol=0), name
+        # In one step, through the program.
+        assert same(np.load(convert(name, "ours.npy", "--from", "gwyddion", "--quiet")), theirs), name
+    check_filled()
+    for name in ("profiler-96x96.x3p", "iso-7x4.sdf"):
+        check_both_ways_of(os.path.join(DATA, name))
+
+
+def check_filled():
+    """They have no missing values: the mean of the others is below the mask."""
+    field, = read_by_gwyddion("f.gwy")
+    assert field["masked"].sum() == 1
+    assert np.isclose(field["values"][field["masked"]][0], np.nanmean(heights()), rtol=1e-14)
+    assert np.isclose(field["xoff"], -1.5e-3, rtol=1e-12) and np.isclose(field["yoff"], -1e-3, rtol=1e-12)
+
+
+def check_both_ways_of(path):
+    """A measured file, read here and through their program: equal, with the same spacing."""
+    ours, theirs = (np.load(convert(path, f"{way}.npy", "--quiet", *options))
+                    for way, options in (("ours", ()), ("theirs", ("--from", "gwyddion"))))
+    assert same(ours, theirs), path
+    convert(path, "theirs.gwy", "--from", "gwyddion", "--quiet")
+    assert np.allclose(our_spacing(path), our_spacing("theirs.gwy"), rtol=1e-12), path
 
 
 def check_netcdf4():

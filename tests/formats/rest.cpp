@@ -46,7 +46,7 @@ TEST_CASE("a second map behind the first is refused, in every format that says i
 TEST_CASE("bytes behind a map are refused by their number, and zeros that pad it are not",
           "[formats][contract]") {
   const Map map{.values = heights(), .spacing = {1e-6, 2e-6}, .units = "m"};
-  for (const char* name : {"gsf", "nrrd", "npy", "sdf", "x3p"}) {
+  for (const char* name : {"gsf", "gwy", "nrrd", "npy", "sdf", "sur", "x3p"}) {
     CAPTURE(name);
     const Format& format = format_named(name, "from");
     const std::string one = format.encode(map, Order::xy);

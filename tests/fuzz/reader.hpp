@@ -42,6 +42,7 @@ inline Reading any_reading(std::size_t size) {
   out.decimal = static_cast<DecimalMark>(out.separator == Separator::comma || size % 7 > 2 ? 0 : size % 7);
   out.matrix = size % 3 == 0;
   out.coordinate = size % 5 == 0 ? 1e-6 : 0;
+  out.channel = size % 13 == 0 ? "1" : "";
   return out;
 }
 

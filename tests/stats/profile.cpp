@@ -112,7 +112,7 @@ TEST_CASE("points that a profile lacks are left out, and no element reaches over
 TEST_CASE("profiles that are straight to round-off have no heights", "[profile][contract]") {
   Field z = white_noise({1, 60}, 3).replicate(40, 1);
   for (const int degree : {0, 2}) {
-    const Surface surface = prepared({.grid = grid(40, 60), .heights = 1e-7 * z}, {.degree = degree});
+    const Surface surface = prepared({.grid = grid(40, 60), .heights = 1e-7 * z}, {.form = {.degree = degree}});
     const Sample sample(surface, false);
     for (const Parameter& p : profile_averages(sample, {.profiles = Axis1D::x})) {
       CAPTURE(degree, p.name, p.value);

@@ -24,7 +24,7 @@ LagField exponential(double length, Index reach) {
 Sample sample_of(Field z, std::optional<LagField> rho = {}, int degree = 0) {
   const Grid grid{shape_of(z), 1e-6, 1e-6, false};
   return Sample(
-      prepared({.grid = grid, .heights = 1e-6 * z, .correlation = std::move(rho)}, {.degree = degree}));
+      prepared({.grid = grid, .heights = 1e-6 * z, .correlation = std::move(rho)}, {.form = {.degree = degree}}));
 }
 
 Parameters with_twins(const Sample& sample, const MeasureOptions& asked, const TwinOptions& options) {

@@ -71,7 +71,7 @@ TEST_CASE("a measured map comes back from every format that holds doubles to the
   for (const Measurement& m : measurements) {
     const std::string file = std::string(ASPERITY_TEST_DATA "/") + m.file;
     REQUIRE(shell("asperity-convert " + file + " -o first.npy").exit == 0);
-    for (const char* back : {"a.nc", "a.txt", "a.sdf", "a.nrrd", "a.x3p", "a.asc"}) {
+    for (const char* back : {"a.nc", "a.txt", "a.sdf", "a.nrrd", "a.x3p", "a.asc", "a.gwy"}) {
       const std::string to = std::string(back) == "a.txt" ? " --to gwyddion-text" : "";
       const Outcome run = shell("asperity-convert " + file + to + " -o " + back + " && asperity-convert " +
                                 back + " -o again.npy && cmp first.npy again.npy");

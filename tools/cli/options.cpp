@@ -164,8 +164,16 @@ void Tool::memory(const std::string& text) {
 
 void Tool::input_format() {
   reads_ = true;
-  choice("--from", format_.format, InputFormat::names(),
-         "Format of the input; auto: by its first bytes, else by the extension of its name", "Input");
+  choice(
+      "--from", format_.format, InputFormat::names(),
+      "Format of the input; auto: by its first bytes, else by the extension of its name; gwyddion: through "
+      "that program, if it is installed, which auto does with bytes of no other format that are no text",
+      "Input");
+  text("--channel", format_.channel, "NAME",
+       "Map to read from a file of several (gwy, sur, gwyddion): its name or its number. Default: the only "
+       "one, "
+       "or the only one of heights",
+       "Input");
   choice("--from-order", format_.order, {"xy", "yx"},
          "Order of a bare matrix (text, npy); xy: a line for each x, yx: a line for each y", "Input");
 }

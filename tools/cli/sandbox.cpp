@@ -6,7 +6,6 @@
 #include <fstream>
 #include <new>
 #include <string_view>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "tools/cli/child.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
@@ -22,22 +22,6 @@ namespace {
 // How a child ends that could say so, apart from what a library ends with.
 enum Ending { done = 0, refused = 101, out_of_memory = 102, failed = 103 };
 
-// A process that ignores its children's end cannot wait for it.
-class EndOfChildren {
- public:
-  EndOfChildren() {
-    struct sigaction usual {};
-    usual.sa_handler = SIG_DFL;
-    ::sigaction(SIGCHLD, &usual, &former_);
-  }
-  ~EndOfChildren() { ::sigaction(SIGCHLD, &former_, nullptr); }
-  EndOfChildren(const EndOfChildren&) = delete;
-  EndOfChildren& operator=(const EndOfChildren&) = delete;
-
- private:
-  struct sigaction former_ {};
-};
-
 // Bytes of address space; 0 where the system does not tell. The address sanitizer takes more than it needs.
 std::size_t address_space() {
   std::size_t pages = 0;
@@ -45,21 +29,10 @@ std::size_t address_space() {
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void lower(int resource, rlim_t bound) {
-  struct rlimit limit {};
-  ::getrlimit(static_cast<__rlimit_resource>(resource), &limit);
-  if (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < bound) bound = limit.rlim_max;
-  limit.rlim_cur = limit.rlim_max = bound;
-  ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
-}
-
 void confine(WorkLimits limits, pid_t parent, std::size_t present) {
-  for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(failed);
-  lower(RLIMIT_CORE, 0);
-  lower(RLIMIT_CPU, limits.seconds);
-  if (present > 0) lower(RLIMIT_AS, present + limits.memory);
+  begin_child(parent, failed);
+  lower_limit(RLIMIT_CPU, limits.seconds);
+  if (present > 0) lower_limit(RLIMIT_AS, present + limits.memory);
   if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
@@ -107,13 +80,6 @@ Ending work_into(const Pipe& out, const WorkOfBytes& work) noexcept try {
   return out_of_memory;
 } catch (...) {
   return failed;
-}
-
-int status_of(pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "a process of its own");
-  return status;
 }
 
 [[noreturn]] void refuse(int status, std::string_view out, WorkLimits limits, const std::string& variable) {

@@ -1,0 +1,83 @@
+#include "tools/cli/gwyddion.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/words.hpp"
+#include "formats/format.hpp"
+#include "tools/cli/program.hpp"
+#include "tools/cli/record.hpp"
+
+namespace asperity::cli {
+namespace {
+
+constexpr std::size_t program_alone = std::size_t{512} << 20;  // bytes of address space; 150 MB are enough
+
+ProgramLimits limits_of(std::size_t bytes, const MemoryBound& memory) {
+  constexpr std::size_t bytes_a_second = 10'000'000, machine = std::size_t{1} << 46;
+  return {.seconds = static_cast<unsigned>(30 + bytes / bytes_a_second),
+          .memory = program_alone + std::min(memory.left(), machine)};
+}
+
+// What is its own of a regular file; "" otherwise.
+std::string path_of(const std::string& name) {
+  std::error_code none;
+  return name != "-" && std::filesystem::is_regular_file(name, none)
+             ? std::filesystem::absolute(name, none).string()
+             : "";
+}
+
+// "2.62" of "Gwyddion 2.62 (2022-11-03)"; "" where it does not tell.
+std::string version_of(const std::string& program) {
+  const ProgramRun run = run_program(program, {"--version"}, {}, limits_of(0, {.bytes = 0}));
+  const std::size_t begin = run.messages.find_first_of("0123456789");
+  return begin == run.messages.npos
+             ? ""
+             : run.messages.substr(begin, run.messages.find_first_of(" \n", begin) - begin);
+}
+
+// What it says of the file, or "".
+std::string complaint(const ProgramRun& run, const std::string& path) {
+  const std::size_t begin = run.messages.find(path + ": ");
+  if (begin == std::string::npos) return "";
+  const std::size_t words = begin + path.size() + 2;
+  return one_line(run.messages.substr(words, run.messages.find('\n', words) - words), 120);
+}
+
+std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimits limits) {
+  using enum ProgramRun::End;
+  if (run.end == not_started) return "Gwyddion, which would read the file, cannot be started";
+  if (run.end == too_long)
+    return fmt::format("Gwyddion takes longer than {} s to read the file", limits.seconds);
+  if (run.end == too_large || run.messages.find("failed to allocate") != std::string::npos)
+    return "Gwyddion needs more memory to read the file than `memory` allows";
+  const std::string words = complaint(run, path);
+  return "unknown format, and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
+}
+
+}  // namespace
+
+Map map_through_gwyddion(std::string_view bytes, const std::string& name, const Reading& reading) {
+  const std::string program = program_path("gwyddion");
+  if (program.empty())
+    throw DataError(
+        "map",
+        "unknown format: neither the first bytes nor the file extension identifies it. Gwyddion reads "
+        "a hundred more: install it (package gwyddion of Debian), and Asperity reads through it");
+  const std::string own = path_of(name), path = own.empty() ? std::string(input_file) : own;
+  const ProgramLimits limits = limits_of(bytes.size(), reading.memory);
+  ProgramRun run = run_program(program, {fmt::format("--convert-to-gwy={}", output_file), path},
+                               own.empty() ? bytes : std::string_view(), limits);
+  if (run.end != ProgramRun::End::done || run.output.size() == 0)
+    throw DataError("map", refusal(run, path, limits));
+  Reading told = reading;
+  told.memory = reading.memory.beside(run.output.size());
+  Map map = format::gwy.decode(run.output, told);
+  map.history = fmt::format("{}: gwyddion {} --convert-to-gwy=OUT.gwy {}", timestamp(), version_of(program),
+                            shell_word(name));
+  return map;
+}
+
+}  // namespace asperity::cli
