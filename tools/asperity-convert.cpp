@@ -62,9 +62,10 @@ Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              std::string_view bytes) {
-  return options.map.applied(tool, format.netcdf(bytes)
-                                       ? map_of(decoded(tool, bytes), options.variable)
-                                       : format.map(bytes, tool.input_name(), tool.memory_bound()));
+  Map map = format.netcdf(bytes) ? map_of(decoded(tool, bytes), options.variable)
+                                 : format.map(bytes, tool.input_name(), tool.memory_bound());
+  if (!map.understood.empty()) tool.note(map.understood);
+  return options.map.applied(tool, std::move(map));
 }
 
 // Everything except fields below the surface.
@@ -154,6 +155,6 @@ int main(int argc, char** argv) {
   tool.example("asperity-convert map.x3p --crop 0:256,0:256 --to gsf -o map.gsf");
   tool.accuracy("All formats keep doubles exactly, except gsf, which holds 24 bits.");
   tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--crop", "--decimate", "--fill",
-                  "--refine", "--variable", "--matrix", "--xyz"});
+                  "--refine", "--variable", "--columns", "--missing"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

@@ -13,6 +13,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/field.hpp"
 #include "dataset/dataset.hpp"
@@ -34,9 +35,11 @@ struct Reading {
   Order order;
   Separator separator = Separator::any;
   DecimalMark decimal = DecimalMark::any;
-  bool matrix = false;      ///< a text is a bare matrix of heights, even if columns look like coordinates
-  double coordinate = 0;    ///< metres per unit of x and y in a text of points x z or x y z; 0: heights
-  MemoryBound memory = {};  ///< without the file's bytes, if the caller counts them as taken
+  std::vector<std::string> missing = {};  ///< further words and numbers of missing points in a text
+  std::string columns = {};  ///< of a text: "all" are heights, or the columns of z, x z or x y z by number or
+                             ///< name, perhaps with a unit: "1/um,2/um,4/nm"; "": as its header says
+  bool unit_told = false;    ///< the caller knows the unit of the values if the file gives none
+  MemoryBound memory = {};   ///< without the file's bytes, if the caller counts them as taken
 };
 
 struct Map {
@@ -47,6 +50,7 @@ struct Map {
   std::string units = {};  ///< "m", or a unit that is not a length; "": not in the file
   std::string title = {};  ///< the channel's name, or ""
   decltype(Grid::periodic) periodic = {};
+  std::string understood = {};  ///< how a text was read, for a person: one line, or ""
 };
 
 /// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.

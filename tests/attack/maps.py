@@ -141,7 +141,7 @@ def text(surface, rng):
     rows = surface.z if order == "xy" else surface.z.T
     unit = ("m", "um", "nm")[int(rng.integers(3))]
     lines = [separator.join(repr(float(v)).replace(".", decimal) for v in row) for row in rows / METRES[unit]]
-    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--matrix"]
+    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--columns", "all"]
     options += ["--separator", {" ": "blank", "\t": "tab", ",": "comma", ";": "semicolon"}[separator]]
     return ("\n".join(lines) + "\n").encode(), options + ["--decimal", "comma" if decimal == "," else "point"]
 

@@ -99,8 +99,8 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   write_text("spaced.csv", "1,5, 2,5, 3,5\n4,5, 5,5, 6,5\n");  // six numbers a line, or three
   const std::pair<const char*, const char*> cases[] = {{"both.csv", "the --separator or the --decimal mark"},
                                                        {"spaced.csv", "that the comma is the separator"},
-                                                       {"xyz.txt", "the unit of the points"},
-                                                       {"xz.txt", "the unit of the points"}};
+                                                       {"xyz.txt", "(--columns 1/um,2/um,3/nm)"},
+                                                       {"xz.txt", "(--columns all)"}};
   for (const auto& [file, option] : cases)
     for (const char* tool :
          {"asperity-convert ", "asperity-stats --parameters height ", "asperity-acf --max-lag 1x1 "}) {
@@ -119,12 +119,12 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
   CHECK(shape_of(converted("spaced.csv --separator comma --size 1mm")) == Shape{2, 6});
   CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
-  CHECK(shape_of(converted("xyz.txt --matrix --size 1mm")) == Shape{6, 3});
-  const Field z = converted("xyz.txt --xyz mm");
+  CHECK(shape_of(converted("xyz.txt --columns all --size 1mm")) == Shape{6, 3});
+  const Field z = converted("xyz.txt --columns 1/mm,2/mm,3");
   REQUIRE(shape_of(z) == Shape{3, 2});
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
   CHECK(relative_error(grid_of(read_dataset("told.nc")).dy, 2e-3) <= 2 * epsilon);
-  CHECK(shape_of(converted("xz.txt --xyz um")) == Shape{3, 1});
+  CHECK(shape_of(converted("xz.txt --columns 1/um,2/um")) == Shape{3, 1});
 }
 
 TEST_CASE("what an option tells of a text is refused where the input is none, or says so itself",
@@ -132,10 +132,9 @@ TEST_CASE("what an option tells of a text is refused where the input is none, or
   REQUIRE(shell(surface + "asperity-convert surface.nc -o map.gsf").exit == 0);
   write_numbers();
   for (const char* arguments :
-       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --xyz um",
-        "numbers.txt --matrix", "surface.nc --matrix", "numbers.txt --separator comma --decimal comma",
-        "numbers.txt --separator word", "numbers.txt --from text --xyz s",
-        "numbers.txt --from text --xyz um --matrix"}) {
+       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --columns 1/um,2",
+        "numbers.txt --columns all", "surface.nc --missing -9999",
+        "numbers.txt --separator comma --decimal comma", "numbers.txt --separator word"}) {
     const Outcome run = shell(std::string("asperity-convert ") + arguments + " -o out.nc");
     CAPTURE(arguments, run.error);
     CHECK(run.exit == 2);
