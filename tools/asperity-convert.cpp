@@ -155,6 +155,6 @@ int main(int argc, char** argv) {
   tool.example("asperity-convert map.x3p --crop 0:256,0:256 --to gsf -o map.gsf");
   tool.accuracy("All formats keep doubles exactly, except gsf, which holds 24 bits.");
   tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--crop", "--decimate", "--fill",
-                  "--refine", "--variable", "--columns", "--missing"});
+                  "--refine", "--variable", "--xyz", "--missing"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

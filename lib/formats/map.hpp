@@ -36,8 +36,8 @@ struct Reading {
   Separator separator = Separator::any;
   DecimalMark decimal = DecimalMark::any;
   std::vector<std::string> missing = {};  ///< further words and numbers of missing points in a text
-  std::string columns = {};  ///< of a text: "all" are heights, or the columns of z, x z or x y z by number or
-                             ///< name, perhaps with a unit: "1/um,2/um,4/nm"; "": as its header says
+  std::string columns = {};  ///< of a text: of z, x z or x y z by number or name, perhaps with units:
+                             ///< "1/um,2/um,4/nm"; "none": all are heights; "": as its header says
   bool unit_told = false;    ///< the caller knows the unit of the values if the file gives none
   MemoryBound memory = {};   ///< without the file's bytes, if the caller counts them as taken
 };

@@ -22,8 +22,8 @@ std::string list_of(const Labels& labels) {
 
 [[noreturn]] void refuse_columns(std::string_view what) {
   refuse(
-      "{}: tell asperity-convert which columns are x, y and z, and their units (`columns` 1/um,2/um,3/nm), "
-      "or that all are heights (`columns` all)",
+      "{}: tell asperity-convert which columns are x, y and z, and their units (`xyz` 1/um,2/um,3/nm), "
+      "or that all are heights (`xyz` none)",
       what);
 }
 
@@ -32,18 +32,20 @@ std::string list_of(const Labels& labels) {
 Index column_named(const Labels& labels, const std::string& name, Index columns) {
   if (const auto number = whole_number_of(name)) {
     if (*number < 1 || *number > columns)
-      refuse("`columns` asks for column {}: the text has {}", name, counted(columns, "column"));
+      refuse("`xyz` asks for column {}: the text has {}", name, counted(columns, "column"));
     return *number - 1;
   }
   std::optional<Index> out;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (lower(labels[i].name) != lower(name)) continue;
-    if (out) refuse("`columns` asks for {}: two columns have this name, give the number", quoted(name));
+    if (out) refuse("`xyz` asks for {}: two columns have this name, give the number", quoted(name));
     out = static_cast<Index>(i);
   }
+  if (!out && is_length(name))
+    refuse("`xyz` gives a unit without a column: write it for each, as in 1/um,2/um,3/nm");
   if (!out && labels.empty())
-    refuse("`columns` asks for {}: the text names no columns, give numbers from 1", quoted(name));
-  if (!out) refuse("`columns` asks for {}: the text has {}", quoted(name), list_of(labels));
+    refuse("`xyz` asks for {}: the text names no columns, give numbers from 1", quoted(name));
+  if (!out) refuse("`xyz` asks for {}: the text has {}", quoted(name), list_of(labels));
   return *out;
 }
 
@@ -54,10 +56,10 @@ Columns told_columns(const Table& table, const Labels& labels, std::string_view 
     const Label label = label_of(told.substr(0, end));
     const Index column = column_named(labels, label.name, table.columns);
     if (std::ranges::find(out.of, column) != out.of.end())
-      refuse("`columns` asks for {} twice", quoted(label.name));
+      refuse("`xyz` asks for {} twice", quoted(label.name));
     const std::string own = labels.empty() ? "" : labels[static_cast<std::size_t>(column)].unit;
     if (!label.unit.empty() && !own.empty() && !same_length(label.unit, own))
-      refuse("`columns` gives {} the unit {}: the text has {}", quoted(label.name), quoted(label.unit),
+      refuse("`xyz` gives {} the unit {}: the text has {}", quoted(label.name), quoted(label.unit),
              quoted(own));
     out.of.push_back(column);
     out.units.push_back(label.unit.empty() ? own : label.unit);
@@ -65,7 +67,7 @@ Columns told_columns(const Table& table, const Labels& labels, std::string_view 
     told.remove_prefix(end + 1);
   }
   if (out.of.size() > 3)
-    refuse("`columns` names {}: give z, x,z or x,y,z", counted(std::ssize(out.of), "column"));
+    refuse("`xyz` names {}: give z, x,z or x,y,z", counted(std::ssize(out.of), "column"));
   return out;
 }
 
@@ -169,9 +171,9 @@ void check_head(const Table& table, const Columns& columns, bool quotes) {
 }
 
 Columns decided(const Table& table, const Labels& labels, const Reading& reading, bool bare) {
-  if (!reading.columns.empty() && reading.columns != "all")
+  if (!reading.columns.empty() && reading.columns != "none")
     return told_columns(table, labels, reading.columns);
-  if (reading.columns == "all" || bare) return {{}, {common_unit(labels)}};
+  if (reading.columns == "none" || bare) return {{}, {common_unit(labels)}};
   if (const auto columns = labelled_columns(labels)) return *columns;
   const bool coordinates = has_coordinates({table.values.data(), table.lines, table.columns});
   const bool few = labels.size() == 2 || labels.size() == 3;

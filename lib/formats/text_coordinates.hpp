@@ -1,5 +1,5 @@
-/// Whether columns of a bare matrix look like coordinates: a map that contains coordinates as heights would go
-/// unnoticed.
+/// Whether columns of a bare matrix look like coordinates: a map that contains coordinates as heights would
+/// go unnoticed.
 ///
 /// The first ascends or descends in even steps and the last does not; the first of two is monotonic; the
 /// first two of three lie on a grid or one of them is monotonic; or the first line, apart from its corner,

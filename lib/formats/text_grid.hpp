@@ -3,8 +3,8 @@
 /// A coordinate that is printed with a last digit of size u is off by u/2 at most. Points x_k of a grid
 /// first + k·step, with first and step from the ends of the range, therefore agree with it within
 ///     |x_k - first - k·step| <= (u_k + max(u_first, u_last))/2 + ρ                                     (1)
-/// where ρ is the rounding of a binary number: 8ε of the largest coordinate, or 2^-22 of it if all coordinates
-/// are numbers in single precision, as printed. The last digit is the finest among the coordinates, for
+/// where ρ is the rounding of a binary number: 8ε of the largest coordinate, or 2^-22 of it if all are
+/// numbers in single precision, as printed. The last digit is the finest among the coordinates, for
 /// numbers with fixed decimals and for those with fixed significant digits alike. (1) must hold within a
 /// quarter of the step.
 ///

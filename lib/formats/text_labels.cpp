@@ -109,6 +109,10 @@ bool are_units(const std::vector<std::string>& cells) {
   return some;
 }
 
+bool some_role(const std::vector<std::string>& cells) {
+  return std::ranges::any_of(cells, [](const std::string& cell) { return role_of(cell) != Role::other; });
+}
+
 bool has_roles(const std::vector<Label>& labels) {
   return std::ranges::any_of(labels, [](const Label& l) { return role_of(l.name) != Role::other; });
 }
@@ -168,26 +172,38 @@ Role role_of(const std::string& name) {
 }
 
 std::vector<Label> labels_of(const Table& table, bool quotes) {
-  constexpr Index most_labels = 4096;  // more columns are those of a matrix
-  std::vector<Label> out;
-  std::vector<std::string> units;
-  if (table.columns > most_labels) return out;
-  for (const HeadLine& line : table.head) {
+  constexpr Index most_labels = 4096;   // more columns are those of a matrix
+  constexpr std::size_t most_rows = 8;  // names, units and comments of plotting programs are three
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Label> out, units;
+  for (const HeadLine& line : table.columns > most_labels ? std::vector<HeadLine>() : table.head) {
+    std::vector<std::string> cells = cells_for(table, line.text, quotes);
     const bool comment = is_comment(line.text, table.dialect.separator);
-    const std::vector<std::string> cells = cells_for(table, line.text, quotes);
-    if (cells.empty()) continue;
-    if (are_units(cells)) {
-      units = cells;
-      continue;
-    }
-    std::vector<Label> labels;
-    for (const std::string& cell : cells) labels.push_back(label_of(cell));
-    const bool roles = has_roles(labels);
-    if (roles || (!comment && !has_roles(out))) out = std::move(labels);
+    if (!cells.empty() && !(comment && !some_role(cells) && !are_units(cells)))
+      rows.push_back(std::move(cells));
+    if (rows.size() > most_rows) rows.erase(rows.begin());
+  }
+  for (const std::vector<std::string>& cells : rows) {
+    std::vector<Label> labels(cells.size());
+    const bool alone = are_units(cells);
+    std::ranges::transform(cells, labels.begin(), [&](const std::string& cell) {
+      return alone ? Label{"", unit_alone(cell)} : label_of(cell);
+    });
+    if (alone)
+      units = std::move(labels);
+    else if (has_roles(labels) || !has_roles(out))
+      out = std::move(labels);
   }
   for (std::size_t i = 0; i < units.size() && i < out.size(); ++i)
-    if (out[i].unit.empty() && !units[i].empty()) out[i].unit = unit_alone(units[i]);
+    if (out[i].unit.empty()) out[i].unit = units[i].unit;
   return out;
+}
+
+bool names_points(const Table& table, bool quotes) {
+  if (table.columns != 2 && table.columns != 3) return false;
+  const std::vector<Label> labels = labels_of(table, quotes);
+  return !labels.empty() &&
+         std::ranges::all_of(labels, [](const Label& l) { return role_of(l.name) != Role::other; });
 }
 
 std::string unit_in_head(const Table& table) {

@@ -25,6 +25,8 @@ bool is_letter(const std::string& name);
 
 /// The labels of columns in the head of a table, one for each; none if no line gives them.
 std::vector<Label> labels_of(const Table& table, bool quotes);
+/// Whether each of two or three columns has the label of a coordinate or a height.
+bool names_points(const Table& table, bool quotes);
 /// The unit of the values that a line of the head states alone: "Units: um", "Height (um)". Throws
 /// DataError("map", …) if two lines differ.
 std::string unit_in_head(const Table& table);

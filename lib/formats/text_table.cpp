@@ -7,6 +7,7 @@
 
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
+#include "formats/text_labels.hpp"
 #include "formats/text_lines.hpp"
 
 namespace asperity {
@@ -106,16 +107,25 @@ struct Search {
   std::optional<Table> found, refused;
   std::size_t first = std::string::npos;  // line of a number in any of them
 
-  void add(Table table, const std::string& variable) {
+  // Of two ways, labels for all columns decide.
+  void choose(Table table, const Asked& asked) {
+    const bool mine = names_points(*found, asked.quotes), other = names_points(table, asked.quotes);
+    if (mine == other)
+      throw DataError(asked.variable,
+                      fmt::format("the text is ambiguous: {}; or {}: give asperity-convert the "
+                                  "`separator` or the `decimal` mark",
+                                  words_of(*found), words_of(table)));
+    if (other) found = std::move(table);
+  }
+
+  void add(Table table, const Asked& asked) {
     if (table.first_line > 0) first = std::min(first, table.first_line);
     if (table.fault) {
       if (further(table, refused)) refused = std::move(table);
     } else if (!found || found->first_line > table.first_line) {
       found = std::move(table);
     } else if (found->first_line == table.first_line && !same(*found, table) && !tabs_decide(*found, table)) {
-      throw DataError(variable, fmt::format("the text is ambiguous: {}; or {}: give asperity-convert the "
-                                            "`separator` or the `decimal` mark",
-                                            words_of(*found), words_of(table)));
+      choose(std::move(table), asked);
     }
   }
 
@@ -153,7 +163,7 @@ Table table_of(std::string_view text, Asked asked, const Reading& reading) {
   Search search;
   for (const Dialect dialect : dialects_of(characters, reading))
     if (!search.found || !alike(*search.found, dialect, characters.spaces))
-      search.add(read_table(text, dialect, asked), asked.variable);
+      search.add(read_table(text, dialect, asked), asked);
   Table out = std::move(search).best(asked, reading.decimal != DecimalMark::any);
   check_commas(out, text, asked, reading);
   return out;

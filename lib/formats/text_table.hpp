@@ -4,10 +4,11 @@
 /// one fits if every line has the same count of numbers. Separators are blanks (any run of blanks and tabs),
 /// or a tab, comma or semicolon, each of which ends one cell; the decimal mark is a point, or a comma that is
 /// not a separator or stands in quotes. If no way fits, the text is refused with the first line in error. If
-/// two ways fit and give different numbers ("1,5" is 1.5, or 1 and 5), it is refused unless `reading` decides.
-/// Commas between thousands are accepted only if nothing else fits ("1,234.5 2,000"), points only beside a
-/// decimal comma, and if some number has both, or two points ("1.234,5"). Where tabs and blanks both fit, tabs
-/// end cells, unless that leaves a column empty.
+/// two ways fit and give different numbers ("1,5" is 1.5, or 1 and 5), it is refused unless `reading`
+/// decides, or only one way has labels of coordinates and heights for all its columns. Commas between
+/// thousands are accepted only if nothing else fits ("1,234.5 2,000"), points only beside a decimal comma,
+/// and if some number has both, or two points ("1.234,5"). Where tabs and blanks both fit, tabs end cells,
+/// unless that leaves a column empty.
 ///
 /// An empty cell is a missing point. If every line ends with a separator, there is no cell after it. Lines
 /// that are empty or begin with # or %, or with ; if it is not the separator, are ignored; in a line of
@@ -15,8 +16,8 @@
 /// ends with LF, CR LF or CR.
 ///
 /// Lines of words above the numbers are read by table_with_head() only (formats/text_lines.hpp). Of ways that
-/// fit, the one counts whose numbers begin first; where numbers above them fit only a way that fails later, the
-/// text is refused, so that no line of numbers passes for words.
+/// fit, the one counts whose numbers begin first; where numbers above them fit only a way that fails later,
+/// the text is refused, so that no line of numbers passes for words.
 ///
 /// Cost      at most sixteen passes; usually all but one or two end at the first line. Memory for two tables
 ///           of eight bytes per number, with at most one number per byte of text; `reading` must allow three

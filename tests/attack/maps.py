@@ -141,9 +141,31 @@ def text(surface, rng):
     rows = surface.z if order == "xy" else surface.z.T
     unit = ("m", "um", "nm")[int(rng.integers(3))]
     lines = [separator.join(repr(float(v)).replace(".", decimal) for v in row) for row in rows / METRES[unit]]
-    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--columns", "all"]
+    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--xyz", "none"]
     options += ["--separator", {" ": "blank", "\t": "tab", ",": "comma", ";": "semicolon"}[separator]]
     return ("\n".join(lines) + "\n").encode(), options + ["--decimal", "comma" if decimal == "," else "point"]
+
+
+def points(surface, rng):
+    """Lines of x y z in any order, below words, labels and units: nothing has to be told."""
+    separator, decimal = (("\t", "."), (",", "."), (";", ","), ("\t", ","), (";", "."))[int(rng.integers(5))]
+    across, up = (("m", "mm", "um", "µm", "nm")[int(k)] for k in rng.integers(5, size=2))
+    style = ("{} [{}]", "{} ({})", "{}/{}", "{} in {}")[int(rng.integers(4))]
+    quote = '"' if rng.random() < 0.3 else ""
+    names = ("x", "Y", "z") if rng.random() < 0.5 else ("X Position", "Y Position", "Height")
+    order = list(rng.permutation(3))
+    lines = [separator.join(quote + style.format(names[k], up if k == 2 else across) + quote for k in order)]
+    if rng.random() < 0.5:
+        lines = ["Sample A", "Operator:" + separator + "nobody", ""] + lines
+    kept = [(i, j) for i in range(surface.shape[0]) for j in range(surface.shape[1]) if np.isfinite(surface.z[i, j])]
+    for k in rng.permutation(len(kept)):
+        i, j = kept[k]
+        x, y = (f"{n * d / METRES[across]:.9g}" for n, d in ((i, surface.dx), (j, surface.dy)))
+        cells = (x, y, repr(float(surface.z[i, j] / METRES[up])))
+        lines.append(separator.join(quote + cells[m].replace(".", decimal) + quote for m in order))
+    end = ("\n", "\r\n", "\r")[int(rng.integers(3))]
+    content = end.join(lines) + end
+    return content.encode(("utf-8", "utf-8-sig", "utf-16", "latin-1")[int(rng.integers(4))]), []
 
 
 def told_size(surface):
@@ -243,8 +265,8 @@ def x3p(surface, rng):
                    "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}), []
 
 
-FORMATS = {"txt": text, "npy": npy, "gsf": gsf, "nrrd": nrrd, "sdf-ascii": sdf_ascii, "sdf": sdf, "asc": esri,
-           "gwyddion": gwyddion_text, "x3p": x3p}
+FORMATS = {"txt": text, "points": points, "npy": npy, "gsf": gsf, "nrrd": nrrd, "sdf-ascii": sdf_ascii, "sdf": sdf,
+           "asc": esri, "gwyddion": gwyddion_text, "x3p": x3p}
 
 
 def mutated(case, content):

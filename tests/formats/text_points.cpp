@@ -60,6 +60,7 @@ TEST_CASE("labels with units say what the columns are, and any columns can be as
     CHECK((map.values - heights).abs().maxCoeff() <= 2 * epsilon * 9e-9);
     CHECK(map.spacing == std::array{1e-3, 1e-3});
   }
+  CHECK(format::text.decode("Position (um),Height (nm)\n0,350\n1,250\n", {}).values.rows() == 2);
   const std::string four = "x [mm];y [mm];raw [nm];filtered [nm]\n0;0;9;3\n0;1;9;4\n1;0;9;5\n1;1;8;9\n";
   CHECK_THAT(refusal(four), ContainsSubstring("the columns are x, y, raw, filtered"));
   for (const char* columns : {"x,y,filtered", "1,2,4", "X,Y,4/nm"})
@@ -69,6 +70,7 @@ TEST_CASE("labels with units say what the columns are, and any columns can be as
   CHECK_THAT(refusal(four, told_columns("1,2,5")), ContainsSubstring("4 columns"));
   CHECK_THAT(refusal(four, told_columns("x/um,y,3")), ContainsSubstring("the text has 'mm'"));
   CHECK_THAT(refusal(four, told_columns("1,1,3")), ContainsSubstring("twice"));
+  CHECK_THAT(refusal(four, told_columns("um")), ContainsSubstring("a unit without a column"));
   CHECK_THAT(refusal(four, told_columns("1,2,3,4")), ContainsSubstring("x,y,z"));
   const Field alone = format::text.decode(four, told_columns("4/nm")).values / 1e-9;
   CHECK((alone - field({{3}, {4}, {5}, {9}})).abs().maxCoeff() <= 2 * epsilon * 9);

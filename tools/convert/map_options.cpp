@@ -93,9 +93,9 @@ void MapOptions::declare(Tool& tool) {
   tool.choice("--decimal", decimal_, decimals,
               "Decimal mark in a text; auto: a point, or a comma if it cannot be a separator", "Input");
   tool.text(
-      "--columns", columns_, "X,Y,Z",
+      "--xyz", columns_, "X,Y,Z",
       "Columns of a text that are x, y and z, or x and z, by number or by name, with their units if the "
-      "text gives none: 1/um,2/um,4/nm; all: every column holds heights. Points come in any order, on a "
+      "text gives none: 1/um,2/um,4/nm; none: every column holds heights. Points come in any order, on a "
       "grid",
       "Input");
   tool.texts(
@@ -134,7 +134,7 @@ Reading MapOptions::reading(std::string_view bytes, std::string_view format) con
   if (separator_ != "auto" && !is_text(bytes)) refuse("separator");
   if (decimal_ != "auto" && !is_text(bytes)) refuse("decimal");
   if (!missing_.empty() && !is_text(bytes)) refuse("missing");
-  if (!columns_.empty() && format != "text") refuse("columns");
+  if (!columns_.empty() && format != "text") refuse("xyz");
   Reading out;
   out.separator = chosen<Separator>(separators, separator_);
   out.decimal = chosen<DecimalMark>(decimals, decimal_);
