@@ -1,6 +1,7 @@
 #include "formats/text_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/ranges.h>
@@ -137,24 +138,27 @@ bool begins_like_number(std::string_view cell) {
   return cell.find_first_of("0123456789.+-") == 0 && cell.find_first_of("0123456789") != cell.npos;
 }
 
-// A line of as many cells as there are columns might have been meant as numbers, one of them misspelt; not so
-// where a word stands for a coordinate, as in "Points;512".
+// A line of as many cells as there are columns, or one that begins with a number and has another, might have
+// been meant as numbers, one of them misspelt; not so where a word stands for a coordinate, as in
+// "Points;512".
 void check_line(const Table& table, const HeadLine& line, bool coordinate_first, bool quotes) {
   const auto cells = cells_of(line.text, table.dialect.separator, quotes);
-  const auto count = static_cast<Index>(cells.size());
-  if (count < 2 || (count != table.columns && count != table.columns + 1)) return;
   std::string_view word;
-  Index numbers = 0, words = 0;
+  Index numbers = 0, finite = 0, words = 0;
   bool label = true, same = true;
   for (const std::string_view cell : cells) {
     if (cell.empty()) continue;
-    const bool number = number_of(cell, table.dialect.comma).has_value();
+    const auto number = number_of(cell, table.dialect.comma);
     number ? ++numbers : ++words;
+    finite += number && std::isfinite(*number);
     if (number) continue;
     if (word.empty()) word = cell;
     same = same && cell == word;
     label = label && (is_word(cell) || is_letter(std::string(cell))) && !begins_like_number(cell);
   }
+  const auto count = static_cast<Index>(cells.size());
+  const bool of_numbers = finite > 1 && number_of(cells[0], table.dialect.comma);
+  if (!of_numbers && (count < 2 || (count != table.columns && count != table.columns + 1))) return;
   const bool key = coordinate_first && is_word(cells[0]) && !number_of(cells[0], table.dialect.comma);
   const bool marks = same && words == count && !is_length(word);
   if (key || (label && !marks && numbers == 0)) return;

@@ -61,9 +61,9 @@ TEST_CASE("tables of plotting programs are read: names, units and comments in ro
 
 TEST_CASE("a matrix below lines of words has the unit that they state", "[formats][text][exact]") {
   const Field lines = field({{1.5, 7}, {2, 3}});
-  for (const char* text :
-       {"Height (nm)\n1.5 7\n2 3\n", "Sample A\nUnits: nm\n\n1.5\t7\n2\t3\n", "# units: nm\n1.5,7.0\n2,3\n",
-        "Profile 1 [nm];Profile 2 [nm]\n1,5;7,0\n2;3\n", "Z unit;nm\n1,5;7,0\n2;3\n"}) {
+  for (const char* text : {"Height (nm)\n1.5 7\n2 3\n", "--- Sample 1 ---\nUnits: nm\n\n1.5\t7\n2\t3\n",
+                           "# units: nm\n1.5,7.0\n2,3\n", "Profile 1 [nm];Profile 2 [nm]\n1,5;7,0\n2;3\n",
+                           "Z unit;nm\n1,5;7,0\n2;3\n"}) {
     CAPTURE(text);
     const Map map = format::text.decode(text, {});
     CHECK((map.values / 1e-9 - lines).abs().maxCoeff() <= 2 * epsilon * 7);
@@ -78,8 +78,8 @@ TEST_CASE("no line that may have been meant as numbers passes for words above th
           "[formats][text][contract]") {
   for (const char* text : {"*** 1 2\n3 4 5\n7 1 2\n? 3 4\n", "? 3 4\n5 9 7\n", "err err err\n5 9 7\n1 1 7\n",
                            "1,5;x2\n1;2\n4;3\n", "x [mm];z [um]\nO,5;1,5\n1,0;2,5\n2,0;2,5\n",
-                           "? ?\n1 2\n3 1\n", "NoDat 3 4\n5 9 7\n", "1 2\n3 1\nand then\n1 2\n3 4\n",
-                           "0,5;1,5\n0,7;x\n1;2\n", "1.5 2\nend\n3 4\n"}) {
+                           "? ?\n1 2\n3 1\n", "NoDat 3 4\n5 9 7\n", "x [um];z [um]\n0;1;2h3;4\n2;4\n3;5\n",
+                           "1 2\n3 1\nand then\n1 2\n3 4\n", "0,5;1,5\n0,7;x\n1;2\n", "1.5 2\nend\n3 4\n"}) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), ContainsSubstring("is not a number"));
   }
