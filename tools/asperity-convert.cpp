@@ -65,6 +65,7 @@ Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Option
   if (format.netcdf(bytes)) return options.map.applied(map_of(decoded(tool, bytes), options.variable));
   Map map = format.map(bytes, tool.input_name(), tool.memory_bound());
   if (const std::string note = note_of(map); !note.empty()) tool.note(note);
+  if (!map.understood.empty()) tool.note(map.understood);
   return options.map.applied(std::move(map));
 }
 
@@ -147,6 +148,6 @@ int main(int argc, char** argv) {
   tool.accuracy(
       "All formats keep doubles exactly, except gsf, which holds 24 bits, and sur: the nearest of 2^31 steps "
       "from the lowest to the highest, and 24 bits of a spacing.");
-  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--variable", "--matrix", "--xyz"});
+  tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--variable", "--xyz", "--missing"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

@@ -100,6 +100,7 @@ Dataset dataset_of(const Map& map) {
     set_with_missing(out, name, map.values, {units, words});
   else
     set_field(out, name, map.values, {units, words});
+  if (!map.understood.empty()) out.notes.push_back(map.understood);
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/field.hpp"
 #include "dataset/dataset.hpp"
@@ -34,8 +35,10 @@ struct Reading {
   Order order;
   Separator separator = Separator::any;
   DecimalMark decimal = DecimalMark::any;
-  bool matrix = false;       ///< a text is a bare matrix of heights, even if columns look like coordinates
-  double coordinate = 0;     ///< metres per unit of x and y in a text of points x z or x y z; 0: heights
+  std::vector<std::string> missing = {};  ///< further words and numbers of missing points in a text
+  std::string columns = {};  ///< of a text: of z, x z or x y z by number or name, perhaps with units:
+                             ///< "1/um,2/um,4/nm"; "none": all are heights; "": as its header says
+  bool unit_told = false;    ///< the caller knows the unit of the values if the file gives none
   std::string channel = {};  ///< of a file of several maps: its name or number (formats/channels.hpp)
   MemoryBound memory = {};   ///< without the file's bytes, if the caller counts them as taken
 };
@@ -49,6 +52,7 @@ struct Map {
   std::string title = {};  ///< the channel's name, or ""
   decltype(Grid::periodic) periodic = {};
   std::string history = {};  ///< "time: command" of another program that read the file, or ""
+  std::string understood = {};  ///< how a text was read, for a person: one line, or ""
 };
 
 /// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.

@@ -11,46 +11,70 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
 
-bool is_missing(std::string_view word) {
-  if (word.size() > 1 && word.find_first_not_of('-') == word.npos) return true;
-  if (word.size() > 3) return false;
-  const std::string name = lower(word);
-  return name == "nan" || name == "bad" || name == "n/a" || name == "na";
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// "1,234,567.5": one to three digits without a leading zero, then groups of three.
-bool has_thousands(std::string_view word) {
-  const std::string_view whole = word.substr(0, word.find('.'));
+// Words for a missing point, in any case.
+bool is_missing(std::string_view word) {
+  constexpr std::string_view words[] = {"nan",  "bad",       "n/a",     "na",     "#n/a",
+                                        "null", "no data",   "no_data", "nodata", "void",
+                                        "***",  "-nan(ind)", "1.#qnan", "-1.#ind"};
+  constexpr std::size_t longest = 9;
+  if (word.size() > 1 && word.find_first_not_of('-') == word.npos) return true;
+  if (word.size() > 1 && word.find_first_not_of('*') == word.npos) return true;
+  return word.size() <= longest && std::ranges::find(words, lower(word)) != std::end(words);
+}
+
+// "1,234,567": one to three digits without a leading zero, then groups of three behind `mark`.
+bool is_grouped(std::string_view whole, char mark) {
   if (whole.starts_with('0') || whole.size() > 19) return false;
-  const std::size_t first = whole.find(',');
+  const std::size_t first = whole.find(mark);
   if (first == whole.npos || first == 0 || first > 3 || (whole.size() - first) % 4 != 0) return false;
   for (std::size_t i = 0; i < whole.size(); ++i)
-    if ((i >= first && (i - first) % 4 == 0) ? whole[i] != ',' : !is_digit(whole[i])) return false;
+    if ((i >= first && (i - first) % 4 == 0) ? whole[i] != mark : !is_digit(whole[i])) return false;
   return true;
 }
 
-// The number as C writes it: replaces other spellings of sign, exponent and decimal mark.
+// Removes `mark` between thousands before `decimal`; false where it stands elsewhere.
+bool join_thousands(std::string& number, char mark, char decimal) {
+  if (number.find(mark) == number.npos) return true;
+  const std::size_t sign = std::min(number.find_first_not_of("+-"), number.size());
+  const std::string_view whole = std::string_view(number).substr(0, number.find(decimal)).substr(sign);
+  if (!is_grouped(whole, mark) || number.find(mark, sign + whole.size()) != number.npos) return false;
+  std::erase(number, mark);
+  return true;
+}
+
+// Blanks of typography and the apostrophe, which can only stand between thousands, as apostrophes.
+void mark_thousands(std::string& number) {
+  for (const std::string_view blank : {"\u00a0", "\u202f", "\u2009", "\u2019"})
+    for (std::size_t at = 0; (at = number.find(blank, at)) != number.npos;)
+      number.replace(at, blank.size(), "'");
+}
+
+// A decimal comma with digits on both sides becomes a point; false for any other comma, or a point.
+bool point_for_comma(std::string& number) {
+  if (number.find('.') != number.npos) return false;
+  const std::size_t at = number.find(',');
+  if (at == number.npos) return true;
+  if (at == 0 || at + 1 == number.size() || !is_digit(number[at - 1]) || !is_digit(number[at + 1]))
+    return false;
+  number[at] = '.';
+  return true;
+}
+
+// The number as C writes it: replaces other spellings of sign, exponent, decimal mark and thousands.
 std::optional<std::string> in_c(std::string_view word, Comma comma) {
   constexpr std::string_view minus = "\u2212";
   std::string out;
   if (word.starts_with(minus)) out = "-";
   word.remove_prefix(out.empty() ? 0 : minus.size());
   out += word;
-  const std::size_t at = out.find(','), digits = out.find_first_not_of("+-");
-  if (at != out.npos && comma == Comma::none) return std::nullopt;
-  if (comma == Comma::decimal) {
-    if (out.find('.') != out.npos) return std::nullopt;
-    if (at != out.npos) {
-      if (at == 0 || at + 1 == out.size() || !is_digit(out[at - 1]) || !is_digit(out[at + 1]))
-        return std::nullopt;
-      out[at] = '.';
-    }
-  } else if (at != out.npos) {
-    if (!has_thousands(std::string_view(out).substr(digits))) return std::nullopt;
-    std::erase(out, ',');
-  }
+  const bool decimal = comma == Comma::decimal || comma == Comma::decimal_and_points;
+  mark_thousands(out);
+  if (!join_thousands(out, '\'', decimal ? ',' : '.')) return std::nullopt;
+  if (comma == Comma::thousands && !join_thousands(out, ',', '.')) return std::nullopt;
+  if (comma == Comma::decimal_and_points && !join_thousands(out, '.', ',')) return std::nullopt;
+  if (decimal && !point_for_comma(out)) return std::nullopt;
   if (const std::size_t d = out.find_first_of("dD");
       d != out.npos && d > 0 && (is_digit(out[d - 1]) || out[d - 1] == '.'))
     out[d] = 'e';
@@ -88,11 +112,12 @@ std::string lower(std::string_view text) {
 }
 
 std::optional<double> number_of(std::string_view word, Comma comma) {
+  constexpr std::size_t longest = 64;  // of a number in another spelling than C's
+  const bool points = comma != Comma::decimal && comma != Comma::decimal_and_points;
+  const auto value = plain_number_of(word);
+  if (value && (points || word.find('.') == word.npos)) return value;
   if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();
-  if (const auto value = plain_number_of(word);
-      value && !(comma == Comma::decimal && word.find('.') != word.npos))
-    return value;
-  const auto plain = in_c(word, comma);
+  const auto plain = word.size() <= longest ? in_c(word, comma) : std::nullopt;
   return plain ? plain_number_of(*plain) : std::nullopt;
 }
 

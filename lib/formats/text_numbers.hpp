@@ -1,7 +1,9 @@
 /// Numbers in text, in the spellings of instruments and programs.
 ///
-/// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212); `nan`, `bad`, `na`, `n/a` (any case) and two or more hyphens
-/// are missing points. The locale does not matter. Separators: formats/text_table.hpp.
+/// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212), 1'234.5, 1 234,5 (U+00A0 and other blanks of typography between
+/// thousands). Missing points are `nan`, `bad`, `na`, `n/a`, `#N/A`, `null`, `void`, `nodata`, `no data` (any
+/// case), what Windows prints for NaN, and two or more hyphens or stars. The locale does not matter.
+/// Separators: formats/text_table.hpp.
 #pragma once
 
 #include <optional>
@@ -12,8 +14,9 @@
 
 namespace asperity {
 
-/// The meaning of a comma in a number: none, decimal mark, or thousands separator.
-enum class Comma { none, decimal, thousands };
+/// The meaning of a comma in a number: none, decimal mark, thousands separator, or decimal mark in numbers
+/// with points between thousands ("1.234,5").
+enum class Comma { none, decimal, thousands, decimal_and_points };
 
 /// A whole word as a number, NaN for a missing point; nothing when it is not a number. A decimal comma has
 /// digits on both sides, and no point in the same number.

@@ -142,9 +142,31 @@ def text(surface, rng):
     rows = surface.z if order == "xy" else surface.z.T
     unit = ("m", "um", "nm")[int(rng.integers(3))]
     lines = [separator.join(repr(float(v)).replace(".", decimal) for v in row) for row in rows / METRES[unit]]
-    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--matrix"]
+    options = ["--from", "text", "--from-order", order, *told_size(surface), "--unit", unit, "--xyz", "none"]
     options += ["--separator", {" ": "blank", "\t": "tab", ",": "comma", ";": "semicolon"}[separator]]
     return ("\n".join(lines) + "\n").encode(), options + ["--decimal", "comma" if decimal == "," else "point"]
+
+
+def points(surface, rng):
+    """Lines of x y z in any order, below words, labels and units: nothing has to be told."""
+    separator, decimal = (("\t", "."), (",", "."), (";", ","), ("\t", ","), (";", "."))[int(rng.integers(5))]
+    across, up = (("m", "mm", "um", "µm", "nm")[int(k)] for k in rng.integers(5, size=2))
+    style = ("{} [{}]", "{} ({})", "{}/{}", "{} in {}")[int(rng.integers(4))]
+    quote = '"' if rng.random() < 0.3 else ""
+    names = ("x", "Y", "z") if rng.random() < 0.5 else ("X Position", "Y Position", "Height")
+    order = list(rng.permutation(3))
+    lines = [separator.join(quote + style.format(names[k], up if k == 2 else across) + quote for k in order)]
+    if rng.random() < 0.5:
+        lines = ["Sample A", "Operator:" + separator + "nobody", ""] + lines
+    kept = [(i, j) for i in range(surface.shape[0]) for j in range(surface.shape[1]) if np.isfinite(surface.z[i, j])]
+    for k in rng.permutation(len(kept)):
+        i, j = kept[k]
+        x, y = (f"{n * d / METRES[across]:.9g}" for n, d in ((i, surface.dx), (j, surface.dy)))
+        cells = (x, y, repr(float(surface.z[i, j] / METRES[up])))
+        lines.append(separator.join(quote + cells[m].replace(".", decimal) + quote for m in order))
+    end = ("\n", "\r\n", "\r")[int(rng.integers(3))]
+    content = end.join(lines) + end
+    return content.encode(("utf-8", "utf-8-sig", "utf-16", "latin-1")[int(rng.integers(4))]), []
 
 
 def told_size(surface):
@@ -244,6 +266,38 @@ def x3p(surface, rng):
                    "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}), []
 
 
+def gwyddion_text(surface, rng):
+    nx, ny = surface.shape
+    head = (f"# Channel: Z\n# Width: {nx * surface.dx / 1e-6!r} µm\n"
+            f"# Height: {ny * surface.dy / 1e-6!r} µm\n# Value units: m\n")
+    return (head + "\n".join("\t".join(repr(float(v)) for v in line) for line in surface.z.T) + "\n").encode(), []
+
+
+def x3p_document(nx, ny, dx, dy, checksum, link="bindata/data.bin"):
+    axis = "<{0}><AxisType>{1}</AxisType><DataType>D</DataType><Increment>{2!r}</Increment><Offset>0</Offset></{0}>"
+    axes = axis.format("CX", "I", dx) + axis.format("CY", "I", dy) + axis.format("CZ", "A", 1.0)
+    return ('<?xml version="1.0" encoding="UTF-8"?><p:ISO5436_2 xmlns:p="http://www.opengps.eu/2008/ISO5436_2"><Record1>'
+            f"<Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType><Axes>{axes}</Axes></Record1><Record3>"
+            f"<MatrixDimension><SizeX>{nx}</SizeX><SizeY>{ny}</SizeY><SizeZ>1</SizeZ></MatrixDimension><DataLink>"
+            f"<PointDataLink>{link}</PointDataLink><MD5ChecksumPointData>{checksum}</MD5ChecksumPointData></DataLink></Record3>"
+            "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>").encode()
+
+
+def zipped(members):
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+    return out.getvalue()
+
+
+def x3p(surface, rng):
+    values = surface.z.T.astype("<f8").tobytes()
+    main = x3p_document(*surface.shape, surface.dx, surface.dy, hashlib.md5(values).hexdigest().upper())
+    return zipped({"main.xml": main, "bindata/data.bin": values,
+                   "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}), []
+
+
 def gwy(surface, rng):
     """Gwyddion's own: an object is a name, NUL, a size and components, each a name, NUL, a letter and a value."""
     def part(name, kind, value):
@@ -284,8 +338,8 @@ def sur(surface, rng):
     return bytes(head) + (struct.pack("<III", 1, len(values), len(packed)) + packed if deflated else values), []
 
 
-FORMATS = {"txt": text, "npy": npy, "gsf": gsf, "nrrd": nrrd, "sdf-ascii": sdf_ascii, "sdf": sdf, "asc": esri,
-           "gwyddion": gwyddion_text, "x3p": x3p, "gwy": gwy, "sur": sur}
+FORMATS = {"txt": text, "points": points, "npy": npy, "gsf": gsf, "nrrd": nrrd, "sdf-ascii": sdf_ascii, "sdf": sdf,
+           "asc": esri, "gwyddion": gwyddion_text, "x3p": x3p, "gwy": gwy, "sur": sur}
 
 
 def mutated(case, content):

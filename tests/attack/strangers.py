@@ -146,9 +146,7 @@ def written_and_read(case):
     run = case.run("convert", "in.nc", "--to", to, "-o", name)
     if run.code != 0:
         return case.refused(run, BAD_DATA)
-    options = ["--size", f"{surface.shape[0] * surface.dx!r}m,{surface.shape[1] * surface.dy!r}m"] if to in ("npy",
-                                                                                                             "text") else []
-    options += ["--matrix", "--from", "text"] if to == "text" else []
+    options = maps.told_size(surface) if to == "npy" else []
     single = 1e-7 if to == "gsf" else 1e-12
     same_array(case, name, surface, options, single)
     return RIGHT

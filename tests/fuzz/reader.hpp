@@ -40,8 +40,10 @@ inline Reading any_reading(std::size_t size) {
   Reading out(size % 2 == 0 ? Order::yx : Order::xy);
   out.separator = static_cast<Separator>(size % 11 < 5 ? size % 11 : 0);
   out.decimal = static_cast<DecimalMark>(out.separator == Separator::comma || size % 7 > 2 ? 0 : size % 7);
-  out.matrix = size % 3 == 0;
-  out.coordinate = size % 5 == 0 ? 1e-6 : 0;
+  constexpr const char* columns[] = {"", "none", "1/um,2/um,3/nm", "2/mm,1/um", "x,z", "3"};
+  out.columns = columns[size % 6];
+  if (size % 5 == 0) out.missing = {"-9999", "x"};
+  out.unit_told = size % 4 == 0;
   out.channel = size % 13 == 0 ? "1" : "";
   return out;
 }

@@ -39,7 +39,7 @@ TEST_CASE("a surface comes back from every format the same, with its spacing", "
   for (const Format& format : formats()) {
     const std::string name(format.name);
     CAPTURE(name);
-    const bool bare = name == "text" || name == "npy";
+    const bool bare = name == "npy";
     const Outcome run =
         shell("asperity-convert surface.nc --to " + name + " -o there && asperity-convert there --from " +
               name + (bare ? " --size 3mm,1mm" : "") + " -o back.nc");
@@ -64,8 +64,22 @@ TEST_CASE("a matrix in text has the order, the size and the unit that it is give
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
   CHECK(relative_error(grid_of(read_dataset("m.nc")).dy, 2e-3) <= 4 * epsilon);
   const Outcome back = shell("asperity-convert m.nc --to text --to-order yx");
-  CHECK(back.out.starts_with("# units: m\n1e-09\t"));
-  CHECK(lines(back.out) == 3);
+  CHECK_THAT(back.out, ContainsSubstring("\n# order: yx\n1e-09\t"));
+  CHECK(lines(back.out) == 5);
+}
+
+TEST_CASE("every tool reads a text with labels as it stands, and says in one line what it understood",
+          "[convert][contract]") {
+  write_text("labels.csv", "Sample;A\nX [um];Y [um];Z [nm]\n0,5;0;1,5\n0;0;2\n0;1;-9999\n0,5;1;void\n");
+  const Outcome run = shell("asperity-stats --parameters height labels.csv");
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.error,
+             ContainsSubstring("asperity-stats: labels.csv: read as a map of 2 x 2, points x y z"));
+  CHECK(shell("asperity-stats --parameters height -q labels.csv").error.empty());
+  REQUIRE(shell("asperity-convert labels.csv --missing -9999 --missing x -o told.nc").exit == 0);
+  CHECK(heights_in("told.nc").isNaN().count() == 2);
+  const Outcome config = shell("asperity-convert --missing -9999 --missing x --dump-config");
+  CHECK_THAT(config.out, ContainsSubstring("missing = [\"-9999\", \"x\"]"));
 }
 
 // Each of them was read, shifted or cut into columns, without a word.
@@ -77,8 +91,8 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   write_text("spaced.csv", "1,5, 2,5, 3,5\n4,5, 5,5, 6,5\n");  // six numbers a line, or three
   const std::pair<const char*, const char*> cases[] = {{"both.csv", "the --separator or the --decimal mark"},
                                                        {"spaced.csv", "that the comma is the separator"},
-                                                       {"xyz.txt", "the unit of the points"},
-                                                       {"xz.txt", "the unit of the points"}};
+                                                       {"xyz.txt", "(--xyz 1/um,2/um,3/nm)"},
+                                                       {"xz.txt", "(--xyz none)"}};
   for (const auto& [file, option] : cases)
     for (const char* tool :
          {"asperity-convert ", "asperity-stats --parameters height ", "asperity-acf --max-lag 1x1 "}) {
@@ -97,12 +111,12 @@ TEST_CASE("a text that can be read in two ways is refused until an option tells,
   CHECK(shape_of(converted("both.csv --separator comma --size 1mm")) == Shape{3, 2});
   CHECK(shape_of(converted("spaced.csv --separator comma --size 1mm")) == Shape{2, 6});
   CHECK(converted("both.csv --decimal comma --size 1mm").col(0)(1) == 3.5);
-  CHECK(shape_of(converted("xyz.txt --matrix --size 1mm")) == Shape{6, 3});
-  const Field z = converted("xyz.txt --xyz mm");
+  CHECK(shape_of(converted("xyz.txt --xyz none --size 1mm")) == Shape{6, 3});
+  const Field z = converted("xyz.txt --xyz 1/mm,2/mm,3");
   REQUIRE(shape_of(z) == Shape{3, 2});
   CHECK(relative_error(z(2, 1), 6e-9) <= 2 * epsilon);
   CHECK(relative_error(grid_of(read_dataset("told.nc")).dy, 2e-3) <= 2 * epsilon);
-  CHECK(shape_of(converted("xz.txt --xyz um")) == Shape{3, 1});
+  CHECK(shape_of(converted("xz.txt --xyz 1/um,2/um")) == Shape{3, 1});
 }
 
 TEST_CASE("what an option tells of a text is refused where the input is none, or says so itself",
@@ -110,10 +124,9 @@ TEST_CASE("what an option tells of a text is refused where the input is none, or
   REQUIRE(shell(surface + "asperity-convert surface.nc -o map.gsf").exit == 0);
   write_numbers();
   for (const char* arguments :
-       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --xyz um",
-        "numbers.txt --matrix", "surface.nc --matrix", "numbers.txt --separator comma --decimal comma",
-        "numbers.txt --separator word", "numbers.txt --from text --xyz s",
-        "numbers.txt --from text --xyz um --matrix"}) {
+       {"surface.nc --separator tab", "map.gsf --decimal comma", "numbers.txt --xyz 1/um,2",
+        "numbers.txt --xyz none", "surface.nc --missing -9999",
+        "numbers.txt --separator comma --decimal comma", "numbers.txt --separator word"}) {
     const Outcome run = shell(std::string("asperity-convert ") + arguments + " -o out.nc");
     CAPTURE(arguments, run.error);
     CHECK(run.exit == 2);

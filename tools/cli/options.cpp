@@ -84,6 +84,11 @@ Option Tool::text(const std::string& name, std::string& value, const std::string
   return parsed(name, what, text, group, value, into(value, read));
 }
 
+Option Tool::texts(const std::string& name, std::vector<std::string>& values, const std::string& what,
+                   const std::string& text, const std::string& group) {
+  return {app_->add_option(name, values, text)->group(group)->type_name(what)->allow_extra_args(false)};
+}
+
 Option Tool::choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
                     const std::string& text, const std::string& group) {
   const std::string list = fmt::format("{}", fmt::join(among, "|"));

@@ -110,6 +110,9 @@ class Tool {
   Option number(const std::string& name, double& value, const std::string& text, const std::string& group);
   Option text(const std::string& name, std::string& value, const std::string& what, const std::string& text,
               const std::string& group);
+  /// The same, of an option that may be repeated.
+  Option texts(const std::string& name, std::vector<std::string>& values, const std::string& what,
+               const std::string& text, const std::string& group);
   Option choice(const std::string& name, std::string& value, const std::vector<std::string>& among,
                 const std::string& text, const std::string& group);
   /// "A,B", some of the words, each once.

@@ -5,23 +5,10 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "dataset/units.hpp"
 #include "formats/format.hpp"
 
 namespace asperity::cli {
 namespace {
-
-// Metres per unit of length.
-double coordinate_of(const std::string& unit) {
-  double metres = 0;
-  try {
-    metres = unit_factor(unit, "m");
-  } catch (const std::invalid_argument& error) {
-    throw UsageError("xyz", error.what());
-  }
-  if (!(metres > 0)) throw UsageError("xyz", "'" + unit + "' is not a unit of length");
-  return metres;
-}
 
 using Words = std::vector<std::string>;
 
@@ -44,12 +31,16 @@ void MapOptions::declare(Tool& tool) {
   tool.choice("--decimal", decimal_, decimals,
               "Decimal mark in a text; auto: a point, or a comma if it cannot be a separator", "Input");
   tool.text(
-      "--xyz", points_, "UNIT",
-      "Read a text as lines x z or x y z in any order; the points form a grid, UNIT is that of x and y: um",
+      "--xyz", columns_, "X,Y,Z",
+      "Columns of a text that are x, y and z, or x and z, by number or by name, with their units if the "
+      "text gives none: 1/um,2/um,4/nm; none: every column holds heights. Points come in any order, on a "
+      "grid",
       "Input");
-  tool.flag("--matrix", matrix_,
-            "Read a text as a bare matrix of heights; no column holds coordinates, even if it looks so",
-            "Input");
+  tool.texts(
+      "--missing", missing_, "WORD",
+      "Word or number that stands for a missing point in a text, besides nan and the like: -9999. May be "
+      "repeated",
+      "Input");
   tool.quantities("--size", size_, "m",
                   "Side lengths Lx,Ly; needed if the file does not give them, and replaces wrong ones",
                   "Input");
@@ -58,7 +49,6 @@ void MapOptions::declare(Tool& tool) {
 }
 
 Reading MapOptions::reading(std::string_view bytes, std::string_view format) const {
-  if (!points_.empty() && matrix_) throw UsageError("xyz", "cannot be combined with --matrix");
   if (decimal_ == "comma" && separator_ == "comma")
     throw UsageError("decimal", "'comma' cannot be combined with --separator comma");
   const auto refuse = [&](const char* option) {
@@ -66,13 +56,14 @@ Reading MapOptions::reading(std::string_view bytes, std::string_view format) con
   };
   if (separator_ != "auto" && !is_text(bytes)) refuse("separator");
   if (decimal_ != "auto" && !is_text(bytes)) refuse("decimal");
-  if (!points_.empty() && format != "text") refuse("xyz");
-  if (matrix_ && format != "text") refuse("matrix");
+  if (!missing_.empty() && !is_text(bytes)) refuse("missing");
+  if (!columns_.empty() && format != "text") refuse("xyz");
   Reading out;
   out.separator = chosen<Separator>(separators, separator_);
   out.decimal = chosen<DecimalMark>(decimals, decimal_);
-  out.matrix = matrix_;
-  if (!points_.empty()) out.coordinate = coordinate_of(points_);
+  out.columns = columns_;
+  out.missing = missing_;
+  out.unit_told = !unit_.empty();
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "formats/map.hpp"
 #include "tools/cli/tool.hpp"
@@ -24,8 +25,8 @@ class MapOptions {
   static constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
   std::array<double, 2> size_{absent, absent};
-  std::string unit_, separator_ = "auto", decimal_ = "auto", points_;
-  bool matrix_ = false;
+  std::string unit_, separator_ = "auto", decimal_ = "auto", columns_;
+  std::vector<std::string> missing_;
 };
 
 }  // namespace asperity::cli

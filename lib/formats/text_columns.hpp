@@ -1,0 +1,28 @@
+/// What the columns of a text are: heights, or points of a profile or of a surface.
+///
+/// They are points if Reading::columns says so, or the labels above them: x and z, or x, y and z, with a unit
+/// of length for each; columns without such a name are left out beside the letters x, y and z. Two columns
+/// x and y are a profile. Two or three columns with other names, all of lengths, are points if they look so
+/// (formats/text_coordinates.hpp). Otherwise all columns are heights; what looks like coordinates then, or
+/// has labels of some of them, is refused unless Reading::columns is "none".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formats/text_labels.hpp"
+
+namespace asperity {
+
+struct Columns {
+  std::vector<Index> of;                ///< of z; x and z; x, y and z; none: all are heights
+  std::vector<std::string> units;       ///< of each; of all heights one; "": unknown
+  std::vector<std::string> left_out{};  ///< names of others
+
+  bool points() const { return of.size() > 1; }
+};
+
+/// `bare`: known to be heights. Throws DataError("map", …) naming the options that decide.
+Columns columns_of(const Table& table, const Reading& reading, bool quotes, bool bare);
+
+}  // namespace asperity

@@ -1,0 +1,14 @@
+/// UTF-16, as Windows programs write it, to UTF-8.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// Whether bytes begin with the mark of UTF-16, in either byte order.
+bool is_utf16(std::string_view bytes);
+/// In UTF-8, without the mark; halves of surrogates become U+FFFD. Memory: at most 1.5 times the bytes.
+std::string utf8_from_utf16(std::string_view bytes);
+
+}  // namespace asperity

@@ -1,0 +1,235 @@
+#include "formats/text_lines.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "formats/refuse.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+// The end of a quoted cell: behind its second quote, a doubled one is part of it.
+std::size_t end_of_quotes(std::string_view line) {
+  std::size_t at = line.find('"', 1);
+  while (at != line.npos && at + 1 < line.size() && line[at + 1] == '"') at = line.find('"', at + 2);
+  return at == line.npos ? line.size() : at + 1;
+}
+
+// The next cell, removed from the line; after the last cell the line is null.
+std::string_view take_cell(std::string_view& line, Separator separator, bool quotes) {
+  const bool word = separator == Separator::blank;
+  std::size_t from = 0;
+  if (quotes) {
+    const std::size_t first = line.find_first_not_of(separator == Separator::tab ? " " : blanks);
+    if (first != line.npos && line[first] == '"') from = first + end_of_quotes(line.substr(first));
+  }
+  const std::size_t end = word ? line.find_first_of(blanks, from) : line.find(character_of(separator), from);
+  std::string_view cell = trimmed(line.substr(0, end));
+  line = end == line.npos ? std::string_view() : line.substr(end + 1);
+  if (word && line.data() != nullptr)
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  if (from > 0 && cell.size() > 1 && cell.ends_with('"')) cell = trimmed(cell.substr(1, cell.size() - 2));
+  return cell;
+}
+
+// The part of a line with cells; empty for a comment.
+std::string_view content_of(std::string_view line, Separator separator) {
+  const std::string_view content = trimmed(line);
+  if (is_comment(content, separator)) return {};
+  return separator == Separator::tab && line.find('\t') != line.npos ? line : content;
+}
+
+std::string fault_of(std::string_view cell, bool map) {
+  const std::string what = quoted(cell) + " is not a number";
+  const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  if (cell.find(',') != cell.npos && cell.find('.') != cell.npos)
+    return what + ": remove thousands separators";
+  if (std::ranges::any_of(cell, digit)) return what;
+  return what + ": begin lines of words with #" +
+         (map ? ", or tell asperity-convert if it means a missing point (`missing`)" : "");
+}
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, Dialect dialect, const Asked& asked)
+      : rest_(text), asked_(asked), line_(asked.first_line), most_(asked.memory.most_points()) {
+    table_.dialect = dialect;
+    for (const std::string& word : asked.missing)
+      if (const auto value = number_of(word, dialect.comma); value && std::isfinite(*value))
+        marks_.push_back(*value);
+  }
+
+  Table read() {
+    for (; !rest_.empty() && !table_.fault; ++line_) {
+      const std::string_view line = take_line(rest_), content = content_of(line, table_.dialect.separator);
+      if (!content.empty())
+        add(content);
+      else if (begins_ && !trimmed(line).empty())
+        keep(trimmed(line));
+    }
+    if (!table_.fault) finish();
+    if (table_.fault) table_.values = {};
+    return std::move(table_);
+  }
+
+ private:
+  // Room for all lines if they are as long as the first; address space only, until it is filled.
+  void reserve() {
+    const auto ends = [&](char end) { return static_cast<std::size_t>(std::ranges::count(rest_, end)); };
+    const auto columns = static_cast<std::size_t>(table_.columns);
+    const std::size_t lines = 2 + std::max(ends('\n'), ends('\r'));
+    const std::size_t most = table_.values.size() + rest_.size();  // numbers of at least one byte each
+    table_.values.reserve(lines > most / columns ? most : lines * columns);
+  }
+
+  void fail(const char* at, const std::string& what) { table_.fault = Fault{line_, at, what}; }
+  std::string here() const { return "line " + std::to_string(line_); }
+
+  void keep(std::string_view line) {
+    if (!asked_.head) return;
+    if (table_.head.size() == most_head_lines) table_.head.erase(table_.head.begin());
+    table_.head.push_back({line_, line});
+  }
+
+  // A line of words; what came before it had no number either.
+  void take_as_head(std::string_view line) {
+    if (!first_fault_) first_fault_ = table_.fault;
+    table_.fault.reset();
+    table_.values.clear();
+    table_.lines = 0;
+    table_.first_line = 0;
+    trailing_ = true;
+    table_.holes = number_ = false;
+    keep(line);
+    ++table_.head_lines;
+  }
+
+  void add(std::string_view line) {
+    const std::size_t before = table_.values.size();
+    std::string_view cell, rest = line;
+    while (rest.data() != nullptr && !table_.fault)
+      add_cell(cell = take_cell(rest, table_.dialect.separator, asked_.quotes));
+    if (table_.fault) {
+      if (begins_ && asked_.head && word_) take_as_head(line);
+      return;
+    }
+    trailing_ = trailing_ && cell.empty();
+    if (asked_.shape && cell.empty()) table_.values.pop_back();
+    const auto count = static_cast<Index>(table_.values.size() - before);
+    if (begins_ && number_ && asked_.head && table_.lines > 0 && count != table_.columns) drop_empty(before);
+    if (table_.lines++ == 0) {
+      table_.columns = count;
+      table_.first_line = line_;
+      table_.begins = line.data();
+    }
+    if (begins_ && number_ && count > 0) {
+      begins_ = false;
+      reserve();
+    }
+    if (!asked_.shape && count != table_.columns)
+      fail(line.data(),
+           fmt::format("{} has {}, the first line {}", here(), counted(count, "number"), table_.columns));
+  }
+
+  // Lines of separators above the numbers, of another count: they belong to the head.
+  void drop_empty(std::size_t numbers) {
+    table_.values.erase(table_.values.begin(), table_.values.begin() + static_cast<std::ptrdiff_t>(numbers));
+    table_.lines = 0;
+  }
+
+  void add_cell(std::string_view cell) {
+    word_ = false;
+    if (cell.empty()) {
+      table_.holes = true;
+      return push(Map::unknown);
+    }
+    auto value = number_of(cell, table_.dialect.comma);
+    if (!asked_.missing.empty() && is_marked(cell, value)) value = Map::unknown;
+    if (!value) {
+      word_ = true;
+      fail(cell.data(), here() + ": " + fault_of(cell, asked_.variable == "map"));
+    } else if (std::isinf(*value)) {
+      fail(cell.data(), fmt::format("{}: {} is infinite", here(), quoted(cell)));
+    } else {
+      number_ |= std::isfinite(*value);
+      if (table_.dialect.comma == Comma::decimal_and_points) prove(cell);
+      push(*value);
+    }
+  }
+
+  bool is_marked(std::string_view cell, const std::optional<double>& value) const {
+    return (value && std::ranges::find(marks_, *value) != marks_.end()) ||
+           std::ranges::find(asked_.missing, cell) != asked_.missing.end();
+  }
+
+  // "1.234,5" and "1.234.567" have no other meaning.
+  void prove(std::string_view cell) {
+    const std::size_t point = cell.find('.');
+    table_.proved |= point != cell.npos && cell.find_first_of(".,", point + 1) != cell.npos;
+  }
+
+  // The memory is that of the table expected from the first line.
+  void push(double value) {
+    table_.values.push_back(value);
+    if (table_.values.size() > most_)
+      asked_.memory.require_map(static_cast<double>(table_.values.capacity()), asked_.variable);
+  }
+
+  void finish() {
+    const std::size_t numbers = table_.values.size();
+    if (table_.lines == 0 && first_fault_) {
+      table_.fault = first_fault_;
+      return;
+    }
+    if (table_.lines == 0) return fail(rest_.data(), "the file has no numbers");
+    if (asked_.shape && numbers != static_cast<std::size_t>(asked_.shape->cells()))
+      return fail(rest_.data(), fmt::format("the file has {}, its header gives {} x {}",
+                                            counted(static_cast<Index>(numbers), "number"), asked_.shape->nx,
+                                            asked_.shape->ny));
+    if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
+  }
+
+  void remove_last_column() {
+    const auto columns = static_cast<std::size_t>(table_.columns--);
+    std::size_t place = 0;
+    std::erase_if(table_.values, [&](double) { return ++place % columns == 0; });
+  }
+
+  std::string_view rest_;
+  Table table_ = {};
+  const Asked& asked_;
+  bool trailing_ = true;              // every line so far ended with an empty cell
+  bool begins_ = true;                // no line had a number so far
+  bool number_ = false;               // a cell had one, in a line of nothing else if begins_ is false
+  bool word_ = false;                 // the last cell is neither a number nor empty
+  std::optional<Fault> first_fault_;  // of the first line of words
+  std::vector<double> marks_;         // numbers that mean a missing point
+  std::size_t line_, most_;           // most_: numbers
+};
+
+}  // namespace
+
+char character_of(Separator separator) {
+  return separator == Separator::tab ? '\t' : separator == Separator::comma ? ',' : ';';
+}
+
+bool is_comment(std::string_view line, Separator separator) {
+  return line.starts_with('#') || line.starts_with('%') ||
+         (line.starts_with(';') && separator != Separator::semicolon);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes) {
+  std::vector<std::string_view> out;
+  for (std::string_view rest = line; rest.data() != nullptr;)
+    out.push_back(take_cell(rest, separator, quotes));
+  return out;
+}
+
+Table read_table(std::string_view text, Dialect dialect, const Asked& asked) {
+  return TableReader(text, dialect, asked).read();
+}
+
+}  // namespace asperity

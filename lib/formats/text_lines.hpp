@@ -1,0 +1,73 @@
+/// The lines of a text, read in one way: with one separator and one meaning of commas.
+///
+/// A line has cells. A cell that begins with a double quote ends at the next one, and separators in it
+/// separate nothing. Where words may stand above the numbers (Asked::head), the numbers begin with the first
+/// line in which every cell is a number or empty and at least one is a number; from there on, a cell that is
+/// neither is a fault. The lines above are kept, comments too.
+///
+/// Cost      one pass; memory for one double per number.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/map.hpp"
+#include "formats/text_numbers.hpp"
+
+namespace asperity {
+
+/// One way to read a text.
+struct Dialect {
+  Separator separator;
+  Comma comma;
+};
+
+struct Fault {
+  std::size_t line;
+  const char* at;  ///< in the text
+  std::string what;
+};
+
+/// What a text must hold, for any dialect.
+struct Asked {
+  std::size_t first_line;      ///< number of the first line
+  std::optional<Shape> shape;  ///< of all numbers, with any line breaks; unknown for a matrix
+  std::string variable;        ///< named in refusals
+  MemoryBound memory;
+  bool head = false;                      ///< lines of words may stand above the numbers
+  bool quotes = false;                    ///< the text has double quotes
+  std::vector<std::string> missing = {};  ///< further words of missing points
+};
+
+/// A line above the numbers; comments keep their mark.
+struct HeadLine {
+  std::size_t number;
+  std::string_view text;
+};
+
+struct Table {
+  Dialect dialect;
+  std::vector<double> values;       ///< line by line
+  Index lines = 0, columns = 0;     ///< columns of the first line
+  bool holes = false;               ///< a cell is empty
+  bool proved = false;              ///< a number shows what its points mean: "1.234,5"
+  std::vector<HeadLine> head = {};  ///< at most most_head_lines, the last ones
+  std::size_t head_lines = 0;       ///< all of them, without comments
+  std::size_t first_line = 0;       ///< of the numbers
+  const char* begins = nullptr;     ///< the same in the text
+  std::optional<Fault> fault = {};  ///< of the first line that does not fit the dialect
+};
+
+inline constexpr std::size_t most_head_lines = 256;
+
+Table read_table(std::string_view text, Dialect dialect, const Asked& asked);
+
+/// The cells of a line, without blanks and quotes around them.
+std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes);
+/// Whether a line is a comment: it begins with # or %, or with ; if it is not the separator.
+bool is_comment(std::string_view line, Separator separator);
+char character_of(Separator separator);
+
+}  // namespace asperity
