@@ -10,6 +10,7 @@
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/plot/figure.hpp"
+#include "tools/plot/table.hpp"
 
 using namespace asperity;
 
@@ -20,8 +21,11 @@ struct Kind {
   plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
 };
 constexpr Kind kinds[] = {
-    {"map", plot::map}, {"surface", plot::surface}, {"profile", plot::profile},   {"acf", plot::acf},
-    {"pdf", plot::pdf}, {"contact", plot::contact}, {"von-mises", plot::section}, {"section", plot::section}};
+    {"map", plot::map},           {"surface", plot::surface}, {"profile", plot::profile},
+    {"acf", plot::acf},           {"pdf", plot::pdf},         {"contact", plot::contact},
+    {"von-mises", plot::section}, {"section", plot::section}, {"abbott", plot::abbott},
+    {"psd", plot::psd},           {"qq", plot::qq},           {"sweep", plot::sweep},
+    {"maxima", plot::maxima}};
 
 std::vector<std::string> names_of_kinds() {
   std::vector<std::string> out;
@@ -124,8 +128,10 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.titled = tool.given("--title");
   request.scale_by_hertz = o.scale_by == "p0";
   if (!is_utf8(request.title)) throw cli::UsageError("title", "is not valid UTF-8");
-  if (tool.given("--columns") && request.kind == "profile")
-    throw cli::UsageError("columns", "cannot be combined with --kind profile: all inputs share its panels");
+  for (const char* kind : {"profile", "psd", "sweep", "maxima"})
+    if (tool.given("--columns") && request.kind == kind)
+      throw cli::UsageError(
+          "columns", std::string("cannot be combined with --kind ") + kind + ": all inputs share its panels");
   if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
@@ -147,6 +153,16 @@ std::vector<std::string> labels_of(const Options& o) {
   return out;
 }
 
+// A dataset, or where a kind draws what the tools print, a table.
+Dataset read(const cli::Tool& tool, const Options& o, const std::string& name, std::size_t held) {
+  const bool tables = o.request.kind == "sweep" || o.request.kind == "maxima";
+  if (!tables) return tool.read(name, held);
+  const Bytes bytes = cli::read_all(name, tool.memory_bound(held));
+  if (tool.format().netcdf(bytes)) return tool.read(bytes, name, held);
+  tool.reads(name);
+  return plot::dataset_of_table(bytes);
+}
+
 plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   constexpr std::size_t most = 6;
   if (o.inputs.size() > most)
@@ -160,7 +176,7 @@ plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   plot::Cases out;
   std::size_t held = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    out.push_back({tool.read(o.inputs[i], held), labels[i]});
+    out.push_back({read(tool, o, o.inputs[i], held), labels[i]});
     held += out.back().data.size_in_memory();
   }
   return out;

@@ -29,13 +29,6 @@ struct Options {
   }
 };
 
-// "m3" or "m4" for heights, "Pa2 m" or "Pa2 m2" for a pressure.
-std::string density_units(const Surface& surface, int lengths) {
-  if (surface.units == "m") return cli::unit_to(surface.units, 2 + lengths);
-  const std::string length = lengths == 1 ? "m" : "m" + std::to_string(lengths);
-  return surface.units == "1" ? length : cli::unit_to(surface.units, 2) + " " + length;
-}
-
 constexpr const char* per_length = "rad m-1";
 
 void warn_of_leakage(const cli::Tool& tool, const std::vector<SpectrumPoint>& points, const std::string& of,
@@ -53,7 +46,7 @@ void warn_of_leakage(const cli::Tool& tool, const std::vector<SpectrumPoint>& po
 
 cli::Table radial(const cli::Tool& tool, const Sample& sample, const DataWindows& windows) {
   const Surface& surface = sample.surface();
-  const std::string unit = density_units(surface, 2);
+  const std::string unit = cli::density_units(surface.units, 2);
   cli::Table out{{{"wave_number", per_length},
                   {"psd", unit},
                   {"standard_error", unit, cli::Holds::unknown},
@@ -77,7 +70,7 @@ cli::Table radial(const cli::Tool& tool, const Sample& sample, const DataWindows
 }
 
 cli::Table profiles(const cli::Tool& tool, const Sample& sample, const DataWindows& windows) {
-  const std::string unit = density_units(sample.surface(), 1);
+  const std::string unit = cli::density_units(sample.surface().units, 1);
   cli::Table out{{{"direction", ""},
                   {"wave_number", per_length},
                   {"psd", unit},
@@ -107,7 +100,7 @@ void write(Dataset& data, const char* name, const Field& half_plane, const Surfa
             {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
             {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
              "wave number in y"},
-            {density_units(surface, 2), meaning});
+            {cli::density_units(surface.units, 2), meaning});
 }
 
 void describe(Dataset& data, const Surface& surface, const DataWindows& windows) {

@@ -18,7 +18,8 @@ struct Layout {
   std::string title;
   std::vector<LegendLine> legend;
   std::size_t rows, columns;
-  Shape pixels;  ///< of the sheet
+  double margin;  ///< left of the panels, with room for the longest number of y [em]
+  Shape pixels;   ///< of the sheet
   double em;
   double panel_width, panel_height;
   double left, bottom;    ///< of the lowest panel on the left
