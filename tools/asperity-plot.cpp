@@ -20,12 +20,11 @@ struct Kind {
   const char* name;
   plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
 };
-constexpr Kind kinds[] = {
-    {"map", plot::map},           {"surface", plot::surface}, {"profile", plot::profile},
-    {"acf", plot::acf},           {"pdf", plot::pdf},         {"contact", plot::contact},
-    {"von-mises", plot::section}, {"section", plot::section}, {"abbott", plot::abbott},
-    {"psd", plot::psd},           {"qq", plot::qq},           {"sweep", plot::sweep},
-    {"maxima", plot::maxima}};
+constexpr Kind kinds[] = {{"map", plot::map},      {"surface", plot::surface},   {"profile", plot::profile},
+                          {"acf", plot::acf},      {"psd", plot::psd},           {"pdf", plot::pdf},
+                          {"qq", plot::qq},        {"abbott", plot::abbott},     {"contact", plot::contact},
+                          {"sweep", plot::sweep},  {"von-mises", plot::section}, {"section", plot::section},
+                          {"maxima", plot::maxima}};
 
 std::vector<std::string> names_of_kinds() {
   std::vector<std::string> out;
@@ -42,11 +41,16 @@ struct Options {
 
 void declare_figure(cli::Tool& tool, Options& o) {
   const std::string group = "Figure";
-  tool.choice("--kind", o.request.kind, names_of_kinds(),
-              "Kind of figure; map: false colours; surface: perspective view; profile: heights along x and "
-              "y; acf: autocorrelation and its target; pdf: histogram and Gaussian; contact: contact "
-              "states; von-mises: vertical section of this stress; section: vertical section of --variable",
-              group)
+  tool.choice(
+          "--kind", o.request.kind, names_of_kinds(),
+          "Kind of figure; map: false colours, of a single row its profile; surface: perspective view; "
+          "profile: heights along x and y; acf: autocorrelation and its target; psd: power spectral "
+          "densities of rings and profiles; pdf: histogram and Gaussian; qq: heights against the quantiles "
+          "of a Gaussian; abbott: material ratio curve with Sk, Spk and Svk; contact: contact states; "
+          "sweep: load over approach and area over load, of the table of asperity-contact --sweep; "
+          "von-mises: vertical section of this stress; section: vertical section of --variable; maxima: "
+          "largest stress by depth, of a dataset or of the table of asperity-stress --result maxima",
+          group)
       .required();
   tool.text(
       "--variable", o.request.variable, "NAME",
@@ -199,17 +203,24 @@ int main(int argc, char** argv) {
   cli::Tool tool("asperity-plot", "Draws figures of one dataset, or of several side by side, with gnuplot");
   Options options;
   tool.arguments("INPUT", options.inputs, "FILE...",
-                 "Datasets to draw on shared scales; - is standard input");
+                 "Datasets, or tables, to draw on shared scales; - is standard input");
   declare_figure(tool, options);
   declare_scales(tool, options);
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
       "| asperity-plot --kind map -o heights.png");
   tool.accuracy(
-      "Maps and profiles show the values unchanged. Sections interpolate linearly between cells and between "
-      "depths. A surface of more than 128 points per side is thinned, and its title says so. Where an axis "
-      "is stretched, the title gives the factor. The same dataset gives the same bytes with the same "
-      "gnuplot and fonts. Letters are 7 pt high when 1, 2 or 3 columns are printed 8, 11.5 or 15 cm wide.");
+      "Maps and profiles show the values unchanged; missing points are hatched in grey. Sections interpolate "
+      "linearly between cells and between depths, with lines of equal value at the numbers of the colour bar "
+      "and a cross at the largest value that was computed. A surface of more than 128 points per side is "
+      "thinned, and its title says so. Where an axis is stretched, a label gives the factor: in maps and "
+      "sections that of x, in perspective that of the heights. Colours are viridis; those of values that "
+      "pull "
+      "or push run from blue to red, white at zero. Spectra, quantiles and material ratios are the numbers "
+      "of "
+      "asperity-psd, -pdf and -stats with their defaults; points of a spectrum without a known error are "
+      "hollow. The same dataset gives the same bytes with the same gnuplot and fonts. Letters are 7 pt high "
+      "when 1, 2 or 3 columns are printed 8, 11.5 or 15 cm wide.");
   tool.essential({"INPUT", "-o", "--kind", "--variable", "--section", "--x-range", "--y-range", "--range",
                   "--title", "--labels", "--columns", "--pixels"});
   return tool.run(argc, argv, [&] { return draw(tool, options); });

@@ -4,6 +4,7 @@ namespace asperity::plot {
 
 Isolines isolines(const Field& cells, const Lattice& at, double step) {
   const Range values = range_of(cells);
+  if (!(drawable(values) == values)) return {};  // round-off of a constant
   std::string levels;
   for (const double v : multiples(values, step))
     if (values.low < v && v < values.high) levels += fmt::format("{}{}", levels.empty() ? "" : ",", v);

@@ -7,6 +7,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "stats/measure/parameter.hpp"
+#include "tools/cli/readable.hpp"
 #include "tools/plot/source.hpp"
 #include "tools/plot/table.hpp"
 
@@ -74,6 +75,7 @@ Maxima maxima_of(const Case& c, const Request& request) {
   if (!request.scale_by_hertz) return out;
   const double p0 = hertz_pressure(c.data);
   out.curve.rightCols(2) /= p0;
+  out.quantity = {out.quantity.name + " / p₀", "", out.quantity.zero};
   out.top.value /= p0, out.top.value_error /= p0;
   return out;
 }
@@ -104,16 +106,15 @@ void add_layers(std::vector<Layer>& out, const Maxima& m, std::size_t colour, co
                        "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'"));
 }
 
-std::string title_of(const Maxima& m, const Unit& depth, const Unit& value) {
+std::string title_of(const Maxima& m) {
   if (std::isnan(m.top.value))
     return m.curve.col(2).isFinite().all() ? "mean over surfaces, 95 % intervals" : "";
-  const auto number = [](double v, double error, const Unit& unit) {
-    const std::string text = brief(v / unit.factor);
-    return error > 0 ? fmt::format("({} ± {})", text, brief(error / unit.factor)) : text;
+  const auto words = [](double value, double error, const std::string& unit) {
+    const cli::Measurement of = cli::readable(Parameter{"", value, unit.empty() ? "1" : unit, error, ""});
+    return of.value + (of.error.empty() ? "" : " ± " + of.error) + (of.unit.empty() ? "" : " " + of.unit);
   };
-  return fmt::format("largest {}{}{}, {} {} deep (×)", number(m.top.value, m.top.value_error, value),
-                     value.name.empty() ? "" : " ", value.name, number(m.top.depth, m.top.depth_error, depth),
-                     depth.name);
+  return fmt::format("{} at {} (×)", words(m.top.value, m.top.value_error, m.quantity.unit),
+                     words(m.top.depth, m.top.depth_error, "m"));
 }
 
 }  // namespace
@@ -132,8 +133,7 @@ Figure maxima(const Cases& cases, const Request& request) {
   if (!(values.high > 0)) throw DataError(all[0].quantity.name, "no layer holds a value above 0");
   depths = {std::max(depths.low, request.depth.low), std::min(depths.high, request.depth.high)};
   if (!(depths.width() > 0)) throw ParameterError("depth-range", "contains no two depths of the layers");
-  Quantity quantity = all[0].quantity;
-  if (request.scale_by_hertz) quantity = {quantity.name + " / p₀", "", quantity.zero};
+  const Quantity& quantity = all[0].quantity;
   values = value_range(request, quantity.unit, {0, 1.06 * values.high});
   const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.high, quantity.unit);
   Figure out{.columns = 1};
@@ -154,7 +154,7 @@ Figure maxima(const Cases& cases, const Request& request) {
                "with lines linewidth 1.1 dashtype (8,5) linecolor rgb '#707070'"));
     out.legend.push_back({dashes, "#707070", "accurate from here down"});
   }
-  if (all.size() == 1) out.title = title_of(all[0], depth, value);
+  if (all.size() == 1) out.title = title_of(all[0]);
   out.panels = {panel};
   return out;
 }

@@ -119,7 +119,7 @@ void add_layers(std::vector<Layer>& out, const Trace& t, const Unit& x, const Un
       at.row(k++) << p.wave_number / x.factor, p.density / y.factor;
     out.push_back(points(
         at,
-        fmt::format("with points pointtype 6 pointsize 0.3*dot linewidth 0.8 linecolor rgb '{}'", unsure)));
+        fmt::format("with points pointtype 6 pointsize 0.3*dot linewidth 0.8 linecolor rgb '{}'", colour)));
   }
 }
 

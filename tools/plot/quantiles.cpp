@@ -74,7 +74,7 @@ Figure qq(const Cases& cases, const Request& request) {
   out.legend = {{dot, "#10456b", quantity.name},
                 {line, "#d55e00", known ? "Gaussian and 95 % band" : "Gaussian"}};
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    out.panels[c].x = {{-3, 3}, "quantile of the normal distribution"};
+    out.panels[c].x = {{-3, 3}, "normal quantile"};
     out.panels[c].y = axis_of(heights, unit, quantity.name);
     out.panels[c].layers = layers_of(all[c], unit.factor);
   }

@@ -188,15 +188,17 @@ Cuts cuts_of(const Cases& cases, const Request& request) {
   return cuts;
 }
 
+// Short where much is to be said.
 std::string default_title(const Cuts& cuts, const Unit& value) {
   std::string out = "section " + cuts.sections[0].label();
   for (const Section& s : cuts.sections)
     if (s.label() != cuts.sections[0].label()) out = "section at the maximum";
-  if (!cuts.above.empty()) out += ", above " + cuts.above;
   const double largest = cuts.marks[0].value;
-  if (cuts.marks.size() > 1 || largest == 0) return out;
-  return out + fmt::format(", largest {}{}{} at +", brief(largest / value.factor),
-                           value.name.empty() ? "" : " ", value.name);
+  const bool marked = cuts.marks.size() == 1 && largest != 0;
+  if (!cuts.above.empty()) out = (marked ? cuts.sections[0].label() : out) + ", above " + cuts.above;
+  if (!marked) return out;
+  return out + fmt::format(", {}{}{}{} at +", cuts.above.empty() ? "largest " : "",
+                           brief(largest / value.factor), value.name.empty() ? "" : " ", value.name);
 }
 
 // A black cross with a white rim, on any colour.

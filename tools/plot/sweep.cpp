@@ -52,10 +52,12 @@ Range with_room(Range r, bool from_zero) {
   return {from_zero ? 0 : r.low - room, r.high + room};
 }
 
-// The axis of a quantity that is never negative: by decades where it spans one.
-Axis axis_from_zero(Range range, double least, const Unit& unit, std::string_view quantity) {
-  if (!(least > 0 && range.high >= 10 * least)) return axis_of(with_room(range, true), unit, quantity);
-  Axis out = axis_of({std::max(0.9 * range.low, 0.5 * least), 1.15 * range.high}, unit, quantity);
+bool spans_a_decade(Range range, double least) { return least > 0 && range.high >= 10 * least; }
+
+// Of a quantity that is never negative.
+Axis axis_of_growth(Range range, double least, bool logarithmic, const Unit& unit, std::string_view name) {
+  if (!logarithmic) return axis_of(with_room(range, true), unit, name);
+  Axis out = axis_of({std::max(0.9 * range.low, 0.5 * least), 1.15 * range.high}, unit, name);
   out.logarithmic = true;
   return out;
 }
@@ -110,8 +112,9 @@ Figure sweep(const Cases& cases, const Request&) {
   Panel press, grow;
   press.x = axis_of(with_room(approach, false), metres, "approach");
   press.y = axis_of(with_room(load, true), newtons, "load");
-  grow.x = axis_from_zero(load, least_load, newtons, "load");
-  grow.y = axis_from_zero(area, least_area, squares, "contact area");
+  const bool decades = spans_a_decade(load, least_load) && spans_a_decade(area, least_area);
+  grow.x = axis_of_growth(load, least_load, decades, newtons, "load");
+  grow.y = axis_of_growth(area, least_area, decades, squares, "contact area");
   using enum LegendEntry::Key;
   for (std::size_t c = 0; c < all.size(); ++c) {
     const Sweep& s = all[c];

@@ -19,7 +19,7 @@ double place_of(const Axis& axis, double v) {
 
 // "0.02", or "2·10⁻⁶" where the axis goes beyond 0.001 to 1000.
 std::string power_text(double digit, int power, bool plain) {
-  if (plain) return fmt::format("{:.3g}", digit * std::pow(10, power));
+  if (plain) return fmt::format("{:.6g}", digit * std::pow(10, power));
   const std::string ten = power == 0 ? "1" : power == 1 ? "10" : "10" + cli::superscript(power);
   return digit == 1 ? ten : fmt::format("{:.0f}·{}", digit, ten);
 }
