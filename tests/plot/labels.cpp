@@ -129,5 +129,5 @@ TEST_CASE("an axis that is stretched says by how much, beside the other axis", "
   REQUIRE(test::plot("--kind von-mises --depth-range 0um,10um --title mine -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm], depth × 14.4\n"));  // 0.25 · 575 µm / 10 µm
   REQUIRE(shell("asperity-plot square.nc --kind surface --title mine -o a.svg").exit == 0);
-  CHECK_THAT(words_of("a.svg"), ContainsSubstring("height [µm] × "));
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("height [nm] × 200\n"));
 }

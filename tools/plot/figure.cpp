@@ -126,11 +126,10 @@ class Writer {
     script.line("{}", command(name, tics));
   }
 
-  // As high as the panels, but always legible; its label is to the right of the longest number.
+  // Its label is to the right of the longest number.
   void colour_bar(Range shown, const ColourBar& bar) {
-    const double high = std::max(at_.panels_high, 5 * em_),
-                 x = at_.left + at_.panels_wide + bar_distance * em_;
-    const Tics tics = tics_at(shown, round_step(shown.width(), std::min(6.0, high / em_ / 1.6)));
+    const double high = bar_height(at_), x = at_.left + at_.panels_wide + bar_distance * em_;
+    const Tics tics = tics_at(shown, bar_step(at_, shown));
     script.line("set colorbox vertical user origin screen {},{} size screen {},{} front", screen_x(x),
                 screen_y(at_.bottom), screen_x(bar_width * em_), screen_y(high));
     script.line("{}\nset cbtics scale 0.5", command("cb", tics));

@@ -12,6 +12,7 @@ namespace {
 constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
 constexpr double free_aspect = 0.62, free_aspect_of_rows = 0.45;
 constexpr double title_height = 2.0;
+constexpr double least_bar = 5, line_of_bar = 1.3, most_of_bar = 6;  // [em], [em], steps
 constexpr double beside_numbers = 2.6, between_numbers = 0.7;  // label, tics and gaps of a y axis; of x axes
 
 // The width of a sheet [em]: 32 for one column, 60 for three.
@@ -91,6 +92,12 @@ double length_of(const LegendLine& line) {
   double out = -legend_gap;
   for (const LegendEntry& e : line) out += length_of(e) + legend_gap;
   return out;
+}
+
+double bar_height(const Layout& layout) { return std::max(layout.panels_high, least_bar * layout.em); }
+
+double bar_step(const Layout& layout, Range shown) {
+  return round_step(shown.width(), std::min(most_of_bar, bar_height(layout) / layout.em / line_of_bar));
 }
 
 Layout layout_of(const Figure& figure, const Request& request) {

@@ -32,6 +32,10 @@ struct Layout {
   }
 };
 
+/// The height of a colour bar, as high as the panels but always legible, and the step of its numbers.
+double bar_height(const Layout& layout);
+double bar_step(const Layout& layout, Range shown);
+
 /// Panels as large as the sheet allows; narrower and centred if they would be too high. Throws
 /// ParameterError("pixels", …) if there is no room for them.
 Layout layout_of(const Figure& figure, const Request& request);

@@ -78,7 +78,7 @@ Extent extent_of(const Plane& plane) {
 
 // ---- layers ----
 
-// The runs of points whose errors are known or not, each with its neighbours' end so that the line has no gap.
+// The runs of points whose errors are known, or are not.
 std::vector<Spectrum> runs(const Spectrum& points, bool of_known) {
   std::vector<Spectrum> out;
   bool within = false;

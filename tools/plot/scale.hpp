@@ -40,11 +40,11 @@ std::vector<double> multiples(Range range, double step);
 /// A number to three digits, "2.72".
 std::string brief(double value);
 
-/// Colours from low to high. Sequential is viridis, at eleven of its 256 colours with straight lines between: its
-/// lightness rises evenly, so that equal differences look equal, a grey print keeps their order, and readers
-/// who do not tell red from green see it too. Heights have it, for their zero is a choice; in grey a diverging
-/// palette would show hills as dales. Stresses that push or pull have a zero that matters: they keep a
-/// diverging palette, ours, whose L* falls by the same amount from the middle to either end.
+/// Colours from low to high. Sequential is viridis, at eleven of its 256 colours with straight lines between:
+/// its lightness rises evenly, so that equal differences look equal, a grey print keeps their order, and
+/// readers who do not tell red from green see it too. Heights have it, for their zero is a choice; in grey a
+/// diverging palette would show hills as dales. Stresses that push or pull have a zero that matters: they
+/// keep a diverging palette, ours, whose L* falls by the same amount from the middle to either end.
 ///
 /// S. van der Walt, N. Smith, A better default colormap for Matplotlib, SciPy 2015 (viridis, CC0).
 /// CIE 15:2004, Colorimetry; P. Kovesi, Good colour maps: how to design them, arXiv:1509.03700 (2015).

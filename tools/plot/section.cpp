@@ -7,6 +7,7 @@
 #include "dataset/units.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/plot/isolines.hpp"
+#include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -225,7 +226,6 @@ Figure section(const Cases& cases, const Request& request) {
              value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
   out.title = default_title(cuts, value);
   out.colours = {cuts.colours, value, cuts.quantity.name};
-  const double step = round_step(drawable(cuts.colours.range / value.factor).width(), 6);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];
     out.panels[c].x = axis_of(p.x, along, cuts.sections[c].along());
@@ -233,6 +233,11 @@ Figure section(const Cases& cases, const Request& request) {
         stretch_in_words(cuts.sections[c].along(), 1 / stretch) + stretch_in_words("depth", stretch);
     out.panels[c].y = axis_of(p.y, depth, "depth z");
     out.panels[c].y->downwards = true;
+  }
+  // At the numbers of the colour bar, which depend on the room that the axes leave.
+  const double step = bar_step(layout_of(out, request), drawable(cuts.colours.range / value.factor));
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Patch& p = cuts.patches[c];
     const Field shown = p.values / value.factor;
     const Isolines lines = isolines(shown, lattice_of(p, along, depth), step);
     out.panels[c].commands = lines.commands;

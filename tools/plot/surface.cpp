@@ -163,26 +163,28 @@ std::string label_at(const std::string& text, std::array<double, 3> at, double r
                      up * layout.em / static_cast<double>(layout.pixels.ny));
 }
 
-Script axes_of(const View& view, const Layout& layout, bool first) {
+Script axes_of(const View& view, const Layout& layout, bool leftmost) {
   Script script;
   const auto& [relief, p, ems] = view;
   const double unit = relief.length.factor, scale = relief.scale();
   const Range x = p.x / unit, y = p.y / unit, z{relief.values.low * scale, relief.values.high * scale};
   for (const auto& [name, range] : {std::pair{"x", x}, {"y", y}, {"z", z}})
     script.line("set {}range [{}:{}]", name, range.low, range.high);
-  const Tics of_y = tics_of_y(view, unit),
-             of_z = height_tics(relief.values, step_of_heights(view), scale, relief.value);
+  const Tics of_y = tics_of_y(view, unit);
+  Tics of_z = height_tics(relief.values, step_of_heights(view), scale, relief.value);
   script.line("{} offset 0,-0.3", command("x", tics_of_x(view, unit)));
   script.line("{} offset 0.4,-0.2", command("y", of_y));
-  script.line("{}", command("z", of_z));
   const auto middle = [](Range r) { return 0.5 * (r.low + r.high); };
   script.line("{}",
               label_at(relief.length.label("x"), {middle(x), y.low, z.low}, -1.4, -2.2, layout, "right"));
   script.line("{}", label_at(relief.length.label("y"), {x.high, y.low + 0.2 * y.width(), z.low},
                              1.2 + longest(of_y), -1.2, layout, "left"));
-  if (first)
+  if (leftmost)
     script.line("{}", label_at(relief.label(), {x.low, y.low, middle(z)}, -2.6 - longest(of_z), 0, layout,
                                "rotate by 90 center"));
+  for (Tic& tic : of_z)
+    if (!leftmost) tic.text.clear();  // beside the panel on the left, whose scale they share
+  script.line("{}", command("z", of_z));
   return script;
 }
 
@@ -206,7 +208,8 @@ Figure surface(const Cases& cases, const Request& request) {
   const Layout layout = layout_of(out, request);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = relief.patches[c];
-    out.panels[c].commands = axes_of({relief, p, layout.panel_width / layout.em}, layout, c == 0);
+    out.panels[c].commands =
+        axes_of({relief, p, layout.panel_width / layout.em}, layout, c % out.columns == 0);
     out.panels[c].layers = {
         raster(p.values * scale, lattice_of(p, relief.length, relief.length, true), "with pm3d")};
   }

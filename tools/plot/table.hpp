@@ -1,4 +1,5 @@
-/// Tables that the tools print, as datasets: tab-separated columns under "# name [unit]" (tools/cli/table.hpp).
+/// Tables that the tools print, as datasets: columns between tabs under "# name [unit]"
+/// (tools/cli/table.hpp).
 #pragma once
 
 #include <string>
