@@ -123,6 +123,8 @@ TEST_CASE("what is no such table is refused in a line", "[plot][contract]") {
   const struct {
     const char *text, *kind, *words;
   } wrong[] = {{"1 2 3\n", "sweep", "table is none that a tool printed"},
+               {"# \t\n1\t2\n", "sweep", "table has no columns"},
+               {"# load [N]\tapproach [m]\tarea [m2]\nnan\tnan\tnan\n", "sweep", "load: no row of the table"},
                {"# load [N]\tapproach [m]\n", "sweep", "table has no rows"},
                {"# load [N]\tapproach [m]\n1\n", "sweep", "table: line 2 has 1 cell for 2 columns"},
                {"# load [N]\tapproach [m]\n1\t2\n", "sweep", "area is in no column"},

@@ -24,6 +24,7 @@ struct Maxima {
   Quantity quantity;
   Top top = {};
   double accurate = NAN;  ///< the depth from which on the grid resolves the stress
+  bool of_magnitude = false;
 };
 
 Maxima of_table(const Dataset& table) {
@@ -39,17 +40,16 @@ Maxima of_table(const Dataset& table) {
   return out;
 }
 
-// Of values of either sign the magnitude.
-double largest_of(const double* first, std::size_t count) {
+double largest_of(const double* first, std::size_t count, bool of_magnitude) {
   double out = NAN;
-  for (std::size_t k = 0; k < count; ++k) out = std::fmax(out, std::abs(first[k]));
+  for (std::size_t k = 0; k < count; ++k) out = std::fmax(out, of_magnitude ? std::abs(first[k]) : first[k]);
   return out;
 }
 
 Top top_of(const Attributes& a, const std::string& variable) {
   const std::string of = variable == "von_mises"   ? "stress_max_von_mises"
                          : variable == "max_shear" ? "stress_max_shear"
-                         : variable == "principal" ? "stress_max_principal"
+                         : variable == "stress_1"  ? "stress_max_principal"
                                                    : "";
   if (of.empty() || !a.find(of)) return {};
   return {a.number("stress_max_depth", NAN), a.number(of, NAN), a.number("stress_max_depth_error", NAN),
@@ -65,8 +65,11 @@ Maxima of_volume(const Dataset& data, const std::string& variable) {
   const std::size_t cells = values.size() / depths.size();
   Maxima out{Field(std::ssize(depths), 3), quantity_of(v), top_of(data.attributes, variable),
              data.attributes.number("stress_accurate_depth", NAN)};
+  // The first principal stress is the largest one, positive in tension; others of either sign push or pull.
+  out.of_magnitude = out.quantity.zero == Zero::between && variable != "stress_1";
   for (std::size_t k = 0; k < depths.size(); ++k)
-    out.curve.row(static_cast<Index>(k)) << depths[k], factor * largest_of(&values[k * cells], cells), NAN;
+    out.curve.row(static_cast<Index>(k)) << depths[k],
+        factor * largest_of(&values[k * cells], cells, out.of_magnitude), NAN;
   return out;
 }
 
@@ -130,18 +133,17 @@ Figure maxima(const Cases& cases, const Request& request) {
     values = united(values, range_of(m.curve.col(1) + half));
     if (m.top.value > 0) values.high = std::max(values.high, m.top.value + error);
   }
-  if (!(values.high > 0)) throw DataError(all[0].quantity.name, "no layer holds a value above 0");
+  if (!(values.magnitude() > 0)) throw DataError(all[0].quantity.name, "no layer holds a value but 0");
   depths = {std::max(depths.low, request.depth.low), std::min(depths.high, request.depth.high)};
   if (!(depths.width() > 0)) throw ParameterError("depth-range", "contains no two depths of the layers");
   const Quantity& quantity = all[0].quantity;
-  values = value_range(request, quantity.unit, {0, 1.06 * values.high});
-  const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.high, quantity.unit);
+  values = value_range(request, quantity.unit, {1.06 * values.low, 1.06 * values.high});
+  const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.magnitude(), quantity.unit);
   Figure out{.columns = 1};
   Panel panel;
   panel.x = axis_of(depths, depth, "depth z");
-  panel.y = axis_of(values, value,
-                    (quantity.zero == Zero::between ? "largest |" : "largest ") + quantity.name +
-                        (quantity.zero == Zero::between ? "|" : ""));
+  const char* bar = all[0].of_magnitude ? "|" : "";
+  panel.y = axis_of(values, value, fmt::format("largest {0}{1}{0}", bar, quantity.name));
   using enum LegendEntry::Key;
   for (std::size_t c = 0; c < all.size(); ++c) {
     add_layers(panel.layers, all[c], c, depth, value);

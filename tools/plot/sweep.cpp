@@ -100,11 +100,14 @@ Figure sweep(const Cases& cases, const Request&) {
   double least_load = unlimited, least_area = unlimited;
   for (const Case& c : cases) {
     const Sweep& s = all.emplace_back(sweep_of(c.data));
-    load = united(load, range_of_all(s.load, Eigen::ArrayXd::Zero(s.load.size())));
+    if (!(s.load.isFinite() && s.approach.isFinite() && s.area.isFinite()).any())
+      throw DataError("load", "no row of the table has a load, an approach and an area");
+    const Eigen::ArrayXd exact = Eigen::ArrayXd::Zero(s.load.size());
+    load = united(load, range_of_all(s.load, exact));
     approach = united(approach, range_of_all(s.approach, s.of_approach.half));
     area = united(area, range_of_all(s.area, s.of_area.half));
-    least_load = std::min(least_load, s.load.minCoeff());
-    least_area = std::min(least_area, s.area.minCoeff());
+    least_load = std::min(least_load, range_of_all(s.load, exact).low);
+    least_area = std::min(least_area, range_of_all(s.area, exact).low);
   }
   const Unit newtons = cli::unit_for(load.high, "N"), metres = cli::unit_for(approach.magnitude(), "m"),
              squares = cli::unit_for(area.high, "m2");

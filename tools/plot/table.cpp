@@ -37,6 +37,7 @@ Dataset dataset_of_table(std::string_view text) {
         "is none that a tool printed: its first line must begin with # and name the columns, with "
         "tabs between");
   const std::vector<cli::HeadedColumn> columns = cli::columns_of(header.substr(2));
+  if (columns.empty()) throw DataError("table", "has no columns");
   std::vector<std::vector<double>> values(columns.size());
   for (std::size_t line = 2; !text.empty(); ++line) {
     const std::string_view row = take_line(text);
