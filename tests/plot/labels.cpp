@@ -126,6 +126,12 @@ TEST_CASE("an axis that is stretched says by how much, beside the other axis", "
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [mm], y × 2.4\n"));  // 0.16 · 15
   REQUIRE(shell("asperity-plot square.nc --kind map -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm]\n"));
+  // Of several maps with different sides each says its own.
+  REQUIRE(shell("asperity-plot square.nc long.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("\nx [µm], y × 15\n") && ContainsSubstring("\na\n"));
+  REQUIRE(shell("asperity-plot long.nc square.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"),
+             ContainsSubstring("\na, y × 2.4\n") && ContainsSubstring("\nx [mm], x × 6.25\n"));
   REQUIRE(test::plot("--kind von-mises --depth-range 0um,10um --title mine -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm], depth × 14.4\n"));  // 0.25 · 575 µm / 10 µm
   REQUIRE(shell("asperity-plot square.nc --kind surface --title mine -o a.svg").exit == 0);

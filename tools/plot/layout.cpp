@@ -94,6 +94,13 @@ double length_of(const LegendLine& line) {
   return out;
 }
 
+void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up) {
+  Panel& of = figure.panels[panel];
+  const bool labelled = !figure.comparison || panel + figure.columns >= figure.panels.size();
+  (labelled ? of.x->label : of.label) += stretch_in_words(along, true_aspect / figure.aspect) +
+                                         stretch_in_words(up, figure.aspect / true_aspect);
+}
+
 double bar_height(const Layout& layout) { return std::max(layout.panels_high, least_bar * layout.em); }
 
 double bar_step(const Layout& layout, Range shown) {

@@ -36,6 +36,10 @@ struct Layout {
 double bar_height(const Layout& layout);
 double bar_step(const Layout& layout, Range shown);
 
+/// Says by how much an axis of a panel is longer than the scale of the other says: beside x, or above the
+/// panel where x has no label.
+void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up);
+
 /// Panels as large as the sheet allows; narrower and centred if they would be too high. Throws
 /// ParameterError("pixels", …) if there is no room for them.
 Layout layout_of(const Figure& figure, const Request& request);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -16,13 +17,11 @@ constexpr struct {
 Figure plan_view(const Cases& cases, const std::vector<Patch>& patches, double unit, const Request& request) {
   const Unit length = unit_for(reach(patches[0]), "m");
   Figure out = side_by_side(request, cases);
-  const double true_aspect = patches[0].y.width() / patches[0].x.width();
-  out.aspect = std::clamp(true_aspect, flattest, tallest);
+  out.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = patches[c];
     out.panels[c].x = axis_of(p.x, length, "x");
-    out.panels[c].x->label +=
-        stretch_in_words("x", true_aspect / out.aspect) + stretch_in_words("y", out.aspect / true_aspect);
+    tell_stretch(out, c, p.y.width() / p.x.width(), "x", "y");
     out.panels[c].y = axis_of(p.y, length, "y");
     out.panels[c].layers = {raster(p.values / unit, lattice_of(p, length, length), "with image")};
   }

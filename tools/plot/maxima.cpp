@@ -116,8 +116,8 @@ std::string title_of(const Maxima& m) {
     const cli::Measurement of = cli::readable(Parameter{"", value, unit.empty() ? "1" : unit, error, ""});
     return of.value + (of.error.empty() ? "" : " ± " + of.error) + (of.unit.empty() ? "" : " " + of.unit);
   };
-  return fmt::format("{} at {} (×)", words(m.top.value, m.top.value_error, m.quantity.unit),
-                     words(m.top.depth, m.top.depth_error, "m"));
+  const std::string where = m.top.depth == 0 ? "the surface" : words(m.top.depth, m.top.depth_error, "m");
+  return fmt::format("{} at {} (×)", words(m.top.value, m.top.value_error, m.quantity.unit), where);
 }
 
 }  // namespace

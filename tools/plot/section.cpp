@@ -229,8 +229,7 @@ Figure section(const Cases& cases, const Request& request) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];
     out.panels[c].x = axis_of(p.x, along, cuts.sections[c].along());
-    out.panels[c].x->label +=
-        stretch_in_words(cuts.sections[c].along(), 1 / stretch) + stretch_in_words("depth", stretch);
+    tell_stretch(out, c, p.y.width() / p.x.width(), cuts.sections[c].along(), "depth");
     out.panels[c].y = axis_of(p.y, depth, "depth z");
     out.panels[c].y->downwards = true;
   }
