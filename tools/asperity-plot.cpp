@@ -10,6 +10,7 @@
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/plot/figure.hpp"
+#include "tools/plot/table.hpp"
 
 using namespace asperity;
 
@@ -19,9 +20,11 @@ struct Kind {
   const char* name;
   plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
 };
-constexpr Kind kinds[] = {
-    {"map", plot::map}, {"surface", plot::surface}, {"profile", plot::profile},   {"acf", plot::acf},
-    {"pdf", plot::pdf}, {"contact", plot::contact}, {"von-mises", plot::section}, {"section", plot::section}};
+constexpr Kind kinds[] = {{"map", plot::map},      {"surface", plot::surface},   {"profile", plot::profile},
+                          {"acf", plot::acf},      {"psd", plot::psd},           {"pdf", plot::pdf},
+                          {"qq", plot::qq},        {"abbott", plot::abbott},     {"contact", plot::contact},
+                          {"sweep", plot::sweep},  {"von-mises", plot::section}, {"section", plot::section},
+                          {"maxima", plot::maxima}};
 
 std::vector<std::string> names_of_kinds() {
   std::vector<std::string> out;
@@ -38,11 +41,16 @@ struct Options {
 
 void declare_figure(cli::Tool& tool, Options& o) {
   const std::string group = "Figure";
-  tool.choice("--kind", o.request.kind, names_of_kinds(),
-              "Kind of figure; map: false colours; surface: perspective view; profile: heights along x and "
-              "y; acf: autocorrelation and its target; pdf: histogram and Gaussian; contact: contact "
-              "states; von-mises: vertical section of this stress; section: vertical section of --variable",
-              group)
+  tool.choice(
+          "--kind", o.request.kind, names_of_kinds(),
+          "Kind of figure; map: false colours, of a single row its profile; surface: perspective view; "
+          "profile: heights along x and y; acf: autocorrelation and its target; psd: power spectral "
+          "densities of rings and profiles; pdf: histogram and Gaussian; qq: heights against the quantiles "
+          "of a Gaussian; abbott: material ratio curve with Sk, Spk and Svk; contact: contact states; "
+          "sweep: load over approach and area over load, of the table of asperity-contact --sweep; "
+          "von-mises: vertical section of this stress; section: vertical section of --variable; maxima: "
+          "largest stress by depth, of a dataset or of the table of asperity-stress --result maxima",
+          group)
       .required();
   tool.text(
       "--variable", o.request.variable, "NAME",
@@ -124,8 +132,10 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.titled = tool.given("--title");
   request.scale_by_hertz = o.scale_by == "p0";
   if (!is_utf8(request.title)) throw cli::UsageError("title", "is not valid UTF-8");
-  if (tool.given("--columns") && request.kind == "profile")
-    throw cli::UsageError("columns", "cannot be combined with --kind profile: all inputs share its panels");
+  for (const char* kind : {"profile", "psd", "sweep", "maxima"})
+    if (tool.given("--columns") && request.kind == kind)
+      throw cli::UsageError(
+          "columns", std::string("cannot be combined with --kind ") + kind + ": all inputs share its panels");
   if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
@@ -147,6 +157,16 @@ std::vector<std::string> labels_of(const Options& o) {
   return out;
 }
 
+// A dataset, or where a kind draws what the tools print, a table.
+Dataset read(const cli::Tool& tool, const Options& o, const std::string& name, std::size_t held) {
+  const bool tables = o.request.kind == "sweep" || o.request.kind == "maxima";
+  if (!tables) return tool.read(name, held);
+  const Bytes bytes = cli::read_all(name, tool.memory_bound(held));
+  if (tool.format().netcdf(bytes)) return tool.read(bytes, name, held);
+  tool.reads(name);
+  return plot::dataset_of_table(bytes);
+}
+
 plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   constexpr std::size_t most = 6;
   if (o.inputs.size() > most)
@@ -160,7 +180,7 @@ plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   plot::Cases out;
   std::size_t held = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    out.push_back({tool.read(o.inputs[i], held), labels[i]});
+    out.push_back({read(tool, o, o.inputs[i], held), labels[i]});
     held += out.back().data.size_in_memory();
   }
   return out;
@@ -183,17 +203,24 @@ int main(int argc, char** argv) {
   cli::Tool tool("asperity-plot", "Draws figures of one dataset, or of several side by side, with gnuplot");
   Options options;
   tool.arguments("INPUT", options.inputs, "FILE...",
-                 "Datasets to draw on shared scales; - is standard input");
+                 "Datasets, or tables, to draw on shared scales; - is standard input");
   declare_figure(tool, options);
   declare_scales(tool, options);
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
       "| asperity-plot --kind map -o heights.png");
   tool.accuracy(
-      "Maps and profiles show the values unchanged. Sections interpolate linearly between cells and between "
-      "depths. A surface of more than 128 points per side is thinned, and its title says so. Where an axis "
-      "is stretched, the title gives the factor. The same dataset gives the same bytes with the same "
-      "gnuplot and fonts. Letters are 7 pt high when 1, 2 or 3 columns are printed 8, 11.5 or 15 cm wide.");
+      "Maps and profiles show the values unchanged; missing points are hatched in grey. Sections interpolate "
+      "linearly between cells and between depths, with lines of equal value at the numbers of the colour bar "
+      "and a cross at the largest value that was computed. A surface of more than 128 points per side is "
+      "thinned, and its title says so. Where an axis is stretched, a label gives the factor: in maps and "
+      "sections that of x, in perspective that of the heights. Colours are viridis; those of values that "
+      "pull "
+      "or push run from blue to red, white at zero. Spectra, quantiles and material ratios are the numbers "
+      "of "
+      "asperity-psd, -pdf and -stats with their defaults; points of a spectrum without a known error are "
+      "hollow. The same dataset gives the same bytes with the same gnuplot and fonts. Letters are 7 pt high "
+      "when 1, 2 or 3 columns are printed 8, 11.5 or 15 cm wide.");
   tool.essential({"INPUT", "-o", "--kind", "--variable", "--section", "--x-range", "--y-range", "--range",
                   "--title", "--labels", "--columns", "--pixels"});
   return tool.run(argc, argv, [&] { return draw(tool, options); });

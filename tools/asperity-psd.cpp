@@ -29,13 +29,6 @@ struct Options {
   }
 };
 
-// "m3" or "m4" for heights, "Pa2 m" or "Pa2 m2" for a pressure.
-std::string density_units(const Surface& surface, int lengths) {
-  if (surface.units == "m") return cli::unit_to(surface.units, 2 + lengths);
-  const std::string length = lengths == 1 ? "m" : "m" + std::to_string(lengths);
-  return surface.units == "1" ? length : cli::unit_to(surface.units, 2) + " " + length;
-}
-
 constexpr const char* per_length = "rad m-1";
 
 // Columns of the errors of a density.
@@ -56,7 +49,7 @@ std::vector<cli::Cell> cells(const SpectrumPoint& point) {
 cli::Table radial(const Sample& sample, const DataWindows& windows) {
   const Surface& surface = sample.surface();
   cli::Table out{{{"wave_number", per_length}}, {}};
-  std::ranges::copy(of_errors(density_units(surface, 2)), std::back_inserter(out.columns));
+  std::ranges::copy(of_errors(cli::density_units(surface.units, 2)), std::back_inserter(out.columns));
   out.columns.push_back({"count", "1"});
   for (const SpectrumPoint& ring : radial_spectrum(sample, windows)) {
     std::vector<cli::Cell>& row = out.rows.emplace_back();
@@ -74,7 +67,7 @@ cli::Table radial(const Sample& sample, const DataWindows& windows) {
 
 cli::Table profiles(const Sample& sample, const DataWindows& windows) {
   cli::Table out{{{"direction", ""}, {"wave_number", per_length}}, {}};
-  std::ranges::copy(of_errors(density_units(sample.surface(), 1)), std::back_inserter(out.columns));
+  std::ranges::copy(of_errors(cli::density_units(sample.surface().units, 1)), std::back_inserter(out.columns));
   auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
     for (const SpectrumPoint& point : profile_spectrum(sample, axis, window)) {
       std::vector<cli::Cell>& row = out.rows.emplace_back();
@@ -95,7 +88,7 @@ void write(Dataset& data, const char* name, const Field& half_plane, const Surfa
             {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
             {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
              "wave number in y"},
-            {density_units(surface, 2), meaning});
+            {cli::density_units(surface.units, 2), meaning});
 }
 
 void describe(Dataset& data, const Surface& surface, const DataWindows& windows) {

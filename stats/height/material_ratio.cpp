@@ -140,7 +140,8 @@ CoreParameters MaterialRatioCurve::core() const {
   const double slope = 12 * static_cast<double>(tilt) / (width * width * width);  // per rank, ≤ 0
   const double upper = centre - slope * middle, lower = centre + slope * (last() - middle);
 
-  CoreParameters out{.sk = upper - lower, .smr1 = ratio(upper), .smr2 = ratio(lower)};
+  CoreParameters out{
+      .sk = upper - lower, .smr1 = ratio(upper), .smr2 = ratio(lower), .upper = upper, .lower = lower};
   if (out.smr1 > 0) out.spk = 2 / out.smr1 * area(0, out.smr1, upper);
   if (out.smr2 < 1) out.svk = -2 / (1 - out.smr2) * area(out.smr2, 1, lower);
   return out;

@@ -38,7 +38,7 @@ TEST_CASE("a range that doubles hardly divide is drawn as a constant is, any oth
     CHECK(drawable(whole) == whole);
   for (const double huge : {1e308, HUGE_VAL, std::nan("")}) {
     CHECK_THROWS_AS(drawable({-huge, huge}), DataError);
-    CHECK_THROWS_AS(about(0, {-huge, huge}), DataError);
+    CHECK_THROWS_AS(about_zero({-huge, huge}), DataError);
     CHECK_THROWS_AS(one_sided({0, huge}), DataError);
   }
 }

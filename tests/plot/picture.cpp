@@ -8,7 +8,8 @@ using namespace asperity::test;
 
 namespace {
 
-constexpr const char* kinds[] = {"map", "surface", "profile", "acf", "pdf", "contact", "von-mises"};
+constexpr const char* kinds[] = {"map",       "surface", "profile", "acf", "pdf",   "contact",
+                                 "von-mises", "abbott",  "psd",     "qq",  "maxima"};
 
 unsigned big_endian(const std::string& bytes, std::size_t at) {
   unsigned out = 0;
@@ -66,10 +67,17 @@ TEST_CASE("every kind draws a PNG of the size asked for, and says nothing", "[pl
 }
 
 TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contract]") {
-  const char* words[][2] = {{"height [nm]", "x [µm]"},          {"height [nm]", "y [µm]"},
-                            {"height [nm]", "x [µm] at y"},     {"lag [µm]", "autocorrelation"},
-                            {"density [1/µm]", "Gaussian"},     {"elastic", "at the limit"},
-                            {"depth z [µm]", "von Mises [GPa]"}};
+  const char* words[][2] = {{"height [nm]", "x [µm]"},
+                            {"height [nm]", "y [µm]"},
+                            {"height [nm]", "x [µm] at y"},
+                            {"lag [µm]", "autocorrelation"},
+                            {"density [1/µm]", "Gaussian"},
+                            {"elastic", "at the limit"},
+                            {"depth z [µm]", "von Mises [GPa]"},
+                            {"height [nm]", "material ratio [%]"},
+                            {"wave number [rad/mm]", "PSD of profiles [µm³]"},
+                            {"height [nm]", "normal quantile"},
+                            {"depth z [µm]", "largest von Mises [GPa]"}};
   for (std::size_t k = 0; k < std::size(kinds); ++k) {
     CAPTURE(kinds[k]);
     REQUIRE(plot(std::string("--kind ") + kinds[k] + " -o a.svg").exit == 0);

@@ -68,17 +68,20 @@ TEST_CASE("a field of one value is a plane in perspective, with a scale beside i
   }
 }
 
-TEST_CASE("missing points stay empty and do not spoil the scale", "[plot][contract]") {
+TEST_CASE("missing points are hatched, which a legend says, and do not spoil the scale", "[plot][contract]") {
   scene();
   Dataset data = read_dataset("scene.nc");
   std::get<std::vector<double>>(data.find("heights")->values)[7] = std::nan("");
   write_dataset(data, "hole.nc");
-  for (const std::string kind : {"map", "acf", "pdf"}) {
+  for (const std::string kind : {"map", "acf", "pdf", "abbott", "psd", "qq"}) {
     const Outcome run = shell("asperity-plot hole.nc --kind " + kind + " -o hole.svg");
     INFO(kind << run.error);
     REQUIRE(run.exit == 0);
     CHECK_THAT(words_of("hole.svg"), !ContainsSubstring("nan"));
+    CHECK((words_of("hole.svg").find("missing") != std::string::npos) == (kind == "map"));
   }
+  REQUIRE(plot("--kind map -o whole.svg").exit == 0);
+  CHECK_THAT(words_of("whole.svg"), !ContainsSubstring("missing"));
 }
 
 // Of the scene's cells a third is open.

@@ -78,7 +78,7 @@ TEST_CASE("the page holds every number, error and interval of asperity-stats", "
     for (const auto& end : entry["interval_95"])
       if (end.is_number()) holds(end.get<double>());
   }
-  CHECK(pictures_in(page) == 4);
+  CHECK(pictures_in(page) == 7);  // map, profiles, distribution, quantiles, material ratio, spectra, ACF
   CHECK_THAT(page, ContainsSubstring("asperity-generate --shape 64x64") &&
                        ContainsSubstring("seed</dt><dd class=\"short\">7<"));
 }
@@ -88,7 +88,7 @@ TEST_CASE("a pressed and stressed surface shows pressure, contact, section and w
   press_surface("");
   REQUIRE(shell("asperity-stress c.nc --depths 1um:0.3mm:8 --maximum -o st.nc").exit == 0);
   const std::string page = report_on("st.nc");
-  CHECK(pictures_in(page) == 7);
+  CHECK(pictures_in(page) == 11);  // and pressure, contact, section, stress by depth
   for (const char* word : {"100\u00A0N", "smooth bodies (Hertz)", "largest von Mises stress", "210\u00A0GPa",
                            "6 × 4 samples (93.75\u00A0µm × 62.5\u00A0µm)", "convolutions of full size",
                            "image/svg+xml;base64,", "image/png;base64,"})

@@ -102,6 +102,12 @@ std::string unit_to(const std::string& unit, int power) {
   return unit == "1" ? unit : unit + std::to_string(power);
 }
 
+std::string density_units(const std::string& unit, int lengths) {
+  if (unit == "m") return unit_to(unit, 2 + lengths);
+  const std::string length = lengths == 1 ? "m" : "m" + std::to_string(lengths);
+  return unit == "1" ? length : unit_to(unit, 2) + " " + length;
+}
+
 void ResultOption::declare(Tool& tool, const std::string& text) {
   std::vector<std::string> words{result};
   words.insert(words.end(), tables.begin(), tables.end());

@@ -50,6 +50,9 @@ std::optional<LagField> carried_correlation(const Dataset& data, const std::stri
 /// A unit to a power, in UDUNITS' notation: "m2", "Pa-1", and "1" for pure numbers.
 std::string unit_to(const std::string& unit, int power);
 
+/// Of a density over one wave number or two: "m3" or "m4" for heights, "Pa2 m" or "Pa2 m2" for a pressure.
+std::string density_units(const std::string& unit, int lengths);
+
 /// Warns where there are too few independent points for errors, or for precise ones.
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size);
 /// Warns of a length below a sample or beyond half the field; true if it is neither.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/plot/layout.hpp"
+#include "tools/plot/tics.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -10,15 +11,9 @@ namespace {
 constexpr double em_in_cm = 0.25, em_in_points = em_in_cm / 2.54 * 72;  // on paper
 constexpr double pdf_line = 0.5;                                        // of linewidth 1 of pdfcairo [pt]
 constexpr double em_of_cairo = 0.75;  // its points are 4/3 of a pixel or of a point
+constexpr const char* missing_colour = "#d4d4d4";
+constexpr const char* missing_hatch = "fillcolor rgb '#8f8f8f' fillstyle transparent pattern 4";
 constexpr double bar_distance = 0.8, bar_width = 0.9;
-constexpr const char *x_label_tag = "100", *y_label_tag = "101";  // beyond the tags of labels that have none
-
-// Characters of the longest number on a colour bar.
-std::size_t longest_tic(Range range, double step) {
-  std::size_t longest = 1;
-  for (const double v : multiples(range, step)) longest = std::max(longest, fmt::format("{:.6g}", v).size());
-  return longest;
-}
 
 // The em is `at.em` pixels in PNG and SVG, and 0.25 cm in PDF.
 std::string terminal(const Layout& at, const std::string& format) {
@@ -35,6 +30,12 @@ std::string terminal(const Layout& at, const std::string& format) {
                      at.pixels.nx, at.pixels.ny, em, em / 16);
 }
 
+// The point size of a symbol one em wide: gnuplot's unit is 6 px in PNG, 6 pt in PDF and 0.75 em in SVG.
+double dot_size(const Layout& at, const std::string& format) {
+  if (format == "svg") return 1 / 0.75;
+  return (format == "pdf" ? em_in_points : at.em) / 6;
+}
+
 // The commands of a figure, part by part.
 class Writer {
  public:
@@ -42,6 +43,7 @@ class Writer {
 
   void begin(const std::string& format) {
     script.line("set encoding utf8\nset terminal {} background rgb 'white'", terminal(at_, format));
+    script.line("dot = {:.5g}", dot_size(at_, format));
     script.line("set minussign\nset border linewidth 0.8\nset tics out nomirror scale 0.5 front");
     script.line("unset key\nset multiplot");
     script.add(figure_.commands);
@@ -61,19 +63,19 @@ class Writer {
 
   // In a comparison only the lowest panels label the x axis, and only the leftmost label the y axis.
   void x_axis(std::size_t panel, const Axis& x) {
-    axis("x", x, std::max(2.0, at_.panel_width / em_ / 3.2));
-    label(x.label, at_.x_of(panel) + 0.5 * at_.panel_width, at_.y_of(panel) - (figure_.bottom - 0.8) * em_,
-          "center", x_label_tag);
-    if (figure_.comparison && panel + at_.columns < figure_.panels.size())
-      script.line("set xtics format ''\nunset label {}", x_label_tag);
+    const bool hidden = figure_.comparison && panel + at_.columns < figure_.panels.size();
+    axis("x", x, tics_along(x, at_.panel_width / em_), hidden);
+    if (!hidden)
+      label(x.label, at_.x_of(panel) + 0.5 * at_.panel_width, at_.y_of(panel) - (figure_.bottom - 0.8) * em_,
+            "center");
   }
 
   void y_axis(std::size_t panel, const Axis& y) {
-    axis("y", y, std::clamp(at_.panel_height / em_ / 1.8, 2.0, 8.0));
-    label(y.label, at_.x_of(panel) - (figure_.left - 0.9) * em_, at_.y_of(panel) + 0.5 * at_.panel_height,
-          "rotate by 90 center", y_label_tag);
-    if (figure_.comparison && panel % at_.columns > 0)
-      script.line("set ytics format ''\nunset label {}", y_label_tag);
+    const bool hidden = figure_.comparison && panel % at_.columns > 0;
+    axis("y", y, tics_across(y, at_.panel_height / em_), hidden);
+    if (!hidden)
+      label(y.label, at_.x_of(panel) - (at_.margin - 0.9) * em_, at_.y_of(panel) + 0.5 * at_.panel_height,
+            "rotate by 90 center");
   }
 
   void colours(const ColourBar& bar, bool with_bar) {
@@ -109,44 +111,52 @@ class Writer {
   Script script;
 
  private:
-  // `tag` names a label that is unset later.
-  void label(const std::string& text, double x, double y, const char* style, const std::string& tag = "") {
-    script.line("set label {}{}{} at screen {},{} {} noenhanced", tag, tag.empty() ? "" : " ",
-                gnuplot_string(text), screen_x(x), screen_y(y), style);
+  void label(const std::string& text, double x, double y, const char* style) {
+    script.line("set label {} at screen {},{} {} noenhanced", gnuplot_string(text), screen_x(x), screen_y(y),
+                style);
   }
 
-  void axis(const char* name, const Axis& axis, double most_steps) {
-    const Range range = drawable(axis.range);
+  void axis(const char* name, const Axis& axis, Tics tics, bool hidden) {
+    const Range range = drawn(axis);
+    script.line("{} logscale {}", axis.logarithmic ? "set" : "unset", name);
     script.line("set {}range [{}:{}]", name, axis.downwards ? range.high : range.low,
                 axis.downwards ? range.low : range.high);
-    script.line("set {}tics {} format '%g'", name, round_step(range.width(), most_steps));
+    for (Tic& tic : tics)
+      if (hidden) tic.text.clear();
+    script.line("{}", command(name, tics));
   }
 
-  // As high as the panels, but always legible; its label is to the right of the longest number.
+  // Its label is to the right of the longest number.
   void colour_bar(Range shown, const ColourBar& bar) {
-    const double high = std::max(at_.panels_high, 5 * em_), middle = at_.bottom + 0.5 * at_.panels_high,
-                 x = at_.left + at_.panels_wide + bar_distance * em_;
-    const double step = round_step(shown.width(), std::min(6.0, high / em_ / 1.6));
-    const auto longest = static_cast<double>(longest_tic(shown, step));
+    const double high = bar_height(at_), x = at_.left + at_.panels_wide + bar_distance * em_;
+    const Tics tics = tics_at(shown, bar_step(at_, shown));
     script.line("set colorbox vertical user origin screen {},{} size screen {},{} front", screen_x(x),
-                screen_y(middle - 0.5 * high), screen_x(bar_width * em_), screen_y(high));
-    script.line("set cbtics {} format '%g' scale 0.5", step);
-    label(bar.unit.label(bar.name), x + (bar_width + 1.9 + 0.62 * longest) * em_, middle,
+                screen_y(at_.bottom), screen_x(bar_width * em_), screen_y(high));
+    script.line("{}\nset cbtics scale 0.5", command("cb", tics));
+    label(bar.unit.label(bar.name), x + (bar_width + 1.9 + longest(tics)) * em_, at_.bottom + 0.5 * high,
           "rotate by 90 center");
   }
 
   void legend_key(const LegendEntry& entry, double x, double y) {
-    if (entry.key == LegendEntry::Key::box) {
+    using enum LegendEntry::Key;
+    if (entry.key == box || entry.key == hatch) {
       const double left = x + 0.6 * em_, half = 0.45 * em_;
+      const std::string place =
+          fmt::format("rectangle from screen {},{} to screen {},{} front", screen_x(left), screen_y(y - half),
+                      screen_x(left + 2 * half), screen_y(y + half));
+      const char* border = "border linecolor rgb 'black' linewidth 0.6";
+      script.line("set object {} fillcolor rgb '{}' fillstyle solid {}", place, entry.colour, border);
+      if (entry.key == hatch) script.line("set object {} {} {}", place, missing_hatch, border);
+    } else if (entry.key == circle || entry.key == dot) {
       script.line(
-          "set object rectangle from screen {},{} to screen {},{} front fillcolor rgb '{}' fillstyle solid "
-          "border linecolor rgb 'black' linewidth 0.6",
-          screen_x(left), screen_y(y - half), screen_x(left + 2 * half), screen_y(y + half), entry.colour);
+          "set label \"\" at screen {},{} point pointtype {} pointsize 0.5*dot linewidth 1 linecolor rgb "
+          "'{}'",
+          screen_x(x + 0.8 * em_), screen_y(y), entry.key == dot ? 7 : 6, entry.colour);
     } else {
       script.line(
           "set arrow from screen {},{} to screen {},{} nohead linewidth 1.6 dashtype {} linecolor rgb '{}'",
           screen_x(x), screen_y(y), screen_x(x + 1.6 * em_), screen_y(y),
-          entry.key == LegendEntry::Key::dashes ? "(9,6)" : "solid", entry.colour);
+          entry.key == dashes ? "(9,6)" : "solid", entry.colour);
     }
   }
 
@@ -159,6 +169,18 @@ class Writer {
 };
 
 }  // namespace
+
+void show_missing(Figure& figure) {
+  figure.legend.push_back({LegendEntry::Key::hatch, missing_colour, "missing"});
+  const char* all = "set object rectangle from graph 0,0 to graph 1,1 behind";
+  for (Panel& p : figure.panels)
+    p.commands.line("{0} fillcolor rgb '{1}' fillstyle solid noborder\n{0} {2} noborder", all, missing_colour,
+                    missing_hatch);
+}
+
+std::string stretch_in_words(const char* axis, double factor) {
+  return factor > 1.005 ? fmt::format(", {} × {}", axis, brief(factor)) : "";
+}
 
 // M. Okabe, K. Ito, Color universal design (2008).
 const char* line_colour(std::size_t k) {

@@ -48,13 +48,16 @@ using Cases = std::vector<Case>;
 struct Axis {
   Range range;
   std::string label;
-  bool downwards = false;
+  bool downwards = false, logarithmic = false;
 };
+/// What of its range can be drawn.
+inline Range drawn(const Axis& axis) { return axis.logarithmic ? axis.range : drawable(axis.range); }
 /// The axis of a range in SI: "height [µm]".
 inline Axis axis_of(Range range, const Unit& unit, std::string_view quantity) {
   return {range / unit.factor, unit.label(quantity)};
 }
 
+/// The sizes of symbols are multiples of `dot`, one em, in scripts: "pointsize 0.4*dot".
 struct Panel {
   std::string label = {};              ///< of its case, in a comparison
   std::optional<Axis> x = {}, y = {};  ///< of plane plots; axes in space are commands
@@ -63,7 +66,7 @@ struct Panel {
 };
 
 struct LegendEntry {
-  enum class Key { line, dashes, box };
+  enum class Key { line, dashes, box, hatch, circle, dot };
   Key key;
   std::string colour, name;
 };
@@ -92,11 +95,16 @@ struct Figure {
 /// One panel per case, in the requested number of columns.
 Figure side_by_side(const Request& request, const Cases& cases);
 
-/// Bounds of the aspect of a panel with equal scales; beyond them one axis is stretched and the title says
-/// so.
+/// Bounds of the aspect of a panel with equal scales; beyond them one axis is stretched, and the label of x
+/// says so, which is there whatever the title.
 inline constexpr double flattest = 0.16, tallest = 2.5;
 
 Script script_of(const Figure& figure, const Request& request);
+
+/// Hatches in grey, which no palette has, what the images of all panels leave uncovered, and says so above.
+void show_missing(Figure& figure);
+/// ", y × 6" where an axis is that much longer than the scale of the other says; "" where it is not longer.
+std::string stretch_in_words(const char* axis, double factor);
 
 /// The colour of line k; hue and lightness differ, so that colour-blind readers can tell lines apart.
 const char* line_colour(std::size_t k);
@@ -115,7 +123,18 @@ Figure profile(const Cases& cases, const Request& request);
 Figure acf(const Cases& cases, const Request& request);
 /// The histogram of the heights with standard errors, and the Gaussian of the same mean and rms.
 Figure pdf(const Cases& cases, const Request& request);
-/// A vertical section of a volume, depth downwards.
+/// The material ratio curve with its 95 % intervals and the construction of Sk, Spk and Svk.
+Figure abbott(const Cases& cases, const Request& request);
+/// Spectra over rings and of profiles with their 95 % intervals, on logarithmic axes; several cases share
+/// them. Points without an error are hollow.
+Figure psd(const Cases& cases, const Request& request);
+/// Heights against the quantiles of a Gaussian, with the band for heights that are Gaussian.
+Figure qq(const Cases& cases, const Request& request);
+/// Load over approach and area over load, from tables of loads; several share the axes.
+Figure sweep(const Cases& cases, const Request& request);
+/// The largest stress at each depth of a volume or a table; several cases share the axes.
+Figure maxima(const Cases& cases, const Request& request);
+/// A vertical section of a volume, depth downwards, with lines of equal value and a mark of the largest.
 Figure section(const Cases& cases, const Request& request);
 
 }  // namespace asperity::plot

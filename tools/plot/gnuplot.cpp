@@ -99,7 +99,8 @@ Layer points(const Field& table, std::string_view style) {
     use += (c == 1 ? "" : ":") + std::to_string(c);
   }
   return {fmt::format("binary record=({}) format='{}' using {} {}", table.rows(), format, use, style),
-          {table.data(), table.data() + table.size()}};
+          {table.data(), table.data() + table.size()},
+          "'-'"};
 }
 
 Layer raster(const Field& cells, Lattice at, std::string_view style) {
@@ -114,7 +115,8 @@ Layer raster(const Field& cells, Lattice at, std::string_view style) {
 
 void Script::draw(std::string_view verb, const std::vector<Layer>& layers) {
   text_ += verb;
-  for (std::size_t i = 0; i < layers.size(); ++i) text_ += (i == 0 ? " '-' " : ", '-' ") + layers[i].command;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    text_ += (i == 0 ? " " : ", ") + layers[i].from + ' ' + layers[i].command;
   text_ += '\n';
   for (const Layer& layer : layers)
     text_.append(reinterpret_cast<const char*>(layer.numbers.data()), layer.numbers.size() * sizeof(double));

@@ -17,10 +17,12 @@
 
 namespace asperity::plot {
 
-/// One plot with its own numbers: "'-' binary …" without the dash, and the numbers.
+/// One plot with its own numbers: "'-' binary …" without the dash, and the numbers; or of a block of data
+/// that commands have made, "$lines".
 struct Layer {
   std::string command;
   std::vector<double> numbers;
+  std::string from = "'-'";
 };
 
 /// The rows of a table, drawn in the `style`: "with lines lw 2".

@@ -4,13 +4,16 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "tools/plot/tics.hpp"
 
 namespace asperity::plot {
 namespace {
 
 constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
 constexpr double free_aspect = 0.62, free_aspect_of_rows = 0.45;
-constexpr double title_height = 2.0, letter_width = 0.6;
+constexpr double title_height = 2.0;
+constexpr double least_bar = 5, line_of_bar = 1.3, most_of_bar = 6;  // [em], [em], steps
+constexpr double beside_numbers = 2.6, between_numbers = 0.7;  // label, tics and gaps of a y axis; of x axes
 
 // The width of a sheet [em]: 32 for one column, 60 for three.
 double em_across(std::size_t columns) { return 18.0 + 14.0 * static_cast<double>(columns); }
@@ -25,6 +28,24 @@ std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double
   return out;
 }
 
+// Margins that the numbers of the axes need [em].
+struct Room {
+  double left, right, gap;
+};
+Room room_for(const Figure& figure, double wide, double high) {
+  Room out{figure.left, figure.right, figure.gap_x};
+  Overhang most;
+  for (const Panel& p : figure.panels) {
+    if (p.y) out.left = std::max(out.left, beside_numbers + longest(tics_across(*p.y, high)));
+    if (!p.x) continue;
+    const auto [left, right] = overhang(*p.x, wide);
+    most = {std::max(most.left, left), std::max(most.right, right)};
+  }
+  out.right = std::max(out.right, most.right + 0.3);
+  if (figure.columns > 1) out.gap = std::max(out.gap, most.left + most.right + between_numbers);
+  return out;
+}
+
 // Fits panels into rows of this height.
 void fit(Layout& layout, double room, bool keeps_aspect) {
   if (!(room >= 2 * layout.em))
@@ -35,19 +56,55 @@ void fit(Layout& layout, double room, bool keeps_aspect) {
   layout.panel_height = std::min(layout.panel_height, room);
 }
 
+void place_panels(Layout& out, const Figure& figure, const Request& request, const Room& room) {
+  const double above = figure.comparison ? label_height : 0,
+               top = figure.top + (out.title.empty() ? 0 : title_height) +
+                     line_of_legend * static_cast<double>(out.legend.size()) + above;
+  const double em = out.em, n = static_cast<double>(out.columns), m = static_cast<double>(out.rows),
+               gap_x = room.gap * em, gap_y = (figure.gap_y + above) * em,
+               width = em_across(out.columns) * em, frame_x = (room.left + room.right) * em + (n - 1) * gap_x,
+               frame_y = (figure.bottom + top) * em + (m - 1) * gap_y;
+  const double aspect = figure.aspect > 0 ? figure.aspect : out.rows > 1 ? free_aspect_of_rows : free_aspect;
+  out.margin = room.left;
+  out.panel_width = (width - frame_x) / n;
+  out.panel_height = out.panel_width * aspect;
+  out.pixels = {static_cast<Index>(std::lround(width)),
+                static_cast<Index>(std::lround(frame_y + m * out.panel_height))};
+  if (request.pixels.nx > 0) {
+    out.pixels = request.pixels;
+    fit(out, (static_cast<double>(out.pixels.ny) - frame_y) / m, figure.aspect > 0);
+  }
+  const double spare_x = static_cast<double>(out.pixels.nx) - frame_x - n * out.panel_width,
+               spare_y = static_cast<double>(out.pixels.ny) - frame_y - m * out.panel_height;
+  out.left = room.left * em + 0.5 * spare_x;
+  out.bottom = figure.bottom * em + 0.5 * spare_y;
+  out.step_x = out.panel_width + gap_x;
+  out.step_y = out.panel_height + gap_y;
+  out.panels_wide = n * out.step_x - gap_x;
+  out.panels_high = m * out.step_y - gap_y;
+}
+
 }  // namespace
 
-// In UTF-8 every byte except continuation bytes begins a character.
-double length_of(const LegendEntry& e) {
-  const auto letters =
-      std::ranges::count_if(e.name, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  return key_length + letter_width * static_cast<double>(letters);
-}
+double length_of(const LegendEntry& e) { return key_length + length_of(e.name); }
 
 double length_of(const LegendLine& line) {
   double out = -legend_gap;
   for (const LegendEntry& e : line) out += length_of(e) + legend_gap;
   return out;
+}
+
+void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up) {
+  Panel& of = figure.panels[panel];
+  const bool labelled = !figure.comparison || panel + figure.columns >= figure.panels.size();
+  (labelled ? of.x->label : of.label) += stretch_in_words(along, true_aspect / figure.aspect) +
+                                         stretch_in_words(up, figure.aspect / true_aspect);
+}
+
+double bar_height(const Layout& layout) { return std::max(layout.panels_high, least_bar * layout.em); }
+
+double bar_step(const Layout& layout, Range shown) {
+  return round_step(shown.width(), std::min(most_of_bar, bar_height(layout) / layout.em / line_of_bar));
 }
 
 Layout layout_of(const Figure& figure, const Request& request) {
@@ -59,31 +116,10 @@ Layout layout_of(const Figure& figure, const Request& request) {
   const bool given = request.pixels.nx > 0;
   out.em = given ? static_cast<double>(request.pixels.nx) / em_across(figure.columns)
                  : (figure.columns == 1 ? em_of_single : em_of_many);
-  const double above = figure.comparison ? label_height : 0,
-               top = figure.top + (out.title.empty() ? 0 : title_height) +
-                     line_of_legend * static_cast<double>(out.legend.size()) + above;
-  const double em = out.em, n = static_cast<double>(out.columns), m = static_cast<double>(out.rows),
-               gap_x = figure.gap_x * em, gap_y = (figure.gap_y + above) * em,
-               width = em_across(out.columns) * em,
-               frame_x = (figure.left + figure.right) * em + (n - 1) * gap_x,
-               frame_y = (figure.bottom + top) * em + (m - 1) * gap_y;
-  const double aspect = figure.aspect > 0 ? figure.aspect : out.rows > 1 ? free_aspect_of_rows : free_aspect;
-  out.panel_width = (width - frame_x) / n;
-  out.panel_height = out.panel_width * aspect;
-  out.pixels = {static_cast<Index>(std::lround(width)),
-                static_cast<Index>(std::lround(frame_y + m * out.panel_height))};
-  if (given) {
-    out.pixels = request.pixels;
-    fit(out, (static_cast<double>(out.pixels.ny) - frame_y) / m, figure.aspect > 0);
-  }
-  const double spare_x = static_cast<double>(out.pixels.nx) - frame_x - n * out.panel_width,
-               spare_y = static_cast<double>(out.pixels.ny) - frame_y - m * out.panel_height;
-  out.left = figure.left * em + 0.5 * spare_x;
-  out.bottom = figure.bottom * em + 0.5 * spare_y;
-  out.step_x = out.panel_width + gap_x;
-  out.step_y = out.panel_height + gap_y;
-  out.panels_wide = n * out.step_x - gap_x;
-  out.panels_high = m * out.step_y - gap_y;
+  // The numbers depend on the size of the panels, and this on the room for the numbers: once is enough, for
+  // in narrower panels there are no more of them.
+  place_panels(out, figure, request, {figure.left, figure.right, figure.gap_x});
+  place_panels(out, figure, request, room_for(figure, out.panel_width / out.em, out.panel_height / out.em));
   return out;
 }
 

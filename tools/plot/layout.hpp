@@ -18,7 +18,8 @@ struct Layout {
   std::string title;
   std::vector<LegendLine> legend;
   std::size_t rows, columns;
-  Shape pixels;  ///< of the sheet
+  double margin;  ///< left of the panels, with room for the longest number of y [em]
+  Shape pixels;   ///< of the sheet
   double em;
   double panel_width, panel_height;
   double left, bottom;    ///< of the lowest panel on the left
@@ -30,6 +31,14 @@ struct Layout {
     return bottom + static_cast<double>(rows - 1 - panel / columns) * step_y;
   }
 };
+
+/// The height of a colour bar, as high as the panels but always legible, and the step of its numbers.
+double bar_height(const Layout& layout);
+double bar_step(const Layout& layout, Range shown);
+
+/// Says by how much an axis of a panel is longer than the scale of the other says: beside x, or above the
+/// panel where x has no label.
+void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up);
 
 /// Panels as large as the sheet allows; narrower and centred if they would be too high. Throws
 /// ParameterError("pixels", …) if there is no room for them.

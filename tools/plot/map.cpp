@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -20,10 +21,24 @@ Figure plan_view(const Cases& cases, const std::vector<Patch>& patches, double u
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = patches[c];
     out.panels[c].x = axis_of(p.x, length, "x");
+    tell_stretch(out, c, p.y.width() / p.x.width(), "x", "y");
     out.panels[c].y = axis_of(p.y, length, "y");
     out.panels[c].layers = {raster(p.values / unit, lattice_of(p, length, length), "with image")};
   }
+  if (std::ranges::any_of(patches, [](const Patch& p) { return !p.values.isFinite().all(); }))
+    show_missing(out);
   return out;
+}
+
+// One row or column of points each, along the same side.
+bool are_rows(const Cases& cases, const std::string& variable) {
+  auto row = [&](const Case& c, const char* across) {
+    const Variable& v = c.data.at(variable);
+    return v.dimensions == std::vector<std::string>{"x", "y"} && c.data.length(across) == 1 &&
+           c.data.length("x") + c.data.length("y") > 2;
+  };
+  return std::ranges::all_of(cases, [&](const Case& c) { return row(c, "x"); }) ||
+         std::ranges::all_of(cases, [&](const Case& c) { return row(c, "y"); });
 }
 
 // The title of a single field gives its range in numbers.
@@ -45,6 +60,7 @@ std::string shares_in_words(const Field& found) {
 
 Figure map(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
+  if (are_rows(cases, variable)) return profile(cases, request);
   const std::vector<Patch> patches = patches_of(cases, variable, request);
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   const Colours colours = field_colours(patches, quantity, request);
@@ -66,7 +82,9 @@ Figure contact(const Cases& cases, const Request& request) {
                                   r.low < 0 ? r.low : r.high));
   Figure out = plan_view(cases, patches, 1, request);
   if (!out.comparison) out.title = shares_in_words(patches[0].values);
-  for (const auto& state : states) out.legend.push_back({LegendEntry::Key::box, state.colour, state.name});
+  std::vector<LegendEntry> legend;
+  for (const auto& state : states) legend.push_back({LegendEntry::Key::box, state.colour, state.name});
+  out.legend.insert(out.legend.begin(), legend.begin(), legend.end());
   out.commands.line("set palette maxcolors 3 defined (0 '{}', 1 '{}', 2 '{}')", states[0].colour,
                     states[1].colour, states[2].colour);
   out.commands.line("set cbrange [-0.5:2.5]");

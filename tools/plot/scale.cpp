@@ -55,23 +55,25 @@ std::vector<double> multiples(Range range, double step) {
 std::string brief(double value) { return fmt::format("{}{:.3g}", value < 0 ? "−" : "", std::abs(value)); }
 
 const std::vector<std::string>& control_colours(Palette palette) {
-  static const std::vector<std::string> sequential{"#1c126b", "#00336d", "#024a74", "#036180",
-                                                   "#00788c", "#028f95", "#07a897", "#08c388",
-                                                   "#78d678", "#bee571", "#fef178"};
+  static const std::vector<std::string> viridis{"#440154", "#482576", "#414487", "#35608d",
+                                                "#2a788e", "#21908c", "#22a884", "#43bf71",
+                                                "#7ad151", "#bbdf27", "#fde725"};
   static const std::vector<std::string> diverging{"#025079", "#046fa7", "#0391d8", "#63b1f1",
                                                   "#b0d0f4", "#f1f1f1", "#f6c1b9", "#ee9286",
                                                   "#df6258", "#cb262c", "#9b0218"};
-  return palette == Palette::sequential ? sequential : diverging;
+  return palette == Palette::sequential ? viridis : diverging;
 }
+
+Colours sequential(Range values) { return {drawable(values), Palette::sequential}; }
 
 Colours one_sided(Range values) {
   const bool near_zero = values.low >= 0 && values.low < 0.5 * values.high;
-  return {drawable(near_zero ? Range{0, values.high} : values), Palette::sequential};
+  return sequential(near_zero ? Range{0, values.high} : values);
 }
 
-Colours about(double centre, Range values) {
-  const double half = Range{values.low - centre, values.high - centre}.magnitude();
-  return {drawable({centre - half, centre + half}), Palette::diverging};
+Colours about_zero(Range values) {
+  const double half = values.magnitude();
+  return {drawable({-half, half}), Palette::diverging};
 }
 
 }  // namespace asperity::plot

@@ -40,11 +40,13 @@ std::vector<double> multiples(Range range, double step);
 /// A number to three digits, "2.72".
 std::string brief(double value);
 
-/// Colours from low to high. Both palettes are ours and even in CIE lightness, so that equal differences look
-/// equal and a grey print keeps their order: from one control colour to the next L* rises by the same amount
-/// at a hue that turns evenly (sequential), or falls by the same amount from the middle to either end
-/// (diverging).
+/// Colours from low to high. Sequential is viridis, at eleven of its 256 colours with straight lines between:
+/// its lightness rises evenly, so that equal differences look equal, a grey print keeps their order, and
+/// readers who do not tell red from green see it too. Heights have it, for their zero is a choice; in grey a
+/// diverging palette would show hills as dales. Stresses that push or pull have a zero that matters: they
+/// keep a diverging palette, ours, whose L* falls by the same amount from the middle to either end.
 ///
+/// S. van der Walt, N. Smith, A better default colormap for Matplotlib, SciPy 2015 (viridis, CC0).
 /// CIE 15:2004, Colorimetry; P. Kovesi, Good colour maps: how to design them, arXiv:1509.03700 (2015).
 enum class Palette { sequential, diverging };
 const std::vector<std::string>& control_colours(Palette palette);
@@ -54,8 +56,9 @@ struct Colours {
   Range range{0, 1};  ///< in SI
   Palette palette = Palette::sequential;
 };
-/// From zero upwards, from the least value, or evenly about `centre`.
+/// From the least value to the largest, from zero upwards if the least is near, or evenly about zero.
+Colours sequential(Range values);
 Colours one_sided(Range values);
-Colours about(double centre, Range values);
+Colours about_zero(Range values);
 
 }  // namespace asperity::plot

@@ -6,6 +6,8 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/quantity.hpp"
+#include "tools/plot/isolines.hpp"
+#include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -85,9 +87,29 @@ Range clipped(Range asked, Range present, const char* option) {
   return out;
 }
 
+// The largest magnitude among the values at cells and depths within a range, and where it is.
+struct Mark {
+  double along, depth, value;
+};
+Mark largest_of(const Field& values, const std::vector<double>& along, const std::vector<double>& depths,
+                const Patch& shown) {
+  Mark out{0, 0, 0};
+  for (Index k = 0; k < values.rows(); ++k)
+    for (Index i = 0; i < values.cols(); ++i) {
+      const double s = along[static_cast<std::size_t>(i)], z = depths[static_cast<std::size_t>(k)];
+      if (std::abs(values(k, i)) > std::abs(out.value) && shown.x.contains(s) && shown.y.contains(z))
+        out = {s, z, values(k, i)};
+    }
+  return out;
+}
+
 // The section as drawn: evenly spaced, x along the section, y downwards.
-Patch patch_of(const Dataset& data, const std::string& variable, const Grid& grid, const Section& section,
-               const Request& request) {
+struct Cut {
+  Patch patch;
+  Mark mark;
+};
+Cut cut_of(const Dataset& data, const std::string& variable, const Grid& grid, const Section& section,
+           const Request& request) {
   const std::vector<double> depths = depths_of(data);
   if (depths.size() < 2 || !std::ranges::is_sorted(depths, std::less_equal<>()))
     throw DataError("z", "a section needs at least two depths in ascending order");
@@ -100,12 +122,14 @@ Patch patch_of(const Dataset& data, const std::string& variable, const Grid& gri
                                  section.along_x ? "x-range" : "y-range"),
               depth = clipped(request.depth, {depths.front(), depths.back()}, "depth-range");
   const Field values = section_values(data, data.at(variable), section);
-  return {resampled(values, along, depths, position, depth), position, depth};
+  const Patch patch{resampled(values, along, depths, position, depth), position, depth};
+  return {patch, largest_of(values, along, depths, patch)};
 }
 
 // The sections of all cases, with values in one unit, and their colours.
 struct Cuts {
   std::vector<Patch> patches;  ///< one per case: along the surface and down
+  std::vector<Mark> marks;     ///< where they are largest
   std::vector<Section> sections;
   Quantity quantity;
   Range range;  ///< of the values
@@ -115,10 +139,9 @@ struct Cuts {
 
 void scale_by_hertz(Cuts& cuts, const Cases& cases) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const double p0 = cases[c].data.attributes.number("contact_hertz_pressure", -1);
-    if (!(p0 > 0))
-      throw DataError("contact_hertz_pressure", "the dataset has no such attribute: omit --scale-by p0");
+    const double p0 = hertz_pressure(cases[c].data);
     cuts.patches[c].values /= p0;
+    cuts.marks[c].value /= p0;
   }
   cuts.quantity.name += " / p₀";
   cuts.quantity.unit.clear();
@@ -153,23 +176,39 @@ Cuts cuts_of(const Cases& cases, const Request& request) {
   for (const auto& [data, label] : cases) {
     const Grid grid = grid_of(data);
     cuts.sections.push_back(section_on(data, data.at(variable), request.section));
-    cuts.patches.push_back(patch_of(data, variable, grid, cuts.sections.back(), request));
+    const Cut cut = cut_of(data, variable, grid, cuts.sections.back(), request);
+    cuts.patches.push_back(cut.patch);
+    cuts.marks.push_back(cut.mark);
   }
   cuts.quantity = quantity_of(cases[0].data.at(variable));
   if (request.scale_by_hertz) scale_by_hertz(cuts, cases);
   cuts.range = range_of(cuts.patches);
-  cuts.colours = cuts.quantity.signed_value ? about(0, cuts.range) : one_sided(cuts.range);
+  cuts.colours = colours_of(cuts.range, cuts.quantity);
   if (request.above.given()) hide_below(cuts, cases, request);
   cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.colours.range);
   return cuts;
 }
 
-std::string default_title(const Cuts& cuts, double stretch) {
+// Short where much is to be said.
+std::string default_title(const Cuts& cuts, const Unit& value) {
   std::string out = "section " + cuts.sections[0].label();
   for (const Section& s : cuts.sections)
     if (s.label() != cuts.sections[0].label()) out = "section at the maximum";
-  if (!cuts.above.empty()) out += ", above " + cuts.above;
-  return stretch == 1 ? out : out + fmt::format(", depth × {}", brief(stretch));
+  const double largest = cuts.marks[0].value;
+  const bool marked = cuts.marks.size() == 1 && largest != 0;
+  if (!cuts.above.empty()) out = (marked ? cuts.sections[0].label() : out) + ", above " + cuts.above;
+  if (!marked) return out;
+  return out + fmt::format(", {}{}{}{} at +", cuts.above.empty() ? "largest " : "",
+                           brief(largest / value.factor), value.name.empty() ? "" : " ", value.name);
+}
+
+// A black cross with a white rim, on any colour.
+void add_mark(Panel& panel, const Mark& mark, const Unit& along, const Unit& depth) {
+  if (mark.value == 0) return;
+  const Field at{{mark.along / along.factor, mark.depth / depth.factor}};
+  for (const char* style : {"pointsize 0.95*dot linewidth 3.8 linecolor rgb 'white'",
+                            "pointsize 0.8*dot linewidth 1.5 linecolor rgb 'black'"})
+    panel.layers.push_back(points(at, std::string("with points pointtype 1 ") + style));
 }
 
 }  // namespace
@@ -185,14 +224,25 @@ Figure section(const Cases& cases, const Request& request) {
   const Unit along = unit_for(first.x.magnitude(), "m"),
              depth = stretch == 1 ? along : unit_for(first.y.magnitude(), "m"),
              value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
-  out.title = default_title(cuts, stretch);
+  out.title = default_title(cuts, value);
   out.colours = {cuts.colours, value, cuts.quantity.name};
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];
     out.panels[c].x = axis_of(p.x, along, cuts.sections[c].along());
+    tell_stretch(out, c, p.y.width() / p.x.width(), cuts.sections[c].along(), "depth");
     out.panels[c].y = axis_of(p.y, depth, "depth z");
     out.panels[c].y->downwards = true;
-    out.panels[c].layers = {raster(p.values / value.factor, lattice_of(p, along, depth), "with image")};
+  }
+  // At the numbers of the colour bar, which depend on the room that the axes leave.
+  const double step = bar_step(layout_of(out, request), drawable(cuts.colours.range / value.factor));
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Patch& p = cuts.patches[c];
+    const Field shown = p.values / value.factor;
+    const Isolines lines = isolines(shown, lattice_of(p, along, depth), step);
+    out.panels[c].commands = lines.commands;
+    out.panels[c].layers = {raster(shown, lattice_of(p, along, depth), "with image")};
+    out.panels[c].layers.insert(out.panels[c].layers.end(), lines.layers.begin(), lines.layers.end());
+    add_mark(out.panels[c], cuts.marks[c], along, depth);
   }
   return out;
 }

@@ -37,13 +37,17 @@ Span cells_within(Range range, Index n, double spacing, Position position, const
 Quantity quantity_of(const Variable& variable) {
   const std::string& name = variable.name;
   const std::string unit = si_unit_of(variable), words = variable.attributes.text("long_name");
-  if (name == "heights") return {"height", unit, true};
-  if (name == "noise") return {"noise", unit, true};
-  if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, false};
-  if (name == "von_mises") return {"von Mises", unit, false};
-  if (name.starts_with("stress_")) return {"stress σ" + name.substr(7), unit, true};
+  if (name == "heights") return {"height", unit, Zero::chosen};
+  if (name == "noise") return {"noise", unit, Zero::between};
+  if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, Zero::least};
+  if (name == "von_mises") return {"von Mises", unit, Zero::least};
+  if (name.starts_with("stress_")) return {"stress σ" + name.substr(7), unit, Zero::between};
   const auto negative = [](double v) { return v < 0 && std::isfinite(v); };
-  return {words.empty() ? name : words, unit, std::ranges::any_of(present_numbers(variable), negative)};
+  const bool below = std::ranges::any_of(present_numbers(variable), negative);
+  return {words.empty() ? name : words, unit,
+          name == "heights_residual" ? Zero::chosen
+          : below                    ? Zero::between
+                                     : Zero::least};
 }
 
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request) {
@@ -93,6 +97,13 @@ Section section_of(const Dataset& data, const std::string& text) {
   return {along_x, along_x ? grid.y(index) : grid.x(index), index};
 }
 
+double hertz_pressure(const Dataset& data) {
+  const double p0 = data.attributes.number("contact_hertz_pressure", -1);
+  if (!(p0 > 0))
+    throw DataError("contact_hertz_pressure", "the dataset has no such attribute: omit --scale-by p0");
+  return p0;
+}
+
 Range value_range(const Request& request, const std::string& unit, Range otherwise) {
   if (request.range.empty()) return otherwise;
   const auto [low, high] = cli::parse_quantities("range", request.range, unit);
@@ -102,19 +113,22 @@ Range value_range(const Request& request, const std::string& unit, Range otherwi
   return {low, high};
 }
 
-Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
-  const Range range = range_of(patches);
-  if (!request.range.empty())
-    return {value_range(request, quantity.unit, range),
-            quantity.signed_value ? Palette::diverging : Palette::sequential};
-  if (!quantity.signed_value) return one_sided(range);
-  double mean = 0;
-  for (const Patch& p : patches) {
-    const auto finite = p.values.isFinite();
-    mean += finite.select(p.values, 0.0).sum() / static_cast<double>(finite.count()) /
-            static_cast<double>(patches.size());
+Colours colours_of(Range values, const Quantity& quantity) {
+  switch (quantity.zero) {
+    case Zero::chosen:
+      return sequential(values);
+    case Zero::least:
+      return one_sided(values);
+    case Zero::between:
+      return about_zero(values);
   }
-  return about(quantity.name == "height" ? mean : 0.0, range);
+  return {};
+}
+
+Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
+  Colours out = colours_of(range_of(patches), quantity);
+  out.range = value_range(request, quantity.unit, out.range);
+  return out;
 }
 
 }  // namespace asperity::plot

@@ -1,6 +1,6 @@
 /// What a figure reads from a dataset: rectangles of values with their positions and meaning.
 ///
-/// Missing points are NaN here and stay empty in a picture.
+/// Missing points are NaN here; maps show them hatched, lines are broken by them.
 #pragma once
 
 #include <string>
@@ -21,11 +21,14 @@ struct Patch {
   double y_at(Index j) const { return y.low + (static_cast<double>(j) + 0.5) * dy(); }
 };
 
+/// What the zero of a quantity is: a choice, as of heights, the least value, or between pushing and pulling.
+enum class Zero { chosen, least, between };
+
 /// Name and colours of a quantity.
 struct Quantity {
-  std::string name;   ///< "pressure"
-  std::string unit;   ///< SI
-  bool signed_value;  ///< coloured about zero, or about the mean for heights
+  std::string name;  ///< "pressure"
+  std::string unit;  ///< SI
+  Zero zero;
 };
 Quantity quantity_of(const Variable& variable);
 
@@ -51,11 +54,15 @@ struct Section {
 /// nearest row of cells (of two as near, the second); throws ParameterError("section", …).
 Section section_of(const Dataset& data, const std::string& text);
 
+/// contact_hertz_pressure; throws DataError where the dataset has none.
+double hertz_pressure(const Dataset& data);
+
 /// The value range requested, in SI, or `otherwise`.
 Range value_range(const Request& request, const std::string& unit, Range otherwise);
 
-/// For fields side by side: heights symmetric about their mean, signed values about zero, others from zero
-/// up.
+/// Heights over their range, values of either sign about zero, others from zero up.
+Colours colours_of(Range values, const Quantity& quantity);
+/// The same for fields side by side, over the range requested.
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request);
 
 }  // namespace asperity::plot

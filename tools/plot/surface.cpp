@@ -1,16 +1,24 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
+#include "tools/plot/tics.hpp"
 
 namespace asperity::plot {
 namespace {
 
 constexpr Index most_points = 128;     // along a side: more are not legible on paper
 constexpr double height_share = 0.22;  // of the longer side that the range of values should take
+
+// "2nd", "3rd", "11th".
+std::string ordinal(Index n) {
+  const Index last = n / 10 % 10 == 1 ? 0 : n % 10;
+  return std::to_string(n) + (last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
+}
 
 // Keeps at least two points along a side.
 Patch thinned(const Patch& patch, Index most) {
@@ -37,16 +45,16 @@ Index stride_of(const std::string& variable, const Field& values) {
 }
 
 // Multiples of the step; if only one fits, the midpoints between multiples, so that the axis has two numbers.
-std::string tics(Range values, double step, double scale, const Unit& unit) {
+// Their places are in plotted units.
+Tics height_tics(Range values, double step, double scale, const Unit& unit) {
   const Range shown{values.low / unit.factor, values.high / unit.factor};
-  std::vector<double> at = multiples(shown, step);
-  if (at.size() < 2) {
-    at = multiples({shown.low - step / 2, shown.high - step / 2}, step);
-    for (double& v : at) v += step / 2;
+  Tics out = tics_at(shown, step);
+  if (out.size() < 2) {
+    out.clear();
+    for (const double v : multiples({shown.low - step / 2, shown.high - step / 2}, step))
+      out.push_back({v + step / 2, brief(v + step / 2)});
   }
-  std::string out;
-  for (const double v : at)
-    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", gnuplot_string(brief(v)), v * unit.factor * scale);
+  for (Tic& t : out) t.at *= unit.factor * scale;
   return out;
 }
 
@@ -60,6 +68,10 @@ struct Relief {
   Unit length = {}, value = {};  ///< of the axes
 
   double scale() const { return factor / length.factor; }  ///< plotted units per unit of the quantity
+  /// With the factor of heights.
+  std::string label() const {
+    return value.label(quantity.name) + (quantity.unit == "m" ? fmt::format(" × {:.6g}", factor) : "");
+  }
 };
 
 Relief relief_of(const Cases& cases, const Request& request) {
@@ -94,11 +106,33 @@ Script view_of(const Relief& relief) {
   return script;
 }
 
-// The step of the height axis: numbers at least 0.8 em apart. In this view the longer side takes about 0.6 of
-// the panel's width. There is room for two or three numbers, so the choice is finer than round_step's.
-double step_of_heights(double ems_wide, const Relief& relief, const Patch& p) {
-  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * ems_wide;
-  const double side = std::max(p.x.width(), p.y.width()) / relief.length.factor;
+// How the axes are seen from (50°, 30°): right and up per unit of length.
+const double lean = std::cos(50 * std::numbers::pi / 180), turn = 30 * std::numbers::pi / 180;
+struct Seen {
+  double right, up;
+  double length() const { return std::hypot(right, up); }
+};
+const Seen seen_x{std::cos(turn), -std::sin(turn) * lean}, seen_y{std::sin(turn), std::cos(turn) * lean};
+
+// A panel in which the longer side, seen from the front, would take 0.72 of its width.
+struct View {
+  const Relief& relief;
+  const Patch& patch;
+  double ems;  ///< of the panel's width
+
+  double side() const { return std::max(patch.x.width(), patch.y.width()); }
+  /// Length of an axis in the picture [em].
+  double length(const Range& range, Seen seen) const {
+    return 0.72 * ems * seen.length() * range.width() / side();
+  }
+};
+
+// The step of the height axis: numbers at least 0.8 em apart. There is room for two or three numbers, so the
+// choice is finer than round_step's.
+double step_of_heights(const View& view) {
+  const Relief& relief = view.relief;
+  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * view.ems;
+  const double side = view.side() / relief.length.factor;
   const double most = std::clamp(seen * relief.values.width() * relief.scale() / side / 0.8, 1.5, 4.0);
   const double least = relief.values.width() / relief.value.factor / most;
   const double decade = std::pow(10, std::floor(std::log10(least)));
@@ -107,22 +141,50 @@ double step_of_heights(double ems_wide, const Relief& relief, const Patch& p) {
   return 10 * decade;
 }
 
-Script axes_of(double ems_wide, const Relief& relief, const Patch& p, bool first) {
+// Numbers of x stand beside each other or one below the next, those of y below each other. The lowest of y
+// stays clear of the highest of x at the corner in front.
+Tics tics_of_x(const View& view, double unit) {
+  const double length = view.length(view.patch.x, seen_x);
+  return tics_at(view.patch.x / unit,
+                 round_step(view.patch.x.width() / unit, std::clamp(length / 3, 0.6, 4.0)));
+}
+Tics tics_of_y(const View& view, double unit) {
+  const Range& y = view.patch.y;
+  const double length = view.length(y, seen_y), clear = std::min(0.5, std::max(0.06, 1.3 / length));
+  return tics_at(Range{y.low + clear * y.width(), y.high} / unit,
+                 round_step(y.width() / unit, std::clamp(length / 1.8, 0.6, 4.0)));
+}
+
+// Beside an axis, off by so many em: gnuplot's own labels know nothing of the numbers.
+std::string label_at(const std::string& text, std::array<double, 3> at, double right, double up,
+                     const Layout& layout, const char* style) {
+  return fmt::format("set label {} at {},{},{} {} noenhanced offset screen {},{}", gnuplot_string(text),
+                     at[0], at[1], at[2], style, right * layout.em / static_cast<double>(layout.pixels.nx),
+                     up * layout.em / static_cast<double>(layout.pixels.ny));
+}
+
+Script axes_of(const View& view, const Layout& layout, bool leftmost) {
   Script script;
+  const auto& [relief, p, ems] = view;
   const double unit = relief.length.factor, scale = relief.scale();
-  script.line("set xrange [{}:{}]\nset yrange [{}:{}]", p.x.low / unit, p.x.high / unit, p.y.low / unit,
-              p.y.high / unit);
-  script.line("set zrange [{}:{}]", relief.values.low * scale, relief.values.high * scale);
-  script.line("set xtics {} offset 0,-0.3", round_step(p.x.width() / unit, 4));
-  // The lowest of y would stand where the highest of x does, at the corner in front.
-  const double step = round_step(p.y.width() / unit, 4), corner = (p.y.low + 0.06 * p.y.width()) / unit;
-  script.line("set ytics {},{} offset 0.4,-0.2", step * std::ceil(corner / step), step);
-  script.line("set ztics ({})",
-              tics(relief.values, step_of_heights(ems_wide, relief, p), scale, relief.value));
-  for (const char* axis : {"x", "y"})
-    script.line("set {}label {} noenhanced offset 0,-0.3", axis, gnuplot_string(relief.length.label(axis)));
-  script.line("set zlabel {} noenhanced rotate by 90 offset 1,0",
-              gnuplot_string(first ? relief.value.label(relief.quantity.name) : ""));
+  const Range x = p.x / unit, y = p.y / unit, z{relief.values.low * scale, relief.values.high * scale};
+  for (const auto& [name, range] : {std::pair{"x", x}, {"y", y}, {"z", z}})
+    script.line("set {}range [{}:{}]", name, range.low, range.high);
+  const Tics of_y = tics_of_y(view, unit);
+  Tics of_z = height_tics(relief.values, step_of_heights(view), scale, relief.value);
+  script.line("{} offset 0,-0.3", command("x", tics_of_x(view, unit)));
+  script.line("{} offset 0.4,-0.2", command("y", of_y));
+  const auto middle = [](Range r) { return 0.5 * (r.low + r.high); };
+  script.line("{}",
+              label_at(relief.length.label("x"), {middle(x), y.low, z.low}, -1.4, -2.2, layout, "right"));
+  script.line("{}", label_at(relief.length.label("y"), {x.high, y.low + 0.2 * y.width(), z.low},
+                             1.2 + longest(of_y), -1.2, layout, "left"));
+  if (leftmost)
+    script.line("{}", label_at(relief.label(), {x.low, y.low, middle(z)}, -2.6 - longest(of_z), 0, layout,
+                               "rotate by 90 center"));
+  for (Tic& tic : of_z)
+    if (!leftmost) tic.text.clear();  // beside the panel on the left, whose scale they share
+  script.line("{}", command("z", of_z));
   return script;
 }
 
@@ -136,17 +198,18 @@ Figure surface(const Cases& cases, const Request& request) {
   Figure out = side_by_side(request, cases);
   out.title = relief.quantity.name;
   if (relief.quantity.unit == "m") out.title += fmt::format(" × {:.6g}", relief.factor);
-  if (relief.stride > 1) out.title += fmt::format(", every {}th point", relief.stride);
+  if (relief.stride > 1) out.title += fmt::format(", every {} point", ordinal(relief.stride));
   out.in_space = true;
   out.aspect = 0.72;
-  out.left = 4.5, out.right = 4, out.bottom = 3.2;
+  out.left = 6.4, out.right = 4, out.bottom = 3.2;
   out.gap_x = 3.5, out.gap_y = 3.2;
   out.colours = {colours, {}, ""};
   out.commands = view_of(relief);
   const Layout layout = layout_of(out, request);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = relief.patches[c];
-    out.panels[c].commands = axes_of(layout.panel_width / layout.em, relief, p, c == 0);
+    out.panels[c].commands =
+        axes_of({relief, p, layout.panel_width / layout.em}, layout, c % out.columns == 0);
     out.panels[c].layers = {
         raster(p.values * scale, lattice_of(p, relief.length, relief.length, true), "with pm3d")};
   }

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "tools/cli/counted_cells.hpp"
 #include "tools/plot/figure.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"
@@ -27,9 +29,15 @@ std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
   std::vector<Wanted> out;
   const bool field = is_field(data, variable);
   if (field) {
-    out.push_back({"Map of " + variable, plot::map, "png", variable});
+    if (std::min(data.length("x"), data.length("y")) > 1)
+      out.push_back({"Map of " + variable, plot::map, "png", variable});
     out.push_back({"Profiles of " + variable, plot::profile, "svg", variable});
     out.push_back({"Distribution of " + variable, plot::pdf, "svg", variable});
+  }
+  if (field && !cli::counted_cells(data, variable)) {  // of a part of the cells there is a distribution alone
+    out.push_back({"Quantiles of " + variable, plot::qq, "svg", variable});
+    out.push_back({"Material ratio of " + variable, plot::abbott, "svg", variable});
+    out.push_back({"Spectra of " + variable, plot::psd, "svg", variable});
   }
   if (variable == "heights" && (field || data.has("acf_achieved")))
     out.push_back({"Autocorrelation", plot::acf, "svg", ""});
@@ -39,6 +47,7 @@ std::vector<Wanted> wanted(const Dataset& data, const std::string& variable) {
     const bool placed = stress->dimensions.size() == 3 && data.attributes.find("stress_max_y");
     const std::string largest = data.length("x") < 2 ? "x=max" : "y=max";
     out.push_back({"Von Mises stress", plot::section, "png", "von_mises", placed ? largest : ""});
+    out.push_back({"Largest stress by depth", plot::maxima, "svg", "von_mises"});
   }
   return out;
 }

@@ -1,0 +1,139 @@
+// Texts of a picture stand clear of each other, and say what is stretched.
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "plot/pictures.hpp"
+#include "tools/plot/layout.hpp"
+#include "tools/plot/tics.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+struct Box {
+  double left, right, low, high;
+  std::string text;
+};
+
+// Letters are taken as half an em wide and 0.6 em high, less than they are in DejaVu Sans: what overlaps here
+// cannot be read.
+Box box_of(double x, double y, bool upright, const std::string& anchor, double em, const std::string& text) {
+  const double length = 0.5 * em * plot::letters(text), high = 0.6 * em;
+  const double from = anchor == "middle" ? -0.5 * length : anchor == "end" ? -length : 0;
+  if (upright) return {x - high, x, y - from - length, y - from, text};
+  return {x + from, x + from + length, y - high, y, text};
+}
+
+std::vector<Box> boxes_of(const std::string& name) {
+  const std::string svg = bytes_of(name), place = "<g transform=\"translate(";
+  auto between = [&](std::size_t at, const std::string& open, const std::string& close) {
+    const auto begin = svg.find(open, at) + open.size();
+    return svg.substr(begin, svg.find(close, begin) - begin);
+  };
+  std::vector<Box> out;
+  for (auto at = svg.find(place); at != svg.npos; at = svg.find(place, at + 1)) {
+    double x = 0, y = 0;
+    REQUIRE(std::sscanf(svg.c_str() + at + place.size(), "%lf,%lf", &x, &y) == 2);
+    const bool upright = svg.substr(at, svg.find('>', at) - at).find("rotate(-90") != svg.npos;
+    const std::string text = between(at, "<text>", "</text>");
+    if (text.find_first_not_of(' ') != text.npos && text.find('<') == text.npos)
+      out.push_back(box_of(x, y, upright, between(at, "text-anchor=\"", "\""),
+                           std::atof(between(at, "font-size=\"", "\"").c_str()), text));
+  }
+  return out;
+}
+
+void check_apart(const std::string& name) {
+  const std::vector<Box> boxes = boxes_of(name);
+  CHECK(boxes.size() >= 5);
+  for (std::size_t a = 0; a < boxes.size(); ++a)
+    for (std::size_t b = a + 1; b < boxes.size(); ++b) {
+      CAPTURE(boxes[a].text, boxes[b].text);
+      CHECK((boxes[a].right < boxes[b].left || boxes[b].right < boxes[a].left ||
+             boxes[a].high < boxes[b].low || boxes[b].high < boxes[a].low));
+    }
+}
+
+void write_map(const std::string& name, Shape shape, double dx, double dy) {
+  Dataset data;
+  set_grid(data, {shape, dx, dy});
+  set_field(data, "heights", 0.4e-6 * random_field(shape, 1), {"m", "height"});
+  write_dataset(data, name);
+}
+
+}  // namespace
+
+// The numbers of a map of 6 mm by 10 µm ran into the label of y, those of a narrow surface in perspective into
+// each other and into x, and at panels of ±500 µm side by side stood "500−500".
+TEST_CASE("no text of a picture stands on another", "[plot][law]") {
+  for (const char* kind :
+       {"map", "surface", "profile", "acf", "pdf", "contact", "von-mises", "abbott", "psd", "qq", "maxima"}) {
+    CAPTURE(kind);
+    REQUIRE(test::plot(std::string("--kind ") + kind + " -o apart.svg").exit == 0);
+    check_apart("apart.svg");
+  }
+  write_map("long.nc", {300, 20}, 1e-5, 1e-5);
+  write_map("flat.nc", {300, 2}, 2e-5, 5e-6);
+  write_map("upright.nc", {20, 300}, 1e-5, 1e-5);
+  write_map("square.nc", {50, 50}, 2e-5, 2e-5);
+  const std::string three = "square.nc square.nc square.nc --labels a,b,c --kind ";
+  for (const std::string& arguments :
+       {std::string("long.nc --kind map"), std::string("long.nc --kind surface"),
+        std::string("flat.nc --kind map"), std::string("upright.nc --kind map"),
+        std::string("upright.nc --kind surface"), three + "map", three + "surface", three + "abbott",
+        three + "map --columns 1", three + "map --pixels 900x400"}) {
+    CAPTURE(arguments);
+    REQUIRE(shell("asperity-plot " + arguments + " -o apart.svg").exit == 0);
+    check_apart("apart.svg");
+  }
+}
+
+TEST_CASE("numbers along an axis never touch, however many digits they have", "[plot][law]") {
+  for (const plot::Range& range :
+       {plot::Range{-500, 500}, {-0.005, 0.005}, {1234.5, 1234.6}, {-1e-3, 2e5}, {0, 1}, {1, 1 + 1e-9}})
+    for (const double length : {3.0, 8.0, 12.0, 26.0, 60.0}) {
+      const plot::Axis axis{range, "x"};
+      const plot::Tics tics = plot::tics_along(axis, length);
+      CAPTURE(range.low, range.high, length);
+      CHECK(!tics.empty());
+      for (std::size_t k = 1; k < tics.size(); ++k) {
+        CHECK(tics[k].text != tics[k - 1].text);
+        const double apart = (tics[k].at - tics[k - 1].at) / range.width() * length;
+        CHECK(apart >= 0.5 * (plot::length_of(tics[k].text) + plot::length_of(tics[k - 1].text)));
+      }
+    }
+}
+
+TEST_CASE("a logarithmic axis has powers of ten, or 1, 2 and 5 times them where it is short",
+          "[plot][exact]") {
+  auto words = [](plot::Range range, double length) {
+    std::string out;
+    for (const plot::Tic& t : plot::tics_along({range, "q", false, true}, length)) out += t.text + ' ';
+    return out;
+  };
+  CHECK(words({1, 30}, 26) == "1 2 5 10 20 ");
+  CHECK(words({0.5, 2000}, 26) == "1 10 100 1000 ");
+  CHECK(words({1e-6, 1e2}, 12) == "10⁻⁶ 10⁻³ 1 ");
+}
+
+// 15:1, and of a section 0.1 mm deep and 10 mm long, whatever the title.
+TEST_CASE("an axis that is stretched says by how much, beside the other axis", "[plot][contract]") {
+  write_map("long.nc", {300, 20}, 1e-5, 1e-5);
+  write_map("square.nc", {50, 50}, 2e-5, 2e-5);
+  REQUIRE(shell("asperity-plot long.nc --kind map --title mine -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [mm], y × 2.4\n"));  // 0.16 · 15
+  REQUIRE(shell("asperity-plot square.nc --kind map -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm]\n"));
+  // Of several maps with different sides each says its own.
+  REQUIRE(shell("asperity-plot square.nc long.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("\nx [µm], y × 15\n") && ContainsSubstring("\na\n"));
+  REQUIRE(shell("asperity-plot long.nc square.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"),
+             ContainsSubstring("\na, y × 2.4\n") && ContainsSubstring("\nx [mm], x × 6.25\n"));
+  REQUIRE(test::plot("--kind von-mises --depth-range 0um,10um --title mine -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm], depth × 14.4\n"));  // 0.25 · 575 µm / 10 µm
+  REQUIRE(shell("asperity-plot square.nc --kind surface --title mine -o a.svg").exit == 0);
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("height [nm] × 200\n"));
+}

@@ -1,0 +1,164 @@
+// The largest stress at each depth.
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "dataset/conventions.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
+#include "stats/measure/parameter.hpp"
+#include "tools/cli/readable.hpp"
+#include "tools/plot/source.hpp"
+#include "tools/plot/table.hpp"
+
+namespace asperity::plot {
+namespace {
+
+// The largest of the whole body, which the tool searched for between the layers; NaN where it has not.
+struct Top {
+  double depth = NAN, value = NAN, depth_error = NAN, value_error = NAN;
+};
+
+struct Maxima {
+  Field curve;  ///< depth, value, half the length of its 95 % interval or NaN
+  Quantity quantity;
+  Top top = {};
+  double accurate = NAN;  ///< the depth from which on the grid resolves the stress
+  bool of_magnitude = false;
+};
+
+Maxima of_table(const Dataset& table) {
+  const bool fits = table.variables.size() > 1 && table.variables[0].name == "depth";
+  if (!fits)
+    throw DataError("depth",
+                    "is not the first column: give a dataset with layers, or the table that asperity-stress "
+                    "--result maxima prints");
+  const Variable& value = table.variables[1];
+  const Eigen::ArrayXd depth = column(table, "depth");
+  Maxima out{Field(depth.size(), 3), quantity_of(value)};
+  out.curve << depth, column(table, value.name), half_width_95 * column(table, "standard_error");
+  return out;
+}
+
+double largest_of(const double* first, std::size_t count, bool of_magnitude) {
+  double out = NAN;
+  for (std::size_t k = 0; k < count; ++k) out = std::fmax(out, of_magnitude ? std::abs(first[k]) : first[k]);
+  return out;
+}
+
+Top top_of(const Attributes& a, const std::string& variable) {
+  const std::string of = variable == "von_mises"   ? "stress_max_von_mises"
+                         : variable == "max_shear" ? "stress_max_shear"
+                         : variable == "stress_1"  ? "stress_max_principal"
+                                                   : "";
+  if (of.empty() || !a.find(of)) return {};
+  return {a.number("stress_max_depth", NAN), a.number(of, NAN), a.number("stress_max_depth_error", NAN),
+          a.number(of + "_error", NAN)};
+}
+
+Maxima of_volume(const Dataset& data, const std::string& variable) {
+  const Variable& v = data.at(variable);
+  if (v.dimensions.size() < 2 || v.dimensions[0] != "z")
+    throw DataError(variable, "is not a volume or a section on depths z");
+  const std::vector<double> depths = depths_of(data), values = present_numbers(v);
+  const double factor = factor_to(si_unit_of(v), v);
+  const std::size_t cells = values.size() / depths.size();
+  Maxima out{Field(std::ssize(depths), 3), quantity_of(v), top_of(data.attributes, variable),
+             data.attributes.number("stress_accurate_depth", NAN)};
+  // The first principal stress is the largest one, positive in tension; others of either sign push or pull.
+  out.of_magnitude = out.quantity.zero == Zero::between && variable != "stress_1";
+  for (std::size_t k = 0; k < depths.size(); ++k)
+    out.curve.row(static_cast<Index>(k)) << depths[k],
+        factor * largest_of(&values[k * cells], cells, out.of_magnitude), NAN;
+  return out;
+}
+
+Maxima maxima_of(const Case& c, const Request& request) {
+  Maxima out = is_table(c.data) ? of_table(c.data) : of_volume(c.data, request.variable_or("von_mises"));
+  if (!request.scale_by_hertz) return out;
+  const double p0 = hertz_pressure(c.data);
+  out.curve.rightCols(2) /= p0;
+  out.quantity = {out.quantity.name + " / p₀", "", out.quantity.zero};
+  out.top.value /= p0, out.top.value_error /= p0;
+  return out;
+}
+
+void add_layers(std::vector<Layer>& out, const Maxima& m, std::size_t colour, const Unit& depth,
+                const Unit& value) {
+  const std::string own = fmt::format("linecolor rgb '{}'", line_colour(colour));
+  const Eigen::ArrayXd z = m.curve.col(0) / depth.factor, v = m.curve.col(1) / value.factor,
+                       half = m.curve.col(2) / value.factor;
+  if (half.isFinite().all()) {
+    Field band(z.size(), 3);
+    band << z, v - half, v + half;
+    out.push_back(
+        points(band, fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.2",
+                                 line_colour(colour))));
+  }
+  Field line(z.size(), 2);
+  line << z, v;
+  out.push_back(points(line, "with lines linewidth 1.4 " + own));
+  out.push_back(points(line, "with points pointtype 7 pointsize 0.3*dot " + own));
+  if (std::isnan(m.top.value)) return;
+  const auto length = [](double error, const Unit& unit) { return error > 0 ? error / unit.factor : 0; };
+  const double at = m.top.depth / depth.factor, top = m.top.value / value.factor,
+               dz = length(m.top.depth_error, depth), dv = length(m.top.value_error, value);
+  out.push_back(points(Field{{at - dz, top, 2 * dz, 0}, {at, top - dv, 0, 2 * dv}},
+                       "with vectors nohead linewidth 1.1 linecolor rgb 'black'"));
+  out.push_back(points(Field{{at, top}},
+                       "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'"));
+}
+
+std::string title_of(const Maxima& m) {
+  if (std::isnan(m.top.value))
+    return m.curve.col(2).isFinite().all() ? "mean over surfaces, 95 % intervals" : "";
+  const auto words = [](double value, double error, const std::string& unit) {
+    const cli::Measurement of = cli::readable(Parameter{"", value, unit.empty() ? "1" : unit, error, ""});
+    return of.value + (of.error.empty() ? "" : " ± " + of.error) + (of.unit.empty() ? "" : " " + of.unit);
+  };
+  const std::string where = m.top.depth == 0 ? "the surface" : words(m.top.depth, m.top.depth_error, "m");
+  return fmt::format("{} at {} (×)", words(m.top.value, m.top.value_error, m.quantity.unit), where);
+}
+
+}  // namespace
+
+Figure maxima(const Cases& cases, const Request& request) {
+  std::vector<Maxima> all;
+  Range depths{unlimited, -unlimited}, values{0, 0};
+  for (const Case& c : cases) {
+    const Maxima& m = all.emplace_back(maxima_of(c, request));
+    const Eigen::ArrayXd half = m.curve.col(2).isFinite().select(m.curve.col(2), 0.0);
+    const double error = m.top.value_error > 0 ? m.top.value_error : 0;
+    depths = united(depths, range_of(m.curve.col(0)));
+    values = united(values, range_of(m.curve.col(1) + half));
+    if (m.top.value > 0) values.high = std::max(values.high, m.top.value + error);
+  }
+  if (!(values.magnitude() > 0)) throw DataError(all[0].quantity.name, "no layer holds a value but 0");
+  depths = {std::max(depths.low, request.depth.low), std::min(depths.high, request.depth.high)};
+  if (!(depths.width() > 0)) throw ParameterError("depth-range", "contains no two depths of the layers");
+  const Quantity& quantity = all[0].quantity;
+  values = value_range(request, quantity.unit, {1.06 * values.low, 1.06 * values.high});
+  const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.magnitude(), quantity.unit);
+  Figure out{.columns = 1};
+  Panel panel;
+  panel.x = axis_of(depths, depth, "depth z");
+  const char* bar = all[0].of_magnitude ? "|" : "";
+  panel.y = axis_of(values, value, fmt::format("largest {0}{1}{0}", bar, quantity.name));
+  using enum LegendEntry::Key;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    add_layers(panel.layers, all[c], c, depth, value);
+    if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label});
+  }
+  if (const double least = all[0].accurate; depths.contains(least) && least > depths.low) {
+    panel.layers.insert(
+        panel.layers.begin(),
+        points(Field{{least / depth.factor, 0}, {least / depth.factor, values.high / value.factor}},
+               "with lines linewidth 1.1 dashtype (8,5) linecolor rgb '#707070'"));
+    out.legend.push_back({dashes, "#707070", "accurate from here down"});
+  }
+  if (all.size() == 1) out.title = title_of(all[0]);
+  out.panels = {panel};
+  return out;
+}
+
+}  // namespace asperity::plot

@@ -1,0 +1,24 @@
+#include "tools/plot/measured.hpp"
+
+#include "core/error.hpp"
+#include "dataset/layout.hpp"
+#include "tools/cli/counted_cells.hpp"
+#include "tools/measure/field_options.hpp"
+
+namespace asperity::plot {
+
+Sample measured(const Case& c, const std::string& variable) {
+  cli::FieldOptions as_usual;
+  as_usual.variable = variable;
+  Surface surface = as_usual.without_heights(c.data);
+  surface.heights = field_of(c.data, variable, Missing::not_a_number);
+  return Sample(prepared(std::move(surface), as_usual.preparation()), false);
+}
+
+Sample measured_whole(const Case& c, const std::string& variable) {
+  if (const auto part = cli::counted_cells(c.data, variable))
+    throw DataError(variable, "only the cells that are " + part->which + " have one: draw --kind pdf");
+  return measured(c, variable);
+}
+
+}  // namespace asperity::plot

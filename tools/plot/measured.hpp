@@ -1,0 +1,14 @@
+/// A field as asperity-stats, -pdf and -psd measure it unless they are told otherwise: from its mean, with
+/// errors by the correlation that it was drawn with, else by its own. What a figure shows are their numbers.
+#pragma once
+
+#include "stats/measure/sample.hpp"
+#include "tools/plot/figure.hpp"
+
+namespace asperity::plot {
+
+Sample measured(const Case& c, const std::string& variable);
+/// The same of a whole field; throws DataError for a pressure and a gap, which a part of the cells has.
+Sample measured_whole(const Case& c, const std::string& variable);
+
+}  // namespace asperity::plot

@@ -1,0 +1,178 @@
+// Power spectral densities over rings of wave numbers, and of the profiles along x and y.
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "stats/measure/spectra.hpp"
+#include "tools/measure/field_options.hpp"
+#include "tools/plot/measured.hpp"
+#include "tools/plot/source.hpp"
+
+namespace asperity::plot {
+namespace {
+
+constexpr double deepest = 1e-12;  // of the largest density; below it round-off is drawn
+constexpr const char* unsure = "#707070";
+
+using Spectrum = std::vector<SpectrumPoint>;
+
+// A curve of a panel, with its colour and dashes.
+struct Trace {
+  Spectrum points;
+  std::size_t colour;
+  bool dashed = false;
+};
+struct Plane {
+  std::vector<Trace> traces = {};
+  std::string quantity, unit;  ///< SI
+};
+
+// Without the wave number and the densities of which there is no logarithm.
+Spectrum positive(Spectrum points) {
+  std::erase_if(points, [](const SpectrumPoint& p) { return !(p.wave_number > 0 && p.density > 0); });
+  return points;
+}
+
+bool known(const SpectrumPoint& p) { return p.interval().known() && !std::isnan(p.standard_error); }
+
+void add_rings(Plane& plane, const Sample& sample, std::size_t colour) {
+  const Shape shape = sample.grid().shape;
+  if (shape.nx > 1 && shape.ny > 1)
+    plane.traces.push_back({positive(radial_spectrum(sample, default_windows(sample.grid()))), colour});
+}
+
+void add_profiles(Plane& plane, const Sample& sample, std::size_t c, bool several) {
+  const DataWindows windows = default_windows(sample.grid());
+  if (sample.grid().shape.nx > 1)
+    plane.traces.push_back({positive(profile_spectrum(sample, Axis1D::x, windows.x)), c});
+  if (sample.grid().shape.ny > 1)
+    plane.traces.push_back(
+        {positive(profile_spectrum(sample, Axis1D::y, windows.y)), several ? c : 1, several});
+}
+
+// ---- scales ----
+
+struct Extent {
+  Range x{unlimited, 0}, y{unlimited, 0};
+
+  void add(double wave_number, double density) {
+    x = united(x, {wave_number, wave_number});
+    y = united(y, {density, density});
+  }
+  void pad() {
+    y.low = std::max(y.low, deepest * y.high);
+    x = {x.low / 1.15, x.high * 1.15};
+    y = {y.low / 1.6, y.high * 1.6};
+  }
+};
+
+Extent extent_of(const Plane& plane) {
+  Extent out;
+  for (const Trace& t : plane.traces)
+    for (const SpectrumPoint& p : t.points) {
+      out.add(p.wave_number, p.density);
+      if (known(p)) out.add(p.wave_number, p.interval().high), out.add(p.wave_number, p.interval().low);
+    }
+  return out;
+}
+
+// ---- layers ----
+
+// The runs of points whose errors are known, or are not.
+std::vector<Spectrum> runs(const Spectrum& points, bool of_known) {
+  std::vector<Spectrum> out;
+  bool within = false;
+  for (const SpectrumPoint& p : points) {
+    if (known(p) != of_known) {
+      within = false;
+    } else {
+      if (!within) out.emplace_back();
+      within = true;
+      out.back().push_back(p);
+    }
+  }
+  return out;
+}
+
+void add_layers(std::vector<Layer>& out, const Trace& t, const Unit& x, const Unit& y) {
+  const char* colour = line_colour(t.colour);
+  for (const Spectrum& run : runs(t.points, true)) {
+    Field band(static_cast<Index>(run.size()), 3);
+    for (Index k = 0; const SpectrumPoint& p : run) {
+      const Interval ends = p.interval();
+      band.row(k++) << p.wave_number / x.factor, ends.low / y.factor, ends.high / y.factor;
+    }
+    if (run.size() > 1)
+      out.push_back(points(
+          band, fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.2", colour)));
+    Field curve(band.rows(), 2);
+    for (Index k = 0; const SpectrumPoint& p : run)
+      curve.row(k++) << p.wave_number / x.factor, p.density / y.factor;
+    out.push_back(
+        points(curve, fmt::format("with {} linewidth 1.5 {}linecolor rgb '{}'{}",
+                                  run.size() > 1 ? "lines" : "points", t.dashed ? "dashtype (8,5) " : "",
+                                  colour, run.size() > 1 ? "" : " pointtype 7 pointsize 0.3*dot")));
+  }
+  for (const Spectrum& run : runs(t.points, false)) {
+    Field at(static_cast<Index>(run.size()), 2);
+    for (Index k = 0; const SpectrumPoint& p : run)
+      at.row(k++) << p.wave_number / x.factor, p.density / y.factor;
+    out.push_back(points(
+        at,
+        fmt::format("with points pointtype 6 pointsize 0.3*dot linewidth 0.8 linecolor rgb '{}'", colour)));
+  }
+}
+
+Panel panel_of(const Plane& plane) {
+  Extent extent = extent_of(plane);
+  if (!(extent.y.high > 0)) throw DataError("psd", "no density is above zero: there is nothing to draw");
+  extent.pad();
+  const Unit x = cli::unit_for(extent.x.high, "rad m-1"), y = cli::unit_for(extent.y.high, plane.unit);
+  Panel out;
+  out.x = axis_of(extent.x, x, "wave number");
+  out.y = axis_of(extent.y, y, plane.quantity);
+  out.x->logarithmic = out.y->logarithmic = true;
+  for (const Trace& t : plane.traces) add_layers(out.layers, t, x, y);
+  return out;
+}
+
+std::vector<LegendEntry> legend_of(const std::vector<Plane>& planes, const Cases& cases) {
+  using enum LegendEntry::Key;
+  std::vector<LegendEntry> out;
+  if (cases.size() > 1) {
+    for (std::size_t c = 0; c < cases.size(); ++c) out.push_back({line, line_colour(c), cases[c].label});
+    out.push_back({dashes, "black", "along y"});
+  } else {
+    out = {{line, line_colour(0), planes.size() > 1 ? "rings, profiles along x" : "along x"},
+           {line, line_colour(1), "along y"}};
+    if (planes.back().traces.size() < 2) out.pop_back();
+  }
+  const auto without = [](const Trace& t) { return !std::ranges::all_of(t.points, known); };
+  if (std::ranges::any_of(planes, [&](const Plane& p) { return std::ranges::any_of(p.traces, without); }))
+    out.push_back({circle, unsure, "no error known"});
+  return out;
+}
+
+}  // namespace
+
+Figure psd(const Cases& cases, const Request& request) {
+  const std::string variable = request.variable_or("heights");
+  const std::string unit = quantity_of(cases[0].data.at(variable)).unit;
+  Plane rings{.quantity = "PSD of rings", .unit = cli::density_units(unit, 2)},
+      profiles{.quantity = "PSD of profiles", .unit = cli::density_units(unit, 1)};
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Sample sample = measured(cases[c], variable);
+    add_rings(rings, sample, c);
+    add_profiles(profiles, sample, c, cases.size() > 1);
+  }
+  std::erase_if(rings.traces, [](const Trace& t) { return t.points.empty(); });
+  std::vector<Plane> planes;
+  if (!rings.traces.empty()) planes.push_back(std::move(rings));
+  planes.push_back(std::move(profiles));
+  Figure out{.title = "95 % intervals", .aspect = 0.5, .gap_y = 4.8};
+  for (const Plane& plane : planes) out.panels.push_back(panel_of(plane));
+  out.legend = legend_of(planes, cases);
+  return out;
+}
+
+}  // namespace asperity::plot
