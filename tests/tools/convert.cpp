@@ -236,7 +236,7 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
   write_text("rubbish.gsf", std::string("\x01\x02\x00\x03", 4));
   const std::pair<const char*, std::pair<int, const char*>> cases[] = {
       {"matrix.txt", {4, "asperity-convert: matrix.txt: x: the file does not give the size of the map"}},
-      {"rubbish.gsf", {4, "asperity-convert: map: "}},
+      {"rubbish.gsf", {4, "asperity-convert: rubbish.gsf: map: unknown format"}},
       {"numbers.txt --from gsf", {4, "asperity-convert: "}},
       {"numbers.txt --from word", {2, "asperity-convert: --from: "}},
       {"numbers.txt --to word", {2, "asperity-convert: --to: "}},

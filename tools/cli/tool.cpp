@@ -170,7 +170,7 @@ Dataset Tool::read(const std::string& name, std::size_t held) const {
 
 Dataset Tool::read(const Bytes& bytes, const std::string& name, std::size_t held) const {
   reads(name, result_is_dataset_ && format_.netcdf(bytes));
-  detail(format_.reason(bytes, name));
+  if (!format_.netcdf(bytes)) detail(format_.reason(bytes, name));
   Dataset data = format_.dataset(bytes, name, memory_bound(held));
   settle(data, name);
   return data;
