@@ -140,6 +140,6 @@ int main(int argc, char** argv) {
       "--lambda-c, "
       "to round-off.");
   tool.essential({"INPUT", "--remove-form", "--lambda-s", "--lambda-c", "--outliers", "--fill", "--crop",
-                  "--spacing", "--rotate", "--make-periodic", "--output"});
+                  "--rotate", "--output"});
   return tool.run(argc, argv, [&] { return Filter(tool, variable)(surfaces); });
 }

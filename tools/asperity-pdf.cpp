@@ -170,7 +170,7 @@ class Distribution {
 
 void document(cli::Tool& tool) {
   tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
-                  "--lambda-s", "--lambda-c", "--correlation", "--json", "--output", "--from"});
+                  "--lambda-c", "--correlation", "--json", "--output", "--from"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
   tool.accuracy(

@@ -72,9 +72,11 @@ TEST_CASE("the steps of waves are the library's filters, and keep the waves on t
   const Field z = heights_in("map.nc"),
               long_waves = gaussian_mean_surface(z, grid_of(read_dataset("map.nc")), 20e-6);
   CHECK_THAT(filtered("--lambda-s 20um"), ContainsSubstring("\n  1. lambda-s 20um: removed "));
-  CHECK(same_bits(heights_in("out.nc"), long_waves));
+  // Heights of some µm; transforms in another program may add in another order.
+  const double round_off = 100 * epsilon * 4e-6;
+  CHECK((heights_in("out.nc") - long_waves).abs().maxCoeff() <= round_off);
   filtered("--lambda-c 20um");
-  CHECK(same_bits(heights_in("out.nc"), z - long_waves));
+  CHECK((heights_in("out.nc") - (z - long_waves)).abs().maxCoeff() <= round_off);
   filtered("--lambda-c 20um,gaussian", "same.nc");
   CHECK(same_bits(heights_in("out.nc"), heights_in("same.nc")));
 }

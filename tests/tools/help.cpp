@@ -69,7 +69,7 @@ TEST_CASE("an option that is not there is told by what was meant", "[help][contr
   CHECK_THAT(refusal("asperity-convert --crop 0:8,0:8"), EndsWith("--crop: it is now asperity-filter --crop\n"));
   CHECK_THAT(refusal("asperity-generate -lenght 3px"), EndsWith("-lenght: did you mean --length?\n"));
   CHECK_THAT(refusal("asperity-kernel --remove-form plane"),
-             EndsWith("it belongs to asperity-acf, asperity-filter, asperity-pdf and 3 other tools\n"));
+             EndsWith("it belongs to asperity-acf, asperity-pdf, asperity-psd and 3 other tools\n"));
   CHECK_THAT(refusal("asperity --threads 2"), EndsWith("--threads: the options of a tool follow its name\n"));
   CHECK_THAT(refusal("asperity-stats --qwertyuiop"), EndsWith("there is no option --qwertyuiop\n"));
   CHECK_THAT(refusal("asperity-contact --one --two"),

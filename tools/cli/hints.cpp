@@ -69,16 +69,16 @@ std::string in_words(std::string_view tools) {
 
 std::string hint(const CLI::App& app, const std::string& option) {
   if (app.get_name() == umbrella.tool) return ": the options of a tool follow its name";
-  const Entry* elsewhere = nullptr;
+  std::string elsewhere;  // the tools of all its rows
   for (const Entry& entry : entries) {
     if (entry.option != option) continue;
     const std::vector<std::string_view> tools = words_of(entry.tools);
     const bool own = std::ranges::find(tools, short_name(app)) != tools.end();
     if (own && !entry.now.empty()) return ": it is now " + std::string(entry.now);
-    if (!own && entry.now.empty()) elsewhere = &entry;
+    if (!own && entry.now.empty()) elsewhere += (elsewhere.empty() ? "" : " ") + std::string(entry.tools);
   }
   const std::string near = nearest(app, option);
-  if (elsewhere) return ": it belongs to " + in_words(elsewhere->tools);
+  if (!elsewhere.empty()) return ": it belongs to " + in_words(elsewhere);
   return near.empty() ? "" : ": did you mean " + near + "?";
 }
 

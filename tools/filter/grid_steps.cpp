@@ -124,6 +124,7 @@ Act refine(const std::string& value) {
   const Shape factor =
       parse_counts("refine", value.find('x') == value.npos ? value + "x" + value : value, {1, 1024});
   return [factor, value](const Tool& tool, Surface& surface) {
+    if (factor == Shape{1, 1}) return now_has(surface.grid);
     refuse_holes("refine", surface);
     const Grid fine = refined_grid(surface.grid, factor);
     constexpr double written = 16;  // bytes a point, in a dataset and as it is encoded
