@@ -76,10 +76,11 @@ TEST_CASE("a matrix below lines of words has the unit that they state", "[format
 // Each would lose a line of numbers, or a part of one, without a word.
 TEST_CASE("no line that may have been meant as numbers passes for words above them",
           "[formats][text][contract]") {
-  for (const char* text : {"*** 1 2\n3 4 5\n7 1 2\n? 3 4\n", "? 3 4\n5 9 7\n", "err err err\n5 9 7\n1 1 7\n",
-                           "1,5;x2\n1;2\n4;3\n", "x [mm];z [um]\nO,5;1,5\n1,0;2,5\n2,0;2,5\n",
-                           "? ?\n1 2\n3 1\n", "NoDat 3 4\n5 9 7\n", "x [um];z [um]\n0;1;2h3;4\n2;4\n3;5\n",
-                           "1 2\n3 1\nand then\n1 2\n3 4\n", "0,5;1,5\n0,7;x\n1;2\n", "1.5 2\nend\n3 4\n"}) {
+  for (const char* text :
+       {"*** 1 2\n3 4 5\n7 1 2\n? 3 4\n", "? 3 4\n5 9 7\n", "err err err\n5 9 7\n1 1 7\n",
+        "1,5;x2\n1;2\n4;3\n", "x [mm];z [um]\nO,5;1,5\n1,0;2,5\n2,0;2,5\n", "? ?\n1 2\n3 1\n",
+        "1,5\n2,5x\n3\n4\n", "NoDat 3 4\n5 9 7\n", "x [um];z [um]\n0;1;2h3;4\n2;4\n3;5\n",
+        "1 2\n3 1\nand then\n1 2\n3 4\n", "0,5;1,5\n0,7;x\n1;2\n", "1.5 2\nend\n3 4\n"}) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), ContainsSubstring("is not a number"));
   }
