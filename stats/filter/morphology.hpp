@@ -19,7 +19,7 @@
 ///           higher ones: a closing of 512² points, Sq 1 µm, correlation length 12 points of 1 µm, takes
 ///           0.15 s with r = 5 µm, 0.9 s with 50 µm, 2.8 s with 5 mm.
 ///
-/// ISO 16610-41:2015 (profiles), whose areal counterpart is in preparation. P. J. Scott, Proc. R. Soc. Lond.
+/// ISO 16610-41:2015 (profiles). P. J. Scott, Proc. R. Soc. Lond.
 /// A 456 (2000) 2845-2864.
 #pragma once
 
