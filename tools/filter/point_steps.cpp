@@ -122,8 +122,8 @@ std::vector<StepKind> point_steps() {
   const char *group = "Form and waves", *points = "Points";
   return {
       {"closing", "RADIUS",
-       "Fill the valleys that a ball of this radius does not reach from above: morphological closing",
-       group, closed},
+       "Fill the valleys that a ball of this radius does not reach from above: morphological closing", group,
+       closed},
       {"opening", "RADIUS", "Cut the summits that a ball does not reach from below", group, opened},
       {"median", "WIDTH", "Put the median of a window in place of each height; 5px, 10um", group, median},
       {"outliers", "K[,WIDTH]",
