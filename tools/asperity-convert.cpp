@@ -62,11 +62,9 @@ Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              std::string_view bytes) {
-  if (format.netcdf(bytes)) return options.map.applied(map_of(decoded(tool, bytes), options.variable));
-  Map map = format.map(bytes, tool.input_name(), tool.memory_bound());
-  if (const std::string note = note_of(map); !note.empty()) tool.note(note);
-  if (!map.understood.empty()) tool.note(map.understood);
-  return options.map.applied(std::move(map));
+  return options.map.applied(format.netcdf(bytes)
+                                 ? map_of(decoded(tool, bytes), options.variable)
+                                 : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
 // Everything except fields below the surface.
@@ -79,7 +77,11 @@ Dataset without_depth(Dataset data) {
 // A dataset keeps everything unless its map changes.
 Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                      std::optional<cli::Bytes> bytes) {
-  if (!format.netcdf(*bytes)) return dataset_of(map_from(tool, format, options, *bytes));
+  if (!format.netcdf(*bytes)) {
+    Dataset out = dataset_of(map_from(tool, format, options, *bytes));
+    for (const std::string& line : std::exchange(out.notes, {})) tool.note(line);
+    return out;
+  }
   Dataset data = decoded(tool, *bytes);
   bytes.reset();
   if (options.map.changes())
@@ -95,7 +97,9 @@ std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const
   if (options.surface)
     throw cli::UsageError("surface", "needs --to netcdf, vti or vtr: " + target + " holds one map only");
   const Map map = map_from(tool, format, options, *bytes);
-  return format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
+  std::string out = format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
+  for (const std::string& line : notes_of(map)) tool.note(line);
+  return out;
 }
 
 int convert(cli::Tool& tool, const Options& options) {

@@ -79,9 +79,12 @@ void check_heights(const Map& map, const std::string& format) {
            one_line(map.units, 24));
 }
 
-std::string note_of(const Map& map) {
-  if (map.history.empty()) return {};
-  return "read through another program: " + map.history.substr(map.history.find(": ") + 2);
+std::vector<std::string> notes_of(const Map& map) {
+  std::vector<std::string> out;
+  if (!map.history.empty())
+    out.push_back("read through another program: " + map.history.substr(map.history.find(": ") + 2));
+  if (!map.understood.empty()) out.push_back(map.understood);
+  return out;
 }
 
 Dataset dataset_of(const Map& map) {
@@ -90,17 +93,14 @@ Dataset dataset_of(const Map& map) {
   const bool heights = map.units.empty() || map.units == "m";
   const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
                     words = map.title.empty() ? name : one_line(map.title);
-  if (!map.history.empty()) {
-    out.attributes.set("history", map.history);
-    out.notes.push_back(note_of(map));
-  }
+  if (!map.history.empty()) out.attributes.set("history", map.history);
   if (map.values.isInf().any()) throw DataError(name, "a value is infinite");
   if (map.values.isNaN().all()) throw DataError(name, "all points are missing");
   if (map.values.hasNaN())
     set_with_missing(out, name, map.values, {units, words});
   else
     set_field(out, name, map.values, {units, words});
-  if (!map.understood.empty()) out.notes.push_back(map.understood);
+  out.notes = notes_of(map);
   return out;
 }
 

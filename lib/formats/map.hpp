@@ -65,8 +65,8 @@ void check_size(const Map& map, const std::string& format);
 /// Also for a quantity that is not a length, which `format` cannot hold.
 void check_heights(const Map& map, const std::string& format);
 
-/// That another program read the file, or "".
-std::string note_of(const Map& map);
+/// For a person: that another program read the file, and how a text was read.
+std::vector<std::string> notes_of(const Map& map);
 /// As a dataset with x, y and `heights`, or `values` if the quantity is not a length; missing points become
 /// `mask` and _FillValue. Without a unit, metres are assumed. Throws DataError("x", …) when the map has no
 /// size, DataError(name, …) when a point is infinite or all are missing.

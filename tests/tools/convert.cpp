@@ -75,7 +75,7 @@ TEST_CASE("every tool reads a text with labels as it stands, and says in one lin
   CHECK(run.exit == 0);
   CHECK_THAT(run.error,
              ContainsSubstring("asperity-stats: labels.csv: read as a map of 2 x 2, points x y z"));
-  CHECK(shell("asperity-stats --parameters height -q labels.csv").error.empty());
+  CHECK_THAT(shell("asperity-stats --parameters height -q labels.csv").error, !ContainsSubstring("read as"));
   REQUIRE(shell("asperity-convert labels.csv --missing -9999 --missing x -o told.nc").exit == 0);
   CHECK(heights_in("told.nc").isNaN().count() == 2);
   const Outcome config = shell("asperity-convert --missing -9999 --missing x --dump-config");

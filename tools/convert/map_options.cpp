@@ -30,16 +30,14 @@ void MapOptions::declare(Tool& tool) {
       "Input");
   tool.choice("--decimal", decimal_, decimals,
               "Decimal mark in a text; auto: a point, or a comma if it cannot be a separator", "Input");
-  tool.text(
-      "--xyz", columns_, "X,Y,Z",
-      "Columns of a text that are x, y and z, or x and z, by number or by name, with their units if the "
-      "text gives none: 1/um,2/um,4/nm; none: every column holds heights. Points come in any order, on a "
-      "grid",
-      "Input");
+  tool.text("--xyz", columns_, "X,Y,Z",
+            "Columns of a text that are x, y and z; or x and z; by number or name, with units if the text "
+            "gives none: 1/um,2/um,4/nm; none: all hold heights. Points come in any order, on a grid",
+            "Input");
   tool.texts(
       "--missing", missing_, "WORD",
-      "Word or number that stands for a missing point in a text, besides nan and the like: -9999. May be "
-      "repeated",
+      "Word for a missing point in a text; or a number: -9999; nan and the like need not be given. May "
+      "be repeated",
       "Input");
   tool.quantities("--size", size_, "m",
                   "Side lengths Lx,Ly; needed if the file does not give them, and replaces wrong ones",
