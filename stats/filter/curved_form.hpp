@@ -16,7 +16,7 @@
 /// Accuracy  round-off on an exact form: heights to 10 ε of their range, R to ε R²/L² of itself (L half the
 ///           diagonal of the field). Roughness σ of N independent points leaves an error of R about
 ///           10 R² σ/(L² √N).
-/// Cost      about 30 operations a point and step, 5 to 10 steps.
+/// Cost      a pass over the points a step, 3 to 10 steps.
 ///
 /// J. J. Moré, The Levenberg-Marquardt algorithm, in: Numerical Analysis, Springer (1978) 105-116.
 #pragma once

@@ -7,8 +7,8 @@
 /// A quadratic surface stays as it is, ends included. With δ = 1 and far from an end a wave passes by
 /// H(λ) (1 + ln(2) (λ_c/λ)²), H of the filter of order 0: by 0.85 at the cut-off.
 ///
-/// Accuracy  the sums are cut where s is below 1e-16. Where a pivot of (2) is below 1e-8 of the largest, by too
-///           few points under the weight, w keeps its former value.
+/// Accuracy  the sums are cut where s is below 1e-16. Where a pivot of (2) is below 1e-8 of the largest, by
+///           too few points under the weight, w keeps its former value.
 /// Cost      29 sums over 3.3 λ_c/Δ points a point, and an equation of six unknowns.
 ///
 /// ISO 16610-31:2016; ISO 16610-71:2014.

@@ -10,7 +10,7 @@
 ///
 /// Missing   Points that are missing do not count, and stay missing.
 /// Accuracy  exact: medians are heights, or the mean of two.
-/// Cost      sorting the field, and about a + b operations a point.
+/// Cost      sorting the field, and 2a changes of a set of ranks a point.
 ///
 /// D. C. Hoaglin, F. Mosteller, J. W. Tukey, Understanding robust and exploratory data analysis (1983).
 #pragma once

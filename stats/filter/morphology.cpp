@@ -15,127 +15,167 @@ namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();  // where no point is
 
-Field maxima_of_pairs(const Field& fine) {
-  Field out((fine.rows() + 1) / 2, (fine.cols() + 1) / 2);
-  for (Index i = 0; i < out.rows(); ++i)
-    for (Index j = 0; j < out.cols(); ++j)
-      out(i, j) = fine.block(2 * i, 2 * j, std::min<Index>(2, fine.rows() - 2 * i),
-                             std::min<Index>(2, fine.cols() - 2 * j))
-                      .maxCoeff();
-  return out;
-}
-
-// One axis: distances from a point to runs of points.
 struct Axis {
   Index points;
   double step;
   bool periodic;
 
-  // From i to the nearest point of first … last, by the shorter way round a period.
-  double to_run(Index i, Index first, Index last) const {
-    Index d = std::max<Index>({first - i, i - last, 0});
-    if (periodic && d > 0) d = std::min(d, i < first ? i + points - last : first + points - i);
-    return static_cast<double>(d) * step;
+  bool holds(Index i) const { return periodic || (i >= 0 && i < points); }
+  Index at(Index i) const { return ((i % points) + points) % points; }
+  // How many points a length reaches; of a period no point twice in one direction.
+  Index within(double length) const {
+    const double count = std::floor(length / step * (1 + 1e-12));
+    return static_cast<Index>(std::min(count, static_cast<double>(periodic ? points / 2 : points - 1)));
   }
 };
 
-// max_d z(x + d) + b(d) at one point after the other.
-class Search {
+// b, and how far it can matter to a field: beyond the reach it is lower than the range of heights.
+class Element {
  public:
-  Search(const std::vector<Field>& levels, const Grid& grid, StructuringElement element)
-      : levels_(levels),
-        x_{grid.shape.nx, grid.dx, grid.periodic.x},
-        y_{grid.shape.ny, grid.dy, grid.periodic.y},
-        ball_(element.kind == StructuringElement::Kind::ball),
-        radius_(element.radius) {}
-
-  // The point that decided the neighbour's maximum is a good guess. The maximum does not depend on it.
-  double at(Index i, Index j) {
-    i_ = i, j_ = j, best_ = nothing;
-    consider(guess_[0], guess_[1]);
-    consider(i, j);
-    descend(std::ssize(levels_) - 1, 0, 0);
-    return best_;
+  Element(const Field& z, StructuringElement element)
+      : ball_(element.kind == StructuringElement::Kind::ball),
+        radius_(element.radius),
+        reach_(element.radius) {
+    const Field there = (z == nothing).select(z.maxCoeff(), z);
+    if (const double range = there.maxCoeff() - there.minCoeff(); ball_ && range < radius_)
+      reach_ = std::sqrt(range * (2 * radius_ - range)) * (1 + 1e-12);
   }
 
- private:
-  // b at the square of a distance; no cancellation.
+  double reach() const { return reach_; }
+  bool covers(double square) const { return square <= radius_ * radius_ * (1 + 1e-15); }
+  // At the square of a distance; no cancellation.
   double raised(double square) const {
     if (!ball_) return 0;
     return -square / (radius_ + std::sqrt(std::max(radius_ * radius_ - square, 0.0)));
   }
-  bool beyond(double square) const { return square > radius_ * radius_; }
-  // Whether nothing of this height, or lower, at this distance or further can exceed the best: b(d) ≤ -t is
-  // d² ≥ t (2r - t).
-  bool hopeless(double height, double square) const {
-    const double t = best_ - height;
-    if (beyond(square)) return true;
-    if (!ball_) return t >= 0;
-    return t >= 0 && (t >= radius_ || square >= t * (2 * radius_ - t));
-  }
-  double square_to(Index level, Index p, Index q) const {
-    const Index i = p << level, j = q << level, size = (Index{1} << level) - 1;
-    const double u = x_.to_run(i_, i, std::min(i + size, x_.points - 1)),
-                 v = y_.to_run(j_, j, std::min(j + size, y_.points - 1));
-    return u * u + v * v;
-  }
-  void consider(Index i, Index j) {
-    const double square = square_to(0, i, j), height = levels_[0](i, j);
-    if (beyond(square) || height == nothing) return;
-    if (const double value = height + raised(square); value > best_) best_ = value, guess_ = {i, j};
-  }
-  void descend(Index level, Index p, Index q) {
-    if (level == 0) return consider(p, q);
-    struct Child {
-      Index p, q;
-      double square;
-    };
-    const Field& below = levels_[size(level - 1)];
-    std::array<Child, 4> children;
-    std::size_t count = 0;
-    for (Index a = 2 * p; a < std::min(2 * p + 2, below.rows()); ++a)
-      for (Index b = 2 * q; b < std::min(2 * q + 2, below.cols()); ++b) {
-        const double square = square_to(level - 1, a, b);
-        if (!hopeless(below(a, b), square)) children[count++] = {a, b, square};
-      }
-    std::sort(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Child& one, const Child& other) { return one.square < other.square; });
-    for (std::size_t k = 0; k < count; ++k)
-      if (!hopeless(below(children[k].p, children[k].q), children[k].square))
-        descend(level - 1, children[k].p, children[k].q);
+  // No less than 2b(y) - b(y + d) - b(y - d) of any y within the reach; infinite if y + d may leave the ball.
+  double bend(double d) const {
+    const double left = radius_ * radius_ - (reach_ + d) * (reach_ + d);
+    if (!ball_ || !(reach_ + d < radius_)) return HUGE_VAL;
+    return d * d * radius_ * radius_ / (left * std::sqrt(left));
   }
 
-  const std::vector<Field>& levels_;
-  Axis x_, y_;
+ private:
   bool ball_;
-  double radius_;
-  Index i_ = 0, j_ = 0;
-  double best_ = nothing;
-  std::array<Index, 2> guess_{};
+  double radius_, reach_;
+};
+
+// The points of a row that can be touched, in ascending order.
+struct Row {
+  std::vector<Index> place;
+  std::vector<double> height;
+  double top = nothing;
+};
+
+class Dilation {
+ public:
+  Dilation(const Field& z, const Grid& grid, StructuringElement element)
+      : element_(z, element),
+        x_{grid.shape.nx, grid.dx, grid.periodic.x},
+        y_{grid.shape.ny, grid.dy, grid.periodic.y} {
+    const Field thin = thinned(z);
+    for (Index i = 0; i < x_.points; ++i) rows_.push_back(row_of(thin, i));
+  }
+
+  // (2) of row i: the nearest rows first, so that most others lie too low.
+  void row(Index i, Eigen::Ref<Eigen::ArrayXd> out) const {
+    out.setConstant(nothing);
+    const Index most = x_.within(element_.reach());
+    for (Index k = 0; k <= most; ++k) {
+      const double u = static_cast<double>(k) * x_.step, square = u * u;
+      if (!element_.covers(square)) return;
+      for (const Index from : {i + k, i - k}) {
+        if (!x_.holds(from)) continue;
+        const Row& row = rows_[size(x_.at(from))];
+        if (row.place.empty() || row.top + element_.raised(square) <= out.minCoeff()) continue;
+        raise(row, square, out);
+        if (k == 0) break;
+      }
+    }
+  }
+
+ private:
+  // Without the points that are never the maximum, for two others, d to both sides of one, are: where
+  // z(p+d) + z(p-d) - 2z(p) exceeds what b bends.
+  Field thinned(const Field& z) const {
+    const double round_off =
+        16 * std::numeric_limits<double>::epsilon() * (z == nothing).select(0, z).abs().maxCoeff();
+    Field out = z;
+    for (const auto& [p, q] : {std::array<Index, 2>{1, 0}, {0, 1}, {1, 1}, {1, -1}})
+      for (Index k = 1; k <= std::max(x_.points, y_.points); k *= 2) {
+        const double d = std::hypot(static_cast<double>(p * k) * x_.step,
+                                    static_cast<double>(q * k) * y_.step),
+                     bend = element_.bend(d) + round_off;
+        if (!(d <= element_.reach()) || std::isinf(bend)) break;
+        for (Index i = 0; i < x_.points; ++i) {
+          if (!x_.holds(i - p * k) || !x_.holds(i + p * k)) continue;
+          for (Index j = 0; j < y_.points; ++j) {
+            if (!y_.holds(j - q * k) || !y_.holds(j + q * k)) continue;
+            const double one = z(x_.at(i - p * k), y_.at(j - q * k)),
+                         other = z(x_.at(i + p * k), y_.at(j + q * k));
+            if (one + other - 2 * z(i, j) > bend) out(i, j) = nothing;
+          }
+        }
+      }
+    return out;
+  }
+  // With images of a period as far as the element reaches.
+  Row row_of(const Field& z, Index i) const {
+    Row out;
+    const Index more = y_.periodic ? y_.within(element_.reach()) : 0;
+    for (Index j = -more; j < y_.points + more; ++j)
+      if (const double height = z(i, y_.at(j)); height != nothing) {
+        out.place.push_back(j);
+        out.height.push_back(height);
+        out.top = std::max(out.top, height);
+      }
+    return out;
+  }
+  // What a row at the distance √square adds. b is concave, so that the point that decides moves on with j:
+  // the maximum in the middle of a run bounds the points that can decide on either side.
+  void raise(const Row& row, double square, Eigen::Ref<Eigen::ArrayXd> out) const {
+    std::vector<double> b;
+    for (Index d = 0; d <= y_.within(element_.reach()); ++d) {
+      const double v = static_cast<double>(d) * y_.step, s = square + v * v;
+      if (!element_.covers(s)) break;
+      b.push_back(element_.raised(s));
+    }
+    raise(row, b, out, 0, y_.points, 0, std::ssize(row.place));
+  }
+  static void raise(const Row& row, const std::vector<double>& b, Eigen::Ref<Eigen::ArrayXd> out, Index begin,
+                    Index end, Index first, Index last) {
+    if (begin >= end || first >= last) return;
+    const Index j = (begin + end) / 2, width = std::ssize(b);
+    const auto places = row.place.begin();
+    Index k = std::lower_bound(places + first, places + last, j - width + 1) - places, best = k;
+    double highest = nothing;
+    for (; k < last && row.place[size(k)] < j + width; ++k)
+      if (const double value = row.height[size(k)] + b[size(std::abs(row.place[size(k)] - j))];
+          value > highest)
+        highest = value, best = k;
+    out[j] = std::max(out[j], highest);
+    raise(row, b, out, begin, j, first, std::min(best + 1, last));
+    raise(row, b, out, j + 1, end, best, last);
+  }
+
+  Element element_;
+  Axis x_, y_;
+  std::vector<Row> rows_;
 };
 
 // The dilation of a field that is `nothing` where no point is.
-Field dilated(Field z, const Grid& grid, StructuringElement element, int threads) {
-  std::vector<Field> levels{std::move(z)};
-  while (levels.back().size() > 1) levels.push_back(maxima_of_pairs(levels.back()));
+Field dilated(const Field& z, const Grid& grid, StructuringElement element, int threads) {
+  const Dilation dilation(z, grid, element);
   Field out(grid.shape.nx, grid.shape.ny);
   parallel_ranges(grid.shape.nx, threads, [&](Index begin, Index end, int) {
-    Search search(levels, grid, element);
-    for (Index i = begin; i < end; ++i)
-      for (Index j = 0; j < grid.shape.ny; ++j) out(i, j) = search.at(i, j);
+    Eigen::ArrayXd row(grid.shape.ny);
+    for (Index i = begin; i < end; ++i) {
+      dilation.row(i, row);
+      out.row(i) = row.transpose();
+    }
   });
   return out;
 }
-
-Field eroded(const Field& z, const Grid& grid, StructuringElement element, int threads) {
-  return -dilated(-z, grid, element, threads);
-}
-
-// Points that are missing touch nothing: -∞ for a dilation; the ball's centre may stand above them, unless it
-// touches nothing there.
-Field touching(const Field& z) { return z.isNaN().select(nothing, z); }
-Field standing(const Field& z) { return (z == nothing).select(-nothing, z); }
-Field missing_again(const Field& result, const Field& z) { return z.isNaN().select(NAN, result); }
 
 void check(StructuringElement element) {
   check_parameter(element.radius > 0 && std::isfinite(element.radius), "radius",
@@ -146,7 +186,7 @@ void check(StructuringElement element) {
 
 Field dilation(const Field& z, const Grid& grid, StructuringElement element, int threads) {
   check(element);
-  return missing_again(dilated(touching(z), grid, element, threads), z);
+  return z.isNaN().select(NAN, dilated(z.isNaN().select(nothing, z), grid, element, threads));
 }
 
 Field erosion(const Field& z, const Grid& grid, StructuringElement element, int threads) {
@@ -154,13 +194,11 @@ Field erosion(const Field& z, const Grid& grid, StructuringElement element, int 
 }
 
 Field closing(const Field& z, const Grid& grid, StructuringElement element, int threads) {
-  check(element);
-  const Field envelope = dilated(touching(z), grid, element, threads);
-  return missing_again(eroded(standing(envelope), grid, element, threads), z);
+  return erosion(dilation(z, grid, element, threads), grid, element, threads);
 }
 
 Field opening(const Field& z, const Grid& grid, StructuringElement element, int threads) {
-  return -closing(-z, grid, element, threads);
+  return dilation(erosion(z, grid, element, threads), grid, element, threads);
 }
 
 }  // namespace asperity

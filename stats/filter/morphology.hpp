@@ -6,15 +6,18 @@
 ///     erosion   E(x) = min_d z(x + d) - b(d),                                                         (2)
 ///     closing   E of D: the surface that the ball touches from above, which fills valleys,
 ///     opening   D of E: from below, which cuts summits.
-/// Closing z' ≥ z, opening ≤ z; both are idempotent, and leave a constant. The ball's centre stays above the
-/// points of the field: nearer than r times the slope to an edge, a closing of a slope lies above it. Along a
-/// periodic axis the ball passes the seam. Of a profile the ball is the disc of ISO 16610-41, the disc its
-/// horizontal segment.
+/// Closing z' ≥ z, opening ≤ z; both are idempotent, and leave a constant. The ball's middle stays above
+/// points that are there: nearer than r times the slope to an edge or a hole, a closing of a slope lies above
+/// it. Along a periodic axis the ball passes the seam. Of a profile the ball is the disc of ISO 16610-41, the
+/// disc its horizontal segment.
 ///
 /// Accuracy  (2) exact over the points of the grid, to round-off; between points the surface may be higher,
 ///           by Δ²/8 times its curvature at most where it is smooth.
 /// Missing   Points that are missing touch nothing and stay missing.
-/// Cost      a branch and bound over a tree of maxima: typically 30 to 100 of its nodes a point, whatever r.
+/// Cost      Heights of a range H are touched within the reach √(2rH) of the middle, or r. A row of n points
+///           takes n log n comparisons for each row within the reach, fewer where points are hidden between
+///           higher ones: a closing of 512² points, Sq 1 µm, correlation length 12 points of 1 µm, takes
+///           0.15 s with r = 5 µm, 0.9 s with 50 µm, 2.8 s with 5 mm.
 ///
 /// ISO 16610-41:2015 (profiles), whose areal counterpart is in preparation. P. J. Scott, Proc. R. Soc. Lond.
 /// A 456 (2000) 2845-2864.

@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr double width_of_median = 4.4478;  // 3 × 1.4826, of (3)
-constexpr double tolerance = 1e-4;          // of c
+constexpr double tolerance = 1e-3;          // of c
 constexpr double least_weight = 1e-6;       // of Σ s δ: below, round-off of the sums would be divided by it
 
 double median_size(const Field& differences) {
@@ -67,7 +67,9 @@ RobustMeanSurface robust_gaussian_mean_surface(const Field& heights, const Grid&
     out.width = width_of_median * median_size(z - out.surface);
     const Field weights = biweights(z - out.surface, out.width),
                 next = regression.surface(weights, out.surface);
-    out.change = (valid * (next - out.surface)).abs().maxCoeff();
+    const Field moves = valid * (next - out.surface);
+    out.change = std::sqrt(moves.square().sum() / valid.sum());
+    out.largest = moves.abs().maxCoeff();
     out.surface = next;
     out.ignored = (valid * (weights == 0).select(Field::Ones(z.rows(), z.cols()), 0)).sum() / valid.sum();
     out.converged = out.change <= tolerance * out.width;

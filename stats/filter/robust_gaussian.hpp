@@ -7,12 +7,15 @@
 ///     min Σ_k s(x_k - x) δ_k (z_k - P(x_k - x))²  over polynomials P of degree p,   w(x) = P(0),      (1)
 ///     δ_k = (1 - (r_k/c)²)²  where |r_k| < c, otherwise 0,   r = z - w,                              (2)
 ///     c = 4.4478 median|r|:  3 standard deviations of Gaussian roughness,                            (3)
-/// s the weight of the Gaussian filter. (1) to (3) repeat, beginning with δ = 1, until no point of w moves by
-/// more than 10⁻⁴ c, or `most` times.
+/// s the weight of the Gaussian filter. (1) to (3) repeat, beginning with δ = 1, until the rms move of w is
+/// below 10⁻³ c, or `most` times. Where λ_c is no longer than two correlation lengths of the roughness, whole
+/// hills have δ = 0, w has more than one solution there, and the iteration may end in a cycle: the result
+/// says that it has not converged, and by how much it still moves.
 ///
 /// Symbols   λ_c cut-off [m]   δ Tukey's biweight   c its width [m]
-/// Accuracy  of the iteration 10⁻⁴ c divided by 1 - its rate, which is 0.2 to 0.5.
-/// Cost      each step two convolutions with order 0; a median.
+/// Accuracy  of the iteration 10⁻³ c rms divided by 1 - its rate, 0.6 where λ_c is 7 correlation lengths.
+/// Cost      each step two convolutions and a median, 13 ms for 512², 6 to 13 steps where λ_c is 3 to 7
+///           correlation lengths; of order 2 0.4 s at λ_c = 20 Δ, 0.7 s at 80 Δ.
 ///
 /// ISO 16610-71:2014. A. E. Beaton, J. W. Tukey, Technometrics 16 (1974) 147-185.
 #pragma once
@@ -25,7 +28,8 @@ struct RobustMeanSurface {
   Field surface;  ///< missing where heights are
   int steps = 0;  ///< of (1) to (3), the first with δ = 1 included
   bool converged = false;
-  double change = 0;   ///< the largest move of a point in the last step [m]
+  double change = 0;   ///< the rms move of a point in the last step [m]
+  double largest = 0;  ///< the largest [m]
   double width = 0;    ///< c [m]
   double ignored = 0;  ///< share of the points with δ = 0
 };

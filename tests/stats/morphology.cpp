@@ -101,6 +101,19 @@ TEST_CASE("a closing leaves what the ball fits into and bridges what is narrower
   CHECK((closing(narrow, grid, {Kind::ball, r}) - fits).abs().maxCoeff() <= 8 * epsilon);
 }
 
+// The ball touches every point of a wider bowl. Its middle is within Δ/2 of the best place along both axes, which
+// moves the touched point by R/(R - r) = 3 times that: the closing lies above by 2 (3Δ/2)²/2 (1/r - 1/R) at most,
+// and nowhere below. The latter failed where points were
+// hidden that the ball touches, by half of what it bends.
+TEST_CASE("a ball touches all of a bowl that is wider than it", "[morphology][law]") {
+  const Grid grid{{41, 41}, 0.05, 0.05};
+  const double r = 20, R = 30;
+  const Field bowl = sample(grid, [=](double x, double y) { return (x * x + y * y) / (2 * R); });
+  const Field gap = closing(bowl, grid, {Kind::ball, r}) - bowl;
+  CHECK(gap.minCoeff() >= -8 * epsilon * r);
+  CHECK(gap.maxCoeff() <= 1.1 * 9 * 0.025 * 0.025 * (1 / r - 1 / R));
+}
+
 // A spike of height H on a plane, dilated, is the ball's cap: H - (r - √(r² - d²)) down to the plane.
 TEST_CASE("a dilated spike is the ball", "[morphology][exact]") {
   const Grid grid{{41, 41}, 0.1, 0.1};
