@@ -34,7 +34,8 @@ MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff,
   std::string doubt;
   if (!found.converged)
     doubt = "the robust filter has not converged: its last step, of " + std::to_string(found.steps) +
-            ", moved a point by " + shortest(found.change / found.width) + " of the width of its weights";
+            ", moved the surface by an rms of " + in_digits(found.change / found.width, 3) +
+            " of the width of its weights";
   return {std::move(found.surface), std::move(doubt)};
 }
 
