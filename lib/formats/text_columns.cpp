@@ -74,7 +74,7 @@ Columns told_columns(const Table& table, const Labels& labels, std::string_view 
 
 // ---- as labelled ----
 
-std::vector<Index> with_role(const Labels& labels, Role role) {
+std::vector<Index> with_role(const Labels& labels, CoordinateRole role) {
   std::vector<Index> letters, out;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (role_of(labels[i].name) != role) continue;
@@ -99,7 +99,8 @@ bool all_lengths(const Labels& labels) {
 
 // Nothing if the labels name no coordinate.
 std::optional<Columns> labelled_columns(const Labels& labels) {
-  const auto x = with_role(labels, Role::x), y = with_role(labels, Role::y), z = with_role(labels, Role::z);
+  const auto x = with_role(labels, CoordinateRole::x), y = with_role(labels, CoordinateRole::y),
+             z = with_role(labels, CoordinateRole::z);
   if (x.empty() && (y.empty() || z.empty())) return std::nullopt;
   const auto named = std::ranges::count_if(labels, [](const Label& l) { return !l.name.empty(); });
   if (named == 2 && x.size() == 1 && y.size() == 1) return with_units({x[0], y[0]}, labels);

@@ -89,8 +89,8 @@ std::vector<std::string> cells_for(const Table& table, std::string_view line, bo
 
 // Whether a line is one label, with a unit and a name of a height.
 bool is_height(const Label& label) {
-  return role_of(label.name) == Role::z && label.name.find_first_of("[](),;/\t") == label.name.npos &&
-         is_length(label.unit);
+  return role_of(label.name) == CoordinateRole::z &&
+         label.name.find_first_of("[](),;/\t") == label.name.npos && is_length(label.unit);
 }
 
 // A unit alone, perhaps in brackets.
@@ -110,11 +110,12 @@ bool are_units(const std::vector<std::string>& cells) {
 }
 
 bool some_role(const std::vector<std::string>& cells) {
-  return std::ranges::any_of(cells, [](const std::string& cell) { return role_of(cell) != Role::other; });
+  return std::ranges::any_of(cells,
+                             [](const std::string& cell) { return role_of(cell) != CoordinateRole::other; });
 }
 
 bool has_roles(const std::vector<Label>& labels) {
-  return std::ranges::any_of(labels, [](const Label& l) { return role_of(l.name) != Role::other; });
+  return std::ranges::any_of(labels, [](const Label& l) { return role_of(l.name) != CoordinateRole::other; });
 }
 
 // "Units: um": the value of a line with such a key.
@@ -156,7 +157,7 @@ bool is_letter(const std::string& name) {
   return !name.empty() && is_alpha(name[0]) && (name.size() == 1 || !is_alpha(name[1]));
 }
 
-Role role_of(const std::string& name) {
+CoordinateRole role_of(const std::string& name) {
   constexpr std::string_view along[] = {"position", "distance", "lateral", "abstand", "strecke"},
                              up[] = {"height", "h\u00f6he", "h\xf6he",   "hoehe",
                                      "profil", "altitude",  "topograph", "elevation"},
@@ -164,11 +165,14 @@ Role role_of(const std::string& name) {
                                           "filter", "l\u00e4nge", "breite"};
   const std::string word = lower(name);
   if (is_letter(word))
-    return word[0] == 'x' ? Role::x : word[0] == 'y' ? Role::y : word[0] == 'z' ? Role::z : Role::other;
+    return word[0] == 'x'   ? CoordinateRole::x
+           : word[0] == 'y' ? CoordinateRole::y
+           : word[0] == 'z' ? CoordinateRole::z
+                            : CoordinateRole::other;
   const auto in_word = [&](std::string_view part) { return word.find(part) != word.npos; };
   const bool x = std::ranges::any_of(along, in_word), z = std::ranges::any_of(up, in_word);
-  if (x == z || std::ranges::any_of(neither, in_word)) return Role::other;
-  return x ? Role::x : Role::z;
+  if (x == z || std::ranges::any_of(neither, in_word)) return CoordinateRole::other;
+  return x ? CoordinateRole::x : CoordinateRole::z;
 }
 
 std::vector<Label> labels_of(const Table& table, bool quotes) {
@@ -203,7 +207,7 @@ bool names_points(const Table& table, bool quotes) {
   if (table.columns != 2 && table.columns != 3) return false;
   const std::vector<Label> labels = labels_of(table, quotes);
   return !labels.empty() &&
-         std::ranges::all_of(labels, [](const Label& l) { return role_of(l.name) != Role::other; });
+         std::ranges::all_of(labels, [](const Label& l) { return role_of(l.name) != CoordinateRole::other; });
 }
 
 std::string unit_in_head(const Table& table) {

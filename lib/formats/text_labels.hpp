@@ -17,9 +17,9 @@ struct Label {
 };
 Label label_of(std::string_view cell);
 
-enum class Role { other, x, y, z };
+enum class CoordinateRole { other, x, y, z };
 /// By the names that instruments use: x, "X pos", Lateral, Position; z, Height, Höhe, Profile.
-Role role_of(const std::string& name);
+CoordinateRole role_of(const std::string& name);
 /// Whether a name begins with the letter of its role.
 bool is_letter(const std::string& name);
 

@@ -119,11 +119,12 @@ TEST_CASE("intervals of the spread of a sequence hold it where heavy tails decid
           "[sequence-error][statistics]") {
   constexpr int sequences = 1000;
   constexpr Index window = 4;
+  constexpr double per_window = 1.0 / window;
   Spread spread;
   std::vector<Interval> intervals;
   for (unsigned seed = 0; seed < sequences; ++seed) {
-    const Eigen::ArrayXd v = (0.8 / std::sqrt(window) * averaged(window, seed, false)).exp();
-    const SequenceMean m = sequence_mean(v, 1.0 / window, false);
+    const Eigen::ArrayXd v = (0.8 * std::sqrt(per_window) * averaged(window, seed, false)).exp();
+    const SequenceMean m = sequence_mean(v, per_window, false);
     spread.add(m.spread);
     intervals.push_back(Interval::of_inverse(
         m.spread, student_quantile(0.025, m.spread_degrees) * m.spread_error / m.spread));
