@@ -25,9 +25,9 @@
 ///           nothing is put back), of Sal 89 to 100 % (76 to 100 %), of lengths at 1/e 83 to 99 % (78 to
 ///           98 %), of ρ 80 to 97 % (78 to 96 %), least for plateaus.
 ///           Of 100 fields of 64 × 64 points on a triangle, N_eff 140 to 510, form of degree 2, intervals of
-///           the mean cover 88 to 98 % (80 to 90 % with modes of the square), of Sq 91 to 96 %; on a disc,
-///           N_eff 220 to 820, degree 4, 85 to 99 % (69 to 76 %) and 91 to 97 % (64 to 90 %): ten textures,
-///           validation/error_coverage.
+///           the mean cover 88 to 98 % (80 to 90 % with modes of the square), of Sq 92 to 96 %; on a disc,
+///           N_eff 220 to 820, degree 4, 85 to 99 % and 91 to 97 % (69 to 76 % and 64 to 90 % of four
+///           of them): ten textures, validation/error_coverage.
 /// Cost      nothing for the mean; of a complete field d+1 pairs of transforms of either side and d products
 ///           a lag; of others 2M transforms of twice the sides.
 #pragma once

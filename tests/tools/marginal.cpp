@@ -54,8 +54,7 @@ TEST_CASE("heights in a text file are a distribution, and what is none is refuse
   shell(
       "seq 1 50 > few.txt; echo 1 2 three > words.txt; yes 3 | head -300 > same.txt; seq 1 500 | awk '{ "
       "print $1, sin($1) }' > xz.txt");
-  refused(draw + " --marginal xz.txt", 4,
-          {"marginal", "the unit of the points"});  // once of its coordinates too
+  refused(draw + " --marginal xz.txt", 4, {"marginal", "which columns are x, y and z"});
   refused(draw + " --marginal few.txt", 4, {"marginal", "50"});
   refused(draw + " --marginal words.txt", 4, {"marginal", "line 1"});
   refused(draw + " --marginal same.txt", 4, {"marginal", "are equal"});
