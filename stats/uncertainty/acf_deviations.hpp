@@ -20,8 +20,8 @@
 /// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp).
 ///
 /// Accuracy  of 200 fields of each of eleven textures, 95 % intervals of ratios (Str, gamma, those at 1/e and
-///           10 %) cover 87 to 98 % at N_eff 290 to 1230, the rms of stated errors 0.87 to 1.33 of the true
-///           ones; 87 to 100 % and 0.60 to 1.35 at N_eff 33 to 140, 79 to 100 % and 0.64 to 1.87 at 8 to 35,
+///           10 %) cover 86 to 98 % at N_eff 290 to 1230, the rms of stated errors 0.91 to 1.31 of the true
+///           ones; 85 to 100 % and 0.93 to 1.65 at N_eff 33 to 140, 82 to 100 % and 0.84 to 2.34 at 8 to 35,
 ///           where half of the fields or more have an error (validation/error_coverage).
 ///
 /// S. J. Julier, J. K. Uhlmann, Unscented filtering and nonlinear estimation, Proc. IEEE 92 (2004) 401-422.

@@ -18,9 +18,9 @@
 /// it: for Sal and the slowest decay SE² is its mean over all lags of nearly the same ρ'.
 ///
 /// Symbols   ρ  estimate, 1 at lag zero    λ(f)  where f = t
-/// Accuracy  of 200 fields of each of eleven textures, N_eff 290 to 1230, 95 % intervals cover 96 to 100 %
-///           (Sal), 90 to 98 % (lengths at 1/e) and 89 to 98 % (at 10 %); of N_eff 33 to 140 91 to 100, 80
-///           to 100 and 88 to 100 % (validation/error_coverage).
+/// Accuracy  of 200 fields of each of eleven textures, N_eff 290 to 1230, 95 % intervals cover 95 to 100 %
+///           (Sal), 90 to 98 % (lengths at 1/e) and 86 to 97 % (at 10 %); of N_eff 33 to 140 90 to 100, 79
+///           to 100 and 85 to 100 % (validation/error_coverage).
 /// Cost      a pass over the lags per end; for Sal one to four simulations, 5 ms each.
 #pragma once
 
