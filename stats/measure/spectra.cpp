@@ -1,5 +1,7 @@
 #include "stats/measure/spectra.hpp"
 
+#include "stats/filter/missing.hpp"
+#include "stats/spectrum/holes.hpp"
 #include "stats/spectrum/pooled_degrees.hpp"
 #include "stats/spectrum/power_excess.hpp"
 #include "stats/spectrum/resolution.hpp"
@@ -9,6 +11,14 @@ namespace {
 
 // Whether local amplitudes may stray: not of heights that were drawn from a Gaussian field.
 bool may_stray(const Sample& sample) { return sample.basis().estimated || sample.distribution(); }
+
+// The means over profiles along x of a spectrum that missing points have spread once more.
+std::vector<SpectrumPoint> profiles_once_more(const Field& d, const Grid& grid, DataWindow window,
+                                              int threads) {
+  const DataWindows windows{window, DataWindow::none};
+  return profile_spectrum(spread_by_holes(power_spectrum(d, grid, windows, threads), d), grid,
+                          shared_power(d, windows));
+}
 
 }  // namespace
 
@@ -23,19 +33,29 @@ std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, D
   if (!(along_x ? grid.periodic.x : grid.periodic.y))
     judge_resolution(out,
                      {PointKind::profile, window, surface.degree, along_x ? grid.shape.nx : grid.shape.ny});
+  if (has_missing(surface.heights)) {
+    const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
+    judge_holes(out,
+                along_x ? profiles_once_more(surface.heights, grid, window, sample.threads())
+                        : profiles_once_more(surface.heights.transpose(), turned, window, sample.threads()),
+                PointKind::profile);
+  }
   return out;
 }
 
 std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows windows) {
   const Surface& surface = sample.surface();
   const Grid& grid = sample.grid();
-  auto out = radial_spectrum(power_spectrum(surface.heights, grid, windows, sample.threads()), grid,
-                             shared_power(surface.heights, windows));
+  const LagField psd = power_spectrum(surface.heights, grid, windows, sample.threads());
+  const SharedPower shared = shared_power(surface.heights, windows);
+  auto out = radial_spectrum(psd, grid, shared);
   pool_degrees(out, PointKind::ring);
   if (may_stray(sample))
     add_excess(out, radial_excess(surface.heights, grid, windows, sample.extent(), sample.threads()));
   if (!grid.periodic.both())
     judge_resolution(out, {PointKind::ring, grid.periodic.x ? windows.y : windows.x, surface.degree});
+  if (has_missing(surface.heights))
+    judge_holes(out, radial_spectrum(spread_by_holes(psd, surface.heights), grid, shared), PointKind::ring);
   return out;
 }
 

@@ -3,7 +3,8 @@
 /// Degrees of freedom come from the power that wave numbers share and from neighbouring points
 /// (stats/spectrum/shared_power.hpp, pooled_degrees.hpp); unless heights were drawn Gaussian, what local
 /// amplitudes that stray add comes from the field's own long waves (power_excess.hpp); what the window
-/// smooths and leaks lengthens intervals, or leaves none (resolution.hpp).
+/// smooths and leaks, and what missing points spread, lengthens intervals or leaves none (resolution.hpp,
+/// holes.hpp).
 ///
 /// Accuracy  of fields of eleven textures, Gaussian and not, without a known correlation
 ///           (validation/error_coverage.cpp), at wave numbers 3, 5, 12, 40 where more than half of the

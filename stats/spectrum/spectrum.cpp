@@ -92,6 +92,8 @@ const char* reason(NoError why) {
       return "leakage";
     case NoError::resolution:
       return "resolution";
+    case NoError::holes:
+      return "holes";
     case NoError::none:
       break;
   }
@@ -136,10 +138,13 @@ std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Ax
     return profile_spectrum(d.transpose(), turned, Axis1D::x, window, threads);
   }
   const DataWindows windows{window, DataWindow::none};
-  const LagField psd = power_spectrum(d, grid, windows, threads);
+  return profile_spectrum(power_spectrum(d, grid, windows, threads), grid, shared_power(d, windows));
+}
+
+std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid,
+                                            const SharedPower& shared) {
   std::vector<SpectrumPoint> out;
-  for (const MeanPower& row :
-       shared_power(d, windows).means(psd, psd.max_p() + 1, [](Index p, Index) { return p; }))
+  for (const MeanPower& row : shared.means(psd, psd.max_p() + 1, [](Index p, Index) { return p; }))
     out.push_back({.wave_number = 2 * std::numbers::pi * static_cast<double>(out.size()) / grid.size_x(),
                    .density = row.mean / grid.dy,
                    .standard_error = std::sqrt(row.variance) / grid.dy,

@@ -74,8 +74,8 @@ SharedPower shared_power(const Field& d, DataWindows windows);
 /// periodic grid.
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
 
-/// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp).
-enum class NoError { none, form, leakage, resolution };
+/// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp, holes.hpp).
+enum class NoError { none, form, leakage, resolution, holes };
 /// In one word; "" for none.
 const char* reason(NoError why);
 
@@ -86,7 +86,7 @@ struct SpectrumPoint {
   double standard_error = 0;
   double degrees = 0;  ///< ν of the χ² that density is distributed as
   double count = 0;    ///< number of wave numbers (qx,qy), of both signs
-  double bias = 0;     ///< ln of the density over that of the surface, by the window, as far as it is seen
+  double bias = 0;  ///< ln of the density over that of the surface, by window and holes, as far as it is seen
   NoError no_error = NoError::none;
 
   /// (6)
@@ -96,6 +96,8 @@ struct SpectrumPoint {
 /// (3) for wave numbers ≥ 0.
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads = 1);
+/// (3) along x for wave numbers ≥ 0, from (1) with a window along x alone.
+std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared);
 /// The means of (1) over rings from the first on.
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared);
 
